@@ -141,7 +141,8 @@ class LocalPlane:
                 f"{np.max(distance) / self.widest * WIDEST:.4g} km from the origin"
             )
             raise DataError(
-                f"a place is {distance_text}, at most {WIDEST:g}. Choose a smaller box"
+                f"a place is {distance_text}, at most {WIDEST:g}. Choose a smaller box, "
+                "or an origin in its middle"
             )
         return x1, x2
 

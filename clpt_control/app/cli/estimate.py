@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray
 
+    from ...ocean.estimation.live_fixes import LiveFixes
+
 LIVE = "-"
 MISSION = "made_auv_mission.csv"
 OF_RUNS = ("every", "prior", "noise", "until")
@@ -181,13 +183,15 @@ def _finish(
     from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 
     out, figure, results = paths
+    left_out = [{"leg": skip.dive, "why": skip.why} for skip in skipped]
+    data.attrs["skipped"] = json.dumps(left_out)
     if out is not None:
         clpt.save_scenario(known, out)
     draw_figure(figure, learned_flow_plot, data)
     if results is not None:
         write_together({results: data})
     data.attrs["title"] = title
-    report = report_of(data, skipped, truth)
+    report = report_of(data, truth)
     finish(results_of(report), report, as_json, out, figure, results)
 
 
@@ -210,9 +214,14 @@ def known_scenario(
 
 def _live(scenario: "clpt.Scenario", state: Path | None, out: Path | None) -> None:
     """Answer lines of standard input until it ends."""
-    from ...ocean.estimation.live_fixes import LiveFixes
+    from ...ocean.estimation.live_fixes import LiveFixes, sole_writer
 
-    learner = LiveFixes(scenario, state)
+    with sole_writer(state):
+        _answer(LiveFixes(scenario, state), out)
+
+
+def _answer(learner: "LiveFixes", out: Path | None) -> None:
+    """Print an answer to each fix, and to each line that is left out."""
     refused = 0
     for number, line in enumerate(sys.stdin, 1):
         if not line.strip():
@@ -223,11 +232,16 @@ def _live(scenario: "clpt.Scenario", state: Path | None, out: Path | None) -> No
             tell(f"clpt: line {number}: {error}")
             refused += 1
             continue
-        if answer is not None:
-            say(json.dumps(answer))
+        if answer is None:
+            continue
+        say(json.dumps(answer))
+        if "skipped" in answer and "latitude" not in line:
+            tell(f"clpt: line {number}: skipped, {answer['skipped']}")
     if out is not None and learner.estimator.legs:
         theta = learner.estimator.theta
-        clpt.save_scenario(clpt.currents.known_flow_scenario(scenario, theta), out)
+        clpt.save_scenario(
+            clpt.currents.known_flow_scenario(learner.scenario, theta), out
+        )
     if refused:
         raise ClptError(f"{refused} line{'s' * (refused > 1)} refused, as told above")
 

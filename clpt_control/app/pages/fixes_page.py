@@ -1,6 +1,6 @@
 """Results, figure and page of a flow learned from fixes: errors of the forecasts, parameters."""
 
-from collections.abc import Sequence
+import json
 from typing import Any
 
 import numpy as np
@@ -40,9 +40,7 @@ def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
     )
 
 
-def report_of(
-    data: xarray.Dataset, skipped: Sequence[Any] = (), truth: "np.ndarray | None" = None
-) -> Report:
+def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report:
     """Return the results of legs by name, ready for JSON; `truth` is theta of a run, m/s."""
     error = np.hypot(*data.position_error.values.T)
     legs = [
@@ -83,7 +81,7 @@ def report_of(
         "largest_turn_rad": float(data.turn.max()),
         "noise_scale": float(data.attrs["noise_scale"]),
         "notes": [*np.atleast_1d(data.attrs["notes"]).tolist()],
-        "skipped": [{"leg": skip.dive, "why": skip.why} for skip in skipped],
+        "skipped": json.loads(data.attrs.get("skipped", "[]")),
     }
 
 
@@ -118,7 +116,10 @@ def results_of(report: Report) -> list[Result]:
         f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
         f"rms of the errors {report['error_rms_m']:.0f} m",
         *report["notes"],
-        *(f"skipped: {skip['why']}" for skip in report["skipped"]),
+        *(
+            f"skipped: {'' if skip['leg'] is None else 'leg {leg}: '.format(**skip)}{skip['why']}"
+            for skip in report["skipped"]
+        ),
     ]
     method = f"law {report['law']}, {report['method']}"
     title = f"{report['title']}: {method}, t = 0 at {report['time_origin'][:19]} UTC"
@@ -136,6 +137,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     chart, errors = axes_for(ax, 6.8, 8.0, nrows=2, height_ratios=(3, 1.3))
     latitude, longitude = data.attrs["origin"]
     plane = LocalPlane(latitude, longitude, "km")
+    plane.widest = np.inf  # a drawing may be distorted
     x, y = plane.to_plane(data.latitude.values, data.longitude.values)
     px, py = plane.to_plane(
         data.predicted_latitude.values, data.predicted_longitude.values
@@ -159,7 +161,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     degree_axes(chart, plane, "km")
     chart.set_title("Flow learned from fixes", **TITLE)
     legend_below(chart, 3)
-    numbers = np.arange(1, len(x) + 1)
+    numbers = data.leg.values
     error = np.hypot(*data.position_error.values.T) / 1000
     errors.fill_between(
         *(numbers, 0, data.forecast_radius.values / 1000),

@@ -29,15 +29,18 @@ import numpy as np
 
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
-from ...base.geodesy import displacement, is_place
+from ...base.geodesy import displacement, distance, is_place
 from ...paper.scenario.experiment import Scenario
 from .fix_settings import FixSettings, LocalFrame
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, Guess, LegGuesses, Regression, remarks, theta_of
-from .leg_track import Leg, LegTrack, Turn
+from .leg_track import Leg, LegTrack, Turn, long_interval
+from .wrong_units import COMPARED, way_of, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
+EARTH = 2e7  # m, half of its circumference
+NEAR = 20e3  # m from the origin of the plane, where east is the plane's to 0.2 degrees
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 
 
@@ -149,9 +152,11 @@ class FlowEstimator:
         self.frame: LocalFrame | None = None
         self.legs = 0
         self.fastest = 0.0  # speed through the water, length per time
+        self.turn = 0.0  # of the flow along the last leg, rad
         self._guessing = LegGuesses(scenario, self.settings)
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
+        self.ways: list[list[float]] = []  # of the last legs, rows of `wrong_motion`
         basis = scenario.basis_block("z")
         self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
 
@@ -186,6 +191,8 @@ class FlowEstimator:
         if self.frame is None:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
+        if self._is_everywhere:
+            self._recentre(time, latitude, longitude)
         t = self.frame.own_time(time)
         place = self.frame.point(latitude, longitude)
         results: dict[str, Any] = {}
@@ -198,6 +205,8 @@ class FlowEstimator:
             predicted = ahead.latitude, ahead.longitude
             east, north = displacement(*predicted, latitude, longitude)
             results = {"forecast": ahead, "error_east": east, "error_north": north}
+            way = way_of(leg.place, place.tolist(), leg.way, t - leg.start)
+            self.ways = [*self.ways[1 - COMPARED :], way]
         elif leg is not None:
             results["note"] = self._unknown(leg, t)
         begins_again = Leg(t, [float(x) for x in place], t)
@@ -233,17 +242,16 @@ class FlowEstimator:
     def move_through(self, stretches: np.ndarray) -> None:
         """Move the prediction by rows of time, east and north, as `move` does by one."""
         frame, _ = self.under_way
-        ends = frame.own_time(stretches[:, 0]).tolist()
-        moved: dict[int, list[list[float]]] = {}
+        ends = frame.own_time(stretches[:, 0])
         for leg in self._open():
             axes = frame.axes(np.array(leg.place)) / frame.metres
-            moved[id(leg)] = (stretches[:, 1:] @ axes.T).tolist()
-        for leg in self._open():
-            for t, (x, y) in zip(ends, moved[id(leg)], strict=True):
-                span = t - leg.time
-                if span > 0:
-                    self.fastest = max(self.fastest, hypot(x, y) / span)
-                leg.known += span
+            moved = stretches[:, 1:] @ axes.T
+            spans = np.diff(ends, prepend=leg.time)
+            lasts = spans > 0
+            speeds = np.hypot(*moved[lasts].T) / spans[lasts]
+            self.fastest = max(self.fastest, float(np.max(speeds, initial=0.0)))
+            leg.known += float(np.sum(spans))
+            for t, (x, y) in zip(ends.tolist(), moved.tolist(), strict=True):
                 leg.add(t, x, y, self.track.size)
 
     @public
@@ -339,6 +347,12 @@ class FlowEstimator:
         return np.sqrt(np.maximum(np.diag(self.covariance), 0.0)) * self.settings.speed
 
     @property
+    def warnings(self) -> list[str]:
+        """Sentences on the motion through the water, and on the interval between fixes."""
+        told = wrong_motion(self.ways, 2**0.5 * self.settings.fix)
+        return [told] * bool(told) + long_interval(self.turn)
+
+    @property
     def flow_parameters(self) -> np.ndarray:
         """Estimate of theta, (2, N), m/s."""
         return self.theta * self.settings.speed
@@ -376,7 +390,9 @@ class FlowEstimator:
             "open": [asdict(leg) for leg in legs],
             "legs": self.legs,
             "fastest": self.fastest,
+            "turn": self.turn,
             "told": self.told,
+            "ways": self.ways,
             "log_odds": self.guesses.log_odds,
             "guesses": [
                 vars(guess)
@@ -396,7 +412,8 @@ class FlowEstimator:
             frame[0], (frame[1], frame[2]), self.scenario.units
         )
         self.legs, self.fastest = state["legs"], state["fastest"]
-        self.told = state["told"]
+        self.turn = state["turn"]
+        self.told, self.ways = state["told"], state["ways"]
         guesses = tuple(
             Guess(
                 None if guess["leg"] is None else legs[guess["leg"]],
@@ -411,6 +428,22 @@ class FlowEstimator:
         self.guesses = Hypotheses(guesses, tuple(state["log_odds"]))
 
     # --- one leg --------------------------------------------------------------------------------
+
+    @property
+    def _is_everywhere(self) -> bool:
+        """True if the functions are the same everywhere on Earth, and need no plane as large."""
+        return self.track.size[0] * self.settings.metres > EARTH
+
+    def _recentre(self, time: float, latitude: float, longitude: float) -> None:
+        """Move the origin of the plane to a fix that is far from it."""
+        frame = self.frame
+        assert frame is not None
+        if distance(*frame.place, latitude, longitude) < NEAR:
+            return
+        self.frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
+        for leg in self._open():
+            place = frame.position(np.array(leg.place))
+            leg.place = self.frame.point(*place).tolist()
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""
@@ -463,7 +496,10 @@ class FlowEstimator:
         )
         law, ended = self.scenario.learning.law, known.get(id(leg))
         self.told, note = remarks(self.guesses, self.told, law)
-        return {} if ended is None else {"note": note, "turn": ended.turn.learned}
+        if ended is None:
+            return {}
+        self.turn = ended.turn.learned
+        return {"note": note, "turn": self.turn}
 
     def _check_time(self, time: float) -> None:
         if not np.isfinite(time):

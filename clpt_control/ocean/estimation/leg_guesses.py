@@ -43,9 +43,9 @@ JUDGED = 4  # last fixes that later ones may judge again
 WALKS = "kalman-flow"  # law of a flow that changes
 REMARKS = {
     RIGHT: "",
-    WRONG: "lies outside the region of its forecast: it is in doubt, or the estimate is, and is "
-    "not learned unless later legs agree",
-    CHANGED: "shows that the flow changed, or that the estimate was wrong: learned anew",
+    WRONG: "the fix lies outside the region of its forecast: it is in doubt, or the estimate is, "
+    "and is not learned unless later legs agree",
+    CHANGED: "the flow changed, or the estimate was wrong: learned anew",
 }
 AFTER_ALL = {
     RIGHT: "is right after all, and learned",

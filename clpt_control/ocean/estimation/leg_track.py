@@ -27,6 +27,7 @@ JOINED = (
 )
 STEPS = 4  # of the integration, at least, while the vehicle crosses a width
 STEPS_OF_PERIOD = 24
+TOLD_TURN, LONG = 1.0, 3.0  # rad along a leg
 DIFFERENCE = 1e-3  # of a width, of the differences of phi
 
 Stretch = tuple[float, float, float]  # time at its end, displacement along both axes
@@ -167,3 +168,13 @@ def runge_kutta(
     k3 = rates(t + step / 2, state + step / 2 * k2)
     k4 = rates(t + step, state + step * k3)
     return state + step * ((k1 + 2 * k2 + 2 * k3 + k4) / 6)
+
+
+def long_interval(turn: float) -> list[str]:
+    """Return a note on a flow that turns far between fixes, rad."""
+    if turn <= TOLD_TURN:
+        return []
+    note = f"the interval is long for this flow: it turns by {turn:.1f} radians between fixes"
+    if turn > LONG:
+        note += ", so the estimate may be far off. Take fixes more often"
+    return [f"{note}; recorded legs: --method tomography"]

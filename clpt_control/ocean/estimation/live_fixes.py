@@ -8,38 +8,38 @@ A line is a row of a log (`gliders.dive_table`), with the same names:
 
 T is in s since 1970 UTC or ISO 8601.  A fix may carry `"plan"`, a list of such lines with the times
 at which each stretch of the plan ends: the answer then has the forecast of the next fix.  Each fix
-is answered by one object.  The state is written after each line, whole or not at all; a line that
-is not later than the state was learned before it, and is skipped.
+is answered by one object, and so is each line, or part of one, that is left out (`log_rows`).
+
+The state is written whole at each fix; lines between two fixes are appended, and read again when
+the state is taken up.
 """
 
 import json
-from dataclasses import asdict, dataclass, field
-from math import atan2, degrees, hypot, isfinite, nan
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import asdict
+from math import atan2, degrees, hypot, inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any
 
-from ...base.errors import DataError
+import numpy as np
+
+from ...base.errors import DataError, import_optional
 from ...base.files import write_file
 from ...base.files.reading import read_text
 from ...base.units import finite_or_none, seconds_since_1970
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ..gliders.dives import PLACE, STEERING, STRETCH, velocity_of
+from ..gliders.log_rows import NOT_GIVEN, LogRows, iso, time_fault
+from ..gliders.usable_dives import LONGEST
 from .fix_model import LEVEL
 from .flow_estimator import Ahead, FlowEstimator, Learned
 
 PARTS = (PLACE, STEERING, STRETCH)
 KEYS = {"time", "plan", *(key for part in PARTS for key in part)}
-FORMAT = 1  # of the file of the state
-
-
-@dataclass
-class Motion:
-    """Velocity through the water since the last line (m/s), and what that line had."""
-
-    time: float = nan
-    velocity: tuple[float, float] = (nan, nan)
-    had: list[str] = field(default_factory=list)
+MOTION = {*STEERING, *STRETCH}
+FORMAT = 2  # of the file of the state
 
 
 class LiveFixes:
@@ -49,82 +49,79 @@ class LiveFixes:
     """
 
     def __init__(self, scenario: Scenario, path: Path | None = None) -> None:
-        self.estimator, self.path = FlowEstimator(scenario), path
-        self.motion = Motion()
+        self.scenario, self.path = scenario, path
         self.text = scenario_to_text(scenario)
+        self._begin()
         if path is not None and path.exists():
             self._resume(path)
 
+    def _begin(self) -> None:
+        """Know nothing."""
+        self.estimator, self.rows = FlowEstimator(self.scenario), LogRows()
+
     def answer(self, line: str) -> dict[str, Any] | None:
-        """Read a line; return the answer to a fix, or None."""
-        row = self._row(line)
-        time = row["time"]
-        has = [part[0] for part in PARTS if part[0] in row]
-        if self._is_before(time, has):
-            skipped = {"time": time, "skipped": "not later than the state"}
-            return skipped if PLACE[0] in row else None
-        before = self.estimator.state, asdict(self.motion)
-        try:
-            answer = self._take(row)
-            self.motion.had = [
-                *(self.motion.had if time == self.motion.time else ()),
-                *has,
-            ]
-            self.motion.time = time
-        except DataError:
-            # a line is taken as a whole or not at all
-            self.estimator.state, self.motion = before[0], Motion(**before[1])
-            raise
-        self._save()
+        """Read a line; return the answer to a fix or a line that is left out, or None."""
+        answer, has_learned = self._read(line)
+        if self.path is None:
+            return answer
+        if has_learned:
+            write_file(self.path, json.dumps(self._state()) + "\n")
+        else:
+            if not self.path.exists():
+                write_file(self.path, json.dumps(self._state()) + "\n")
+            with self.path.open("a", encoding="utf-8") as journal:
+                journal.write(line.strip() + "\n")
         return answer
 
-    def _take(self, row: dict[str, Any]) -> dict[str, Any] | None:
-        """Move, learn and steer by a line."""
+    def _read(self, line: str) -> tuple[dict[str, Any] | None, bool]:
+        """Return the answer to a line, and whether a fix was learned."""
+        row = _row(line)
         time = row["time"]
-        stretch = self._stretch(row)
-        if stretch is not None:
-            self.estimator.move(time, *stretch)
-        answer = None
-        if PLACE[0] in row:
-            learned = self.estimator.fix(time, *(row[key] for key in PLACE))
-            answer = answer_of(learned, self.estimator)
-            if "plan" in row:
-                ahead = self.estimator.forecast(_plan(row["plan"], time))
-                answer["next"] = forecast_of(ahead)
-        if STEERING[0] in row:
-            self.motion.velocity = _velocity(row, "line")
-        return answer
+        place, steering, stretch = (
+            (row[part[0]], row[part[1]]) if part[0] in row else None for part in PARTS
+        )
+        if stretch is not None and self.estimator.leg is None:
+            raise DataError("no fix yet. Give a fix first")
+        is_early = not self.estimator.legs and self.rows.time - time > LONGEST
+        if is_early and place is not None:
+            # nothing is lost: the clock of the lines before was ahead
+            self._begin()
+        reading = self.rows.read(time, place, steering, stretch)
+        answer: dict[str, Any] = {"time": iso(time)} if time_fault(time) == "" else {}
+        if reading.moved is not None and self.estimator.leg is not None:
+            self.estimator.move_through(np.array([[time, *reading.moved]]))
+        told = [reading.skipped]
+        if reading.unknown not in ("", NOT_GIVEN) and self.estimator.leg is not None:
+            told.append(f"motion unknown: {reading.unknown}")
+        has_learned = False
+        if reading.place is not None:
+            try:
+                learned = self.estimator.fix(time, *reading.place)
+                answer, has_learned = answer_of(learned, self.estimator), True
+            except DataError as error:
+                told.append(str(error))
+        if told := [text for text in told if text]:
+            answer["skipped"] = "; ".join(told)
+        elif not has_learned:
+            return None, False
+        if "plan" in row and time == self.rows.time:
+            answer |= self._ahead(row["plan"], time)
+        return answer, has_learned
 
-    def _stretch(self, row: dict[str, Any]) -> tuple[float, float] | None:
-        """Return the displacement since the line before, m, or None if it is not known."""
-        if STRETCH[0] in row:
-            return row[STRETCH[0]], row[STRETCH[1]]
-        if self.estimator.leg is None:
-            return None
-        span = row["time"] - self.motion.time
-        east, north = (speed * span for speed in self.motion.velocity)
-        return (east, north) if isfinite(east) and span > 0 else None
-
-    def _is_before(self, time: float, has: list[str]) -> bool:
-        """Return whether a line was taken before."""
-        if time == self.motion.time:
-            return set(has) <= set(self.motion.had)
-        return time < self.motion.time
-
-    def _row(self, line: str) -> dict[str, Any]:
-        """Return a line as numbers by name."""
+    def _ahead(self, plan: Any, time: float) -> dict[str, Any]:
+        """Return the forecast of the next fix, or why the plan is refused."""
         try:
-            row = json.loads(line)
-        except (ValueError, RecursionError):
-            raise DataError(
-                f"{line[:60]!r}: is not JSON. Give one object a line"
-            ) from None
-        return _checked(row)
+            return {"next": forecast_of(self.estimator.forecast(_plan(plan, time)))}
+        except DataError as error:
+            return {"plan_refused": str(error)}
 
     def _resume(self, path: Path) -> None:
-        """Take up a state from its file."""
+        """Take up a state from its file, and read the lines after it again."""
         try:
-            stored = json.loads(read_text(path, "is not the state of an estimate"))
+            first, *lines = read_text(path, "is not the state of an estimate").split(
+                "\n"
+            )
+            stored = json.loads(first)
             form, text = stored["format"], stored["scenario"]
         except (ValueError, KeyError, TypeError):
             raise DataError(
@@ -135,18 +132,50 @@ class LiveFixes:
                 f"{path}: is the state of another scenario. Give that scenario, or another --state"
             )
         self.estimator.state = stored["estimator"]
-        self.motion = Motion(**stored["motion"])
+        east, north = stored["rows"].pop("velocity")
+        self.rows = LogRows(**stored["rows"], velocity=(east, north))
+        # a process that was killed may have left a part of its last line
+        for line in lines[:-1]:
+            with suppress(DataError):
+                self._read(line)
 
-    def _save(self) -> None:
-        if self.path is None:
-            return
-        state = {
+    def _state(self) -> dict[str, Any]:
+        return {
             "format": FORMAT,
             "scenario": self.text,
             "estimator": self.estimator.state,
-            "motion": asdict(self.motion),
+            "rows": asdict(self.rows),
         }
-        write_file(self.path, json.dumps(state))
+
+
+@contextmanager
+def sole_writer(path: Path | None) -> Iterator[None]:
+    """Refuse a state that another process writes."""
+    if path is None:
+        yield
+        return
+    filelock = import_optional("filelock")
+    with ExitStack() as locked:
+        try:  # the lock of a killed process is free
+            locked.enter_context(filelock.FileLock(f"{path}.lock", timeout=0))
+        except filelock.Timeout:
+            raise DataError(
+                f"{path}: another clpt estimate writes it. End that one, or give another --state"
+            ) from None
+        except OSError as error:
+            raise DataError(
+                f"{path}: cannot be written to: {error.strerror or error}"
+            ) from None
+        yield
+
+
+def _row(line: str) -> dict[str, Any]:
+    """Return a line as numbers by name."""
+    try:
+        row = json.loads(line)
+    except (ValueError, RecursionError):
+        raise DataError(f"{line[:60]!r}: is not JSON. Give one object a line") from None
+    return _checked(row)
 
 
 def _checked(row: Any) -> dict[str, Any]:
@@ -158,7 +187,12 @@ def _checked(row: Any) -> dict[str, Any]:
         raise DataError(
             f"unknown key {unknown[0]!r:.40}. Allowed: {', '.join(sorted(KEYS))}"
         )
-    checked = {key: value for key, value in row.items() if value is not None}
+    # null is an unknown motion, and no fix
+    checked = {
+        key: nan if value is None else value
+        for key, value in row.items()
+        if value is not None or key in MOTION
+    }
     for part in PARTS:
         given = [key for key in part if key in checked]
         if len(given) == 1:
@@ -180,15 +214,10 @@ def _number(key: str, value: Any) -> float:
         is_date = key == "time" and isinstance(value, str)
         number = seconds_since_1970(value) if is_date else float(value)
     except (TypeError, ValueError):
-        number = nan
-    if not isfinite(number):
+        number = inf
+    if not isfinite(number) and not (isnan(number) and key in MOTION):
         raise DataError(f"{key} = {value!r:.40}: must be a finite number")
     return number
-
-
-def _velocity(row: dict[str, Any], where: str) -> tuple[float, float]:
-    course, speed = (row[key] for key in STEERING)
-    return velocity_of(course, speed, where)
 
 
 def _plan(plan: Any, time: float) -> list[tuple[float, float, float]]:
@@ -203,7 +232,8 @@ def _plan(plan: Any, time: float) -> list[tuple[float, float, float]]:
         if STRETCH[0] in line:
             east, north = (line[key] for key in STRETCH)
         elif STEERING[0] in line:
-            velocity = _velocity(line, "plan")
+            course, speed = (line[key] for key in STEERING)
+            velocity = velocity_of(course, speed, "plan")
             east, north = (speed * (end - time) for speed in velocity)
         else:
             raise DataError("plan: give course and speed, or dr_east_m and dr_north_m")
@@ -220,10 +250,10 @@ def towards(east: float, north: float) -> dict[str, float]:
     return {"speed": hypot(east, north), "towards": degrees(atan2(east, north)) % 360.0}
 
 
-def forecast_of(ahead: Ahead) -> dict[str, float]:
+def forecast_of(ahead: Ahead) -> dict[str, Any]:
     """Return a forecast as numbers by name: its ellipse is a circle."""
     return {
-        "time": ahead.time,
+        "time": iso(ahead.time),
         "latitude": ahead.latitude,
         "longitude": ahead.longitude,
         "radius_m": ahead.radius,
@@ -234,7 +264,7 @@ def forecast_of(ahead: Ahead) -> dict[str, float]:
 def answer_of(learned: Learned, estimator: FlowEstimator) -> dict[str, Any]:
     """Return what a fix taught as numbers by name, ready for JSON."""
     answer: dict[str, Any] = {
-        "time": learned.time,
+        "time": iso(learned.time),
         "latitude": learned.latitude,
         "longitude": learned.longitude,
         "legs": estimator.legs,
@@ -248,6 +278,9 @@ def answer_of(learned: Learned, estimator: FlowEstimator) -> dict[str, Any]:
     if learned.forecast is not None:
         answer["forecast"] = forecast_of(learned.forecast)
         answer["inside"] = bool(learned.inside)
+        answer["turn_rad"] = learned.turn
     if learned.note:
         answer["note"] = learned.note
+    if estimator.warnings:
+        answer["warnings"] = estimator.warnings
     return answer

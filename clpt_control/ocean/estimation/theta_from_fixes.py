@@ -25,15 +25,14 @@ from .fix_model import PERCENT
 from .fix_settings import LocalFrame
 from .flow_estimator import Ahead, FlowEstimator, Learned
 from .leg_chain import FlownLeg
-from .leg_track import Leg
+from .leg_track import LONG, Leg
 from .run_legs import legs_of_run
-from .tomography import LONG, Tomography, tomography
+from .tomography import Tomography, tomography
 
 METHODS = ("kalman", "tomography")
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
 LEAST, LARGEST = 1e-9, 1e9  # prior and noise of runs
-TOLD_TURN = 1.0  # rad along a leg
 MPS = "m s-1"
 
 
@@ -275,10 +274,17 @@ def flow_of_legs(
     estimator = FlowEstimator(scenario)
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
-    learned = []
+    learned, used, refused = [], [], []
     for leg in legs:
         check()
-        learned.append(learn_leg(estimator, leg))
+        try:
+            learned.append(learn_leg(estimator, leg))
+            used.append(leg)
+        except DataError as beyond:
+            refused.append(f"leg {leg.number}: not learned: {beyond}")
+    if not used:
+        raise DataError(refused[0])
+    legs = used
     theta, errors = estimator.flow_parameters, estimator.standard_error
     scale, notes = estimator.scale, []
     turns = [result.turn for result in learned]
@@ -286,8 +292,8 @@ def flow_of_legs(
         found, speed = tomography_of(estimator, legs), estimator.settings.speed
         theta, errors = found.theta * speed, found.standard_error.max(axis=0) * speed
         scale, notes, turns = found.scale, found.notes, [*found.turns]
-    else:
-        notes = long_interval(max(turns))
+    estimator.turn = 0.0 if method == "tomography" else max(turns)
+    notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
     places = [(r.time, r.latitude, r.longitude) for r in learned]
     flow = [estimator.flow_by(theta / estimator.settings.speed, *at) for at in places]
@@ -339,27 +345,17 @@ def flow_of_legs(
             "origin": list(frame.place),
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
-            "notes": [
-                f"leg {leg.number}: its end fix {r.note}"
+            "notes": notes
+            + [
+                f"leg {leg.number}: {r.note}"
                 for leg, r in zip(legs, learned, strict=True)
                 if r.note
             ]
-            + notes
             + not_learned(estimator, errors)
             + bent_legs(legs),
         },
     )
     return data, theta / estimator.settings.speed
-
-
-def long_interval(turn: float) -> list[str]:
-    """Return a note on a flow that turns far between fixes, rad."""
-    if turn <= TOLD_TURN:
-        return []
-    note = f"the interval is long for this flow: it turns by {turn:.1f} radians between fixes"
-    if turn > LONG:
-        note += ", so the estimate may be far off. Take fixes more often"
-    return [f"{note}; recorded legs: --method tomography"]
 
 
 def not_learned(estimator: FlowEstimator, errors: np.ndarray) -> list[str]:

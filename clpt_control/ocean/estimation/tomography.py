@@ -47,7 +47,6 @@ FREEDOM = 8.0  # degrees of freedom of the density of a right fix
 NEVER = 1e-9  # least weight of a fix
 SAME = 1e-3  # relative difference of two costs
 MUCH = 2.0  # factor c on the noise that is told
-LONG = 3.0  # rad a leg
 
 
 class Tomography(NamedTuple):

@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import isfinite
 from pathlib import Path
 from stat import S_ISDIR
@@ -25,13 +25,16 @@ from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
+from ...paper.currents.text_table import SUFFIXES
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
-from .dive_table import NO_MOTION, table_dives
+from .dive_table import table_dives
 from .dives import Dive, Skipped
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .usable_dives import LEAST_DURATION
+from .vehicle_log import NO_MOTION, mark_of
 
+MOST_COMMENTS = 1000  # lines before the header of a log
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
@@ -311,7 +314,28 @@ def read_legs(
         ]
     elif not any(known) and all(NO_MOTION in leg.notes for leg in legs):
         raise DataError(f"{path}: {NO_MOTION}")
-    used, unused = usable_dives.usable(legs, least_duration=0.0)
+    used, unused = known_legs(legs) if is_log(path) else usable_dives.usable(legs, 0.0)
     if not used:
         raise DataError(f"{path}: no usable leg. First reason: {unused[0].why}")
     return used, [*skipped, *unused]
+
+
+def is_log(path: str | Path) -> bool:
+    """Return whether a file is the log of a vehicle (`vehicle_log`)."""
+    file = Path(path)
+    if not (file.is_file() and file.suffix.lower() in SUFFIXES):
+        return False
+    with file.open(encoding="utf-8", errors="replace") as lines:
+        return bool(mark_of("".join(islice(lines, MOST_COMMENTS))))
+
+
+def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:
+    """Return legs of a known displacement, and the others with their reasons."""
+    used, skipped = [], []
+    for leg in legs:
+        if isfinite(leg.dr_east) and isfinite(leg.dr_north):
+            used.append(leg)
+        else:
+            why = "; ".join(("the way through the water is not known", *leg.notes))
+            skipped.append(Skipped(leg.number, why))
+    return used, skipped

@@ -15,30 +15,15 @@ Optional columns are the other rows of `dives.FIELDS` (`dive_fields`), such as `
 `vehicle`.  Lines that begin with `#` are comments, other columns are left alone, and the
 displacement between the fixes is computed, never read.
 
-A log has a row per moment, with a fix or with the motion through the water.
-
-    time,latitude,longitude,course,speed
-    2024-05-01T00:00:00Z,36.70,-122.10,45,1.0
-    2024-05-01T01:30:00Z,,,225,1.0
-    2024-05-01T03:00:00Z,36.71,-122.08,,
-
-`time` is in s since 1970 UTC or ISO 8601; `latitude` and `longitude` are degrees, empty where the
-vehicle has no fix.  The motion through the water is `course` (degrees from true north) and `speed`
-(m/s), which hold until the next row, or `dr_east_m` and `dr_north_m`, the displacement since the
-row before.  A log of fixes only has legs of unknown displacement.
-
-A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows; it is
-left out if the motion of a row in between is not known.
+A log has a row per moment (`vehicle_log`).
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
 from math import isfinite, nan
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas
 
 from ...base.arguments import public
 from ...base.errors import DataError
@@ -51,13 +36,13 @@ from .dives import (
     STEERING,
     STRETCH,
     Dive,
-    Fix,
     Skipped,
     make_dive,
     velocity_of,
     with_dac_note,
     without_current,
 )
+from .vehicle_log import AS_TIME, GIVE, log_legs, mark_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -69,15 +54,6 @@ OTHERWISE = (
     "; course (degrees), speed (m/s), or dac_east, dac_north (m/s), the vehicle's own current, may "
     "stand instead of dr_east_m, dr_north_m"
 )
-NAMES = {
-    "time": ("time", "date", "datetime"),
-    "latitude": ("latitude", "lat"),
-    "longitude": ("longitude", "lon"),
-}
-NO_MOTION = (
-    "the table has fixes without the motion through the water. Give columns course (degrees) and "
-    "speed (m/s), or dr_east_m and dr_north_m; a drifter has none: clpt estimate --drifter"
-)
 
 
 def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
@@ -88,10 +64,10 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     >>> round(dive.miss_east), dive.magvar
     (154, None)
     """
+    if mark := mark_of(text):
+        return log_legs(text, path, mark)
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
-    if "dive" not in header and is_log(header):
-        return [*log_legs(cells, path)]
     _check_header(header, path)
     rows: list[Dive | Skipped] = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
@@ -145,7 +121,7 @@ def _check_header(header: list[str], name: str | Path) -> None:
         missing = [column for column in missing if column not in STRETCH]
     if missing:
         marks = other_marks(line, REQUIRED[0])
-        begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
+        begins = f"a log begins with {GIVE}, a table of dives with {','.join(REQUIRED)}{OTHERWISE}"
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
         raise DataError(f"{name}: {marks or why}")
     double = [
@@ -238,97 +214,3 @@ def write_dive_table(
     write_file(path, "\n".join(lines) + "\n")
 
 
-# --- logs -----------------------------------------------------------------------------------------
-
-
-@dataclass
-class Way:
-    """Way through the water since a fix: elapsed time (s), east and north (m) of each row."""
-
-    start: Fix
-    points: list[tuple[float, float, float]] = field(
-        default_factory=lambda: [(0.0, 0.0, 0.0)]
-    )
-
-    def stretch(self, time: float, east: float, north: float) -> None:
-        """Add a stretch that ends at a time, NaN if its displacement is not known."""
-        _, x, y = self.points[-1]
-        self.points.append((time - self.start[0], x + east, y + north))
-
-    def leg(self, number: int, end: Fix) -> Dive:
-        """Return the leg that ends at a fix."""
-        track = np.array(self.points).T
-        east, north = float(track[1, -1]), float(track[2, -1])
-        known = isfinite(east) and isfinite(north)
-        leg = make_dive(number, self.start, end, (east, north))
-        return replace(leg, track=tuple(track)) if known else leg
-
-
-def is_log(header: list[str]) -> bool:
-    """Return whether a table's header is that of a log."""
-    return all(_column(header, name) for name in NAMES)
-
-
-def _column(header: list[str], name: str) -> str:
-    return next((column for column in header if column.lower() in NAMES[name]), "")
-
-
-def log_legs(cells: pandas.DataFrame, path: str | Path) -> list[Dive]:
-    """Return the legs of a log, with NaN for an unknown displacement."""
-    header = list(cells.columns)
-    has_steering, has_stretches = (
-        set(names) <= set(header) for names in (STEERING, STRETCH)
-    )
-    if has_steering and has_stretches:
-        raise DataError(
-            f"{path}: has both course, speed and dr_east_m, dr_north_m. Leave one pair out"
-        )
-    columns = {name: _column(header, name) for name in NAMES}
-    vehicles = {name_of(name) for name in cells.get("vehicle", [])} or {None}
-    if len(vehicles) > 1:
-        raise DataError(
-            f"{path}: has rows of {len(vehicles)} vehicles. Give each vehicle a table of its own"
-        )
-    rows: list[Dive] = []
-    way: Way | None = None
-    time, velocity = nan, (nan, nan)
-    for line, *row in cells.itertuples():
-        texts = dict(zip(header, row, strict=True))
-        where = f"{path}, line {line}"
-
-        def value(column: str, reader: Reader = NUMBER) -> float:
-            found, fault = DiveField("", reader, column).value(texts[column])  # noqa: B023 - called in this turn
-            if fault:
-                raise DataError(f"{where}: {fault}")  # noqa: B023
-            return nan if found is None else found
-
-        now = value(columns["time"], TIME)
-        if not isfinite(now) or (isfinite(time) and now <= time):
-            raise DataError(
-                f"{where}: time is {texts[columns['time']][:30]!r}; must be later than in the row "
-                "before"
-            )
-        # 1. the stretch that ends here
-        if way is not None:
-            if has_stretches:
-                way.stretch(now, *(value(column) for column in STRETCH))
-            else:
-                way.stretch(now, *(speed * (now - time) for speed in velocity))
-        # 2. a fix ends the leg and begins the next one
-        place = value(columns["latitude"]), value(columns["longitude"])
-        if isfinite(place[0]) != isfinite(place[1]):
-            raise DataError(f"{where}: has one of latitude and longitude. Give both")
-        if isfinite(place[0]):
-            if way is not None:
-                leg = way.leg(len(rows) + 1, (now, *place))
-                rows.append(leg if has_steering or has_stretches else _unknown(leg))
-            way = Way((now, *place))
-        # 3. the velocity until the next row
-        if has_steering:
-            velocity = velocity_of(value("course"), value("speed"), where)
-        time = now
-    return [replace(leg, vehicle=vehicles.copy().pop()) for leg in rows]
-
-
-def _unknown(leg: Dive) -> Dive:
-    return replace(leg, notes=(NO_MOTION,))

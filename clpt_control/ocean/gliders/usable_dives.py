@@ -233,7 +233,7 @@ def _with_a_repeated_start(dives: list[Dive]) -> set[int]:
 
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     """Return what is wrong with one fix, empty where it is good."""
-    if minutes := _in_minutes(lat, lon):
+    if minutes := in_minutes(lat, lon):
         return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
     if not (isfinite(time) and is_fix(lat, lon)):
         return f"no fix {name} the dive (time {time:g}, latitude {lat:g}, longitude {lon:g})"
@@ -243,12 +243,12 @@ def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     return f"the fix {name} the dive is at {time:.10g} s since 1970; {years}"
 
 
-def _in_minutes(lat: float, lon: float) -> str:
+def in_minutes(lat: float, lon: float) -> str:
     """Return what a place would be if it were written in degrees and minutes, empty if it is none.
 
-    >>> _in_minutes(5141.048, -12818.018)
+    >>> in_minutes(5141.048, -12818.018)
     'looks like ddmm.mmm, degrees and minutes. Give decimal degrees, 51.684133 -128.300300'
-    >>> _in_minutes(51.68, -128.3), _in_minutes(199.0, 8.0)
+    >>> in_minutes(51.68, -128.3), in_minutes(199.0, 8.0)
     ('', '')
     """
     if not (abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)):

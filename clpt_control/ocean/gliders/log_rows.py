@@ -1,0 +1,169 @@
+"""Rows of a vehicle's log in their order, recorded or live: the screen that both pass.
+
+A row has a time and parts: a fix, the course and speed that hold until the next row, or the
+displacement since the row before.  These are left out, each with its reason:
+
+    a row that is not later than the rows before, unless it adds a part to the last row
+    a row that is more than 30 days later, unless the next row is of the same clock
+    a fix at 0 N 0 E, or that is no place on Earth
+    a stretch above 5 m/s through the water, or of unknown speed: the motion until then is unknown
+"""
+
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from math import hypot, isfinite, nan
+from typing import NamedTuple
+
+from .dives import FASTEST, is_fix, velocity_of
+from .usable_dives import LATEST, LONGEST, in_minutes
+
+Pair = tuple[float, float]
+NOT_GIVEN = "no course and speed"
+ROUNDING = 1.0 + 1e-9
+DEG_E7 = 1e6  # a larger number of a place is in units of 1e-7 degrees
+
+
+class Reading(NamedTuple):
+    """Parts of a row that count: displacement since the row before (m) and fix (degrees).
+
+    `moved` is None where it is not known, of which `unknown` has the reason; `skipped` has the
+    reason for which the row, or a part of it, is left out.
+    """
+
+    moved: Pair | None = None
+    place: Pair | None = None
+    unknown: str = ""
+    skipped: str = ""
+    is_taken: bool = True
+
+
+@dataclass
+class LogRows:
+    """Reader of rows: the time of the last one, the parts that it had, and the velocity since."""
+
+    time: float = nan  # s since 1970 UTC
+    ahead: float = nan  # of a row that was left out as too late
+    velocity: Pair = (nan, nan)  # m/s to the east and north
+    unknown: str = NOT_GIVEN  # why the velocity is not known
+    had: list[bool] = field(default_factory=lambda: 3 * [False])
+
+    def read(
+        self,
+        time: float,
+        place: Pair | None = None,
+        steering: Pair | None = None,
+        stretch: Pair | None = None,
+        where: str = "line",
+    ) -> Reading:
+        """Read a row: fix (degrees), course and speed (degrees, m/s), displacement (m).
+
+        None is a part that the row has not, NaN an unknown one.
+        """
+        velocity = None if steering is None else velocity_of(*steering, where)
+        has = [part is not None for part in (place, steering, stretch)]
+        if fault := self._time_fault(time, has):
+            return Reading(skipped=fault, is_taken=False)
+        moved, unknown = self._moved(time, stretch)
+        fault = ""
+        if place is not None and (fault := place_fault(*place)):
+            place = None
+        if velocity is not None:
+            self.velocity = velocity
+            self.unknown = "" if velocity[0] == velocity[0] else NOT_GIVEN
+        if time == self.time:
+            has = [a or b for a, b in zip(has, self.had, strict=True)]
+        self.had = has
+        self.time, self.ahead = time, nan
+        return Reading(moved, place, unknown, fault)
+
+    def _time_fault(self, time: float, has: list[bool]) -> str:
+        """Return why a row is left out by its time, or an empty text."""
+        if self.time < time <= self.time + LONGEST < LATEST:
+            return ""
+        if not 0.0 <= time < LATEST:
+            return time_fault(time)
+        adds = any(a and not b for a, b in zip(has, self.had, strict=True))
+        if time < self.time or (time == self.time and not adds):
+            return f"not later than the row before, {iso(self.time)}"
+        is_late = time - self.time > LONGEST
+        if is_late and not 0.0 < time - self.ahead <= LONGEST:
+            self.ahead = time
+            if has[1]:
+                # when the vehicle turned is not known
+                self.velocity, self.unknown = (nan, nan), "a course was left out"
+            days = (time - self.time) / 86400
+            return (
+                f"dated {days:.0f} days after the row before, {iso(self.time)}: a clock that was "
+                "set, or a new record. It is taken if the next row is of the same clock"
+            )
+        return ""
+
+    def _moved(self, time: float, stretch: Pair | None) -> tuple[Pair | None, str]:
+        """Return the displacement since the row before, or why it is not known."""
+        span = time - self.time
+        if not isfinite(span) or (span == 0.0 and stretch is None):
+            return None, ""
+        if span > LONGEST:
+            return None, f"{span / 86400:.0f} days without a row"
+        if stretch is None:
+            east, north = self.velocity
+            moved, unknown = (east * span, north * span), self.unknown
+        else:
+            moved, unknown = stretch, "no displacement"
+        speed = hypot(*moved) / span if span > 0.0 else 0.0
+        if not isfinite(speed):
+            return None, unknown
+        if speed > FASTEST * ROUNDING:
+            return None, (
+                f"{speed:.3g} m/s through the water; at most {FASTEST:g} m/s can be. Are speeds in "
+                "knots or km/h? Give m/s, or the unit: speed (kn)"
+            )
+        return moved, ""
+
+
+def iso(time: float) -> str:
+    """Return a time, s since 1970, as a date of ISO 8601, to a millisecond."""
+    moment = datetime.fromtimestamp(round(time, 3), UTC)
+    timespec = "milliseconds" if moment.microsecond else "seconds"
+    return moment.isoformat(timespec=timespec).replace("+00:00", "Z")
+
+
+def time_fault(time: float) -> str:
+    """Return why a time cannot be, empty where it can.
+
+    >>> time_fault(1.7e12)
+    'time 1700000000000 looks like milliseconds since 1970. Give seconds, or name it time (ms)'
+    """
+    for unit, size in (
+        ("milliseconds", 1e3),
+        ("microseconds", 1e6),
+        ("nanoseconds", 1e9),
+    ):
+        if 1e9 < time / size < LATEST:
+            name = {1e3: "ms", 1e6: "us", 1e9: "ns"}[size]
+            return (
+                f"time {time:.15g} looks like {unit} since 1970. Give seconds, or name it time "
+                f"({name})"
+            )
+    if 0.0 <= time < LATEST:
+        return ""
+    return f"time {time:.15g}: must be from 1970 to {iso(LATEST)[:4]}"
+
+
+def place_fault(latitude: float, longitude: float) -> str:
+    """Return why a place is no fix, empty where it can be one.
+
+    >>> place_fault(0.0, 0.0), place_fault(36.7, -122.1)
+    ('0 N 0 E: a receiver without a fix', '')
+    """
+    if is_fix(latitude, longitude):
+        return ""
+    if latitude == longitude == 0.0:
+        return "0 N 0 E: a receiver without a fix"
+    if not (isfinite(latitude) and isfinite(longitude)):
+        return "no fix: has one of latitude and longitude. Give both"
+    if max(abs(latitude), abs(longitude)) > DEG_E7:
+        cure = "looks like 1e-7 degrees. Give degrees, or name them latitude (degE7)"
+    else:
+        cure = in_minutes(latitude, longitude) or "must be degrees"
+    return f"latitude {latitude:g}, longitude {longitude:g}: {cure}"
