@@ -277,6 +277,8 @@ class FlowEstimator:
     ) -> tuple[float, float]:
         """Return the flow of some theta, scenario's units, as `flow` does."""
         frame, _ = self.under_way
+        if self._is_everywhere:
+            frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
         point = frame.point(latitude, longitude)
         phi = self.track.phi(frame.own_time(time), point)
         return frame.velocity(point, theta @ phi)

@@ -69,25 +69,8 @@ class LegChain:
     deviation: np.ndarray
     steps: np.ndarray
 
-    @property
-    def is_fix(self) -> np.ndarray:
-        """True for nodes at a fix, (n,)."""
-        return np.isfinite(self.fixes[:, 0])
-
-    @property
-    def leg_of(self) -> np.ndarray:
-        """Number of the leg of each piece, (m,)."""
-        numbers = np.cumsum(self.is_fix)[self.links]
-        return np.unique(numbers, return_inverse=True)[1]
-
-    def shoot(
-        self,
-        places: np.ndarray,
-        theta: np.ndarray,
-        steps: np.ndarray | None = None,
-        slopes: bool = True,
-    ) -> Shot:
-        """Integrate all pieces from their places, or steps of them, by Runge and Kutta's method.
+    def shoot(self, places: np.ndarray, theta: np.ndarray, slopes: bool = True) -> Shot:
+        """Integrate all pieces from their places by Runge and Kutta's method.
 
         Without `slopes` the derivatives are those of still water.
         """
@@ -107,7 +90,7 @@ class LegChain:
             dS[:, 1, N : 2 * N] += phi
             return phi @ theta.T + v, dS
 
-        for row in self.steps if steps is None else steps:
+        for row in self.steps:
             t, h, v = row[:, 0], row[:, 1], row[:, 2:]
             hz, hS = h[:, None], h[:, None, None]
             k1, l1 = rates(t, z, S, v)
@@ -117,33 +100,6 @@ class LegChain:
             z = z + hz * ((k1 + 2 * k2 + 2 * k3 + k4) / 6)
             S = S + hS * ((l1 + 2 * l2 + 2 * l3 + l4) / 6)
         return Shot(z, S[:, :, : 2 * N], S[:, :, 2 * N :])
-
-    def predicted(self, theta: np.ndarray, doubted: np.ndarray) -> np.ndarray:
-        """Return places predicted from fix to fix, drawn evenly to fixes that are not doubted."""
-        places, is_fix = self.places.copy(), self.is_fix
-        leg = self.leg_of
-        first = np.searchsorted(leg, leg)  # piece at the beginning of the leg
-        rank = np.arange(len(leg)) - first
-        count = np.bincount(leg)[leg]
-        for _ in range(3):
-            z = places.copy()
-            for number in range(rank.max() + 1):
-                pieces = np.flatnonzero(rank == number)
-                begin = self.links[pieces]
-                z[begin + 1] = self.shoot(
-                    z[begin], theta, self.steps[:, pieces], False
-                ).z
-                # a leg begins at its fix, not at the end of the leg before
-                ends = begin + 1
-                at_fix = is_fix[ends] & ~doubted[ends]
-                misses = np.where(at_fix[:, None], places[ends] - z[ends], 0.0)
-                z[ends] = np.where(at_fix[:, None], places[ends], z[ends])
-                for piece, miss in zip(pieces, misses, strict=True):
-                    inner = np.arange(first[piece], piece)
-                    share = (rank[inner] + 1) / count[piece]
-                    z[self.links[inner] + 1] += share[:, None] * miss
-            places = z
-        return places
 
 
 def chain_of(

@@ -130,7 +130,7 @@ class LegTrack:
         step = DIFFERENCE * self.size[0]
         return phi_and_slopes(self.basis, times, points, step)
 
-    def turn(self, arrival: "Arrival", theta: np.ndarray, P: np.ndarray) -> Turn:
+    def turn(self, arrival: "Arrival", theta: np.ndarray, P: Any) -> Turn:
         """Return the turns int |d(theta phi)/dx| dt along a leg, rad."""
         if not len(arrival.points):
             return Turn(0.0, 0.0)

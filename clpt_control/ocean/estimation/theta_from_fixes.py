@@ -32,7 +32,7 @@ from .tomography import Tomography, tomography
 METHODS = ("kalman", "tomography")
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
-LEAST, LARGEST = 1e-9, 1e9  # prior and noise of runs
+LEAST, LARGEST = 1e-9, 1e3  # prior and noise of runs
 MPS = "m s-1"
 
 
@@ -245,18 +245,18 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
         flown.append(FlownLeg(under_way, frame.point(*leg.end), bend))
         last = leg.t_gpse
     found = tomography(flown, settings, track)
-    P = np.zeros((len(settings.prior),) * 2)
     turns = [
-        track.turn(track.end(leg, found.theta), found.theta, P).learned
-        for leg, _, _ in flown
+        track.turn(track.end(one.leg, found.theta), found.theta, 0.0).learned
+        for one in found.legs
     ]
-    if max(turns) > LONG and found.weights.min() < 0.5:
+    if max(turns) > LONG and found.wild:
         found.notes.append(
-            "tomography: fixes are wild and the flow turns by more than "
-            f"{LONG:g} radians between fixes: the estimate may be wrong by 1 m/s. Remove the wild "
-            "fixes"
+            f"tomography: {found.wild} fixes are wild and the flow turns by more than {LONG:g} "
+            "radians between fixes: the estimate may be wrong by 1 m/s. Remove the wild fixes"
         )
-    return found._replace(turns=turns)
+    elif found.wild:
+        found.notes.append(f"tomography: {found.wild} wild fixes are left out")
+    return found
 
 
 def flow_of_legs(
@@ -291,7 +291,7 @@ def flow_of_legs(
     if method == "tomography":
         found, speed = tomography_of(estimator, legs), estimator.settings.speed
         theta, errors = found.theta * speed, found.standard_error.max(axis=0) * speed
-        scale, notes, turns = found.scale, found.notes, [*found.turns]
+        scale, notes = found.scale, found.notes
     estimator.turn = 0.0 if method == "tomography" else max(turns)
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way

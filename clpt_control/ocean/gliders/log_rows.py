@@ -63,10 +63,11 @@ class LogRows:
         has = [part is not None for part in (place, steering, stretch)]
         if fault := self._time_fault(time, has):
             return Reading(skipped=fault, is_taken=False)
-        moved, unknown = self._moved(time, stretch)
-        fault = ""
         if place is not None and (fault := place_fault(*place)):
             place = None
+            if not any(has[1:]):
+                return Reading(skipped=fault, is_taken=False)
+        moved, unknown = self._moved(time, stretch)
         if velocity is not None:
             self.velocity = velocity
             self.unknown = "" if velocity[0] == velocity[0] else NOT_GIVEN

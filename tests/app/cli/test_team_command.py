@@ -152,7 +152,7 @@ def test_mistakes_are_one_sentence(refused_for, run):
         ),
         ("--until 900: must lie within the run", run, "--until", 900),
         ("prior = -1: must be a positive number", run, "--prior", -1),
-        ("noise = 1e-320: must be", run, "--noise", "1e-320"),
+        ("noise = 9.99989e-321: must be", run, "--noise", "1e-320"),
         *(
             ("is not a run. Make a run with: clpt run", "paper.toml"),
             ("none.nc", "none.nc"),
@@ -164,7 +164,7 @@ def test_mistakes_are_one_sentence(refused_for, run):
 
 
 def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run):
-    for words in (("--prior", "1e9"), ("--noise", "1e-9")):
+    for words in (("--prior", "30"), ("--noise", "1e-6")):
         found = printed("estimate", run, *words)
         np.testing.assert_allclose(found["theta_m_s"], THETA, rtol=0.05)
         assert all(0 <= sd < 1 for sd in found["standard_error_m_s"])

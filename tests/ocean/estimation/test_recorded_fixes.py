@@ -237,7 +237,7 @@ def test_a_wild_fix_teaches_little(tmp_path):
     off = np.abs(data.flow_parameters_estimate.values[-1] - THETA)
     assert off.max() < 0.03
     assert any(
-        "leg 16: its end fix lies outside" in note for note in data.attrs["notes"]
+        "leg 16: the fix lies outside" in note for note in data.attrs["notes"]
     )
 
 
