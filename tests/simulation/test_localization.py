@@ -259,3 +259,32 @@ def test_fixes_closer_than_their_latency_are_refused():
     """The second one would be sent before the first one has arrived."""
     with pytest.raises(clpt.ScenarioError, match="before the last one has arrived"):
         fed_by_fixes([2.9, 3.2], latency=0.5)
+
+
+@pytest.mark.parametrize(("interval", "is_told"), [(0.2, False), (4.0, True)])
+def test_an_interval_that_is_long_for_an_eddy_is_told(interval, is_told):
+    """An eddy of 1 rad/s: started 5 % off, fixes each 4 s drive the law away."""
+    a, width = 3.0, 4.0
+    k = 1.0 / (2 * a / width**2 * np.exp(-(a**2) / (2 * width**2)))
+    theta = np.array([[0, 0, -k, k, 0.1], [k, -k, 0, 0, 0.0]])
+    gains = dict.fromkeys(
+        f"learning.{key}" for key in ("gain", "feedback", "feedforward")
+    )
+    values = {
+        "learning.law": "fix-regression",
+        "localization": {"interval": interval},
+        **gains,
+        "basis": {
+            "kernel": "gaussian",
+            "centers": [[a, 0], [-a, 0], [0, a], [0, -a], [0, 0]],
+            "widths": [width] * 4 + [1e6],
+            "periods": [np.inf] * 5,
+        },
+        "flow.parameters": theta.tolist(),
+        "model.parameters": None,
+        "learning.parameters": (-0.95 * theta).tolist(),
+        "run.duration": 200.0,
+        "run.output_step": interval / 4,
+    }
+    run = clpt.simulate(clpt.paper_scenario().with_values(values))
+    assert ("the interval is long for this flow" in run.attrs["message"]) == is_told

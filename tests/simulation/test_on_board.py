@@ -220,6 +220,37 @@ def test_fixes_are_those_of_the_simulation(tmp_path):
     assert np.all(orders > 3.7), errors
 
 
+@needs_cc
+def test_a_fix_that_is_not_finite_or_beyond_the_gate_leaves_the_states(tmp_path):
+    """The function returns 0; without a gate a far fix is learned."""
+    program = """
+    #include "learner.c"
+    #include <stdio.h>
+    int main(void) {
+        double x[learner_nx], u[learner_nu] = {0.0};
+        for (int i = 0; i < learner_nx; i++) x[i] = learner_x0[i];
+        learner_step(0.0, 0.1, x, u, u, learner_p0);
+        double fixes[3] = {NAN, INFINITY, x[learner_x_adaptation_z_0] + 60.0};
+        for (int k = 0; k < 3; k++) {
+            u[learner_u_fix_0] = fixes[k];
+            double before = x[learner_x_adaptation_P_0];
+            int learned = learner_fix(0.1, x, u, learner_p0);
+            printf("%d %d ", learned, x[learner_x_adaptation_P_0] == before);
+        }
+        return 0;
+    }
+    """
+    scenario = of_law("fix-regression", localization={"interval": 5.0})
+    text = clpt.export(scenario, tmp_path / "learner.c", part="learner")
+    assert "the flow must turn by less than about 1 radian between fixes" in text
+    (tmp_path / "main.c").write_text(program)
+    for gate, last in (([], [1, 0]), (["-Dlearner_gate=50.0"], [0, 1])):
+        flags = "-std=c99", "-O1", *gate, "main.c", "-o", "main", "-lm"
+        output_of("cc", *flags, folder=tmp_path)
+        told = [int(word) for word in output_of("./main", folder=tmp_path).split()]
+        assert told == [0, 1, 0, 1, *last]
+
+
 def labels(learner, letter):
     """Return the labels of an enum."""
     return re.findall(r"/\* (\S+) \*/", learner.enum(letter))

@@ -261,8 +261,8 @@ def of_run(
     import numpy as np
 
     from ...base.units import METRES, SECONDS
-    from ...ocean.estimation.run_legs import run_scenario
     from ...ocean.estimation.theta_from_fixes import check_method, flow_of_run
+    from ...paper.scenario.run_track import run_scenario
 
     check_method(method)
     data = clpt.load_run(run)

@@ -236,9 +236,7 @@ def test_a_wild_fix_teaches_little(tmp_path):
     data = learned(write(tmp_path / "legs.csv", rows))
     off = np.abs(data.flow_parameters_estimate.values[-1] - THETA)
     assert off.max() < 0.03
-    assert any(
-        "leg 16: the fix lies outside" in note for note in data.attrs["notes"]
-    )
+    assert any("leg 16: the fix lies outside" in note for note in data.attrs["notes"])
 
 
 def test_command_writes_scenario_figure_results_and_page(tmp_path, clpt, monkeypatch):

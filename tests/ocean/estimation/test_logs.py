@@ -1,0 +1,353 @@
+"""Logs as loggers write them, recorded and live: read, or named."""
+
+import itertools
+import json
+import sys
+
+import numpy as np
+import pytest
+from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, lines_of, mission, table
+from subprocesses import CLPT, ran
+from test_live_fixes import EXAMPLE, checked
+
+import clpt_control as clpt
+
+WEEKS = 1024 * 7 * 86400
+
+
+@pytest.fixture
+def estimate(tmp_path, clpt, monkeypatch):
+    """Run `clpt estimate` on a log and return its report."""
+    (tmp_path / "s.toml").write_text(UNIFORM)
+
+    def run(path, *words, status=0):
+        command = "estimate", path, "--scenario", tmp_path / "s.toml", "--json", *words
+        done = clpt(*command)
+        assert done.status == status, done.err
+        return done.err if status else json.loads(done.out)
+
+    return run
+
+
+@pytest.fixture
+def live(tmp_path):
+    """Answer lines by `clpt estimate -`; return answers and standard error."""
+    (tmp_path / "s.toml").write_text(UNIFORM)
+
+    def run(lines, *words):
+        command = [*CLPT, "estimate", "-", "--scenario", tmp_path / "s.toml", *words]
+        done = ran(*command, input="\n".join(lines))
+        return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+
+    return run
+
+
+def near(report, current=CURRENT):
+    theta = np.array(report["theta_m_s"])[:, 0]
+    return np.abs(theta - current).max() < 0.02
+
+
+# --- one screen for recorded and live -------------------------------------------------------------
+
+
+def wild(rows):
+    rows[7] = (rows[7][0], rows[7][1] + 0.9, *rows[7][2:])  # 9 m/s
+
+
+def without_a_fix(rows):
+    rows[5] = (rows[5][0], 0.0, 0.0, *rows[5][3:])
+
+
+def first_without_a_fix(rows):
+    rows[0] = (rows[0][0], 0.0, 0.0, *rows[0][3:])
+
+
+def dated_ahead(rows):
+    rows[9] = (rows[9][0] + 10 * 365 * 86400, *rows[9][1:])
+
+
+def clock_of_1970(rows):
+    rows[:4] = [(row[0] - BEGIN + 60.0, *row[1:]) for row in rows[:4]]
+
+
+def unknown_speed(rows):
+    rows[6] = (*rows[6][:3], float("nan"), float("nan"))
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        wild,
+        without_a_fix,
+        first_without_a_fix,
+        dated_ahead,
+        clock_of_1970,
+        unknown_speed,
+    ],
+)
+def test_recorded_and_live_have_the_same_numbers(tmp_path, estimate, live, damage):
+    rows = mission(30, seed=1)
+    damage(rows)
+    report = estimate(table(tmp_path / "log.csv", rows))
+    read = [(row[0], *map(float, (f"{cell:.9g}" for cell in row[1:]))) for row in rows]
+    answers, _ = live(line.replace("NaN", "null") for line in lines_of(read))
+    last = answers[-1]
+    assert near(report)
+    for key in ("theta_m_s", "standard_error_m_s"):
+        np.testing.assert_allclose(last[key], report[key], rtol=1e-9)
+    told = json.dumps([report["skipped"], report["notes"]])
+    if damage in (without_a_fix, first_without_a_fix, dated_ahead):
+        assert report["skipped"]
+        assert any("skipped" in answer for answer in answers)
+    assert damage is wild or "line" in told
+
+
+def test_a_clock_that_is_ahead_at_first_ends_nothing(live):
+    rows = mission(12, seed=3)
+    rows[0] = (rows[0][0] + 20 * 365 * 86400, *rows[0][1:])
+    answers, _ = live(lines_of(rows))
+    assert answers[-1]["legs"] >= 10
+
+
+def test_a_late_course_is_told(live):
+    lines = lines_of(mission(3, seed=3))
+    late = json.dumps({"time": BEGIN + LEG / 2, "course": 90, "speed": 1.0})
+    answers, told = live([*lines[:4], late, *lines[4:]])
+    skipped = [answer for answer in answers if "skipped" in answer]
+    assert skipped[0]["time"] == "2026-05-01T01:30:00Z"
+    assert "line 5: skipped, not later than the row before" in told
+
+
+def test_a_bad_plan_loses_the_plan_not_the_fix(live):
+    """And the plan of the last fix can be asked again after a kill."""
+    rows = mission(3, seed=3)
+    lines = lines_of(rows)[:-1]
+    early = [{"time": BEGIN, "course": 90, "speed": 1.0}]
+    lines[-1] = json.dumps(json.loads(lines[-1]) | {"plan": early})
+    good = [{"time": rows[-1][0] + LEG, "course": 90, "speed": 1.0}]
+    again = json.dumps(json.loads(lines[-1]) | {"plan": good})
+    answers, _ = live([*lines, again])
+    assert [answer["legs"] for answer in answers[:-1]] == [0, 1, 2, 3]
+    assert "must be later than" in answers[-2]["plan_refused"]
+    assert answers[-1]["next"]["time"] == "2026-05-01T12:00:00Z"
+    assert answers[-1]["next"]["radius_m"] > 0
+
+
+def test_lines_between_fixes_are_appended_and_read_again(tmp_path, live):
+    """A torn last line, as a kill leaves it, is no line."""
+    rows, state = mission(4, seed=3), tmp_path / "state.json"
+    lines = lines_of(rows)
+    turn = {"time": rows[2][0] + 600, "course": 30.0, "speed": 1.0}
+    lines.insert(6, json.dumps(turn))
+    whole, _ = live(lines)
+    live(lines[:6], "--state", state)
+    live(lines[6:7], "--state", state)
+    assert json.loads(state.read_text().splitlines()[-1]) == turn
+    with state.open("a") as journal:
+        journal.write('{"time": 17')
+    answers, _ = live(lines[7:], "--state", state)
+    assert answers[-1] == whole[-1]
+
+
+def test_two_writers_of_a_state_are_refused(tmp_path, clpt, monkeypatch):
+    filelock = pytest.importorskip("filelock")
+    (tmp_path / "s.toml").write_text(UNIFORM)
+    state = tmp_path / "state.json"
+    command = "estimate", "-", "--scenario", tmp_path / "s.toml", "--state", state
+    with filelock.FileLock(f"{state}.lock", timeout=0):
+        done = clpt(*command)
+    assert done.status == 2
+    assert "another clpt estimate writes it" in done.err
+
+
+def test_results_carry_the_skipped_legs(tmp_path, estimate, clpt):
+    rows = mission(12, seed=1)
+    unknown_speed(rows)
+    words = "--results", tmp_path / "l.nc", "--figure", tmp_path / "f.png"
+    report = estimate(table(tmp_path / "log.csv", rows), *words)
+    (skipped,) = report["skipped"]
+    assert skipped["leg"] == 7
+    assert "log.csv, line 9: no course and speed before it" in skipped["why"]
+    assert clpt("report", tmp_path / "l.nc", "-o", tmp_path / "l.html").status == 0
+    assert "skipped: leg 7" in (tmp_path / "l.html").read_text()
+
+
+# --- tables ---------------------------------------------------------------------------------------
+
+
+def written(rows, cell, head=HEAD, mark=","):
+    """A log whose cells are printed by functions of their column."""
+    lines = [
+        mark.join(print_(value) for print_, value in zip(cell, row, strict=True))
+        for row in rows
+    ]
+    return "\n".join([head, *lines]) + "\n"
+
+
+def minutes(letters):
+    def text(value):
+        whole = int(abs(value))
+        return f"{whole} {60 * (abs(value) - whole):.5f} {letters[value < 0]}"
+
+    return text
+
+
+P = [lambda t: f"{t:.3f}", *4 * [lambda x: f"{x:.9g}"]]
+WRITERS = {
+    "semicolons": (P, HEAD.replace(",", ";"), ";"),
+    "decimal commas": (
+        [lambda x, print_=print_: print_(x).replace(".", ",") for print_ in P],
+        HEAD.replace(",", ";"),
+        ";",
+    ),
+    "a spreadsheet's names": (P, "Date (UTC),Lat,Lon,Heading,Speed", ","),
+    "knots": (
+        [*P[:4], lambda v: f"{v * 3600 / 1852:.9g}"],
+        "time,latitude,longitude,course,speed (kn)",
+        ",",
+    ),
+    "cm/s": (
+        [*P[:4], lambda v: f"{100 * v:.9g}"],
+        "time,latitude,longitude,course (deg),speed (cm/s)",
+        ",",
+    ),
+    "milliseconds": (
+        [lambda t: f"{1e3 * t:.0f}", *P[1:]],
+        "time (ms),latitude,longitude,course,speed",
+        ",",
+    ),
+    "degE7": (
+        [P[0], *2 * [lambda x: f"{1e7 * x:.0f}"], *P[3:]],
+        "time,latitude (degE7),longitude (degE7),course,speed",
+        ",",
+    ),
+    "degrees and minutes": ([P[0], minutes("NS"), minutes("EW"), *P[3:]], HEAD, ","),
+}
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_other_spellings_are_read(tmp_path, estimate, name):
+    (tmp_path / "log.csv").write_text(written(mission(30, seed=1), *WRITERS[name]))
+    assert near(estimate(tmp_path / "log.csv"))
+
+
+@pytest.mark.parametrize(
+    ("cell", "said"),
+    [
+        ([lambda t: f"{1e3 * t:.0f}", *P[1:]], "looks like milliseconds since 1970"),
+        ([P[0], *2 * [lambda x: f"{1e7 * x:.0f}"], *P[3:]], "looks like 1e-7 degrees"),
+        (
+            [
+                P[0],
+                lambda x: f"{60 * x + 40 * int(x):.5f}",
+                lambda x: f"{60 * x + 40 * int(x):.5f}",
+                *P[3:],
+            ],
+            "looks like ddmm.mmm",
+        ),
+    ],
+)
+def test_unnamed_units_are_named(tmp_path, estimate, cell, said):
+    (tmp_path / "log.csv").write_text(written(mission(30, seed=1), cell))
+    assert said in estimate(tmp_path / "log.csv", status=2)
+
+
+def test_a_magnetic_heading_is_refused(tmp_path, estimate):
+    head = "time,latitude,longitude,heading (mag),speed"
+    path = table(tmp_path / "log.csv", mission(5), head)
+    assert "is magnetic" in estimate(path, status=2)
+
+
+def test_a_lost_turn_makes_its_leg_unknown(tmp_path, estimate):
+    """A line with a cell too many may have been a turn."""
+    rows = mission(12, seed=1)
+    path = table(tmp_path / "log.csv", rows)
+    lines = path.read_text().splitlines()
+    lines.insert(6, f"{rows[4][0] + 600:.3f},,,200,1.0,9")
+    path.write_text("\n".join(lines))
+    report = estimate(path)
+    assert [leg["leg"] for leg in report["legs"]] == [1, 2, 3, 4, *range(6, 13)]
+    whys = [skip["why"] for skip in report["skipped"]]
+    assert any("line 7: has 6 cells, the header 5" in why for why in whys)
+    assert any("line 7 has 6 cells" in why for why in whys)
+    assert near(report)
+
+
+def test_equal_rows_twice_are_one_row(tmp_path, estimate):
+    path = table(tmp_path / "log.csv", mission(12, seed=1))
+    whole = estimate(path)
+    lines = path.read_text().splitlines()
+    lines.insert(5, lines[5])
+    path.write_text("\n".join(lines))
+    assert estimate(path)["theta_m_s"] == whole["theta_m_s"]
+    lines[3:5] = lines[4], lines[3]
+    path.write_text("\n".join(lines))
+    assert "Sort the rows by time" in estimate(path, status=2)
+
+
+# --- units and axes -------------------------------------------------------------------------------
+
+WAYS = {
+    "knots": (lambda c, v: (c, v / 0.514444), "speeds look like knots"),
+    "km/h": (lambda c, v: (c, v * 3.6), "speeds look like km/h"),
+    "radians": (lambda c, v: (np.radians(c), v), "courses look like radians"),
+    "from": (lambda c, v: ((c + 180) % 360, v), "that the vehicle comes from"),
+    "mathematical": (lambda c, v: ((90 - c) % 360, v), "counted from east"),
+    "magnetic": (lambda c, v: ((c - 13) % 360, v), "look magnetic"),
+}
+
+
+@pytest.mark.parametrize("name", WAYS)
+def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
+    way, said = WAYS[name]
+    rows = [(*row[:3], *way(*row[3:])) for row in mission(30, seed=1)]
+    assert said in " ".join(estimate(table(tmp_path / "log.csv", rows))["notes"])
+
+
+def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
+    """Errors that are smaller than the noise of the fixes are impossible."""
+    from geodesics import displacement
+
+    rows = mission(30, seed=1)
+    ground = []
+    for row, after in itertools.pairwise(rows):
+        east, north = displacement(*row[1:3], *after[1:3])
+        course = np.degrees(np.arctan2(east, north)) % 360
+        ground.append((*row[:3], course, np.hypot(east, north) / LEG))
+    notes = " ".join(estimate(table(tmp_path / "log.csv", ground))["notes"])
+    assert "look like those over ground" in notes
+    clean = estimate(table(tmp_path / "log.csv", rows))
+    assert clean["notes"] == []
+
+
+@pytest.mark.parametrize(
+    ("body", "count"),
+    [
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,A", 1),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,E", 0),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,N", 0),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,S", 0),
+        ("GPRMC,120000.00,A,,,,,0.1,0.0,010526,,,A", 0),
+        ("GPRMC,120000,A,3642,N,12206,W,0,0,010526,,", 1),
+        ("GPRMC,120000,A", 0),
+        ("IIVHW,,T,80.0,M,2.0,N,3.7,K", 0),
+    ],
+)
+def test_sentences_that_are_no_fix_end_nothing(body, count):
+    good = checked("GPRMC,130000,A,3642.000,N,12206.000,W,0.0,0.0,010526,,")
+    done = ran(sys.executable, EXAMPLE, input=f"{checked(body)}\n{good}\n")
+    assert len(done.stdout.splitlines()) == count + 1
+
+
+def test_a_magnetic_heading_alone_is_told():
+    sentences = [
+        checked("GPRMC,130000,A,3642.000,N,12206.000,W,0.0,0.0,010526,,"),
+        checked("IIVHW,,T,80.0,M,2.0,N,3.7,K"),
+    ]
+    done = ran(sys.executable, EXAMPLE, input="\n".join(sentences))
+    assert "magnetic heading alone" in done.stderr
+
+
+def test_read_dives_takes_a_log_too(tmp_path):
+    dives, skipped = clpt.gliders.read_dives(table(tmp_path / "log.csv", mission(12)))
+    assert (len(dives), skipped) == (12, [])
