@@ -191,8 +191,6 @@ class FlowEstimator:
         if self.frame is None:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
-        if self._is_everywhere:
-            self._recentre(time, latitude, longitude)
         t = self.frame.own_time(time)
         place = self.frame.point(latitude, longitude)
         results: dict[str, Any] = {}
@@ -212,6 +210,8 @@ class FlowEstimator:
         begins_again = Leg(t, [float(x) for x in place], t)
         if begins_again not in self._open():
             results |= self._learn(begins_again, leg)
+        if self._is_everywhere:
+            self._recentre(latitude, longitude)
         return Learned(
             *(time, latitude, longitude),
             self.flow_parameters,
@@ -436,7 +436,7 @@ class FlowEstimator:
         """True if the functions are the same everywhere on Earth, and need no plane as large."""
         return self.track.size[0] * self.settings.metres > EARTH
 
-    def _recentre(self, time: float, latitude: float, longitude: float) -> None:
+    def _recentre(self, latitude: float, longitude: float) -> None:
         """Move the origin of the plane to a fix that is far from it."""
         frame = self.frame
         assert frame is not None

@@ -14,15 +14,15 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 State = TypeVar("State")
-# log odds of a branch over its hypothesis, and the function that computes its state
-Branch = tuple[float, Callable[[], State]]
+# kind of a branch, log odds over its hypothesis, and the function that computes its state
+Branch = tuple[str, float, Callable[[], State]]
 
 
 @dataclass(frozen=True)
 class Hypotheses(Generic[State]):
     """States with their log odds, the likeliest first.
 
-    >>> tossed = Hypotheses.of("fair").divided(lambda state: [(0.0, lambda: state)], 1)
+    >>> tossed = Hypotheses.of("fair").divided(lambda state: [("", 0.0, lambda: state)], 1)
     >>> tossed.best, tossed.weights.tolist()
     ('fair', [1.0])
     """
@@ -66,16 +66,20 @@ class Hypotheses(Generic[State]):
     def divided(
         self, branches_of: Callable[[State], Iterable[Branch]], kept: int
     ) -> "Hypotheses[State]":
-        """Return the likeliest branches of all hypotheses; only their states are computed."""
+        """Return the likeliest branches, at least one of each kind, and compute their states."""
         branches = [
-            (odds + gained, make)
+            (kind, odds + gained, make)
             for state, odds in zip(self.states, self.log_odds, strict=True)
-            for gained, make in branches_of(state)
+            for kind, gained, make in branches_of(state)
         ]
-        branches.sort(key=lambda branch: -branch[0])
-        likeliest = branches[:kept]
-        best = likeliest[0][0]
+        branches.sort(key=lambda branch: -branch[1])
+        kinds = [kind for kind, _, _ in branches]
+        is_first = [kind not in kinds[:number] for number, kind in enumerate(kinds)]
+        # the likeliest of each kind, so that none is lost before the next observation
+        order = sorted(range(len(branches)), key=lambda number: not is_first[number])
+        likeliest = [branches[number] for number in sorted(order[:kept])]
+        best = likeliest[0][1]
         return Hypotheses(
-            tuple(make() for _, make in likeliest),
-            tuple(odds - best for odds, _ in likeliest),
+            tuple(make() for _, _, make in likeliest),
+            tuple(odds - best for _, odds, _ in likeliest),
         )

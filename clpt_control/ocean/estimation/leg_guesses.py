@@ -8,8 +8,9 @@ Each fix divides each guess (`hypotheses`) into three:
 
 The density of a right fix is Student's t of two components around the forecast, with c r in place
 of r and c^2 = S/nu: nu counts the position errors of the guess so far, S is the sum of their
-squares over r^2, and both fade.  A wrong fix is normal with a standard deviation of 10 km.  A flow
-above 5 m/s is impossible: a fix that needs it is wrong, or begins a leg.
+squares over r^2, and both fade.  The density of a wrong fix is that of the centre of a normal
+distribution of 10 km, at any distance.  A flow above 5 m/s is impossible: a fix that needs it is
+wrong, or begins a leg.
 
 Numbers are in units of the scenario.
 """
@@ -37,7 +38,7 @@ MOST_TURN = 8.0  # rad
 # shares: of fixes that are wrong, of legs before which the flow changed
 WRONG_SHARE, CHANGED_SHARE = 0.02, 0.0002
 WILD = 10e3  # m, standard deviation of wrong fixes
-KEPT = 4  # guesses
+KEPT = 5  # guesses
 RIGHT, WRONG, CHANGED = "right", "wrong", "changed"  # what a fix is
 JUDGED = 4  # last fixes that later ones may judge again
 WALKS = "kalman-flow"  # law of a flow that changes
@@ -50,7 +51,7 @@ REMARKS = {
 AFTER_ALL = {
     RIGHT: "is right after all, and learned",
     WRONG: "is wrong after all, and not learned",
-    CHANGED: "shows that the flow changed after all",
+    CHANGED: "is right after all: the flow changed",
 }
 
 
@@ -150,8 +151,9 @@ class LegGuesses:
         """Yield what a fix may be: log odds, and the guess after it."""
         anywhere = -log(2 * pi * self.wild)
         if leg is None:
-            yield anywhere, partial(guess.after, RIGHT, leg=start)
-            yield anywhere + log(WRONG_SHARE), partial(guess.after, WRONG, leg=None)
+            yield RIGHT, anywhere, partial(guess.after, RIGHT, leg=start)
+            wrong = anywhere + log(WRONG_SHARE)
+            yield WRONG, wrong, partial(guess.after, WRONG, leg=None)
             return
         now = replace(
             guess, P=self.between_fixes(guess.P, leg.duration, self.settings.p)
@@ -161,11 +163,12 @@ class LegGuesses:
         # a wrong fix lies about the forecast
         V = self.variance(leg, now, self.scaled(now))
         wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
-        yield wrong, partial(guess.after, WRONG)
+        yield WRONG, wrong, partial(guess.after, WRONG)
         fastest = FASTEST / self.settings.speed * leg.duration
         if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise:
             # the motion was not that, or the fix before is wrong
-            yield log(CHANGED_SHARE) + anywhere, partial(guess.after, RIGHT, leg=start)
+            begun = partial(guess.after, RIGHT, leg=start)
+            yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
             return
         nu = guess.count
         for fix, odds, P, variance in (
@@ -174,7 +177,8 @@ class LegGuesses:
         ):
             V = variance or self.variance(leg, guess, self.prior)
             density = -log(2 * pi * V) - (nu / 2 + 1) * log1p(square / (nu * V))
-            yield odds + density, partial(self._learned, guess, leg, P, fix, start)
+            learned = partial(self._learned, guess, leg, P, fix, start)
+            yield fix, odds + density, learned
 
     def _learned(
         self, guess: Guess, leg: Regression, P: np.ndarray, fix: str, start: Leg
@@ -207,12 +211,14 @@ def remarks(
         chances = guesses.chances(lambda guess, back=back: guess.fixes[-back])  # type: ignore[misc]
         kinds.append(next(iter(chances)))
     texts = [REMARKS[kinds[-1]]]
-    if kinds[-1] == CHANGED and law != WALKS:
-        texts[0] += f". Take law {WALKS} for a flow that changes"
+    changed = kinds[-1] == CHANGED
     for back in range(1, count):
         kind, was = kinds[-1 - back], told[-back]
         if kind != was:
             texts.append(f"the fix {back} before it {AFTER_ALL[kind]}")
+            changed |= kind == CHANGED
+    if changed and law != WALKS:
+        texts.append(f"take law {WALKS} for a flow that changes")
     return kinds, "; ".join(filter(None, texts))
 
 

@@ -29,7 +29,7 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...paper.currents.text_table import other_marks, table_of
-from .dive_fields import NUMBER, TIME, DiveField, Reader, name_of, whole_number
+from .dive_fields import NUMBER, DiveField, whole_number
 from .dives import (
     CONTRADICTS,
     FIELDS,
@@ -42,7 +42,7 @@ from .dives import (
     with_dac_note,
     without_current,
 )
-from .vehicle_log import AS_TIME, GIVE, log_legs, mark_of
+from .vehicle_log import GIVE, log_legs, mark_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -212,5 +212,3 @@ def write_dive_table(
     lines.append(",".join(COLUMNS))
     lines += [",".join(row.cell(dive) for row in COLUMNS.values()) for dive in dives]
     write_file(path, "\n".join(lines) + "\n")
-
-

@@ -33,7 +33,7 @@ from ...base.units import seconds_since_1970, speed_in_metres_per_second
 from ...paper.currents.text_table import HEADER, OTHER_MARKS, table_of
 from .dive_fields import name_of
 from .dives import STEERING, STRETCH, Dive, Fix, Skipped, make_dive
-from .log_rows import LogRows
+from .log_rows import LogRows, time_fault
 
 NAMES = {
     "time": ("time", "date", "datetime", "timestamp", "date_time"),
@@ -174,6 +174,8 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
         if not reading.is_taken and not time > before:
             if _is_repeated(cells, line):
                 continue
+            if fault := time_fault(time):
+                raise DataError(f"{where}: {fault}")
             raise DataError(
                 f"{where}: time is {cells.at[line, cells.columns[columns['time'][0]]]!r}; must be "
                 "later than in the row before. Sort the rows by time"

@@ -48,7 +48,7 @@ def test_a_wild_fix_is_told_and_not_learned(law, number, km):
     assert error(estimator) < 4 * estimator.standard_error[0]
     assert error(estimator) < 0.05
     notes = " ".join(result.note for result in results)
-    assert "is in doubt" in notes or "wrong after all" in notes
+    assert ("is in doubt" in notes) or ("wrong after all" in notes)
 
 
 def test_a_note_is_taken_back_when_the_next_legs_disagree():
@@ -57,7 +57,8 @@ def test_a_note_is_taken_back_when_the_next_legs_disagree():
     time, latitude, longitude, *_ = first[-1]
     later = mission(6, (1.65, -0.10), seed=5, begin=(time, latitude, longitude))
     notes = [result.note for result in fed(first[:-1] + later, learner())]
-    assert any("kalman-flow" in note for note in notes[21:])
+    assert "is in doubt" in notes[21]
+    assert "the fix 1 before it is right after all: the flow changed" in notes[22]
 
 
 @pytest.mark.parametrize("share", [0.05, 0.2])
@@ -78,7 +79,7 @@ def test_many_wild_fixes_cost_little(share):
     assert np.sqrt(np.mean(np.square(errors))) < 3 * np.sqrt(np.mean(np.square(best)))
 
 
-@pytest.mark.parametrize(("scatter", "most"), [(0.005, 0.99), (0.1, 0.97), (0.2, 0.97)])
+@pytest.mark.parametrize(("scatter", "most"), [(0.005, 1.0), (0.1, 0.97), (0.2, 0.97)])
 def test_regions_hold_their_share_in_rough_and_calm_seas(scatter, most):
     inside = []
     for seed in range(8):
@@ -97,7 +98,7 @@ def test_a_front_is_followed(law):
     estimator = learner(law)
     notes = " ".join(result.note for result in fed(rows, estimator)[20:])
     assert error(estimator, changed) < 0.05
-    assert ("Take law kalman-flow" in notes) == (law == "fix-regression")
+    assert ("take law kalman-flow" in notes) == (law == "fix-regression")
 
 
 def test_a_uniform_current_needs_no_plane():
