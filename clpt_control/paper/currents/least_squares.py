@@ -62,23 +62,6 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
     return 1.0 - residual / off if off > STEADY**2 * size else np.nan
 
 
-def regularised(
-    phi: np.ndarray, y: np.ndarray, theta: np.ndarray, sd: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return theta (2, N) and its covariance P (N, N), of y = theta phi with unit noise.
-
-    phi is (n, N), y (n, 2); theta has the prior N(theta, sd^2).  NaN if phi is too large.
-    """
-    scaled = phi * sd  # in units of the prior
-    if not np.all(np.isfinite(scaled)):
-        return theta * np.nan, np.diag(sd * np.nan)
-    U, s, Vt = svd(scaled, full_matrices=len(phi) < len(sd))
-    change = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ (y - phi @ theta.T)))
-    share = np.ones(len(sd))  # of the prior that remains along each row of Vt
-    share[: len(s)] = 1 / (1 + s**2)
-    return theta + (sd[:, None] * change).T, sd[:, None] * ((Vt.T * share) @ Vt) * sd
-
-
 def least_squares(
     phi: np.ndarray, flow: np.ndarray, names: Sequence[str]
 ) -> LeastSquares:
