@@ -237,22 +237,7 @@ class FlowEstimator:
             raise DataError(
                 f"displacement {east}, {north}: must be finite numbers of metres"
             )
-        self.move_through(np.array([[time, east, north]]))
-
-    def move_through(self, stretches: np.ndarray) -> None:
-        """Move the prediction by rows of time, east and north, as `move` does by one."""
-        frame, _ = self.under_way
-        ends = frame.own_time(stretches[:, 0])
-        for leg in self._open():
-            axes = frame.axes(np.array(leg.place)) / frame.metres
-            moved = stretches[:, 1:] @ axes.T
-            spans = np.diff(ends, prepend=leg.time)
-            lasts = spans > 0
-            speeds = np.hypot(*moved[lasts].T) / spans[lasts]
-            self.fastest = max(self.fastest, float(np.max(speeds, initial=0.0)))
-            leg.known += float(np.sum(spans))
-            for t, (x, y) in zip(ends.tolist(), moved.tolist(), strict=True):
-                leg.add(t, x, y, self.track.size)
+        move_through(self, np.array([[time, east, north]]))
 
     @public
     def flow(
@@ -270,18 +255,7 @@ class FlowEstimator:
         tuple of float
             m/s to the east and to the north.
         """
-        return self.flow_by(self.theta, time, latitude, longitude)
-
-    def flow_by(
-        self, theta: np.ndarray, time: float, latitude: float, longitude: float
-    ) -> tuple[float, float]:
-        """Return the flow of some theta, scenario's units, as `flow` does."""
-        frame, _ = self.under_way
-        if self._is_everywhere:
-            frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
-        point = frame.point(latitude, longitude)
-        phi = self.track.phi(frame.own_time(time), point)
-        return frame.velocity(point, theta @ phi)
+        return flow_by(self, self.theta, time, latitude, longitude)
 
     @public
     def forecast(self, stretches: list[tuple[OrNaN, OrNaN, OrNaN]]) -> Ahead:
@@ -511,3 +485,35 @@ class FlowEstimator:
                 f"time {time:.15g}: is before the last one, {self.time:.15g}. Give lines in the "
                 "order of time"
             )
+
+
+def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
+    """Move the prediction by rows of time, east and north."""
+    frame, _ = estimator.under_way
+    ends = frame.own_time(stretches[:, 0])
+    for leg in estimator._open():
+        axes = frame.axes(np.array(leg.place)) / frame.metres
+        moved = stretches[:, 1:] @ axes.T
+        spans = np.diff(ends, prepend=leg.time)
+        lasts = spans > 0
+        speeds = np.hypot(*moved[lasts].T) / spans[lasts]
+        estimator.fastest = max(estimator.fastest, float(np.max(speeds, initial=0.0)))
+        leg.known += float(np.sum(spans))
+        for t, (x, y) in zip(ends.tolist(), moved.tolist(), strict=True):
+            leg.add(t, x, y, estimator.track.size)
+
+
+def flow_by(
+    estimator: FlowEstimator,
+    theta: np.ndarray,
+    time: float,
+    latitude: float,
+    longitude: float,
+) -> tuple[float, float]:
+    """Return the flow of some theta, scenario's units, as `flow` does."""
+    frame, _ = estimator.under_way
+    if estimator._is_everywhere:
+        frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
+    point = frame.point(latitude, longitude)
+    phi = estimator.track.phi(frame.own_time(time), point)
+    return frame.velocity(point, theta @ phi)

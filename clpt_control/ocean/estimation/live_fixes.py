@@ -34,7 +34,7 @@ from ..gliders.dives import PLACE, STEERING, STRETCH, velocity_of
 from ..gliders.log_rows import NOT_GIVEN, LogRows, iso, time_fault
 from ..gliders.usable_dives import LONGEST
 from .fix_model import LEVEL
-from .flow_estimator import Ahead, FlowEstimator, Learned
+from .flow_estimator import Ahead, FlowEstimator, Learned, move_through
 
 PARTS = (PLACE, STEERING, STRETCH)
 KEYS = {"time", "plan", *(key for part in PARTS for key in part)}
@@ -89,7 +89,7 @@ class LiveFixes:
         reading = self.rows.read(time, place, steering, stretch)
         answer: dict[str, Any] = {"time": iso(time)} if time_fault(time) == "" else {}
         if reading.moved is not None and self.estimator.leg is not None:
-            self.estimator.move_through(np.array([[time, *reading.moved]]))
+            move_through(self.estimator, np.array([[time, *reading.moved]]))
         told = [reading.skipped]
         if reading.unknown not in ("", NOT_GIVEN) and self.estimator.leg is not None:
             told.append(f"motion unknown: {reading.unknown}")

@@ -22,7 +22,7 @@ from ...paper.scenario.experiment import Scenario
 from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
 from .fix_settings import LocalFrame
-from .flow_estimator import Ahead, FlowEstimator, Learned
+from .flow_estimator import Ahead, FlowEstimator, Learned, flow_by, move_through
 from .leg_chain import FlownLeg
 from .leg_track import LONG, Leg
 from .run_legs import legs_of_run
@@ -152,7 +152,7 @@ def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
     # dives may overlap by rounded times
     start = max(leg.t_gps2, estimator.time)
     estimator.fix(start, *leg.start)
-    estimator.move_through(stretches_of(leg, start))
+    move_through(estimator, stretches_of(leg, start))
     return estimator.fix(leg.t_gpse, *leg.end)
 
 
@@ -224,7 +224,7 @@ def flow_of_legs(
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
     places = [(r.time, r.latitude, r.longitude) for r in learned]
-    flow = [estimator.flow_by(theta / estimator.settings.speed, *at) for at in places]
+    flow = [flow_by(estimator, theta / estimator.settings.speed, *at) for at in places]
     forecasts = [result.forecast or Ahead(*4 * [np.nan]) for result in learned]
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")

@@ -121,7 +121,10 @@ def _check_header(header: list[str], name: str | Path) -> None:
         missing = [column for column in missing if column not in STRETCH]
     if missing:
         marks = other_marks(line, REQUIRED[0])
-        begins = f"a log begins with {GIVE}, a table of dives with {','.join(REQUIRED)}{OTHERWISE}"
+        begins = (
+            f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}; a log begins with "
+            f"{GIVE}"
+        )
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
         raise DataError(f"{name}: {marks or why}")
     double = [

@@ -36,7 +36,7 @@ from .dives import STEERING, STRETCH, Dive, Fix, Skipped, make_dive
 from .log_rows import LogRows, time_fault
 
 NAMES = {
-    "time": ("time", "date", "datetime", "timestamp", "date_time"),
+    "time": ("time", "date", "datetime", "date_time"),
     "latitude": ("latitude", "lat"),
     "longitude": ("longitude", "lon", "long", "lng"),
     "course": ("course", "heading", "true_heading"),
