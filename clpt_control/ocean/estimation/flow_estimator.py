@@ -296,7 +296,7 @@ class FlowEstimator:
 
     @property
     def leg(self) -> Leg | None:
-        """The leg since the last fix that is right, of the likelier guesses; None before a fix."""
+        """Leg since the last right fix by the likeliest guess, or None."""
         legs = self._open()
         chances = self.guesses.chances(lambda guess: id(guess.leg))
         return max(legs, key=lambda leg: chances[id(leg)], default=None)
@@ -324,7 +324,7 @@ class FlowEstimator:
 
     @property
     def warnings(self) -> list[str]:
-        """Sentences on the motion through the water, and on the interval between fixes."""
+        """Sentences on motion through the water and interval of fixes."""
         told = wrong_motion(self.ways, 2**0.5 * self.settings.fix)
         return [told] * bool(told) + long_interval(self.turn)
 
