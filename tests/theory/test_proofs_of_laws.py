@@ -362,3 +362,23 @@ def test_what_is_not_known_of_runs_with_fixes_or_noise_is_refused():
     noisy = {"localization": {"noise": 0.1, "noise_period": 1.0}, "run.duration": 40.0}
     with pytest.raises(clpt.ClptError, match=r"no certificate: localization\.noise"):
         clpt.gramian(clpt.paper_scenario().with_values(noisy), 20.0, 0.0).certificate()
+
+
+@pytest.mark.parametrize("estimate", ["", "alpha"])
+def test_a_gain_that_learns_backwards_is_not_proved_by_what_drives_it(estimate):
+    """K' of the other sign adds 2 (K - KD)^T z e to V', which no estimate bounds."""
+    rates = LAWS["learned-flow"].rates
+
+    def backwards(t, x, u, p):
+        """Learn as Eqs. (21) and (23), and K backwards."""
+        learned = rates(t, x, u, p)
+        return {**learned, "K": -learned["K"]}
+
+    verdict = judged(
+        "learned-flow",
+        rates=backwards,
+        invariants=lambda s, p, truth: {},
+        driving_estimate=estimate,
+        V_rate="-e^T KD e + 2 (K - KD)^T z e",
+    )
+    assert verdict.status != "proved"

@@ -222,8 +222,9 @@ class Law(NamedTuple):
     semidefinite: tuple[str, ...] = ()  # states that are matrices M = M^T >= 0
     # dissipative terms of V' in addition to e^T KD e: products of non-negative factors
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
-    # term of V' of either sign, which bounds the law
-    perturbation: Callable[..., Any] | None = None
+    # estimate whose error drives CLPE: V' has e^T (theta + alpha) phi of "alpha", and
+    # e^T (theta - theta_hat) phi of "theta_hat"
+    driving_estimate: Literal["", "alpha", "theta_hat"] = ""
     # eta P^-1 of a law with a covariance P
     weighted_error: Callable[..., Any] | None = None
     # V of a law with a covariance P from the input eta P^-1, without the invariants

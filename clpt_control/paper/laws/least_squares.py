@@ -132,9 +132,7 @@ LEAST_SQUARES = Law(
     candidate=least_squares_level,
     V_inputs=("e", "alpha", "K", "Gamma", "rho"),
     between_fixes=forgotten,
-    perturbation=lambda s, p, truth: (
-        (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
-    ),
+    driving_estimate="alpha",
     V_rate="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate"))
 

@@ -288,9 +288,7 @@ DREM = Law(
         "alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta
     },
     readout="readout",
-    perturbation=lambda s, p, truth: (
-        (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
-    ),
+    driving_estimate="alpha",
     losses=lambda s, p, truth: [  # f, |eta|^2/g^2
         (
             -s["w'"][0] / s["w"][0],

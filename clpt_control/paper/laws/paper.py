@@ -164,9 +164,7 @@ KALMAN_FLOW = Law(
         *promised("spanned exact", "estimate"),
     ),
     semidefinite=("P",),
-    perturbation=lambda s, p, truth: (
-        (s["x"] - s["z"]) @ ((truth.theta - s["theta_hat"]) @ s["phi_x"])
-    ),
+    driving_estimate="theta_hat",
     V_rate="-e^T KD e + e^T eta phi, (eta P^-1 eta^T)' <= -|eta phi_f|^2/r^2, "
     "eta = theta - theta_hat",
 ).with_parts(FILTERED_FLOW)

@@ -2,16 +2,17 @@
 
 A law's row says which `invariants` its states have (state = expression of the others), which
 matrices are `semidefinite`, what V' `losses` are beyond e^T KD e, products of factors that are not
-negative, and what is a `perturbation` beside.  `Invariants` shows each for one N:
+negative, and which `driving_estimate` it has.  `Invariants` shows each for one N:
 
     s' = (expression)'                    where the relations hold: what starts there stays
     c^T M' c >= 0  where  M c = 0         M stays semidefinite (Nagumo)
     F = F(M = 0) + sum tr(M S) >= 0       if F(M = 0) >= 0 and each S >= 0
-    V' = -e^T KD e - losses + perturbation    where the relations hold, V and losses not negative
+    V' = -e^T KD e - losses + e^T eta phi    where the relations hold, V and losses not negative
 
-A law without a perturbation is proved, one with e^T d, which bounds the mean square of e by that of
-d, is bounded by it.  All is exact for N = 1, 2, 3, and the running blocks give the same V'.  Where
-its states jump, at times that may be any, x and inputs being those right before:
+A law without the last term is proved; with it the mean square of e is bounded by that of eta phi,
+eta being the error of the estimate that drives CLPE.  All is exact for N = 1, 2, 3, and the running
+blocks give the same V'.  Where its states jump, at times that may be any, x and inputs being those
+right before:
 
     the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
 
@@ -133,8 +134,7 @@ class Invariants(LoopCandidate):
             for product in law.losses(signals, p, truth)
         ]
         self.error_growth = sympy.sympify(law.error_growth(signals, p, truth))
-        perturbation = law.perturbation(signals, p, truth) if law.perturbation else 0
-        pushed = sympy.sympify(perturbation).xreplace(self.tied)
+        pushed = sympy.sympify(drive(law, signals, truth)).xreplace(self.tied)
         # what V' has beyond -e^T KD e
         self.residual = pushed - sum(map(math.prod, self.losses))
         self.weighted_error, self.free = None, dict[Any, Any]()
@@ -313,7 +313,7 @@ class Invariants(LoopCandidate):
             for claim, (shows, check) in claims_of(self).items()
         ]
         fall = Fall(steps, f"V' = {self.law.V_rate}")
-        if self.law.perturbation is not None:
+        if self.law.driving_estimate:
             fall.steps.append(mean_square())
             fall.bound = IN_THE_MEAN
         else:
@@ -344,6 +344,16 @@ class Invariants(LoopCandidate):
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive where M >= 0."""
         return vanishes(expression) or self.not_negative(-expression)
+
+
+def drive(law: Law, s: Mapping[str, Any], truth: Any) -> Any:
+    """Return e^T eta phi, eta being the error of the estimate that drives CLPE."""
+    errors = {
+        "": lambda: np.zeros((2, len(s["phi_x"]))),
+        "alpha": lambda: truth.theta + s["alpha"],
+        "theta_hat": lambda: truth.theta - s["theta_hat"],
+    }
+    return (s["x"] - s["z"]) @ (errors[law.driving_estimate]() @ s["phi_x"])
 
 
 @cache
@@ -397,7 +407,7 @@ def claims_of(case: Invariants) -> Claims:
         claims[
             f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
         ] = ("", lambda case: ", ".join(filterfalse(case.stays_semidefinite, names)))
-    shows = "mean" if law.perturbation is not None else "falls loses"
+    shows = "mean" if law.driving_estimate else "falls loses"
     claims[f"V' as claimed, {sizes}: {law.V_rate}"] = (
         shows,
         lambda case: case.left_over(decay),

@@ -219,7 +219,7 @@ def keeps_a_ceiling(case: Any, port: str) -> bool:
 def covariance_claims(law: Law) -> dict[str, Any]:
     """Return the bounds of P and eta that a law has: claim -> what it shows, its check."""
     # where CLPE drives alpha BOUNDS[0] does not hold
-    first = int(law.perturbation is None)
+    first = int(not law.driving_estimate)
     claims = {
         BOUNDS[k]: ("", partial(_has_rate, index=k)) for k in range(first, len(BOUNDS))
     }
