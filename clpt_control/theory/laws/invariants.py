@@ -45,9 +45,9 @@ from ..algebra.decide import groups_never_positive
 from ..algebra.exact import as_factors, nonzero_residual, vanishes
 from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
 from ..algebra.texts import short
+from ..proofs.answers import Definite, Fall
 from ..proofs.certificates import Ways
 from ..proofs.conclusions import Condition
-from ..proofs.judge import Fall
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
@@ -295,31 +295,37 @@ class Invariants(LoopCandidate):
 
     # --- the questions ----------------------------------------------------------------------
 
-    def is_definite(self) -> Step:
-        """Return the step that V and what V' loses are not negative."""
-        bounded, self.exist, self.grown = bounded_states(self)
-        self.forms = [*bounded]
+    @cached_property
+    def known_states(self) -> tuple[set, set, list[str]]:
+        """States that are bounded, others that exist, and matrices positive at the start."""
+        return bounded_states(self)
+
+    def definite(self) -> Definite:
+        """Return the states that V bounds, where V and what V' loses are not negative."""
+        bounded, exist, _ = self.known_states
         names = ", ".join(self.law.semidefinite)
         premise = f"with {names} >= 0 " * bool(names)
         terms = {self.V, *chain.from_iterable(self.losses)}
         holds = all(map(self.not_negative, terms))
         claim = f"{premise}V and what V' loses are not negative"
-        return exact(claim, holds, "", "definite")
+        step = exact(claim, holds, "", "definite")
+        return Definite(step, [*bounded], exist=exist)
 
-    def fall(self) -> Fall:
+    def falls(self, definite: Definite) -> Fall:
         """Return what is shown of the relations, and of V' where they hold."""
         steps = [
             exact_step([self], claim, check, shows)
             for claim, (shows, check) in claims_of(self).items()
         ]
-        fall = Fall(steps, f"V' = {self.law.V_rate}")
+        fall = Fall(steps, f"V' = {self.law.V_rate}", residual=self.residual)
         if self.law.driving_estimate:
             fall.steps.append(mean_square())
             fall.bound = IN_THE_MEAN
         else:
             e = self.loop.states["x"] - self.loop.states["z"]
             fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
-        positive = f"{' and '.join(self.grown)} > 0" * bool(self.grown)
+        grown = self.known_states[2]
+        positive = f"{' and '.join(grown)} > 0" * bool(grown)
         kept = "the relations hold" * (not self.is_row)
         fall.conditions = [
             Condition("start", text) for text in (kept, positive) if text
@@ -328,8 +334,9 @@ class Invariants(LoopCandidate):
 
     def exact_steps(self) -> list[Step]:
         """Return the steps on V, V' and jumps."""
-        jumps = [self.jumps()[0]] if self.eq.jumps else []
-        return [self.has_values(), self.is_definite(), *self.fall().steps, *jumps]
+        definite, jumps = self.definite(), [self.jumps().step] * bool(self.eq.jumps)
+        falls = self.falls(definite).steps
+        return [self.has_values(), definite.step, *falls, *jumps]
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps, where the relations hold."""
@@ -337,7 +344,7 @@ class Invariants(LoopCandidate):
         rises = (self.V.xreplace(change) - self.V for change in after)
         return [sympy.expand(self.reduced(rise)) for rise in rises]
 
-    def ways(self, fall: Fall) -> Ways:
+    def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
         return of_invariants(self)
 

@@ -29,10 +29,11 @@ from ..algebra.facts import CLIP, has_time
 from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import rising_in, split_dead_zone, squares
 from ..algebra.texts import short
+from ..proofs.answers import Definite, Fall, Refutation
 from ..proofs.certificates import Ways, of_system
 from ..proofs.conclusions import Condition, Status
-from ..proofs.judge import Fall, LyapunovCandidate, Refutation, Verdict
-from ..proofs.limits import CLOCK
+from ..proofs.judge import LyapunovCandidate, Verdict
+from ..proofs.outside import CLOCK
 from ..proofs.point_search import Failure, PointSearch
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
@@ -67,9 +68,7 @@ class LoopCandidate(LyapunovCandidate):
     loop: SymbolicLoop
     points: int
     seed: int
-    residual: sympy.Expr  # V' less its fall
     sizes: str  # numbers of functions for which V' is as shown: N = 2
-    for_every_N = False
 
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
@@ -79,19 +78,26 @@ class LoopCandidate(LyapunovCandidate):
         """Return an expression in the states of the loop."""
         return expression
 
-    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
+    def verdict(
+        self,
+        status: Status,
+        claim: str,
+        fall: Fall,
+        for_every_N: bool = False,
+        **fields: Any,
+    ) -> Verdict:
         """Return a verdict on the law."""
         if status == "proved":
-            of_N = Condition("N", "every N" if self.for_every_N else self.sizes)
+            of_N = Condition("N", "every N" if for_every_N else self.sizes)
             fields["conditions"] = (*fields["conditions"], of_N)
         return Verdict(
             status,
             claim,
             V=self.at_z(self.V),
             rate=self.at_z(self.rate),
-            residual=self.at_z(self.residual),
+            residual=self.at_z(fall.residual),
             diagram=self.loop.diagram,
-            for_every_N=self.for_every_N and status == "proved",
+            for_every_N=for_every_N,
             **fields,
         )
 
@@ -183,38 +189,53 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         if normal_form(self.decay + sympy.Add(*squares)) != 0:
             self.decay_text = "-sum KD_i e_i dV/de_i"
 
-    def fall(self) -> Fall:
-        """Return what is shown of V': it falls, or V or e comes to a set."""
-        falls, text = self._falls()
-        below = f"V' {'=' if self.residual == 0 else '<='} {text}"
-        detail = f"left over: {short(self.at_z(self.residual))}" * (self.residual != 0)
+    def falls(self, definite: Definite) -> Fall:
+        """Return what is shown of V': it falls, or e comes to a set."""
+        residual, holds, text = self._below_decay()
+        below = f"V' {'=' if residual == 0 else '<='} {text}"
+        detail = f"left over: {short(self.at_z(residual))}" * (residual != 0)
         detail = detail if self.rises else "V is not known to rise with |e|"
         claim = f"{below}, {self.sizes} and the parameters as they are"
-        step = exact(claim, falls, "" if falls else detail, "falls loses")
+        step = exact(claim, holds, "" if holds else detail, "falls loses")
         fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
-        if falls and any(self.zones):
+        if holds and any(self.zones):
             fall = self._comes_to_zones(text)
-        elif falls:
-            every_N = checked("the same for every N", partial(holds_for_every_N, self))
-            self.for_every_N = every_N.holds
-            fall.remarks = [replace(every_N, needed=False)]
-        elif self.least is not None and not any(self.zones):
-            fall = pulled_forms(self.disturbed()) or fall
-        if has_time(self.V, self.rate):
-            fall.conditions.append(Condition("t >= 0"))
-        read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
-        fall.conditions += [Condition("reads the truth", why) for why in read]
+        fall.residual = residual
+        fall.conditions += self.conditions([])
         return fall
 
-    def _falls(self) -> tuple[bool, str]:
-        """Return whether V' is at most its decay, or half of it, and the decay as text."""
-        residual = self.residual = self.excess(self.decay)
+    def bounds(self, definite: Definite, fall: Fall) -> Fall:
+        """Return the set that V comes to under a disturbance; `fall` if none is known."""
+        if definite.least is None or any(self.zones):
+            return fall
+        bound = pulled_forms(self.disturbed(), definite)
+        if bound is None:
+            return fall
+        bound.residual = fall.residual
+        bound.conditions += self.conditions([])
+        return bound
+
+    def every_N(self, definite: Definite, fall: Fall) -> Step | None:
+        """Return the step that V' falls so for every number of functions."""
+        if not fall.losses or any(self.zones):
+            return None
+        check = partial(holds_for_every_N, self, definite, fall)
+        return replace(checked("the same for every N", check), needed=False)
+
+    def conditions(self, zeroed: list[str]) -> list[Condition]:
+        """Return where V' is as shown."""
+        found = [Condition("t >= 0")] * has_time(self.V, self.rate)
+        read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
+        return found + [Condition("reads the truth", why) for why in read]
+
+    def _below_decay(self) -> tuple[sympy.Expr, bool, str]:
+        """Return what V' has beyond its decay, or half of it, if that falls, and the decay."""
+        residual = self.excess(self.decay)
         for share, ending in ((sympy.S.Zero, ""), (sympy.S.Half, "/2")):
             above = residual + share * self.decay
             if self.rises and self.never_positive(above):
-                self.residual = above
-                return True, self.decay_text + ending
-        return False, self.decay_text
+                return above, True, self.decay_text + ending
+        return residual, False, self.decay_text
 
     def _comes_to_zones(self, decay: str) -> Fall:
         """Return the zones that e comes to, outside of which V falls.
@@ -251,9 +272,11 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         other.rate = normal_form(other._rate_of_V())
         return other
 
-    def ways(self, fall: Fall) -> Ways:
+    def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum; where V is pulled back a disturbance pushes e."""
-        return [of_system(self, fall)[0], of_system(self.disturbed(), fall)[1]]
+        falls, _ = of_system(self, definite, fall)
+        _, pulls = of_system(self.disturbed(), definite, fall)
+        return [falls, pulls]
 
     # --- what refutes ---------------------------------------------------------------------------
 
@@ -311,7 +334,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
 # --- for every N ------------------------------------------------------------------------------
 
 
-def holds_for_every_N(law: Any) -> tuple[bool, str]:
+def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, str]:
     """Return whether V' of a `LawCandidate` is as shown for every N, and what is left over."""
     loop = ArrayLoop(law.loop.diagram, substitute=partial(_of_every_N, law))
     residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
@@ -321,7 +344,7 @@ def holds_for_every_N(law: Any) -> tuple[bool, str]:
     if not all(squares(summand, law.fixed) for summand in base_and_term(V)):
         return False, "V is not known to be definite"
     # what no equation reads exists as long as what drives it
-    ports = [port for port in _outside_V(law) if port in loop.states]
+    ports = [port for port in _outside_V(law, definite) if port in loop.states]
     rates = {port: loop.elements.of(loop.rates[port]) for port in ports}
     states = {port: loop.elements.of(loop.states[port]) for port in ports}
     if faster := faster_than(1, rates, states):
@@ -341,9 +364,9 @@ def holds_for_every_N(law: Any) -> tuple[bool, str]:
     return False, f"left over: {short(base)}; summand {short(term)}"
 
 
-def _outside_V(law: Any) -> list[str]:
+def _outside_V(law: Any, definite: Definite) -> list[str]:
     """Return the ports of states that V need not contain."""
-    in_V = set().union(*(form.free_symbols for form in law.forms))
+    in_V = set().union(*(form.free_symbols for form in definite.forms))
     in_V |= {*law.loop.states["z"], *law.loop.states["x"]}
     states = law.loop.states
     return [port for port in states if {*states[port].flat} - in_V]

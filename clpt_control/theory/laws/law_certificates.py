@@ -73,8 +73,9 @@ class WithRelations(LawLoop):
             inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed
         )
         weights = {s for M in law.symmetric.values() for s in M.flat}
-        for s in (weights | inv.exist) - self.V.free_symbols:
-            self.case.functions[s] = "inputs" if s in inv.forms else "signals"
+        bounded, exist, _ = inv.known_states
+        for s in (weights | exist) - self.V.free_symbols:
+            self.case.functions[s] = "inputs" if s in bounded else "signals"
         self.case.semidefinite = law.symmetric
         for s in law.relations:
             self.case.motion.pop(s)

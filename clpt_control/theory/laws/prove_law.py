@@ -173,7 +173,8 @@ def _judged_for_sizes(law: Law, points: int, seed: int) -> Verdict:
 
     step = exact_step(others, claim, missing)
     if not step.holds:
-        return replace(others[0].verdict("open", first_failure([step])), steps=(step,))
+        failed = first_failure([step])
+        return Verdict("open", failed, V=verdict.V, rate=verdict.rate, steps=(step,))
     of_N = for_sizes(SIZES)
     conditions = (of_N if c.name == "N" else c for c in verdict.conditions)
     steps = *verdict.steps, step

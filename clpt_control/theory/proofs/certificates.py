@@ -20,6 +20,7 @@ from ...engine.diagram.interconnection import Diagram
 from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
+from .answers import Definite, Fall
 from .certified import NOTHING_PROVED, Case, NoCertificate, Term, written
 from .proof import Proof
 from .symbolic_loop import SymbolicLoop, symbolic_loop
@@ -109,7 +110,7 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     return replace(case, losses=losses, push=push, decay=decay, fixed=fixed)
 
 
-def of_system(case: Any, fall: Any) -> Ways:
+def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     """Return the ways to write V' of a `SystemCandidate`."""
 
     def system() -> Case:
@@ -124,7 +125,7 @@ def of_system(case: Any, fall: Any) -> Ways:
         return lost(system(), case.rate.xreplace(fall.zeroed))
 
     def pulls() -> Case:
-        found = in_forms(case)
+        found = in_forms(case, definite)
         if fall.level is None or found is None:
             raise NoCertificate("V' does not pull V back")
         numbers = pulled_at_once(*found[:3])

@@ -1,14 +1,15 @@
 """One judge for a function V on the equations of a law's loop or of any system.
 
-`clpt.prove` and `clpt.lyapunov` are two short callers.  A verdict is a few questions, each a step
-with its evidence:
+`clpt.prove` and `clpt.lyapunov` are two short callers.  `asked` asks the questions in their order;
+each is a function of the candidate and earlier answers, and its answer has a step:
 
-1. Have V and the equations a value everywhere, and are they what runs?
-2. Is V positive definite?
-3. Does V' <= 0 hold, and what does V' lose; or is V bounded?
-4. Do the states that V does not contain exist for all times?
-5. Are the rates bounded of what V' loses; and what is left where V' = 0 for good?
-6. Does V rise where states jump?
+    values    have V and the equations a value everywhere?
+    definite  in which forms is V positive definite?
+    falls     is V' <= 0, and what does V' lose?        bounds   if not, is V bounded?
+    running   have the running blocks the same V'?      every N  is it the same for every N?
+    outside   do the states that V does not contain exist for all times?
+    ends      what goes to zero of what V' loses (Barbalat), what is left in the end (LaSalle)?
+    jumps     does V rise where states jump?
 
 The conclusion is the first of `CONCLUSIONS` that the steps show.  A V that fails is refuted by a
 point at which the running blocks show it; otherwise it is open.  In discrete time V' stands for
@@ -16,10 +17,10 @@ V(x+) - V(x).
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy
 
@@ -31,11 +32,13 @@ from ..algebra.decide import never_positive
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.facts import is_continuous
 from ..algebra.slopes import meets_smoothly
-from ..algebra.sums_of_squares import Squares, contains_all, squares, zero_of
+from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
+from .answers import Definite, Fall, Jumps, Refutation
 from .certified import written
-from .conclusions import Condition, Judged, Status, concluded, go, theorem_and_proof
-from .limits import Motion
+from .conclusions import Condition, Judged, Status, concluded, theorem_and_proof
+from .ends import Ends, ends
+from .outside import Motion
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 
@@ -140,33 +143,11 @@ class Verdict(Judged):
         return fragment("Verdict", f"{self.status}: {self.sentence}", table)
 
 
-@dataclass
-class Fall:
-    """Claims on V': it falls, and loses squares of forms; or V is bounded."""
-
-    steps: list[Step]
-    claim: str = ""  # V' <= -e^T KD e
-    losses: Sequence[sympy.Expr] = ()  # forms of which V' loses multiples of squares
-    bound: str = ""  # what is lost, as text: e^T KD e
-    of: str = ""  # what goes to zero, as text: CLPE goes
-    level: Any = None
-    zeroed: Mapping[Any, Any] = field(default_factory=dict)  # inputs that are 0
-    conditions: list[Condition] = field(default_factory=list)
-    remarks: list[Step] = field(default_factory=list)  # steps that may fail
-
-
-class Refutation(NamedTuple):
-    """A point at which the running blocks show that V fails."""
-
-    claim: str
-    step: Step
-    point: Point
-    value: float | None
-    after: Point | None = None
-
-
 class LyapunovCandidate(ABC):
-    """A function V on equations, and what is asked of it."""
+    """A function V on equations, and the questions that are asked of it.
+
+    Each question is a function of the candidate and of earlier answers (`answers`).
+    """
 
     eq: Equations
     V: sympy.Expr
@@ -178,9 +159,6 @@ class LyapunovCandidate(ABC):
         None  # where V is to be least, if that is given
     )
     undefined: list[str]  # sentences on where there may be no value
-    forms: Sequence[sympy.Expr] = ()  # that V bounds
-    least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
-    exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
 
     # --- the questions --------------------------------------------------------------------------
 
@@ -189,13 +167,13 @@ class LyapunovCandidate(ABC):
         claim = "V and the equations have a value everywhere"
         return exact(claim, not self.undefined, "".join(self.undefined[:1]), "values")
 
-    def is_definite(self) -> Step:
-        """Return the step that V is positive definite in forms of the states."""
+    def definite(self) -> Definite:
+        """Return the forms of the states in which V is positive definite."""
         claim = "V is positive definite"
         expressions = self.V, *self.motion.values()
         bends = not meets_smoothly(self.V) and not all(map(is_continuous, expressions))
         if bends or self.V.free_symbols & self.intervals:
-            return exact(claim, False, "V may jump or bend")
+            return Definite(exact(claim, False, "V may jump or bend"))
         rest_state = self.rest or {}
         moved = self.V.xreplace({s: s + v for s, v in rest_state.items()})
         total = squares(moved, self.fixed) or squares(moved, self.fixed, False)
@@ -204,66 +182,47 @@ class LyapunovCandidate(ABC):
             zero = dict.fromkeys(states, 0)
             total = total if all(vanishes(f.subs(zero)) for f in total.forms) else None
         if not total or not total.forms:
-            return exact(claim, False, "not shown")
+            return Definite(exact(claim, False, "not shown"))
         back = {s: s - v for s, v in rest_state.items()}
-        self.forms = [form.xreplace(back) for form in total.forms]
-        contained = [s for s in states if any(form.has(s) for form in self.forms)]
-        self.least = zero_of(total._replace(forms=self.forms), contained)
-        names = ", ".join(dict.fromkeys(self.text(form) for form in self.forms))
+        forms = [form.xreplace(back) for form in total.forms]
+        contained = [s for s in states if any(form.has(s) for form in forms)]
+        least = zero_of(total._replace(forms=forms), contained)
+        names = ", ".join(dict.fromkeys(map(self.text, forms)))
+        step = exact(f"{claim} in {names}", True, "", "definite")
+        answer = Definite(step, forms, least)
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
-        holds_all = self.least is not None and len(contained) == len(states)
-        holds_all = holds_all and not self.moving({}).not_bounded(level)
-        holds_all = holds_all and not sympy.Tuple(*(self.least or {}).values()).has(
-            TIME
-        )
-        shows = "definite all" if holds_all else "definite"
-        return exact(f"{claim} in {names}", True, "", shows)
+        holds_all = least is not None and len(contained) == len(states)
+        if (
+            holds_all
+            and not self.moving(answer, {}).not_bounded(level)
+            and not sympy.Tuple(*(least or {}).values()).has(TIME)
+        ):
+            return answer._replace(step=replace(step, shows="definite all"))
+        return answer
 
     @abstractmethod
-    def fall(self) -> Fall:
-        """Return what is shown of V'; called after `is_definite`."""
+    def falls(self, definite: Definite) -> Fall:
+        """Return what is shown of V' <= 0."""
+
+    def bounds(self, definite: Definite, fall: Fall) -> Fall:
+        """Return a bound of V where V' <= 0 is not shown; `fall` if none is known."""
+        return fall
 
     @abstractmethod
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
 
-    def ends(self, motion: Motion, fall: Fall) -> tuple[list[Step], str]:
-        """Return the steps on what goes to zero, and its names."""
-        of, forms = fall.of or go(map(self.text, fall.losses)), [*fall.losses]
-        states = [*self.motion]
-        lost = Squares(sympy.S.Zero, [], forms)
-        at_least = self.least or {}
-        if (
-            at_least
-            and not sympy.Tuple(*at_least.values()).has(TIME)
-            and contains_all(lost, states)
-            and all(vanishes(form.xreplace(at_least)) for form in forms)
-        ):
-            return [exact("V' < 0 but at the rest", True, "", "limit rest")], of
-        names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
-        steps = [motion.limit(forms, names or ", ".join(map(self.text, forms)))]
-        if self.eq.discrete:
-            steps = [exact("the sum of what V loses is finite", True, "", "limit")]
-        expressions = sympy.Tuple(self.V, *motion.rates.values())
-        moves = expressions.has(TIME, *self.intervals, *motion.inputs.values())
-        if moves or motion.free or self.eq.jumps:
-            return steps, of
-        found = motion.still_set(forms)
-        if found.is_rest:
-            names = ", ".join(f"{self.text(g)} = 0" for g in found.zero)
-            shows = "still limit" + " rest" * (found.point is not None)
-            steps = [
-                exact(f"where V' = 0 for good nothing moves: {names}", True, "", shows)
-            ]
-        return steps, go(map(self.text, found.zero)) if found.zero[len(forms) :] else of
+    def every_N(self, definite: Definite, fall: Fall) -> Step | None:
+        """Return the step that the same holds for every number of functions, if that is asked."""
+        return None
 
-    def jumps(self) -> tuple[Step, sympy.Expr]:
+    def jumps(self) -> Jumps:
         """Return the step that V rises at no jump, and by how much it rises where that fails."""
         claim = f"V does not rise where states of {' and '.join(self.eq.jumps)} jump"
         for rise in self.rises_at_jumps():
             if not self.never_positive(rise):
-                return exact(claim, False, f"V changes by {short(rise)}"), rise
-        return exact(claim, True, "", "jumps"), sympy.S.Zero
+                return Jumps(exact(claim, False, f"V changes by {short(rise)}"), rise)
+        return Jumps(exact(claim, True, "", "jumps"))
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
@@ -275,16 +234,18 @@ class LyapunovCandidate(ABC):
         parameters = self.fixed if self.numbers is None else self.numbers
         return never_positive(normal_form(expression), parameters)
 
-    def refuted(self, steps: list[Step]) -> Refutation | None:
-        """Return a point that refutes V, of the steps that fail, if one is searched for."""
-        return None
+    def refuted(
+        self, definite: Definite, fall: Fall
+    ) -> tuple[Refutation | None, list[Step]]:
+        """Return a point that refutes V, if one is found, and the searches without one."""
+        return None, []
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V rises at a jump, if one is searched for."""
         return None
 
     @abstractmethod
-    def ways(self, fall: Fall) -> Sequence[Callable[[], Any]]:
+    def ways(self, definite: Definite, fall: Fall) -> Sequence[Callable[[], Any]]:
         """Return the ways to write V' as a sum, for a certificate."""
 
     def text(self, expression: sympy.Expr) -> str:
@@ -292,7 +253,7 @@ class LyapunovCandidate(ABC):
         return short(expression)
 
     @abstractmethod
-    def verdict(self, status: Status, claim: str, **known: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, fall: Fall, **known: Any) -> Verdict:
         """Return a verdict on this candidate."""
 
     # --- its motion -----------------------------------------------------------------------------
@@ -303,60 +264,113 @@ class LyapunovCandidate(ABC):
         parameters = self.eq.parameters.values()
         return {p.interval for p in parameters if "interval" in p._fields}
 
-    def moving(self, zeroed: Mapping[Any, Any]) -> Motion:
+    def moving(self, definite: Definite, zeroed: Mapping[Any, Any]) -> Motion:
         """Return the motion of the states, with some inputs zero."""
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
-        return Motion(self.eq, rates, self.fixed, [*self.forms], self.exist)
+        return Motion(self.eq, rates, self.fixed, [*definite.forms], definite.exist)
 
 
-def judge(candidate: LyapunovCandidate, refute: bool = True) -> Verdict:
-    """Return the verdict on a candidate V; if `refute`, look for a point that refutes V."""
-    steps = [candidate.has_values(), candidate.is_definite()]
-    fall = candidate.fall()
-    steps += fall.steps
-    if not first_failure(steps):
-        steps.append(candidate.same_as_running())
-    if failed := first_failure(steps):
-        refutation = candidate.refuted(steps) if refute else None
-        if refutation is not None:
-            return refuted(candidate, refutation, steps)
-        return candidate.verdict("open", failed, steps=tuple(steps))
-    steps += fall.remarks
-    motion, of = candidate.moving(fall.zeroed), fall.of
-    steps.append(motion.outside())
+@dataclass
+class Answers:
+    """The answers on a candidate, as far as they were asked; the verdict is made of them."""
+
+    candidate: LyapunovCandidate
+    values: Step
+    definite: Definite
+    fall: Fall
+    running: Step | None = None
+    every_N: Step | None = None
+    motion: Motion | None = None
+    outside: Step | None = None  # states that V does not contain
+    ends: Ends | None = None  # what V' loses
+    jumps: Jumps | None = None
+
+    @property
+    def steps(self) -> list[Step]:
+        """The steps of all answers, in the order of the questions."""
+        of_ends = self.ends.steps if self.ends else []
+        at_jumps = self.jumps.step if self.jumps else None
+        found = [self.values, self.definite.step, *self.fall.steps, self.running]
+        found += [self.every_N, self.outside, *of_ends, at_jumps]
+        return [step for step in found if step is not None]
+
+    def verdict(self) -> Verdict:
+        """Return the verdict: the first conclusion whose requirements are shown, or none."""
+        candidate, fall, steps = self.candidate, self.fall, tuple(self.steps)
+        if self.motion is None:
+            return candidate.verdict("open", first_failure(steps), fall, steps=steps)
+        if self.jumps and not self.jumps.step.holds:
+            found = candidate.refuted_at_jump(self.jumps.rise)
+            if found is not None:
+                return refuted(candidate, found, fall, steps)
+        conclusion = concluded(steps, "" if self.jumps else "jumps")
+        conditions = [*fall.conditions, *self.motion.where]
+        if self.jumps and not self.jumps.step.holds:
+            conditions.append(Condition("between jumps", "jumps"))
+        return candidate.verdict(
+            "proved",
+            fall.claim,
+            fall,
+            conclusion=conclusion,
+            of=self.ends.of if self.ends else fall.of,
+            bound=fall.bound,
+            level=fall.level,
+            conditions=tuple(conditions),
+            steps=steps,
+            for_every_N=bool(self.every_N and self.every_N.holds),
+            ways=partial(candidate.ways, self.definite, fall),
+        )
+
+
+def asked(candidate: LyapunovCandidate) -> Answers:
+    """Ask the questions of a candidate, each with the answers before it."""
+    values, definite = candidate.has_values(), candidate.definite()
+    fall = candidate.falls(definite)
+    if not fall.holds:
+        fall = candidate.bounds(definite, fall)
+    answers = Answers(candidate, values, definite, fall)
+    if first_failure(answers.steps):
+        return answers
+    answers.running = candidate.same_as_running()
+    if not answers.running.holds:
+        return answers
+    answers.every_N = candidate.every_N(definite, fall)
+    motion = answers.motion = candidate.moving(definite, fall.zeroed)
+    answers.outside = motion.outside()
     if fall.losses:
-        last, of = candidate.ends(motion, fall)
-        steps += last
-    conditions = [*fall.conditions, *motion.where]
-    given = "jumps"
+        answers.ends = ends(candidate, definite, fall, motion)
     if candidate.eq.jumps:
-        given = ""
-        step, rise = candidate.jumps()
-        steps.append(step)
-        refutation = None if step.holds else candidate.refuted_at_jump(rise)
-        if refutation is not None:
-            return refuted(candidate, refutation, steps)
-        conditions += [] if step.holds else [Condition("between jumps", "jumps")]
-    return candidate.verdict(
-        "proved",
-        fall.claim,
-        conclusion=concluded(steps, given),
-        of=of,
-        bound=fall.bound,
-        level=fall.level,
-        conditions=tuple(conditions),
-        steps=tuple(steps),
-        ways=partial(candidate.ways, fall),
-    )
+        answers.jumps = candidate.jumps()
+    return answers
+
+
+def judge(candidate: LyapunovCandidate) -> Verdict:
+    """Return the verdict on a candidate V; where it is open, look for a point that refutes V."""
+    answers = asked(candidate)
+    return with_refutation(candidate, answers, answers.verdict())
+
+
+def with_refutation(
+    candidate: LyapunovCandidate, answers: Answers, verdict: Verdict
+) -> Verdict:
+    """Return a verdict, or where it is open and a point refutes V that refutation."""
+    if verdict.status != "open":
+        return verdict
+    found, searches = candidate.refuted(answers.definite, answers.fall)
+    steps = (*verdict.steps, *searches)
+    if found is not None:
+        return refuted(candidate, found, answers.fall, steps)
+    return replace(verdict, steps=steps)
 
 
 def refuted(
-    candidate: LyapunovCandidate, found: Refutation, steps: list[Step]
+    candidate: LyapunovCandidate, found: Refutation, fall: Fall, steps: Iterable[Step]
 ) -> Verdict:
     """Return the verdict on a candidate that a point refutes."""
     return candidate.verdict(
         "refuted",
         found.claim,
+        fall,
         steps=(*steps, found.step),
         point=found.point,
         value=found.value,

@@ -16,8 +16,9 @@ from ...base.arguments import Count, Seed, public
 from ...base.errors import DiagramError
 from ...base.units import at_least
 from ..algebra.texts import short
+from .answers import Fall
 from .conclusions import CONCLUSIONS, concluded, strength
-from .judge import Verdict, judge, refuted
+from .judge import Verdict, asked, refuted, with_refutation
 from .region import Region
 from .searching import candidates
 from .signal_functions import function_of_signals
@@ -58,11 +59,16 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
         candidate.compared(in_box),
     )
     if failed := first_failure(steps):
-        return candidate.verdict("open", failed, steps=steps)
+        return candidate.verdict("open", failed, Fall([]), steps=steps)
     conditions = tuple(candidate.conditions(inputs))
     conclusion = concluded(steps)
     verdict = candidate.verdict(
-        "proved", claim, conclusion=conclusion, conditions=conditions, steps=steps
+        "proved",
+        claim,
+        Fall([]),
+        conclusion=conclusion,
+        conditions=conditions,
+        steps=steps,
     )
     return replace(verdict, inputs=tuple(inputs), level=level)
 
@@ -160,24 +166,20 @@ def lyapunov(
         candidate = SystemCandidate(*arguments, numbers=bool(within))
         if within:
             return _in_region(candidate, within)
-        verdict = judge(candidate, refute=False)
+        answers = asked(candidate)
+        verdict = answers.verdict()
         is_final = strength(verdict) <= LIMITED and not _zeroed(verdict)
         if candidate.eq.values and not is_final:
-            numbers = SystemCandidate(*arguments, numbers=True)
-            of_numbers = judge(numbers, refute=False)
-            is_stronger = strength(of_numbers) < strength(verdict)
-            if is_stronger or (_zeroed(verdict) and not _zeroed(of_numbers)):
-                verdict = of_numbers
-        steps = [*verdict.steps]
-        if verdict.status == "open":
-            failure = candidate.refuted(steps)
-        elif is_given and _zeroed(verdict):
+            of_numbers = asked(SystemCandidate(*arguments, numbers=True))
+            found = of_numbers.verdict()
+            is_stronger = strength(found) < strength(verdict)
+            if is_stronger or (_zeroed(verdict) and not _zeroed(found)):
+                answers, verdict = of_numbers, found
+        if is_given and _zeroed(verdict):
             failure = candidate.refuted_by_inputs()
-        else:
-            return verdict
-        if failure is not None:
-            return refuted(candidate, failure, steps)
-        return replace(verdict, steps=tuple(steps))
+            if failure is not None:
+                return refuted(candidate, failure, answers.fall, verdict.steps)
+        return with_refutation(candidate, answers, verdict)
 
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"

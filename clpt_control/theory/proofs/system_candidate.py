@@ -41,9 +41,10 @@ from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, squares
 from ..algebra.texts import short
+from .answers import Definite, Fall, Refutation
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
-from .judge import Fall, LyapunovCandidate, Refutation, Verdict, judge
+from .judge import LyapunovCandidate, Verdict, asked
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
@@ -187,20 +188,15 @@ class SystemCandidate(LyapunovCandidate):
         """Return an expression in the diagram's own signals, in a line."""
         return short(self.in_signals(expression))
 
-    @property
-    def shown_rate(self) -> str:
-        """V' in a line."""
-        return short(self.readable_rate())
-
     def with_rate(self, claim: str) -> str:
         """Return V' and a claim in a line."""
-        return f"V' = {self.shown_rate}; {claim}"
+        return f"V' = {short(self.readable_rate(self.rate))}; {claim}"
 
-    def readable_rate(self) -> sympy.Expr:
+    def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        if self.rate not in self.readable:
-            self.readable[self.rate] = self._readable(decided(normal_form(self.rate)))
-        return self.readable[self.rate]
+        if rate not in self.readable:
+            self.readable[rate] = self._readable(decided(normal_form(rate)))
+        return self.readable[rate]
 
     def _readable(self, rate: sympy.Expr) -> sympy.Expr:
         total = squares(-rate, self.fixed)
@@ -212,9 +208,11 @@ class SystemCandidate(LyapunovCandidate):
 
     # --- points at which it fails --------------------------------------------------------------
 
-    def refuted(self, steps: list[Step]) -> Refutation | None:
+    def refuted(
+        self, definite: Definite, fall: Fall
+    ) -> tuple[Refutation | None, list[Step]]:
         """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
-        _, definite, falls, *_ = steps
+        searches = list[Step]()
         below = (
             f"V is below its value at {self.place}"
             if self.place
@@ -222,8 +220,8 @@ class SystemCandidate(LyapunovCandidate):
         )
         over = "V' > 0" if self.claim is None else "V' is above the claim"
         for fails, find, holds in (
-            (over, self._rises, falls.holds),
-            (below, self._no_least, definite.holds),
+            (over, self._rises, fall.steps[0].holds),
+            (below, self._no_least, definite.step.holds),
         ):
             if holds:
                 continue
@@ -232,9 +230,9 @@ class SystemCandidate(LyapunovCandidate):
             step = Step(claim, failure is not None, "counterexample", "", False)
             if failure is not None:
                 claim = self.with_rate(f"{fails}: {failure[1]:.3g} at `point`")
-                return Refutation(claim, step, *failure)
-            steps.append(step)
-        return None
+                return Refutation(claim, step, *failure), searches
+            searches.append(step)
+        return None, searches
 
     def refuted_by_inputs(self) -> Refutation | None:
         """Return a point at which inputs raise V, however far from the rest."""
@@ -285,9 +283,13 @@ class SystemCandidate(LyapunovCandidate):
 
     # --- the questions --------------------------------------------------------------------------
 
-    def fall(self) -> Fall:
+    def falls(self, definite: Definite) -> Fall:
         """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
-        steps, bound, claim = list[Step](), self.rate, f"V' = {self.shown_rate}"
+        steps, bound, claim = (
+            list[Step](),
+            self.rate,
+            f"V' = {short(self.readable_rate(self.rate))}",
+        )
         if self.claim is not None:
             excess = self.excess(self.claim)
             holds = self.never_positive(excess)
@@ -297,32 +299,51 @@ class SystemCandidate(LyapunovCandidate):
             if not holds:
                 return Fall(steps, claim)
         zeroed, inputs = dict[Any, Any](), self.depends_on(bound)
-        falls = self.falls(bound)
-        if not falls and inputs:
+        falling = self.falling(bound)
+        if falling is None and inputs:
             zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
-            falls = self.never_positive(bound.xreplace(zeroed))
+            still = bound.xreplace(zeroed)
+            falling = still if self.never_positive(still) else None
+        if falling is None:
+            return Fall([*steps, exact(f"{claim} <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
-        if falls:
-            bound = bound.xreplace(zeroed)
-            form, states = normal_form(bound), {*self.states}
-            lower = without_choices(form, states)
-            if lower is None:
-                lower = without_fading(form, states) or form
-            if lower != form:
-                bound, claim = lower, f"V' <= {self.text(factored(lower))}"
-            bounded = {*(self.least or (f for f in self.forms if f.is_Symbol))}
-            variables = (*self.states, *self.inputs)
-            loss = -whole_coefficients(normal_form(bound), variables)
-            losses = self.lost = lost_forms(loss, self.fixed, bounded)
-            shows = f"falls{' loses' * bool(losses)}"
-            steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
-            fall = Fall(steps, f"{claim} <= 0", losses, short(self.text(-bound)))
-        else:
-            fall, zeroed = self._pulled(steps, claim), {}
-        fall.conditions += self.conditions(inputs if zeroed else [])
-        fall.zeroed = zeroed
-        return fall
+        bound = falling.xreplace(zeroed)
+        form, states = normal_form(bound), {*self.states}
+        lower = without_choices(form, states)
+        if lower is None:
+            lower = without_fading(form, states) or form
+        if lower != form:
+            bound, claim = lower, f"V' <= {self.text(factored(lower))}"
+        bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
+        variables = (*self.states, *self.inputs)
+        loss = -whole_coefficients(normal_form(bound), variables)
+        losses = lost_forms(loss, self.fixed, bounded)
+        shows = f"falls{' loses' * bool(losses)}"
+        steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
+        return Fall(
+            steps,
+            f"{claim} <= 0",
+            losses,
+            short(self.text(-bound)),
+            zeroed=zeroed,
+            rate=falling if self.claim is None else None,
+            conditions=self.conditions(inputs if zeroed else []),
+        )
+
+    def bounds(self, definite: Definite, fall: Fall) -> Fall:
+        """Return the bound of a V' that pulls V back but for a constant."""
+        *claimed, _ = fall.steps
+        if self.claim is not None and not claimed:
+            return fall
+        conditions = self.conditions([])
+        bound = pulled_forms(self, definite) if definite.forms else None
+        if bound is None:
+            return replace(fall, steps=claimed or fall.steps, conditions=conditions)
+        shown = f"{fall.claim}, and {bound.claim}" if claimed else bound.claim
+        conditions = [*bound.conditions, *conditions]
+        steps = [*claimed, *bound.steps]
+        return replace(bound, steps=steps, claim=shown, conditions=conditions)
 
     def excess(self, claim: sympy.Expr) -> sympy.Expr:
         """Return what V' has above a claim."""
@@ -334,15 +355,6 @@ class SystemCandidate(LyapunovCandidate):
         signed = {a: a.args[0] * SIGN(*a.args) for a in excess.atoms(sympy.Abs)}
         is_zero = powers and vanishes(excess.xreplace(signed))
         return sympy.S.Zero if is_zero else excess
-
-    def _pulled(self, steps: list[Step], claim: str) -> Fall:
-        """Return what is shown of a V' that pulls V back but for a constant."""
-        bound = pulled_forms(self) if self.forms else None
-        if bound is None:
-            failed = [] if self.claim is not None else [exact(f"{claim} <= 0", False)]
-            return Fall([*steps, *failed], claim)
-        shown = bound.claim if self.claim is None else f"{claim}, and {bound.claim}"
-        return replace(bound, steps=[*steps, *bound.steps], claim=shown)
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
@@ -360,34 +372,32 @@ class SystemCandidate(LyapunovCandidate):
 
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""
-        shown = judge(self, refute=False)
-        if shown.conclusion == "asymptotically stable":
-            return [dict(self.least or {})]
-        if shown.conclusion != "comes to rest":
-            return []
-        motion = self.moving(dict.fromkeys(self.inputs, sympy.S.Zero))
-        motion.outside()
-        return motion.still_set(self.lost).rests(low, high)
+        answers = asked(self)
+        conclusion = answers.verdict().conclusion
+        if conclusion == "asymptotically stable":
+            return [dict(answers.definite.least or {})]
+        still = answers.ends.still if answers.ends else None
+        return still.rests(low, high) if still and conclusion == "comes to rest" else []
 
-    def ways(self, fall: Fall) -> Ways:
+    def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
-        return of_system(self, fall)
+        return of_system(self, definite, fall)
 
     # --- V' -------------------------------------------------------------------------------------
 
-    def falls(self, bound: sympy.Expr) -> bool:
-        """Return whether V' or a bound is never positive, as it is, reduced, or by states."""
+    def falling(self, bound: sympy.Expr) -> sympy.Expr | None:
+        """Return V' or a bound as it is never positive: as it is, reduced, or by states."""
         terms = sympy.Add.make_args(bound)
         if all(bool(term.is_nonpositive) for term in terms) or self.never_positive(
             bound
         ):
-            return True
+            return bound
         if self.claim is not None:
-            return never_positive(bound, self.fixed)
-        self.rate = reduced(bound)
-        if self.never_positive(self.rate):
-            return True
-        return not self.eq.discrete and self._falls_by_state()
+            return bound if never_positive(bound, self.fixed) else None
+        rate = reduced(bound)
+        by_state = not self.eq.discrete and self._falls_by_state
+        falls = self.never_positive(rate) or (by_state and by_state())
+        return rate if falls else None
 
     def _falls_by_state(self) -> bool:
         """Return whether V' falls without the terms of rates that go down V, as friction does.
@@ -409,11 +419,12 @@ class SystemCandidate(LyapunovCandidate):
             remaining += [slope * term for term in undecided]
         return self.never_positive(sympy.Add(*remaining))
 
-    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, fall: Fall, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
         if status == "open":
             claim = self.with_rate(claim)
-        rate, V = self.readable_rate(), self.in_signals(self.V)
+        V = self.in_signals(self.V)
+        rate = self.readable_rate(self.rate if fall.rate is None else fall.rate)
         inputs = tuple(self.depends_on(self.rate))
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)
 

@@ -34,8 +34,8 @@ from ..algebra.decide import groups_of
 from ..algebra.facts import interval
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import bound_text
+from .answers import Definite, Fall
 from .conclusions import Condition
-from .judge import Fall
 from .leaks import Leak, leaks_of, radial_of, stays_within
 from .steps import exact
 
@@ -135,11 +135,11 @@ class InForms(NamedTuple):
     forms: dict[Any, sympy.Expr]  # state -> its error, in the states of the diagram
 
 
-def in_forms(case: Any) -> InForms | None:
+def in_forms(case: Any, definite: Definite) -> InForms | None:
     """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
     coordinates: dict[Any, sympy.Expr] = {}
     forms: dict[Any, sympy.Expr] = {}
-    for form in case.forms:
+    for form in definite.forms:
         states = sorted(form.free_symbols & {*case.motion}, key=str)
         if len(states) < 2 or not form.is_polynomial(*states):
             continue
@@ -161,12 +161,12 @@ def in_forms(case: Any) -> InForms | None:
     return InForms(V, rate, rest, errors)
 
 
-def pulled_forms(case: Any) -> Fall | None:
+def pulled_forms(case: Any, definite: Definite) -> Fall | None:
     """Return the bound of V of a diagram in the forms of V, each of them one state.
 
     Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
     """
-    found = in_forms(case)
+    found = in_forms(case, definite)
     if found is None:
         return None
     fall = Bounding(case, found).bound()

@@ -1,20 +1,14 @@
-"""States that V does not contain, and what goes to zero in the end.
+"""States that V does not contain: which are bounded, and which exist for all times.
 
 Where V does not rise, each form of V is bounded: a linear form in one state bounds that state.
 States that no form bounds are judged by their rates.  Linear ones with a Hurwitz matrix stay
 bounded; with rates that grow at most linearly in them they exist for all times (Gronwall's lemma);
 s' = 1 + s^2 escapes at t = pi/2.  Inputs are bounded.
-
-Of forms q with int q^2 dt < oo those go to zero whose rates are bounded (Barbalat's lemma): made of
-what is bounded, and of functions of time that are.  Where a diagram depends on nothing else, its
-runs end where V' = 0 for good (LaSalle): q = 0, q' = 0, q'' = 0, ... there.
-
-Source: Khalil, H. K. (2002), Nonlinear Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
 """
 
 from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field
-from itertools import product, zip_longest
+from itertools import zip_longest
 from typing import Any
 
 import sympy
@@ -23,15 +17,13 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from ..algebra.exact import factored, normal_form, vanishes
 from ..algebra.facts import is_input
-from ..algebra.slopes import along, degree
+from ..algebra.slopes import degree
 from ..algebra.sums_of_squares import squares
 from .conclusions import Condition, are
 from .steps import How, Step
 
 ANGLES = (sympy.sin, sympy.cos)
-MOST_ROUNDS = 12  # of derivatives of what stays zero
 CLOCK = sympy.Symbol("t", nonnegative=True)
 
 
@@ -104,7 +96,7 @@ class Motion:
             own = [rates[s].xreplace(self.bounded) for s in states]
             if not jumps.keys() & {*states} and self._is_linear_and_stable(own, states):
                 stable += states
-                self.driving |= self._inputs_of(own)
+                self.driving |= self.inputs_of(own)
                 self.free = [s for s in self.free if s not in states]
                 self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
         if stable:
@@ -130,7 +122,7 @@ class Motion:
         shows, detail = ("exists", "") if exist else ("", "not shown")
         return Step(claim, exist, how if exist else "exact", detail, False, shows)
 
-    def _inputs_of(self, rates: Iterable[Expr]) -> set:
+    def inputs_of(self, rates: Iterable[Expr]) -> set:
         """Return the inputs, and opaque sources, that rates depend on."""
         total = sympy.Tuple(*rates)
         used = {f for f, s in self.inputs.items() if total.has(s)}
@@ -155,8 +147,6 @@ class Motion:
             return False
         return schur(J) if self.eq.discrete else hurwitz(J)
 
-    # --- what goes to zero ---------------------------------------------------------------------
-
     def not_bounded(self, expression: Expr) -> list[str]:
         """Return the names of what may take an expression beyond every bound."""
         e = self.quiet(expression).xreplace(self.bounded).xreplace({TIME: CLOCK})
@@ -166,140 +156,6 @@ class Motion:
         alone = [s for s in states if degree(e, {s}.__contains__) > 0]
         loose = alone or e.free_symbols & states
         return sorted(str(s).removeprefix("_") for s in loose)
-
-    def limit(self, forms: Iterable[Expr], of: str) -> Step:
-        """Return the step that the rates of forms are bounded where V is (Barbalat)."""
-        claim = f"the rate of {of} is bounded where V is"
-        motion = {TIME: sympy.S.One, **self.rates}
-        motion |= {s: self.still[f.diff(TIME)] for f, s in self.inputs.items()}
-        rates = [sympy.expand(along(self.quiet(q), motion)) for q in forms]
-        used = self._inputs_of(rates)
-        loose = dict.fromkeys(name for rate in rates for name in self.not_bounded(rate))
-        if loose:
-            detail = f"it holds {', '.join(loose)}, not known to be bounded there"
-            return Step(claim, False, "exact", detail, False)
-        self.driving |= used
-        return Step(claim, True, "exact", "", False, "limit")
-
-    def still_set(self, forms: Iterable[Expr]) -> "Still":
-        """Return what is zero for good where forms are."""
-        return Still(self.rates, self.fixed, self.eq.discrete).found(forms)
-
-
-@dataclass
-class Still:
-    """The expressions that are zero for good where others are, in the order of their finding."""
-
-    rates: dict[Any, Expr]
-    fixed: set
-    discrete: bool = False
-    zero: list[Expr] = field(default_factory=list)
-    solved: dict[Any, Expr] = field(
-        default_factory=dict
-    )  # states and sines, by the others
-
-    def found(self, forms: Iterable[Expr]) -> "Still":
-        """Differentiate forms along the rates until nothing new is zero."""
-        queue = [*forms]
-        for _ in range(MOST_ROUNDS):
-            if not queue:
-                break
-            g = self.reduced(queue.pop(0))
-            if vanishes(g):
-                continue
-            self.zero.append(g)
-            self._solve(g)
-            queue.append(self.moved(g))
-        return self
-
-    def moved(self, g: Expr) -> Expr:
-        """Return the rate of an expression; in discrete time its next value."""
-        if self.discrete:
-            return g.xreplace(self.rates)
-        return along(g, self.rates)
-
-    def reduced(self, expression: Expr) -> Expr:
-        """Return an expression where all that was found is zero, without factors that never are."""
-        e, before = normal_form(expression), None
-        while e != before:
-            before, e = e, normal_form(e.xreplace(self.solved))
-        if vanishes(e):
-            return sympy.S.Zero
-        numerator, _ = sympy.fraction(sympy.together(e))
-        factors = sympy.Mul.make_args(factored(numerator))
-        kept = [
-            f.as_base_exp()[0] for f in factors if not _is_never_zero(f, self.fixed)
-        ]
-        return sympy.Mul(*dict.fromkeys(kept))
-
-    def _solve(self, g: Expr) -> None:
-        """Solve an expression that is zero for a state or a sine, linear in it."""
-        atoms = sorted({*self.rates} & g.free_symbols, key=str)
-        for a in [*atoms, *sorted(g.atoms(sympy.sin), key=str)]:
-            slope = sympy.diff(g, a) if a.is_Symbol else g.coeff(a)
-            rest = normal_form(g - slope * a)
-            is_free = slope.free_symbols - self.fixed or rest.has(a)
-            is_within = a.is_Symbol and rest.has(*_calls_of(rest, a))
-            if slope and not (is_free or is_within):
-                self.solved[a] = -rest / slope
-                return
-
-    @property
-    def is_rest(self) -> bool:
-        """True if all rates are zero there."""
-        values = (
-            rate if not self.discrete else rate - s for s, rate in self.rates.items()
-        )
-        left = (self.reduced(value) for value in values)
-        return all(vanishes(e) or any(vanishes(e - g) for g in self.zero) for e in left)
-
-    @property
-    def point(self) -> dict[Any, Expr] | None:
-        """The one rest that is left: each state as a number; otherwise None."""
-        values = {s: s for s in self.rates}
-        for _ in values:
-            values = {
-                s: sympy.expand(v.xreplace(self.solved)) for s, v in values.items()
-            }
-        numbers = not any(v.free_symbols - self.fixed for v in values.values())
-        return values if numbers else None
-
-    def rests(self, low: Any, high: Any) -> list[dict[Any, Expr]]:
-        """Return the rests between states: each state a number, or a zero of its sine."""
-        choices = []
-        for s, a, b in zip(self.rates, low, high, strict=True):
-            sines = [g for g in self.solved if isinstance(g, sympy.sin) and g.has(s)]
-            if s in self.solved:
-                choices.append([self.solved[s]])
-                continue
-            if not sines or not sympy.Poly(sines[0].args[0], s).is_linear:
-                return []
-            slope, phase = sympy.Poly(sines[0].args[0], s).all_coeffs()
-            turns = sorted((slope * end + phase) / sympy.pi for end in (a, b))
-            counts = range(int(sympy.ceiling(turns[0])), int(sympy.floor(turns[1])) + 1)
-            choices.append([(k * sympy.pi - phase) / slope for k in counts])
-        points = (dict(zip(self.rates, p, strict=True)) for p in product(*choices))
-        rests = [{s: v.xreplace(p) for s, v in p.items()} for p in points]
-        numbers = all(v.is_number for p in rests for v in p.values())
-        return rests if numbers else []
-
-
-def _calls_of(expression: Expr, state: Any) -> list:
-    """Return the functions of an expression that hold a state."""
-    return [f for f in expression.atoms(sympy.Function) if f.has(state)] or [
-        sympy.Dummy()
-    ]
-
-
-def _is_never_zero(factor: Expr, fixed: set) -> bool:
-    """Return whether a factor of an expression that is zero cannot be the one that is."""
-    if not factor.free_symbols - fixed:
-        return bool(factor.is_nonzero or factor.is_number)
-    base, exponent = factor.as_base_exp()
-    total = squares(base, fixed) if base.is_Add else None
-    return bool(exponent.is_negative or base.is_positive) or bool(
-        total and total.constant.is_positive
-    )
 
 
 def _in_order(rates: Mapping[Any, Expr]) -> list[list]:

@@ -1,0 +1,58 @@
+"""Answers to the questions of `judge`: each with its step, and what later questions read of it."""
+
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import sympy
+
+from .conclusions import Condition
+from .steps import Step, first_failure
+from .symbolic_loop import Point
+
+
+class Definite(NamedTuple):
+    """V is positive definite in forms."""
+
+    step: Step
+    forms: Sequence[sympy.Expr] = ()  # that V bounds
+    least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
+    exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
+
+
+@dataclass
+class Fall:
+    """Claims on V': it falls, and loses squares of forms; or V is bounded."""
+
+    steps: list[Step]
+    claim: str = ""  # V' <= -e^T KD e
+    losses: Sequence[sympy.Expr] = ()  # forms of which V' loses multiples of squares
+    bound: str = ""  # what is lost, as text: e^T KD e
+    of: str = ""  # what goes to zero, as text: CLPE goes
+    level: Any = None
+    zeroed: Mapping[Any, Any] = field(default_factory=dict)  # inputs that are 0
+    conditions: list[Condition] = field(default_factory=list)
+    rate: sympy.Expr | None = None  # V' as it was judged
+    residual: sympy.Expr = sympy.S.Zero  # of a law: V' less its fall
+
+    @property
+    def holds(self) -> bool:
+        """True if each step holds."""
+        return not first_failure(self.steps)
+
+
+class Jumps(NamedTuple):
+    """V rises at no jump, or by how much it may."""
+
+    step: Step
+    rise: sympy.Expr = sympy.S.Zero
+
+
+class Refutation(NamedTuple):
+    """A point at which the running blocks show that V fails."""
+
+    claim: str
+    step: Step
+    point: Point
+    value: float | None
+    after: Point | None = None
