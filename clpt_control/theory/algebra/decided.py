@@ -34,7 +34,7 @@ def _outcome(call: Any) -> Any:
             return sympy.Integer(bool(truth))
         return _without_size(call)
     if name in LOGIC:
-        is_known = any(are_numbers) and all(map(_is_truth, arguments))
+        is_known = any(are_numbers) and all(map(is_truth, arguments))
         return LOGIC[name](*arguments) if is_known else _simplified(call)
     number = fact_of(call).number
     if number is not None and all(are_numbers):
@@ -94,6 +94,6 @@ def _without_size(call: Any) -> Any:
     return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
 
 
-def _is_truth(e: Expr) -> bool:
+def is_truth(e: Expr) -> bool:
     """Return whether an expression is 0, 1 or a truth value."""
     return e in (0, 1) or e.func.__name__ in (*COMPARISONS, *LOGIC)

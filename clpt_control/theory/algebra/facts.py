@@ -123,6 +123,10 @@ def _inside_number(s: Any, low: Any, high: Any) -> Any:
     return sympy.Integer(bool(low < s) and bool(s < high))
 
 
+def _trunc_number(s: Any) -> Any:
+    return sympy.sign(s) * sympy.floor(sympy.Abs(s))
+
+
 def _extreme(function: Any) -> Fact:
     return Fact(
         "kink",
@@ -165,7 +169,9 @@ FACTS: dict[str, Fact] = {
     "inside": Fact(
         "step", "bounded", pieces=_pieces_of_clip, range=TRUTH, number=_inside_number
     ),
-    **dict.fromkeys(("floor", "trunc", "ceil"), Fact("step", "as all")),
+    "floor": Fact("step", "as all", number=sympy.floor),
+    "ceil": Fact("step", "as all", number=sympy.ceiling),
+    "trunc": Fact("step", "as all", number=_trunc_number),
     "mod": Fact("choice", "as branches", number=lambda a, b: a % b),
     **dict.fromkeys(
         ("where", "pick"), Fact("choice", "as branches", range=_range_of_choice)

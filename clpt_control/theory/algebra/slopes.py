@@ -14,7 +14,7 @@ import sympy
 from sympy import Add, Expr, Function, S, expand
 from sympy.core.function import AppliedUndef
 
-from .decided import decided
+from .decided import decided, is_truth
 from .every_n import SUM
 from .facts import (
     GT,
@@ -25,6 +25,8 @@ from .facts import (
     fact_of,
     functions_in,
     interval,
+    is_continuous,
+    is_input,
     pieces_of,
 )
 
@@ -80,28 +82,38 @@ def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
     return rate(expression)
 
 
-def meets_smoothly(V: Expr) -> bool:
-    """Return whether V and its slopes agree where the pieces of its functions meet."""
+def jumps_nowhere(e: Expr) -> bool:
+    """Return whether an expression is known to be continuous where it has a value."""
+    inputs = {
+        f: sympy.Dummy(real=True) for f in filter(is_input, e.atoms(AppliedUndef))
+    }
+    return is_continuous(e) or meets_smoothly(e.xreplace(inputs), 1)
+
+
+def meets_smoothly(V: Expr, order: int = 2) -> bool:
+    """Return whether V and its slopes agree where pieces meet; V alone if the order is 1."""
     powers = V.atoms(sympy.Pow)
     if any(not p.exp.is_Integer and not p.base.is_positive for p in powers):
         return False
-    return all(_call_meets_smoothly(V, call) for call in functions_in(V))
+    return all(_call_meets_smoothly(V, call, order) for call in functions_in(V))
 
 
-def _call_meets_smoothly(V: Expr, call: Any) -> bool:
+def _call_meets_smoothly(V: Expr, call: Any, order: int) -> bool:
     """Return whether V and its slopes agree where the pieces of one function meet."""
-    is_choice = call.func.__name__ in ("where", *LOGIC)
-    if is_choice or fact_of(call).kind == "smooth":
-        return True  # a choice is judged by the comparisons in it
+    name, arguments = call.func.__name__, call.args
+    if name in ("where", *LOGIC):  # judged by the comparisons in it
+        return all(map(is_truth, arguments[:1] if name == "where" else arguments))
+    if fact_of(call).kind == "smooth":
+        return True
     pieces = pieces_of(call)
-    is_nested = bool(functions_in(Add(*call.args)))
+    is_nested = bool(functions_in(Add(*arguments)))
     if not pieces or is_nested:
         return False
     values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
     for j, k in combinations(range(len(pieces)), 2):
         opposite = [expand(-margin) for margin in pieces[k][0]]
         borders = [margin for margin in pieces[j][0] if expand(margin) in opposite]
-        if not all(_agrees(values[j] - values[k], border) for border in borders):
+        if not all(_agrees(values[j] - values[k], b, order) for b in borders):
             return False
     return True
 
@@ -121,14 +133,14 @@ def _resolved(e: Expr, border: Expr) -> Expr:
     return e
 
 
-def _agrees(difference: Expr, border: Expr) -> bool:
-    """Return whether a difference vanishes with its slopes where a border is zero."""
+def _agrees(difference: Expr, border: Expr, order: int) -> bool:
+    """Return whether a difference vanishes, to an order, where a border is zero."""
     difference = _resolved(difference, border)
-    square = expand(expand(border) ** 2)
+    divisor = expand(expand(border) ** order)
     symbols = sorted(expand(border).free_symbols, key=str)
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
-        remainder = sympy.rem(expand(numerator), square, *symbols)
+        remainder = sympy.rem(expand(numerator), divisor, *symbols)
     except sympy.PolynomialError:
         return False
     return bool(remainder == 0)
@@ -140,7 +152,10 @@ def degree(expression: Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
     A state that V does not contain exists for all t if |s'| <= a (1 + |s|), a bounded on bounded
     times (Gronwall's lemma); s' = 1 + s^2 escapes at t = pi/2.
     """
-    if not any(map(is_state, expression.free_symbols)):
+    ends = interval(expression)
+    if not any(map(is_state, expression.free_symbols)) or all(
+        e.is_finite for e in ends
+    ):
         return 0.0
     if expression.is_Symbol:
         return 1.0

@@ -210,6 +210,14 @@ def _is_positive(a: Expr) -> bool:
     return bool(interval(a)[0].is_positive)
 
 
+def zero_at(h: Expr) -> Expr:
+    """Return s of an odd function h(s) that rises, as tanh; both are zero where s is."""
+    sector = (
+        sector_of(h) if (functions_in(h) and not h.args[1:]) or h.func == CLIP else None
+    )
+    return sector.factor if sector and sector.rises else h
+
+
 def _minimum(g: Expr, s: Symbol) -> tuple[Expr, Expr] | None:
     """Return g(0), and a form that is zero where g - g(0) >= 0 is, of a function of one symbol."""
     least = decided(g.subs(s, 0))
@@ -340,16 +348,29 @@ def split_dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
 
 
 def zero_of(total: Squares, states: list) -> dict[Any, Expr] | None:
-    """Return the one point at which all forms are zero; None if there is none, or are more."""
-    if not contains_all(total, states):
-        return None
-    polynomials = [form for form in total.forms if form.is_polynomial(*states)]
-    linear = [form for form in polynomials if Poly(form, *states).is_linear]
-    solutions = [*sympy.linsolve(linear, *states)]
-    if not solutions:
-        return None
-    zero = dict(zip(states, solutions[0], strict=True))
+    """Return the one point at which all forms are zero; None if there is none, or are more.
+
+    Forms linear in the states that are left give some of them, which make others linear.
+    """
+    zero = dict[Any, Expr]()
+    while left := [s for s in states if s not in zero]:
+        forms = [expand(decided(form.xreplace(zero))) for form in total.forms]
+        linear = [form for form in forms if _is_linear(form, left)]
+        for solution in sympy.linsolve(linear, *left):
+            pairs = zip(left, solution, strict=True)
+            zero |= {s: v for s, v in pairs if not v.free_symbols & {*left}}
+        if left == [s for s in states if s not in zero]:
+            return None
     return zero if all(vanishes(form.xreplace(zero)) for form in total.forms) else None
+
+
+def _is_linear(form: Expr, states: list) -> bool:
+    """Return whether a form is linear in states, with numbers, or in one, and not zero."""
+    if not form.is_polynomial(*states) or not Poly(form, *states).is_linear:
+        return False
+    slopes = [slope for s in states if (slope := sympy.diff(form, s)) != 0]
+    alone = len(slopes) == 1 and slopes[0].is_nonzero
+    return bool(alone or all(slope.is_Rational for slope in slopes))
 
 
 def contains_all(total: Squares, states: list) -> bool:

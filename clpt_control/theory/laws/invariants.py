@@ -99,6 +99,7 @@ class Invariants(LoopCandidate):
             law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
         )
         self.eq = self.loop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
+        self.system = self.loop.diagram
         self.motion, self.fixed = self.loop.motion, {*self.loop.values}
         self.undefined = self.loop.undefined
         self.words: dict[Any, sympy.Symbol] = {}

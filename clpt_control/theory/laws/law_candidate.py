@@ -74,10 +74,6 @@ class LoopCandidate(LyapunovCandidate):
         """Return the step that the running blocks have the same V and rates."""
         return running_step(lambda: self.loop, self.points, seed=self.seed)
 
-    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return an expression in the states of the loop."""
-        return expression
-
     def verdict(
         self,
         status: Status,
@@ -117,6 +113,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         self.eq = self.loop = loop = symbolic_loop(diagram, jumps=True)
         refuse_no_value(loop, V.name)
         self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
+        self.system = diagram
         self.fixed, self.numbers = {*loop.values}, {*self.values}
         self.coordinates = ErrorCoordinates(loop)
         self.e = self.coordinates.e

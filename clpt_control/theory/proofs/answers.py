@@ -17,6 +17,9 @@ class Definite(NamedTuple):
     step: Step
     forms: Sequence[sympy.Expr] = ()  # that V bounds
     least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
+    is_steady: bool = (
+        False  # V is between two functions of its states, zero at that point
+    )
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
 
 

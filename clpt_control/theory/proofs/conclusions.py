@@ -6,7 +6,8 @@ whose requirements are all shown by steps that hold.
 
     square-integrable       V' <= -q^2 and V >= 0            =>  int q^2 dt <= V(0)
     goes to zero            and q' is bounded where V is     =>  q -> 0 (Barbalat)
-    comes to rest           where q = 0 for good all rates are zero (LaSalle)
+    all rates go to zero    where q = 0 for good all rates are zero (LaSalle)
+    comes to rest           and the points at which they are zero stand alone
     ultimately bounded      V' <= -rate V + push             =>  V <= push/rate in the end
 """
 
@@ -28,6 +29,7 @@ ESCAPED |= {letter: f"\\{letter}" for letter in "&%$#_{}"}
 RELATIONS = {"<=": r"$\le$", ">=": r"$\ge$", "<": "$<$", ">": "$>$", "|": "$|$"}
 TERMS_IN_A_LINE = 4
 LARGEST_LINE = 6  # terms
+MOST_NAMES = 3  # in a sentence
 
 
 class Conclusion(NamedTuple):
@@ -48,6 +50,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "limit": "the rate of q is bounded where V is (Barbalat)",
     "rest": "V' < 0 but at the rest, or nothing else stays where V' = 0 (LaSalle)",
     "still": "where V' = 0 for good nothing moves (LaSalle)",
+    "isolated": "rests stand alone, or each run comes to one",
     "pulled": "V' <= -r V + c",
     "ceiling": "V' <= 0 where V >= level",
     "mean": "V' <= -q^2/2 + c",
@@ -83,8 +86,13 @@ CONCLUSIONS = {
     ),
     "comes to rest": Conclusion(
         "so every run comes to rest and {of} to zero",
-        _needs("definite falls still jumps exists"),
+        _needs("definite falls still isolated jumps exists"),
         "several rests may be left: `within=` for the region of one",
+    ),
+    "all rates go to zero": Conclusion(
+        "so {of} to zero, and all rates do",
+        _needs("definite falls still jumps exists"),
+        "a run may drift for ever along a line of rests",
     ),
     "goes to zero": Conclusion(
         "so {of} to zero",
@@ -133,7 +141,6 @@ CONDITIONS = {  # name -> sentence
     "existence": "as long as {} exist",
     "outside V, bounded": "{} not in V, and bounded",
     "outside V": "{} not in V, and not known to be bounded",
-    "between jumps": "between jumps",
     "N": "for {}",
     "approximation": "of {}",
     "graphs": "on graphs of {}",
@@ -163,15 +170,21 @@ def for_sizes(sizes: Iterable[int]) -> Condition:
     return Condition("N", "N = " + ", ".join(map(str, sizes)))
 
 
+def few(names: Iterable[Any]) -> list[str]:
+    """Return names once each, the first three of more, and "..."."""
+    names = [*dict.fromkeys(map(str, names))]
+    return names if len(names) <= MOST_NAMES else [*names[:MOST_NAMES], "..."]
+
+
 def are(names: Iterable[Any]) -> str:
-    """Return "x is" or "x, y are"."""
-    names = [*map(str, names)]
+    """Return "x is" or "x, y are", at most three."""
+    names = few(names)
     return f"{', '.join(names)} {'are' if names[1:] else 'is'}"
 
 
 def go(names: Iterable[Any]) -> str:
-    """Return "x goes" or "x, y go"."""
-    names = [*map(str, names)]
+    """Return "x goes" or "x, y go", at most three."""
+    names = few(names)
     return f"{', '.join(names)} {'go' if names[1:] else 'goes'}"
 
 

@@ -4,10 +4,11 @@
     nothing depends on time, V bounds x     =>  x -> where V' = 0 for good:     (LaSalle)
                                                 q = 0, q' = 0, q'' = 0, ...
 
-Source: Khalil, H. K. (2002), Nonlinear Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
+`barbalat` and `lasalle` each begin with their premises.  Source: Khalil, H. K. (2002), Nonlinear
+Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
 """
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, NamedTuple
@@ -16,15 +17,18 @@ import sympy
 from sympy import Expr
 
 from ...engine.diagram.symbol_names import TIME
+from ..algebra.decided import decided
 from ..algebra.exact import factored, normal_form, vanishes
-from ..algebra.slopes import along
-from ..algebra.sums_of_squares import Squares, contains_all, squares
+from ..algebra.facts import functions_in
+from ..algebra.slopes import along, jumps_nowhere
+from ..algebra.sums_of_squares import Squares, squares, zero_at, zero_of
 from .answers import Definite, Fall
 from .conclusions import go
-from .outside import Motion
+from .outside import ANGLES, Motion
 from .steps import Step, exact
 
 MOST_ROUNDS = 12  # of derivatives of what stays zero
+MOST_VARIABLES = 6  # of polynomials whose zeros are counted
 
 
 class Ends(NamedTuple):
@@ -32,38 +36,48 @@ class Ends(NamedTuple):
 
     steps: list[Step]
     of: str  # "x goes"
-    still: "Still | None" = None  # what V' = 0 leaves, if that is asked
+    still: "Still | None" = None  # what V' = 0 leaves, if LaSalle's premises hold
 
 
 def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends:
-    """Return what goes to zero of what V' loses, by the first way that shows the most."""
+    """Return what goes to zero of what V' loses, by the way that shows the most."""
     of = fall.of or go(map(candidate.text, fall.losses))
-    if _falls_but_at_the_rest(definite, fall, [*motion.rates]):
+    lost = Squares(sympy.S.Zero, [], [*fall.losses])
+    least = definite.least if definite.is_steady else None
+    if least and zero_of(lost, [*least]) == least:
         return Ends([exact("V' < 0 but at the rest", True, "", "limit rest")], of)
-    found = lasalle(candidate, fall, motion, of)
-    if found is not None and found.steps:
-        return found
-    return Ends([barbalat(candidate, fall, motion, of)], found.of if found else of)
-
-
-def _falls_but_at_the_rest(definite: Definite, fall: Fall, states: list) -> bool:
-    """Return whether what V' loses determines each state, and vanishes where V is least."""
-    lost, least = Squares(sympy.S.Zero, [], [*fall.losses]), definite.least
-    return bool(
-        least
-        and not sympy.Tuple(*least.values()).has(TIME)
-        and contains_all(lost, states)
-        and all(vanishes(form.xreplace(least)) for form in lost.forms)
-    )
+    still = lasalle(candidate, fall, motion)
+    if still is None:
+        return Ends([barbalat(candidate, fall, motion, of)], of)
+    if still.zero[len(fall.losses) :]:
+        of = go(candidate.text(g) for g in still.zero if jumps_nowhere(g))
+    if not still.is_rest:
+        return Ends([barbalat(candidate, fall, motion, of)], of, still)
+    names = ", ".join(f"{candidate.text(g)} = 0" for g in still.zero)
+    claim = f"where V' = 0 for good nothing moves: {names}"
+    shows = "limit still" + " isolated" * still.comes_to_one
+    shows += " rest" * (still.point is not None)
+    return Ends([exact(claim, True, "", shows)], of, still)
 
 
 def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Step:
-    """Return the step that what V' loses goes to zero."""
+    """Return the step that q -> 0 of what V' loses, as the integral of q^2 is finite.
+
+    Premises: q has no step; if q jumps with the states, it does so at the jumps of one block, a
+    period apart; q' is bounded where V is.  In discrete time q^2 has a finite sum: it needs none.
+    """
     if candidate.eq.discrete:
         return exact("the sum of what V loses is finite", True, "", "limit")
     names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
     names = names or ", ".join(map(candidate.text, fall.losses))
     claim = f"the rate of {names} is bounded where V is"
+    for q in fall.losses:
+        if not jumps_nowhere(q):
+            return exact(claim, False, f"{candidate.text(q)} may jump")
+        jumping = candidate.jumping(q)
+        if len(jumping) > 1 or not jumping <= candidate.periodic:
+            blocks = " and ".join(sorted(jumping))
+            return exact(claim, False, f"it jumps with {blocks}, at times of any kind")
     along_time = {TIME: sympy.S.One, **motion.rates}
     along_time |= {s: motion.still[f.diff(TIME)] for f, s in motion.inputs.items()}
     forms = map(motion.quiet, fall.losses)
@@ -76,21 +90,22 @@ def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Step:
     return exact(claim, True, "", "limit")
 
 
-def lasalle(candidate: Any, fall: Fall, motion: Motion, of: str) -> Ends | None:
-    """Return what is left where V' = 0 for good; None if a premise fails."""
-    expressions = sympy.Tuple(candidate.V, *motion.rates.values())
-    moves = expressions.has(TIME, *candidate.intervals, *motion.inputs.values())
+def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "Still | None":
+    """Return what V' = 0 for good leaves; None if a premise fails.
+
+    Premises: nothing depends on time or inputs; V bounds every state; no state jumps; rates and
+    what V' loses are continuous, else what V' = 0 leaves may move, and only a point is an end.
+    """
+    rates = [*motion.rates.values()]
+    moves = sympy.Tuple(candidate.V, *rates).has(
+        TIME, *candidate.intervals, *motion.inputs.values()
+    )
     if moves or motion.free or candidate.eq.jumps:
         return None
-    still = Still(motion.rates, motion.fixed, candidate.eq.discrete).found(fall.losses)
-    more = still.zero[len(fall.losses) :]
-    of = go(map(candidate.text, still.zero)) if more else of
-    if not still.is_rest:
-        return Ends([], of)
-    names = ", ".join(f"{candidate.text(g)} = 0" for g in still.zero)
-    shows = "still limit" + " rest" * (still.point is not None)
-    claim = f"where V' = 0 for good nothing moves: {names}"
-    return Ends([exact(claim, True, "", shows)], of, still)
+    is_continuous = all(map(jumps_nowhere, (*rates, *fall.losses)))
+    still = Still(motion.rates, motion.fixed, candidate.eq.discrete)
+    still.find(fall.losses, MOST_ROUNDS if is_continuous else len(fall.losses))
+    return still if is_continuous or still.point is not None else None
 
 
 @dataclass
@@ -105,10 +120,10 @@ class Still:
         default_factory=dict
     )  # states and sines, by the others
 
-    def found(self, forms: Iterable[Expr]) -> "Still":
+    def find(self, forms: Sequence[Expr], rounds: int) -> None:
         """Differentiate forms along the rates until nothing new is zero."""
         queue = [*forms]
-        for _ in range(MOST_ROUNDS):
+        for _ in range(rounds):
             if not queue:
                 break
             g = self.reduced(queue.pop(0))
@@ -117,7 +132,6 @@ class Still:
             self.zero.append(g)
             self._solve(g)
             queue.append(self.moved(g))
-        return self
 
     def moved(self, g: Expr) -> Expr:
         """Return the rate of an expression; in discrete time its next value."""
@@ -129,13 +143,15 @@ class Still:
         """Return an expression where all that was found is zero, without factors that never are."""
         e, before = normal_form(expression), None
         while e != before:
-            before, e = e, normal_form(e.xreplace(self.solved))
+            before, e = e, normal_form(decided(e.xreplace(self.solved)))
         if vanishes(e):
             return sympy.S.Zero
         numerator, _ = sympy.fraction(sympy.together(e))
         factors = sympy.Mul.make_args(factored(numerator))
         kept = [
-            f.as_base_exp()[0] for f in factors if not _is_never_zero(f, self.fixed)
+            zero_at(f.as_base_exp()[0])
+            for f in factors
+            if not _is_never_zero(f, self.fixed)
         ]
         return sympy.Mul(*dict.fromkeys(kept))
 
@@ -147,27 +163,63 @@ class Still:
             rest = normal_form(g - slope * a)
             is_free = slope.free_symbols - self.fixed or rest.has(a)
             is_within = a.is_Symbol and rest.has(*_calls_of(rest, a))
-            if slope and not (is_free or is_within):
+            if slope.is_nonzero and not (is_free or is_within):
                 self.solved[a] = -rest / slope
                 return
 
     @property
+    def changes(self) -> list[Expr]:
+        """The rate of each state; in discrete time by how much it changes."""
+        return [r - s if self.discrete else r for s, r in self.rates.items()]
+
+    @property
     def is_rest(self) -> bool:
         """True if all rates are zero there."""
-        values = (
-            rate if not self.discrete else rate - s for s, rate in self.rates.items()
-        )
-        left = (self.reduced(value) for value in values)
+        left = map(self.reduced, self.changes)
         return all(vanishes(e) or any(vanishes(e - g) for g in self.zero) for e in left)
+
+    @property
+    def comes_to_one(self) -> bool:
+        """True if each rest stands alone, or runs are known to come to one of several.
+
+        Polynomials in the free states, and in sines of single ones, have finitely many zeros.  Of
+        linear rates, and of one state alone, every run that is bounded converges.
+        """
+        slopes = sympy.Matrix(self.changes).jacobian([*self.rates])
+        linear = not slopes.free_symbols - self.fixed and not functions_in(slopes)
+        alone = len(self.rates) == 1 and not self.discrete
+        if linear or alone or self.point is not None:
+            return True
+        forms = [form for form in map(self.in_free_states, self.zero) if form != 0]
+        free = set().union(*(self.in_free_states(s).free_symbols for s in self.rates))
+        angles = {call.args[0] for form in forms for call in form.atoms(*ANGLES)}
+        turned: dict[Expr, Expr] = {f(a): sympy.Dummy() for a in angles for f in ANGLES}
+        forms = [form.xreplace(turned) for form in forms]
+        forms += [sympy.Add(*(turned[f(a)] ** 2 for f in ANGLES)) - 1 for a in angles]
+        free -= {
+            s for a in angles for s in a.free_symbols if sympy.diff(a, s).is_number
+        }
+        variables = [*free, *turned.values()]
+        if any(form.free_symbols - {*variables} for form in forms):
+            return False
+        if not all(form.is_polynomial(*variables) for form in forms):
+            return False
+        return (
+            len(variables) <= MOST_VARIABLES
+            and sympy.groebner(forms, *variables).is_zero_dimensional
+        )
+
+    def in_free_states(self, e: Expr) -> Expr:
+        """Return an expression in the states that no other states give."""
+        states = {s: value for s, value in self.solved.items() if s.is_Symbol}
+        for _ in self.rates:
+            e = sympy.expand(e.xreplace(states))
+        return e
 
     @property
     def point(self) -> dict[Any, Expr] | None:
         """The one rest that is left: each state as a number; otherwise None."""
-        values = {s: s for s in self.rates}
-        for _ in values:
-            values = {
-                s: sympy.expand(v.xreplace(self.solved)) for s, v in values.items()
-            }
+        values = {s: self.in_free_states(s) for s in self.rates}
         numbers = not any(v.free_symbols - self.fixed for v in values.values())
         return values if numbers else None
 
@@ -201,7 +253,7 @@ def _calls_of(expression: Expr, state: Any) -> list:
 def _is_never_zero(factor: Expr, fixed: set) -> bool:
     """Return whether a factor of an expression that is zero cannot be the one that is."""
     if not factor.free_symbols - fixed:
-        return bool(factor.is_nonzero or factor.is_number)
+        return bool(factor.is_nonzero)
     base, exponent = factor.as_base_exp()
     total = squares(base, fixed) if base.is_Add else None
     return bool(exponent.is_negative or base.is_positive) or bool(

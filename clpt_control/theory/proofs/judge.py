@@ -28,6 +28,8 @@ from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from ...engine.diagram.wiring import wiring_of
+from ...engine.model.declaration import Each
 from ..algebra.decide import never_positive
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.facts import is_continuous
@@ -36,7 +38,7 @@ from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
 from .certified import written
-from .conclusions import Condition, Judged, Status, concluded, theorem_and_proof
+from .conclusions import Judged, Status, concluded, theorem_and_proof
 from .ends import Ends, ends
 from .outside import Motion
 from .steps import Step, exact, first_failure
@@ -149,6 +151,7 @@ class LyapunovCandidate(ABC):
     Each question is a function of the candidate and of earlier answers (`answers`).
     """
 
+    system: Any
     eq: Equations
     V: sympy.Expr
     rate: sympy.Expr  # V'
@@ -190,15 +193,16 @@ class LyapunovCandidate(ABC):
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
         answer = Definite(step, forms, least)
+        motion, numbers = self.moving(answer, {}), (least or {}).values()
+        motion.outside()
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
-        holds_all = least is not None and len(contained) == len(states)
-        if (
-            holds_all
-            and not self.moving(answer, {}).not_bounded(level)
-            and not sympy.Tuple(*(least or {}).values()).has(TIME)
-        ):
-            return answer._replace(step=replace(step, shows="definite all"))
-        return answer
+        is_bounded = {*contained} <= motion.bounded.keys()
+        if not (least and is_bounded) or sympy.Tuple(*numbers).has(TIME):
+            return answer
+        shows = "definite all" if len(contained) == len(states) else "definite"
+        is_steady = not motion.not_bounded(level)
+        step = replace(step, shows=shows if is_steady else "definite")
+        return answer._replace(step=step, is_steady=is_steady)
 
     @abstractmethod
     def falls(self, definite: Definite) -> Fall:
@@ -252,11 +256,28 @@ class LyapunovCandidate(ABC):
         """Return an expression as the user writes it, in a line."""
         return short(expression)
 
+    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the states of the diagram."""
+        return expression
+
     @abstractmethod
     def verdict(self, status: Status, claim: str, fall: Fall, **known: Any) -> Verdict:
         """Return a verdict on this candidate."""
 
     # --- its motion -----------------------------------------------------------------------------
+
+    def jumping(self, expression: sympy.Expr) -> set[str]:
+        """Return the blocks at whose jumps an expression changes."""
+        before = self.at_z(expression)
+        after = {name: before.xreplace(jump) for name, jump in self.eq.jumps.items()}
+        return {name for name, e in after.items() if not vanishes(e - before)}
+
+    @property
+    def periodic(self) -> set[str]:
+        """Blocks that jump a period apart."""
+        nodes = wiring_of(self.system).nodes
+        times = {node.name: node.system.breakpoints_function for node in nodes}
+        return {name for name, each in times.items() if isinstance(each, Each)}
 
     @cached_property
     def intervals(self) -> set:
@@ -303,10 +324,15 @@ class Answers:
             found = candidate.refuted_at_jump(self.jumps.rise)
             if found is not None:
                 return refuted(candidate, found, fall, steps)
+            claim = f"{fall.claim}; {first_failure([self.jumps.step])}"
+            return candidate.verdict("open", claim, fall, steps=steps)
         conclusion = concluded(steps, "" if self.jumps else "jumps")
+        if not conclusion:
+            failed = first_failure(step for step in steps if step.needed)
+            return candidate.verdict(
+                "open", f"{fall.claim}; {failed}", fall, steps=steps
+            )
         conditions = [*fall.conditions, *self.motion.where]
-        if self.jumps and not self.jumps.step.holds:
-            conditions.append(Condition("between jumps", "jumps"))
         return candidate.verdict(
             "proved",
             fall.claim,

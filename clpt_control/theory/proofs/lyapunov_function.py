@@ -26,7 +26,9 @@ from .steps import How, Step, first_failure, worked_out
 from .system_candidate import SystemCandidate
 
 NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
-LIMITED = [*CONCLUSIONS].index("goes to zero")  # numbers are tried for a weaker one
+AS_STRONG = (
+    "asymptotically stable"  # numbers are tried where LaSalle's rest is not shown
+)
 
 
 def _zeroed(verdict: Verdict) -> bool:
@@ -168,7 +170,9 @@ def lyapunov(
             return _in_region(candidate, within)
         answers = asked(candidate)
         verdict = answers.verdict()
-        is_final = strength(verdict) <= LIMITED and not _zeroed(verdict)
+        weakest = AS_STRONG if answers.ends and answers.ends.still else "goes to zero"
+        is_final = strength(verdict) <= [*CONCLUSIONS].index(weakest)
+        is_final = is_final and not _zeroed(verdict)
         if candidate.eq.values and not is_final:
             of_numbers = asked(SystemCandidate(*arguments, numbers=True))
             found = of_numbers.verdict()

@@ -33,6 +33,7 @@ from ..algebra.exact import (
     as_factors,
     factored,
     normal_form,
+    terms_of,
     vanishes,
     whole_coefficients,
 )
@@ -54,6 +55,7 @@ from .ultimate_bounds import pulled_forms
 
 NO_GAINS = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
+MOST_IN_PRODUCT = 200  # terms of a fraction that is factored
 
 
 class SystemCandidate(LyapunovCandidate):
@@ -304,7 +306,8 @@ class SystemCandidate(LyapunovCandidate):
             zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
-            falling = still if self.never_positive(still) else None
+            falls = not vanishes(still) and self.never_positive(still)
+            falling = still if falls else None
         if falling is None:
             return Fall([*steps, exact(f"{claim} <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
@@ -388,9 +391,15 @@ class SystemCandidate(LyapunovCandidate):
     def falling(self, bound: sympy.Expr) -> sympy.Expr | None:
         """Return V' or a bound as it is never positive: as it is, reduced, or by states."""
         terms = sympy.Add.make_args(bound)
-        if all(bool(term.is_nonpositive) for term in terms) or self.never_positive(
-            bound
-        ):
+        if all(bool(term.is_nonpositive) for term in terms):
+            return bound
+        powers = bound.atoms(sympy.Pow)
+        has_divisors = any(power.exp.is_negative for power in powers)
+        if has_divisors and terms_of(bound) <= MOST_IN_PRODUCT:
+            product = as_factors(bound)
+            if never_positive(product, self.fixed):
+                return product
+        if self.never_positive(bound):
             return bound
         if self.claim is not None:
             return bound if never_positive(bound, self.fixed) else None
