@@ -18,12 +18,13 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from ...base.errors import DiagramError
 from .facts import CLIP, INSIDE
-from .texts import short
+from .texts import LARGEST_DENOMINATOR, short
 
 MOST_TERMS = 20_000  # longer expressions are not multiplied out
 HIGHEST = 4  # higher powers are not factored
 MOST_FACTORED = 40  # terms
 LARGEST_IN_EXP = 10  # numbers in an exponent of e
+ROUNDED = 2.0**-46  # share of the terms of a sum of rounded numbers that is no sum
 HIGHEST_REWRITTEN = 100  # higher powers stay as they are
 # of 3 configurations, one in five polynomials with nine functions had bad ones alone
 FACTOR_CONFIGURATIONS = 20
@@ -192,6 +193,28 @@ def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
             square = 1 + sign * odd(*base.args) ** 2
             powers[power] = square ** (n // 2) * base ** (n % 2)
     return expand(expression.xreplace(powers))
+
+
+def without_rounding(e: Expr) -> Expr:
+    """Return a sum without the terms that are rounding errors of the products they are made of.
+
+    A coefficient is compared with the sum of the sizes of all that cancels in it.
+    """
+    if all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
+        return e
+
+    def size(e: Expr) -> Expr:
+        if e.is_Rational:
+            return abs(e)
+        if e.is_Add or e.is_Mul:
+            return e.func(*map(size, e.args))
+        is_power = e.is_Pow and e.exp.is_Integer and e.exp.is_positive
+        return size(e.base) ** e.exp if is_power else e
+
+    terms, sizes = (expand(f).as_coefficients_dict() for f in (e, size(e)))
+    return sympy.Add(
+        *(c * term for term, c in terms.items() if abs(c) > ROUNDED * sizes[term])
+    )
 
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:

@@ -311,7 +311,12 @@ def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
             form *= base.args[0]
         elif sector is not None and sector.rises and sector.low >= 0:
             odd.append(sector.factor)
-        elif base.is_Symbol and power.is_Integer and power > 0 and base not in fixed:
+        elif (
+            base.is_Symbol
+            and power.is_Integer
+            and power > 0
+            and not (base in fixed or base.is_nonnegative)
+        ):
             odd.append(base)
         else:
             weight *= base**power

@@ -145,6 +145,7 @@ CONDITIONS = {  # name -> sentence
     "approximation": "of {}",
     "graphs": "on graphs of {}",
     "values": "with the parameters' values",
+    "rounding": "to the rounding of V's numbers",
     "start": "where {} at the start",
     "truth": "where {}",
     "slower flow": "where the flow stays slower than the vehicle (hedging)",

@@ -7,6 +7,7 @@ shown is open; what is refuted is refuted by a point.  If no V is given, one is 
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import control
@@ -109,6 +110,7 @@ def lyapunov(
     points: Count = 200,
     seed: Seed = 0,
     within: Mapping[str, Sequence[float]] | None = None,
+    where: Mapping[str, Sequence[float | None]] | None = None,
 ) -> Verdict:
     """Judge a Lyapunov function of your own on any diagram.
 
@@ -135,6 +137,9 @@ def lyapunov(
     within : mapping, optional
         The ends of each state, ``{"theta": (-1, 1), "omega": (-2, 2)}``: where V' < 0 in this box,
         and from where every run comes to rest, inputs 0. For few states, some four.
+    where : mapping, optional
+        The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0: V' is judged
+        there. Its rate, or next value, is asked for at each end: it must not lead outside.
 
     Returns
     -------
@@ -163,9 +168,11 @@ def lyapunov(
     omega**2/2 - 49*cos(theta)/5 + 49/5
     """
 
-    def judged(V: Any) -> Verdict:
-        arguments = system, V, claim, at, points, seed
-        candidate = SystemCandidate(*arguments, numbers=bool(within))
+    def judged(V: Any, where: Mapping[str, Sequence] | None = where) -> Verdict:
+        read = partial(
+            SystemCandidate, system, V, claim, at, points, seed, where=where or {}
+        )
+        candidate = read(numbers=bool(within))
         if within:
             return _in_region(candidate, within)
         answers = asked(candidate)
@@ -174,7 +181,7 @@ def lyapunov(
         is_final = strength(verdict) <= [*CONCLUSIONS].index(weakest)
         is_final = is_final and not _zeroed(verdict)
         if candidate.eq.values and not is_final:
-            of_numbers = asked(SystemCandidate(*arguments, numbers=True))
+            of_numbers = asked(read(numbers=True))
             found = of_numbers.verdict()
             is_stronger = strength(found) < strength(verdict)
             if is_stronger or (_zeroed(verdict) and not _zeroed(found)):
@@ -183,8 +190,13 @@ def lyapunov(
             failure = candidate.refuted_by_inputs()
             if failure is not None:
                 return refuted(candidate, failure, answers.fall, verdict.steps)
+        kept = candidate.kept_signs() if verdict.status == "open" and not where else {}
+        if kept and (of_signs := judged(V, kept)).status == "proved":
+            return of_signs
         return with_refutation(candidate, answers, verdict)
 
+    if within and where:
+        raise DiagramError(f"{system.name}: leave `where` out: the box `within` is one")
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
         raise DiagramError(f"{system.name}: leave the claim out: {why}")

@@ -10,6 +10,7 @@ and in discrete time V(x+) - V(x).
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import control
@@ -39,6 +40,7 @@ LARGE_STATE = 10.0  # to which points are enlarged
 SIGNIFICANT = 1e-7  # of the size of its terms; smaller values may be rounding errors
 PER_JUMP = 300  # points
 LATEST_JUMP = 1000.0  # time until which jumps are searched
+NO_SETS = MappingProxyType[Any, tuple]({})
 Failure = tuple[Point, float]  # a point, and V', or the rise of V, at the point
 # rates (n, nx) and V (n,); NaN where there are none
 Values = tuple[np.ndarray, np.ndarray]
@@ -118,7 +120,8 @@ class RunningBlocks:
 class PointSearch:
     """Random points about the rest of states, or 0, and searches for those at which V fails.
 
-    `V` is an expression, `name` its output, or ""; `rest` maps states to numbers or other states.
+    `V` is an expression, `name` its output, or ""; `rest` maps states to numbers or other states,
+    `kept` states to the two ends between which they stay, None for no end.
     """
 
     def __init__(
@@ -129,11 +132,14 @@ class PointSearch:
         name: str,
         rest: Mapping[Any, Expr],
         seed: int,
+        kept: Mapping[Any, tuple] = NO_SETS,
     ):
         self.eq = eq
         self.V = V
         self.rest = rest
         self.states = [*eq.motion]
+        ends = [kept.get(s, (None, None)) for s in self.states]
+        self.ends = np.array(ends, dtype=float).reshape(-1, 2)  # NaN: none
         self.inputs = [s for port in eq.inputs.values() for s in port.flat]
         # dV/dt and dV/dx, also of functions with kinks
         self.gradient = [along(V, {s: S.One}) for s in (TIME, *self.states)]
@@ -197,7 +203,12 @@ class PointSearch:
         times = random.uniform(0, 20, count) * 10.0**exponents
         times *= random.random(count) > 0.1
         times = np.maximum(times, EARLIEST)
-        return times, x + self.rest_at(x), u
+        return times, self.inside((x + self.rest_at(x)).T).T, u
+
+    def inside(self, x: np.ndarray) -> np.ndarray:
+        """Return states (n, states) in the sets that the diagram keeps."""
+        low, high = self.ends.T
+        return np.fmax(np.fmin(x, high), low)
 
     def wide(self, count: int, still: bool = False) -> tuple:
         """Return times, states and inputs of wider ranges, in some of which powers overflow."""
@@ -275,7 +286,7 @@ class PointSearch:
             centers = np.resize(best, PER_ROUND)
             radius = 0.7 * radius
             t, x, u = (self.near(values[..., centers], radius) for values in points)
-            points = np.abs(t), x, u * (not still)
+            points = np.abs(t), self.inside(x.T).T, u * (not still)
         return None
 
     def near(self, values: np.ndarray, radius: float) -> np.ndarray:
@@ -300,7 +311,7 @@ class PointSearch:
         """
         for found in self.highest(sign * (rate - claim), still):
             rest = self.rest_at(found.x[:, None])[:, 0]
-            states = rest + np.outer(ENLARGED, found.x - rest)
+            states = self.inside(rest + np.outer(ENLARGED, found.x - rest))
             is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
             is_small[-1] = True  # the point itself
             points = [found._replace(x=x) for x in states[is_small]]
@@ -321,7 +332,7 @@ class PointSearch:
         is_fixed = np.array([s in fixed for s in self.states])
         for point in self.highest(rate, still=False):
             rest = np.where(is_fixed, point.x, self.rest_at(point.x[:, None])[:, 0])
-            states = rest + np.outer(DISTANCES, point.x - rest)
+            states = self.inside(rest + np.outer(DISTANCES, point.x - rest))
             rises, size, V = self.rates_at(point, states)
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:

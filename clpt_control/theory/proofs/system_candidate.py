@@ -36,10 +36,11 @@ from ..algebra.exact import (
     terms_of,
     vanishes,
     whole_coefficients,
+    without_rounding,
 )
-from ..algebra.facts import SIGN, has_time, is_continuous
+from ..algebra.facts import CLIP, SIGN, has_time, is_continuous
 from ..algebra.numeric_values import NO_VALUE
-from ..algebra.slopes import along, meets_smoothly
+from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, squares
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
@@ -55,7 +56,7 @@ from .ultimate_bounds import pulled_forms
 
 NO_GAINS = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
-MOST_IN_PRODUCT = 200  # terms of a fraction that is factored
+MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
 
 class SystemCandidate(LyapunovCandidate):
@@ -65,6 +66,10 @@ class SystemCandidate(LyapunovCandidate):
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
     disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
     KD: Mapping[Any, Any] = NO_GAINS  # e of a law -> its gain
+    inside: Mapping[Any, Any] = NO_GAINS  # state -> of a symbol that stays in its set
+    outside: Mapping[Any, Any] = NO_GAINS  # its inverse
+    kept: Mapping[Any, tuple] = NO_GAINS  # state -> the ends of its set
+    is_rounded = False  # whether V' is without rounding errors of its terms
 
     def __init__(
         self,
@@ -75,6 +80,7 @@ class SystemCandidate(LyapunovCandidate):
         points: int = 1,
         seed: int = 0,
         numbers: bool = False,
+        where: Mapping[str, Sequence[float | None]] = NO_GAINS,
     ):
         self.system, self.points, self.seed = system, points, seed
         names = NamesWithNumbers if numbers else Names
@@ -92,10 +98,73 @@ class SystemCandidate(LyapunovCandidate):
         self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
         self.level_values = self.eq.values
         self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
-        self.rate = self._rate_of_V()
+        exact_rate = self._rate_of_V()
+        self.rate = without_rounding(exact_rate)
+        self.is_rounded = self.rate != exact_rate
+        self._keep(where)
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
         self.place = "rest" if self.rest else ""
+
+    def _keep(self, where: Mapping[str, Sequence[float | None]]) -> None:
+        """Set the states as functions of symbols that cannot leave their sets, and the inverse."""
+        names, self.kept = {str(s): s for s in self.states}, dict[Any, tuple]()
+        check_holds("where", names, where, f"states are {', '.join(names)}")
+        self.inside, self.outside = dict[Any, sympy.Expr](), dict[Any, sympy.Expr]()
+        for name, ends in where.items():
+            low, high = (end if end is None else rational(float(end)) for end in ends)
+            share: sympy.Expr = sympy.Dummy(name, nonnegative=True)
+            start, scale = (
+                (high, sympy.S.NegativeOne) if low is None else (low, sympy.S.One)
+            )
+            if low is not None and high is not None:
+                share, scale = CLIP(share, 0, 1), high - low
+            self.kept[names[name]] = low, high
+            self.inside[names[name]] = start + scale * share
+            self.outside[share] = (names[name] - start) / scale
+
+    def has_values(self) -> Step:
+        """Return the step that there are values, and that states do not leave their sets."""
+        step = super().has_values()
+        for s, ends in self.kept.items():
+            for end, sign in zip(ends, (-1, 1), strict=True):
+                if end is not None and not self._keeps(s, end, sign):
+                    return replace(step, claim=f"{self.sets} is kept", holds=False)
+        return step
+
+    def _keeps(self, s: Any, end: Any, sign: int) -> bool:
+        """Return whether a state does not pass an end of its set, by its rate or at a jump."""
+        rate = self.motion[s]
+        after = [change[s] for change in self.eq.jumps.values() if s in change]
+        if self.eq.discrete:
+            return self.never_positive(sign * (rate - end))
+        at_end = rate.xreplace({s: sympy.sympify(end)})
+        roots = (p for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
+        return (
+            all(root.base.is_positive for root in roots)
+            and jumps_nowhere(rate)
+            and self.never_positive(sign * at_end)
+            and all(self.never_positive(sign * (value - end)) for value in after)
+        )
+
+    def kept_signs(self) -> dict[str, tuple]:
+        """Return states of V', but not of V, that stay at 0 or above if they begin so."""
+        states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
+        return {str(s): (0, None) for s in states if self._keeps(s, sympy.S.Zero, -1)}
+
+    @property
+    def sets(self) -> str:
+        """The sets that states do not leave, as text."""
+        return ", ".join(
+            f"{s} {relation} {end}"
+            for s, ends in self.kept.items()
+            for end, relation in zip(ends, (">=", "<="), strict=True)
+            if end is not None
+        )
+
+    def never_positive(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is never positive where states are in their sets."""
+        return super().never_positive(expression.xreplace(self.inside))
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq
@@ -146,7 +215,7 @@ class SystemCandidate(LyapunovCandidate):
         """Random points about the rest."""
         rest_state = self.rest or {}
         return PointSearch(
-            self.system, self.eq, self.V, self.output, rest_state, self.seed
+            self.system, self.eq, self.V, self.output, rest_state, self.seed, self.kept
         )
 
     def same_as_running(self) -> Step:
@@ -321,7 +390,14 @@ class SystemCandidate(LyapunovCandidate):
         bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
         variables = (*self.states, *self.inputs)
         loss = -whole_coefficients(normal_form(bound), variables)
-        losses = lost_forms(loss, self.fixed, bounded)
+        loss = loss.xreplace(self.inside)
+        at_ends = loss.xreplace(dict.fromkeys(self.outside, sympy.S.Zero))
+        if at_ends != loss and self.never_positive(at_ends - loss):
+            loss = at_ends
+        losses = [
+            form.xreplace(self.outside)
+            for form in lost_forms(loss, self.fixed, bounded)
+        ]
         shows = f"falls{' loses' * bool(losses)}"
         steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
         return Fall(
@@ -371,6 +447,9 @@ class SystemCandidate(LyapunovCandidate):
         if any(stand_ins):
             of = ", ".join(filter(None, stand_ins))
             found.append(Condition("approximation", of))
+        if self.kept:
+            found.append(Condition("start", self.sets))
+        found += [Condition("rounding")] * self.is_rounded
         return found + [Condition("values")] * self.are_numbers
 
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
