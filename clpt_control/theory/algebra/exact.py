@@ -212,9 +212,8 @@ def without_rounding(e: Expr) -> Expr:
         return size(e.base) ** e.exp if is_power else e
 
     terms, sizes = (expand(f).as_coefficients_dict() for f in (e, size(e)))
-    return sympy.Add(
-        *(c * term for term, c in terms.items() if abs(c) > ROUNDED * sizes[term])
-    )
+    kept = [c * term for term, c in terms.items() if abs(c) > ROUNDED * sizes[term]]
+    return sympy.Add(*kept) if len(kept) < len(terms) else e
 
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:

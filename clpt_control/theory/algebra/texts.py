@@ -13,13 +13,20 @@ def short(expression: Any, most: int = 160) -> str:
     from sympy import Dummy, Rational  # cached outcomes are read without SymPy
 
     atoms = getattr(expression, "atoms", lambda *kinds: ())(Rational, Dummy)
-    numbers = {n: n.n(6) for n in atoms if n.is_Rational and n.q > LARGEST_DENOMINATOR}
+    long = [n for n in atoms if n.is_Rational and n.q > LARGEST_DENOMINATOR]
+    numbers = {n: n.n(6) for n in long}
+    numbers |= {n: n.round() for n in long if abs(n - n.round()) < 1e-6 * abs(n)}
     text = str(expression.xreplace(numbers) if numbers else expression)
     for symbol in atoms:
         text = (
             text if symbol.is_Rational else text.replace(f"_{symbol.name}", symbol.name)
         )
     return text if len(text) <= most else text[:most] + " ..."
+
+
+def cut(text: str, most: int) -> str:
+    """Return a text, or its first words and "..."."""
+    return text if len(text) <= most else text[: most - 4].rpartition(" ")[0] + " ..."
 
 
 def bound_text(bound: Any, up: bool = True) -> str:

@@ -19,7 +19,7 @@ from typing import Any, Literal, NamedTuple
 import sympy
 
 from ...engine.diagram.symbol_names import typeset
-from ..algebra.texts import bound_text
+from ..algebra.texts import bound_text, cut
 from .steps import Step
 
 Status = Literal["proved", "refuted", "open"]
@@ -30,6 +30,8 @@ RELATIONS = {"<=": r"$\le$", ">=": r"$\ge$", "<": "$<$", ">": "$>$", "|": "$|$"}
 TERMS_IN_A_LINE = 4
 LARGEST_LINE = 6  # terms
 MOST_NAMES = 3  # in a sentence
+LONGEST_SENTENCE = 300  # letters
+LONGEST_BOUND = 60
 
 
 class Conclusion(NamedTuple):
@@ -228,19 +230,28 @@ class Judged:
     @property
     def shown(self) -> str:
         """The claim and the conclusion, without the conditions."""
+        return self._shown(LONGEST_SENTENCE)
+
+    def _shown(self, most: int) -> str:
         if not self.conclusion:
-            return self.claim
+            return cut(self.claim, most)
         level = self.level
         if level is not None and not isinstance(level, str):
             level = bound_text(level)
-        row, bound = CONCLUSIONS[self.conclusion], self.bound or level
-        follows = row.sentence.format(of=self.of, bound=bound, level=level)
-        return ", ".join(filter(None, (self.claim, follows)))
+        level, bound = (
+            text and cut(text, LONGEST_BOUND) for text in (level, self.bound)
+        )
+        row = CONCLUSIONS[self.conclusion]
+        follows = row.sentence.format(of=self.of, bound=bound or level, level=level)
+        claim = cut(self.claim, most - len(follows) - 2)
+        return ", ".join(filter(None, (claim, follows)))
 
     @property
     def sentence(self) -> str:
         """The verdict in a sentence: what is shown, what follows, and where."""
-        return "; ".join([self.shown, *map(str, self.conditions)])
+        where = cut("; ".join(map(str, self.conditions)), LONGEST_SENTENCE // 2)
+        shown = self._shown(LONGEST_SENTENCE - len(where) - 2)
+        return "; ".join(filter(None, (shown, where)))
 
     @property
     def judged(self) -> dict[str, Any]:

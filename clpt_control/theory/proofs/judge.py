@@ -324,8 +324,8 @@ class Answers:
             found = candidate.refuted_at_jump(self.jumps.rise)
             if found is not None:
                 return refuted(candidate, found, fall, steps)
-            claim = f"{fall.claim}; {first_failure([self.jumps.step])}"
-            return candidate.verdict("open", claim, fall, steps=steps)
+            failed = first_failure([self.jumps.step])
+            return candidate.verdict("open", failed, fall, steps=steps)
         conclusion = concluded(steps, "" if self.jumps else "jumps")
         if not conclusion:
             failed = first_failure(step for step in steps if step.needed)

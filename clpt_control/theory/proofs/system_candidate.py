@@ -98,9 +98,7 @@ class SystemCandidate(LyapunovCandidate):
         self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
         self.level_values = self.eq.values
         self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
-        exact_rate = self._rate_of_V()
-        self.rate = without_rounding(exact_rate)
-        self.is_rounded = self.rate != exact_rate
+        self.rate = self._rate_of_V()
         self._keep(where)
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
@@ -185,8 +183,13 @@ class SystemCandidate(LyapunovCandidate):
                 raise DiagramError(
                     f"{self.system.name}: is of discrete time; give a V of its states alone"
                 )
-            return self.V.xreplace(dict(self.motion)) - self.V
-        rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
+            exact_rate = self.V.xreplace(dict(self.motion)) - self.V
+        else:
+            exact_rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
+        rate = without_rounding(exact_rate)
+        self.is_rounded = rate != exact_rate
+        if self.eq.discrete:
+            return rate
         is_smooth = meets_smoothly(self.V) and all(
             map(is_continuous, self.motion.values())
         )
@@ -378,7 +381,7 @@ class SystemCandidate(LyapunovCandidate):
             falls = not vanishes(still) and self.never_positive(still)
             falling = still if falls else None
         if falling is None:
-            return Fall([*steps, exact(f"{claim} <= 0", False)], claim)
+            return Fall([*steps, exact("V' <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
         bound = falling.xreplace(zeroed)
         form, states = normal_form(bound), {*self.states}
@@ -399,10 +402,11 @@ class SystemCandidate(LyapunovCandidate):
             for form in lost_forms(loss, self.fixed, bounded)
         ]
         shows = f"falls{' loses' * bool(losses)}"
-        steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
+        claim += " <= 0" * (not claim.endswith("= 0"))
+        steps.append(exact(f"{claim}{where}", True, "", shows))
         return Fall(
             steps,
-            f"{claim} <= 0",
+            claim,
             losses,
             short(self.text(-bound)),
             zeroed=zeroed,

@@ -302,7 +302,8 @@ class Bounding:
             return bounded(claim, "mean", bound=mean)
         rate, level = bound_text(pull.rate, up=False), pull.push / pull.rate
         if pull.rate.is_number and pull.push.is_number:
-            return bounded(f"V' <= -{rate} V + {push}{more}", "pulled", level)
+            share = "" if rate == "1" else f"{rate} "
+            return bounded(f"V' <= -{share}V + {push}{more}", "pulled", level)
         claim = f"V' <= -r V + c, c = {push}, r = {rate}{more}"
         return bounded(claim, "pulled", level, bound="c/r")
 
