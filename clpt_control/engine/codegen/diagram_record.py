@@ -45,6 +45,7 @@ FORMS = {
     "looped": (2, 2, True),
     "free": (SHORT + 1, NAMED, False),
 }
+MARGIN_ROUNDING = 1e-9  # of margins that have no unit, as shares have none
 Ref = Any  # the place of an entry (int), or a constant (float)
 
 
@@ -241,6 +242,7 @@ class DiagramRecord(RecordMerger):
                 self.margins += self.run(k, "guard", self.fed(k))
         self.held_margins = [*self.margins]  # with the decisions of a step's beginning
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        self.margin_roundings = [*map(self.decisions.rounding_of, self.margins)]
         if self.locking and passed is not None and not wiring.dt:
             self.rates = self.lock(passed=passed)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
@@ -275,9 +277,10 @@ class DiagramRecord(RecordMerger):
         return locked[: len(self.rates)]
 
     def require(self, margin: Ref) -> None:
-        """End a run where a margin falls below 0."""
+        """End a run where a margin, which has no unit, falls below 0."""
         self.margins.append(margin)
         self.held_margins.append(margin)
+        self.margin_roundings.append(MARGIN_ROUNDING)
 
     # --- blocks ---------------------------------------------------------------------------
 

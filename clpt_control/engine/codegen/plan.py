@@ -269,6 +269,7 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
         for first, margins in (
             (count, record.margins),
             (events + count, record.held_margins),
+            (2 * events + count, record.margin_roundings),
         ):
             for k, margin in enumerate(margins, first):
                 value = components.as_number(components.at(margin, ()))

@@ -388,6 +388,19 @@ class Decisions:
         rounding = add("mul", size, ROUNDING)
         return add("sub", second_least, least), rounding
 
+    def rounding_of(self, distance: Ref) -> Ref:
+        """Return the rounding error of a guard's distance: of its operands, and of its states."""
+        tape = self.record.tape
+        rounding = self._rounding(distance)
+        if type(distance) is float:
+            return rounding
+        kind, arguments, *_ = tape.operations[distance]
+        if kind in ("add", "sub"):
+            for ref in arguments:
+                value = tape.value(ref) if type(ref) is int else ref
+                rounding = rounding + ROUNDING * np.fabs(value)
+        return operand(rounding)
+
     def _rounding(self, distance: Ref) -> Any:
         """Return by how much a distance changes with states that change by rounding."""
         record = self.record

@@ -27,7 +27,6 @@ from ..model.ports import bare_labels, ports_of
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
-from ..solver.solver_layout import OUTSIDE
 from ..trace.arrays import Tape, operand
 from ..trace.derivative import Direction
 from ..trace.elementwise import lifted
@@ -50,6 +49,7 @@ SMOOTH = 5e-3
 JUMP = 0.3
 DRAWN = 3  # times so many directions as states and inputs
 ROUNDING = 1e-14  # relative, of a value and of what its slopes bring
+LEVEL_ROUNDING = 1e-12  # relative, of what the distance of a guard is made of
 REACHED = 1e-9  # of the largest: a smaller component is not reached
 
 
@@ -138,6 +138,18 @@ class _About:
         """Return the derivatives of values, a row for each element."""
         slopes = [self.direction.of(value) for value in values]
         return self.numbers(slopes, shapes_of(values), self.values, self.count)
+
+    def is_at_level(self, distance: Any) -> bool:
+        """Return whether a distance at the point is 0, but for the rounding of its leaves."""
+        sizes = {
+            ref: LEVEL_ROUNDING * np.fabs(self.tape.value(ref))
+            for ref in reached(self.tape.operations, [operand(distance)])
+            if self.tape.operations[ref].kind == "leaf"
+        }
+        rounding = Direction(self.tape, sizes, bound=True).of(distance)
+        pair = [np.fabs(distance), rounding]
+        size, rounding = self.numbers(pair, [(), ()], self.values, 1).ravel()
+        return size <= rounding
 
     def near(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
         """Return values near the point, a row for each element and a column for each move."""
@@ -331,7 +343,7 @@ def _linearized(
             checked[f"the rate of {'.'.join(path)}"] = rate
         about.check(checked)
         for (name, _), level in about.record.levels.items():
-            if abs(about.numbers([level], [()], about.values, 1).item()) <= OUTSIDE:
+            if about.is_at_level(level):
                 raise DiagramError(
                     f"{system.name}: the states of {name} jump at this point. Linearize at a point "
                     "inside its guard"

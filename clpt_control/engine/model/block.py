@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike
 
 from ...base.arguments import brief, has, numbers, public
 from ...base.errors import ArgumentError, BlockError
-from ..solver.solver_layout import OUTSIDE
 from ..trace.tracing import RAISED
 from .declaration import (
     POLICIES,
@@ -430,7 +429,7 @@ class Block(ReadBlock):
             distance = float(self.values("guard", 1, t, x, u, p)[0])
         now = t, interval, distance
         start, first, above = self._call.start = self._call.start or now
-        if interval != first or (distance < -OUTSIDE and above >= -OUTSIDE):
+        if interval != first or distance < 0.0 <= above:
             raise BlockError(
                 f"{self.name}: its states jump between t = {start:.9g} and t = {t:.9g}, and "
                 "python-control ignores the jumps. Run the diagram with "

@@ -24,10 +24,8 @@ from .schedule import Schedule
 from .solver_layout import (
     FIRST_STEP,
     MAX_STEP,
-    OUTSIDE,
     POINTS,
     REALS,
-    ROUNDING,
     ROWS,
     RUN_INDEX,
     STATE,
@@ -125,6 +123,7 @@ class Batch:
             memory=self.memory,
             states=self.states,
             points=self.points,
+            levels=callee.levels,
             linear=self.linear,
         )
         is_explicit = self.linear is NO_LINEAR
@@ -183,9 +182,6 @@ class Batch:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
         self.lane[FIRST_STEP] = opening
-        # 3. guards
-        self.points[:, ROUNDING, callee.decided :] = OUTSIDE
-        self.points[0, ROUNDING, callee.decided :] = callee.edges
 
     @property
     def is_small(self) -> bool:

@@ -26,7 +26,7 @@ class Callee(NamedTuple):
     nstates: int
     method: Method
     guarded: int  # number of guards
-    edges: tuple  # of each guard: `OUTSIDE`, below 0 if states jump there
+    levels: np.ndarray  # of each guard: 1 if states jump there
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
     decided: int  # their number

@@ -254,7 +254,7 @@ def _agrees(
     python: list[list[ndarray]] = [[] for _ in machine]
     for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):
         u = inputs_at(inputs, t)
-        sweep.enter(t + rounding(t))
+        sweep.enter(t + rounding(t, times[-1] - times[0]))
         rates = sweep.derivative(t, state, u)
         results = [sweep.signals.copy()]
         if runner.nstates:

@@ -96,7 +96,7 @@ class Sweep:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
         spans = np.diff(times, append=np.inf)
-        return times[spans > rounding(times)]
+        return times[spans > rounding(times, t1 - t0)]
 
     def block_breakpoints(self, k: int, t0: float, t1: float) -> ndarray:
         """Return the times in (t0, t1] at which a block jumps."""
@@ -271,20 +271,21 @@ class Sweep:
 DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}
 
 
-def moved_to(jumps: ndarray, times: ndarray) -> ndarray:
+def moved_to(jumps: ndarray, times: ndarray, run: float) -> ndarray:
     """Return times, of which those before a jump by rounding alone are moved to it."""
     k = np.searchsorted(jumps, times)
     following = np.append(jumps, np.inf)[k]
-    return np.where(following - times <= rounding(times), following, times)
+    is_next = following - times <= rounding(times, run)
+    return np.where(is_next, following, times)
 
 
-def moved_back(jumps: ndarray, times: ndarray) -> ndarray:
+def moved_back(jumps: ndarray, times: ndarray, run: float) -> ndarray:
     """Return jumps, of which those after a sample by rounding alone are moved to it."""
     k = np.searchsorted(times, jumps, side="right")
     before = times[k - 1]
-    return np.where(jumps - before <= rounding(jumps), before, jumps)
+    return np.where(jumps - before <= rounding(jumps, run), before, jumps)
 
 
-def rounding(times):
-    """Return the largest difference between equal times that rounding can make."""
-    return 1e-12 * np.maximum(1.0, np.abs(times))
+def rounding(times, run):
+    """Return the largest difference between equal times that rounding can make in a run."""
+    return 1e-12 * np.maximum(run, np.abs(times))

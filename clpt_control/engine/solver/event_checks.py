@@ -22,8 +22,6 @@ from .solver_layout import (
     FRESH,
     HIGH,
     LOW,
-    OUTSIDE,
-    POINTS,
     ROUNDING,
     RUN_INDEX,
     SAMPLE_POINTS,
@@ -129,17 +127,33 @@ def shortest_step(solver):
 
 
 def set_edges(solver):
-    """Set how far beyond its edge each guard is left in this step.
+    """Set how far beyond its edge each guard is left in this step, in place of rounding errors.
 
-    Where states jump, it is passed at 0 if the step begins above it.
+    To the rounding error of a distance its change in the shortest step is added: so late may an
+    event be that set the state at the edge.  Where states jump, it is passed at 0 if the step
+    begins above it.
     """
     points, shape = solver.points, solver.shape
+    share = min(1.0, shortest_step(solver) / solver.lane[TRIAL_SIZE, 0])
     for guard in range(shape.decisions, shape.decisions + shape.guarded):
-        is_level = points[0, ROUNDING, guard] < 0.0
+        least, most, rounding = math.inf, -math.inf, 0.0
+        for point in range(SAMPLE_POINTS + 1):
+            rounding = max(rounding, edge_of(points[point, ROUNDING, guard], 0.0))
+            if abs(points[point, DISTANCE, guard]) < math.inf:
+                least = min(least, points[point, DISTANCE, guard])
+                most = max(most, points[point, DISTANCE, guard])
+        edge = edge_of(rounding, share * (most - least))
         is_above = points[0, DISTANCE, guard] > 0.0
-        for point in range(1, POINTS):
-            edge = 0.0 if is_level and is_above else OUTSIDE
-            points[point, ROUNDING, guard] = edge
+        is_level = solver.levels[guard - shape.decisions] > 0.5
+        points[0, ROUNDING, guard] = edge
+        for point in range(1, SAMPLE_POINTS + 1):
+            points[point, ROUNDING, guard] = 0.0 if is_level and is_above else edge
+
+
+def edge_of(rounding, change):
+    """Return how far beyond its edge a guard is left; rounding and change may not be finite."""
+    edge = rounding if 0.0 <= rounding < math.inf else 0.0
+    return edge + change if 0.0 <= change < math.inf else edge
 
 
 def row_of(point):

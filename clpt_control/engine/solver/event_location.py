@@ -46,7 +46,6 @@ from .solver_layout import (
     LAST_EVENT,
     LOW,
     NEW_RATE,
-    OUTSIDE,
     RATE,
     ROUNDING,
     SAMPLE_POINTS,
@@ -198,7 +197,7 @@ def stops_run(solver, low):
     """Stop the run if the event in the bracket is a guard; return whether it is.
 
     The run stops at the guard's edge, which lies between `low` and the bracket, or before `low` if
-    the edge is passed there by less than `OUTSIDE`; at the step's beginning if no point is inside.
+    the edge is passed there by rounding; at the step's beginning if no point is inside.
     """
     lane, points = solver.lane, solver.points
     decide_within(solver, lane[HIGH, 0])
@@ -216,9 +215,8 @@ def stops_run(solver, low):
             break
         share = 0.5 * (share if trial > 0 else lane[HIGH, 0])
     if lane[DISTANCE_LOW, 0] > 0.0:
-        points[BEHIND, ROUNDING, guard] = 0.0
+        points[SAMPLE_POINTS, ROUNDING, guard] = 0.0
         narrow(solver, STOP_WIDTH)
-        points[BEHIND, ROUNDING, guard] = OUTSIDE
     else:
         lane[HIGH, 0] = 0.0
     solver.integers[EVENT_INDEX, 0] = guard
@@ -228,9 +226,12 @@ def stops_run(solver, low):
 
 
 def decide_within(solver, share):
-    """Evaluate the events at a share of the step into the point BEHIND."""
+    """Evaluate the events at a share of the step into BEHIND; guards keep the edges of the step."""
     put_state_within(solver, share)
     decide(solver, solver.lane[STAGE_TIME], WITHIN, BEHIND)
+    points = solver.points
+    for guard in range(solver.shape.decisions, points.shape[2]):
+        points[BEHIND, ROUNDING, guard] = points[SAMPLE_POINTS, ROUNDING, guard]
 
 
 # --- the bracket ----------------------------------------------------------------------------------

@@ -79,6 +79,7 @@ def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
     ``begin(diagram, parameters, state, times, segments)`` runs a batch up to its end.
     """
     times = batch.times
+    run = times[-1] - times[0]
     current = batch
     in_vain = 0
     sliding: Sliding | None = None
@@ -93,8 +94,8 @@ def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
             share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
             batch.out[0, k] = state_within(last, share)
         if batch.level_jumps[-1:] == [t]:  # a sample at a jump is after it
-            batch.out[0, (times >= t - rounding(t)) & (times <= t)] = x
-        if t + rounding(t) >= times[-1]:
+            batch.out[0, (times >= t - rounding(t, run)) & (times <= t)] = x
+        if t + rounding(t, run) >= times[-1]:
             batch.out[0, -1] = x
             batch.status[0], batch.reached[0] = Status.FINISHED, len(times)
             return

@@ -16,11 +16,12 @@ from .schedule import JUMPS, Schedule
 from .solver_layout import (
     DECISION,
     DERIVATIVE,
+    DISTANCE,
     EVENT_INDEX,
     HIGH,
     JUMP,
     LOW,
-    OUTSIDE,
+    ROUNDING,
     STATE,
     TRIAL_SIZE,
 )
@@ -48,33 +49,40 @@ def jump_at_level(
     """
     guarded = _guarded(diagram)
     segments = batch.schedules[0]
-    P = batch.runs.parameters[0]
     callee = diagram.callee()
+    # with the decisions of the step
+    P = batch.memory.P[: callee.decided_at + callee.decided].copy()
 
-    def distances(times: Any, states: Any) -> ndarray:
-        events = callee.events_at(times, states, segments, P)
-        return events[:, DECISION, callee.decided :]
+    def distances(t: float, x: ndarray) -> tuple[ndarray, ndarray, ndarray]:
+        """Return distances, those at the end of this instant, and the edges (`set_edges`)."""
+        rates = callee.evaluate(DERIVATIVE, [t], x[None], segments, P, len(x))
+        soon = RESOLVED * max(abs(t), batch.times[-1] - batch.times[0])
+        states = np.vstack([x, x + soon * rates])
+        events = callee.events_at([t, t + soon], states, segments, P)
+        now, later = events[:, :, callee.decided :]
+        edges = now[ROUNDING] + np.abs(later[DISTANCE] - now[DISTANCE])
+        return now[DECISION], later[DECISION], np.where(np.isfinite(edges), edges, 0.0)
 
     # 1. the edge, or the point behind it where the distance itself jumps there
     times, states = _bracket(batch)
-    behind = distances(times, states)[-1] < -OUTSIDE
-    side = -1 if behind.any() else 0
-    t, x = times[side], states[side]
+    t, x = times[-1], states[-1]
+    now, later, edges = distances(t, x)
+    if not (now < -edges).any():
+        t, x = times[0], states[0]
+        now, later, edges = distances(t, x)
     # 2. guards that are left at this instant, by rounding: the distance falls to 0
-    rates = callee.evaluate(DERIVATIVE, [t], x[None], segments, P, len(x))
-    soon = RESOLVED * max(abs(t), batch.times[-1] - batch.times[0])
-    now, later = distances([t, t + soon], np.vstack([x, x + soon * rates]))
-    distance = now[guarded.index(block)]
-    if is_again and batch.lane[HIGH, 0] == 0.0 and -OUTSIDE <= distance < 0.0:
+    own = guarded.index(block)
+    distance = now[own]
+    if is_again and batch.lane[HIGH, 0] == 0.0 and -edges[own] <= distance < 0.0:
         return None
-    if is_first and batch.lane[HIGH, 0] == 0.0 and distance < -OUTSIDE:
+    if is_first and batch.lane[HIGH, 0] == 0.0 and distance < -edges[own]:
         name = diagram.wiring.nodes[block].name
         raise SimulationError(
             f"at t = {t:.9g}: the run begins outside of the guard of {name}, whose states jump "
             "where its distance falls to 0. Begin with a distance of 0 or more"
         )
-    left = (now < -OUTSIDE) | (later <= 0.0) & (later < now)
-    left[guarded.index(block)] |= distance >= 0.0
+    left = (now < -edges) | (later <= 0.0) & (later < now)
+    left[own] |= distance >= 0.0
     # 3. their blocks jump, then those whose guards these jumps leave
     jumped: list[int] = []
     while left.any():
@@ -90,7 +98,8 @@ def jump_at_level(
         requests = requesting(diagram, segments, jumping)
         (x,) = callee.evaluate(JUMP, [t], x[None], requests, P, len(x))
         jumped += jumping
-        left = distances([t], x[None])[0] < -OUTSIDE
+        now, _, edges_behind = distances(t, x)
+        left = now < -np.maximum(edges, edges_behind)
     if not jumped:
         name = diagram.wiring.nodes[block].name
         raise SimulationError(

@@ -27,7 +27,6 @@ from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
 from .native_runs import NativeRuns
 from .schedule import Inputs
 from .sliding_rates import HeldSwitches, slide
-from .solver_layout import OUTSIDE
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -309,15 +308,16 @@ class NativeDiagram(NativeRuns):
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
         systems = [node.system for node in self.wiring.nodes]
-        guarded = [s for s in systems if s.guard is not None]
-        edges = [-OUTSIDE if s.jumps_at_level else OUTSIDE for s in guarded]
+        at_level = [s.jumps_at_level for s in systems if s.guard is not None]
+        levels = np.zeros(program.guarded)
+        levels[: len(at_level)] = at_level
         callee = Callee(
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
             lanes=lanes,
             nstates=self.nstates,
             method=method,
             guarded=program.guarded,
-            edges=(*edges, *[OUTSIDE] * (program.guarded - len(edges))),
+            levels=levels,
             jumping=jumping,
             decided_at=self.decided_at,
             decided=program.decided,

@@ -93,6 +93,7 @@ class PythonRun:
         self.sweep, self.times, self.inputs = diagram.sweep, times, inputs
         self.schedule = diagram.schedule(times, inputs, BEND * options.rtol)
         self.method, self.options = method, options
+        self.run = times[-1] - times[0]
         self.remembers = bool(diagram.hidden_state)
         self.short = method is LSODA and len(self.schedule.edges) > MOST_SEGMENTS
         self.watch = pace(diagram.most, times[0], times[-1], options.progress)
@@ -111,7 +112,7 @@ class PythonRun:
         begins = [self.times[0], *edges[:-1]]
         x = start
         for k, t in enumerate(begins):
-            self.sweep.enter(t + rounding(t))
+            self.sweep.enter(t + rounding(t, self.run))
             x = self._jumped(k, t, x)
             self._write(t, x)
             if self.sweep.guarded and self._margin(t, x) < 0.0:
@@ -193,7 +194,7 @@ class PythonRun:
             end,
             rtol=max(share * options.rtol, LEAST_RTOL),
             atol=share * options.atol,
-            max_step=min(options.max_step, (self.times[-1] - self.times[0]) / PARTS),
+            max_step=min(options.max_step, self.run / PARTS),
             first_step=min(first, end - t) or None,
         )
 
@@ -253,7 +254,7 @@ class PythonRun:
     def _stopped(self, solution: Solution, t: float, x: ndarray) -> Solution:
         """Return a solution up to the time and state at which a guard is left."""
         _, policy, sentence = self.sweep.margin(t, x, inputs_at(self.inputs, t))
-        near = abs(self.times - t) <= rounding(t)
+        near = abs(self.times - t) <= rounding(t, self.run)
         end = self.times[near][0] if near.any() else t
         inner = (self.times < t) & ~near
         times = np.append(self.times[inner], end)

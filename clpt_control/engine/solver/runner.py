@@ -199,8 +199,9 @@ class PythonDiagram:
         if solution.signals is not None:
             return solution.signals
         rows = np.empty((len(solution.t), self.nsignals))
+        run = solution.t[-1] - solution.t[0]
         for k, (t, x) in enumerate(zip(solution.t, solution.x, strict=True)):
-            self.sweep.enter(t + rounding(t))
+            self.sweep.enter(t + rounding(t, run))
             self.sweep.evaluate(t, x, inputs_at(inputs, t))
             rows[k] = self.sweep.signals
         return rows

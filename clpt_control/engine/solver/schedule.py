@@ -271,7 +271,7 @@ def make_schedule(
         indices += range(diagram.ramp, end)
     # 4. rows of the tables over time
     for table in diagram.time_tables:
-        later = starts + rounding(starts)
+        later = starts + rounding(starts, starts[-1] - starts[0])
         columns.append(np.searchsorted(table.times, later, side="right"))
         indices.append(table.offset)
         if not table.continuous:
@@ -300,16 +300,17 @@ def _events_of_time(
         kinks = inputs.kinks if diagram.ramp >= 0 else inputs.sharp_bends(least)
     t0 = float(times[0])
     t1 = float(times[-1])
-    jumps = diagram.sweep.breakpoints(t0, t1 + rounding(t1))
+    run = t1 - t0
+    jumps = diagram.sweep.breakpoints(t0, t1 + rounding(t1, run))
     bends = kinks
     if len(jumps):
-        jumps = moved_back(jumps, np.asarray(times))
+        jumps = moved_back(jumps, np.asarray(times), run)
         bends = jumps
         if len(kinks):
-            kinks = moved_to(jumps, kinks)
+            kinks = moved_to(jumps, kinks, run)
             bends = np.union1d(jumps, kinks)
     if inputs is not None and len(kinks) and len(inputs.jumps):
-        jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps))
+        jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps, run))
     if diagram.time_tables:
         rows = [table.times for table in diagram.time_tables]
         bends = np.unique(np.concatenate([bends, *rows]))
@@ -321,7 +322,7 @@ def _intervals(sweep: Any, k: int, starts: ndarray) -> ndarray:
     parameters = sweep.parameters[k]
     if parameters.interval >= 0:
         return np.full(len(starts), parameters.interval)
-    later = starts + rounding(starts)
+    later = starts + rounding(starts, starts[-1] - starts[0])
     breakpoints = sweep.block_breakpoints(k, later[0], later[-1])
     passed = np.searchsorted(breakpoints, later, side="right")
     return sweep.interval_of(k, later[0]) + passed

@@ -7,18 +7,23 @@ input, a sample of a discrete block.  It sets parameters, such as the `interval`
 import math
 
 from . import solver_layout
+from .event_checks import edge_of, shortest_step
 from .solver_layout import (
     ACCEPTED,
     ANEW,
     ARGUMENT,
+    BEFORE,
     BEGINNING,
     BEHIND,
     BURST,
+    DECISION,
+    DISTANCE,
     ENTERED,
     EVALUATIONS,
     EVENT_INDEX,
     FIRST_STEP,
     FRESH,
+    HELD_RATE,
     HIGH,
     LAST_EVENT,
     MAX_STEP,
@@ -29,20 +34,23 @@ from .solver_layout import (
     REALS,
     REJECTED,
     RESTARTS,
+    ROUNDING,
     RUN_INDEX,
     RUNS_END,
     SAMPLES_DONE,
     SEGMENT,
     SEGMENT_END,
+    STAGE_TIME,
     STATE,
     STIFF_STEPS,
     STOP_AT,
     TIME,
+    WITHIN,
     Status,
     call,
     decide,
+    derivative,
     fail,
-    first_outside,
     prepare,
 )
 
@@ -126,13 +134,36 @@ def stop_outside(solver, k, state_row):
     """Stop the run of a lane if a row of states is beyond the edge of a guard."""
     lane = solver.lane
     if solver.shape.guarded > 0:
-        decide(solver, lane[TIME], state_row, BEHIND)
-        guard = first_outside(solver, BEHIND)
+        guard = first_outside(solver, state_row)
         if guard >= 0:
             solver.integers[EVENT_INDEX, k] = guard
             fail(solver, k, Status.GUARD_LEFT)
             lane[SEGMENT_END, k] = lane[TIME, k]
             lane[HIGH, k] = 0.0
+
+
+def first_outside(solver, state_row):
+    """Return the first guard beyond whose edge a row of states is, or -1.
+
+    In place of a decision guards have the distance with the decisions made there.  As in
+    `set_edges` the edge is as wide as the distance changes in the shortest step.
+    """
+    lane, states, points = solver.lane, solver.states, solver.points
+    shortest = shortest_step(solver)
+    lane[STAGE_TIME, 0] = lane[TIME, 0] + shortest
+    derivative(solver, lane[TIME], state_row, HELD_RATE)
+    for i in range(solver.shape.states):
+        states[WITHIN, i, 0] = (
+            states[state_row, i, 0] + shortest * states[HELD_RATE, i, 0]
+        )
+    decide(solver, lane[TIME], state_row, BEHIND)
+    decide(solver, lane[STAGE_TIME], WITHIN, BEFORE)
+    for guard in range(solver.shape.decisions, points.shape[2]):
+        change = abs(points[BEFORE, DISTANCE, guard] - points[BEHIND, DISTANCE, guard])
+        edge = edge_of(points[BEHIND, ROUNDING, guard], change)
+        if points[BEHIND, DECISION, guard] < -edge:
+            return guard
+    return -1
 
 
 def enter_segment(solver, k):

@@ -195,6 +195,7 @@ class Solver(NamedTuple):
     memory: Memory
     states: Any  # Z as (rows, states, lanes)
     points: Any  # D as (sample points, 3, events): decision, distance, rounding error
+    levels: Any  # of each guard: 1 if states jump there
     linear: Linear
 
 
@@ -220,10 +221,10 @@ STAGE = 13
 
 SAMPLE_POINTS = 8  # of a step, without its beginning
 BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
-BEFORE = BEHIND + 1  # decisions with which the step began
+# decisions with which the step began; where a segment begins, events a shortest step later
+BEFORE = BEHIND + 1
 POINTS = BEFORE + 1
 DECISION, DISTANCE, ROUNDING = range(3)
-OUTSIDE = 1e-9  # distance beyond the edge of a guard that counts as outside
 
 
 def call(address, t, X, first, P, T, W, D, to):
@@ -252,26 +253,11 @@ def prepare(solver, times):
 
 
 def decide(solver, times, state_row, point):
-    """Write decisions, distances and rounding errors at a row of states into a sample point.
-
-    The rounding errors of guards are not written: they are `OUTSIDE`, or 0 (`set_edges`).
-    """
+    """Write decisions, distances and rounding errors at a row of states into a sample point."""
     Z, P, T, W, D = solver.memory
     shape = solver.shape
     to = 3 * point * solver.points.shape[2]
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
-
-
-def first_outside(solver, point):
-    """Return the first guard beyond whose edge a sample point is, or -1.
-
-    In place of a decision guards have the distance with the decisions made there.
-    """
-    shape = solver.shape
-    for guard in range(shape.decisions, shape.decisions + shape.guarded):
-        if solver.points[point, DECISION, guard] < -OUTSIDE:
-            return guard
-    return -1
 
 
 def interpolate(states, i, k, share):

@@ -277,8 +277,9 @@ def _until(
     """Return the samples up to the end of a run that a guard stopped, and that end."""
     start = batch.now
     h = float(batch.lane[TRIAL_SIZE, 0])
-    times = solution.t[solution.t < t - rounding(t)]
-    at_end = solution.t[abs(solution.t - t) <= rounding(t)]  # a sample that is the end
+    near = rounding(t, solution.t[-1] - solution.t[0])
+    times = solution.t[solution.t < t - near]
+    at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end
     end = at_end[0] if len(at_end) else t
     stored = solution.x[: min(reached, len(times))]
     shares = (times[reached:] - start) / h
