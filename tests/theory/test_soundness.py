@@ -352,3 +352,18 @@ def test_a_wrong_law_is_refuted_by_both():
     assert prove(bad, points=POINTS).status == "refuted"
     loop = clpt.closed_loop(paper_of(1), law=bad, external=["zc"])
     assert lyapunov(loop, of_squares, points=50).status == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("angle", "conclusion"), [(np.pi, "stable"), (3.0, "asymptotically stable")]
+)
+def test_a_damping_that_rounding_leaves_is_no_damping(angle, conclusion):
+    """1 + cos(pi) is 0 as machines round it, and 7e-33 of the rounded pi exactly."""
+
+    def swing(t, x, u, p):
+        return {"q": x.v, "v": -x.q - (1 + np.cos(p.angle)) * x.v}
+
+    states, parameters = {"q": 1, "v": 1}, {"angle": angle}
+    loop = clpt.Block("swing", update=swing, states=states, parameters=parameters)
+    verdict = lyapunov(loop, lambda s: (s.q**2 + s.v**2) / 2)
+    assert (verdict.status, verdict.conclusion) == ("proved", conclusion)

@@ -198,10 +198,13 @@ def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
 def without_rounding(e: Expr) -> Expr:
     """Return a sum without the terms that are rounding errors of the products they are made of.
 
-    A coefficient is compared with the sum of the sizes of all that cancels in it.
+    A coefficient is compared with the sum of the sizes of all that cancels in it; cos(3) and other
+    values of functions at numbers are as machines round them.
     """
     if all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
         return e
+    calls = (call for call in e.atoms(sympy.Function) if call.is_number)
+    rounded = e.xreplace({call: sympy.Rational(float(call)) for call in calls})
 
     def size(e: Expr) -> Expr:
         if e.is_Rational:
@@ -211,7 +214,7 @@ def without_rounding(e: Expr) -> Expr:
         is_power = e.is_Pow and e.exp.is_Integer and e.exp.is_positive
         return size(e.base) ** e.exp if is_power else e
 
-    terms, sizes = (expand(f).as_coefficients_dict() for f in (e, size(e)))
+    terms, sizes = (expand(f).as_coefficients_dict() for f in (rounded, size(rounded)))
     kept = [c * term for term, c in terms.items() if abs(c) > ROUNDED * sizes[term]]
     return sympy.Add(*kept) if len(kept) < len(terms) else e
 

@@ -32,7 +32,7 @@ MOST_VARIABLES = 6  # of polynomials whose zeros are counted
 
 
 class Ends(NamedTuple):
-    """What goes to zero, and where runs end."""
+    """Forms that go to zero, and the set that runs approach."""
 
     steps: list[Step]
     of: str  # "x goes"
