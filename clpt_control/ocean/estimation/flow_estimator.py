@@ -503,6 +503,13 @@ def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
             leg.add(t, x, y, estimator.track.size)
 
 
+def pass_unknown(estimator: FlowEstimator, time: float) -> None:
+    """Let time pass of which the displacement is not known."""
+    frame, _ = estimator.under_way
+    for leg in estimator._open():
+        leg.add(float(frame.own_time(time)), 0.0, 0.0, estimator.track.size)
+
+
 def flow_by(
     estimator: FlowEstimator,
     theta: np.ndarray,

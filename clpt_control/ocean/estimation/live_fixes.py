@@ -34,7 +34,7 @@ from ..gliders.dives import PLACE, STEERING, STRETCH, velocity_of
 from ..gliders.log_rows import NOT_GIVEN, LogRows, iso, time_fault
 from ..gliders.usable_dives import LONGEST
 from .fix_model import LEVEL
-from .flow_estimator import Ahead, FlowEstimator, Learned, move_through
+from .flow_estimator import Ahead, FlowEstimator, Learned, move_through, pass_unknown
 
 PARTS = (PLACE, STEERING, STRETCH)
 KEYS = {"time", "plan", *(key for part in PARTS for key in part)}
@@ -61,21 +61,32 @@ class LiveFixes:
 
     def answer(self, line: str) -> dict[str, Any] | None:
         """Read a line; return the answer to a fix or a line that is left out, or None."""
-        answer, has_learned = self._read(line)
-        if self.path is None:
-            return answer
-        if has_learned:
-            write_file(self.path, json.dumps(self._state()) + "\n")
-        else:
-            if not self.path.exists():
-                write_file(self.path, json.dumps(self._state()) + "\n")
-            with self.path.open("a", encoding="utf-8") as journal:
-                journal.write(line.strip() + "\n")
+        has_learned = False
+        try:
+            answer, has_learned = self._read(line)
+        finally:
+            if self.path is not None:
+                self._keep(self.path, "" if has_learned else line.strip())
         return answer
+
+    def _keep(self, path: Path, line: str) -> None:
+        """Write the state to its file, or a line that was read since behind it."""
+        if not line or not path.exists():
+            write_file(path, json.dumps(self._state()) + "\n")
+        if line:
+            with path.open("a", encoding="utf-8") as journal:
+                journal.write(line + "\n")
 
     def _read(self, line: str) -> tuple[dict[str, Any] | None, bool]:
         """Return the answer to a line, and whether a fix was learned."""
-        row = _row(line)
+        try:
+            return self._read_row(_row(line))
+        except DataError:
+            self.rows.lost = "a line before it could not be read"  # which may be a turn
+            raise
+
+    def _read_row(self, row: dict[str, Any]) -> tuple[dict[str, Any] | None, bool]:
+        """Return the answer to a row, and whether a fix was learned."""
         time = row["time"]
         place, steering, stretch = (
             (row[part[0]], row[part[1]]) if part[0] in row else None for part in PARTS
@@ -88,8 +99,10 @@ class LiveFixes:
             self._begin()
         reading = self.rows.read(time, place, steering, stretch)
         answer: dict[str, Any] = {"time": iso(time)} if time_fault(time) == "" else {}
-        if reading.moved is not None and self.estimator.leg is not None:
+        if self.estimator.leg is not None and reading.moved is not None:
             move_through(self.estimator, np.array([[time, *reading.moved]]))
+        elif self.estimator.leg is not None and reading.unknown:
+            pass_unknown(self.estimator, time)
         told = [reading.skipped]
         if reading.unknown not in ("", NOT_GIVEN) and self.estimator.leg is not None:
             told.append(f"motion unknown: {reading.unknown}")

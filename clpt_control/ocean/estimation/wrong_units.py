@@ -8,8 +8,8 @@ with a mean flow c.  A is the identity for right columns, and a cause's for wron
 log-likelihood ratio of a cause and the identity is (n - 1) log(R/R_A), with R the sums of squared
 residuals.
 
-If w is the way over ground itself, the residuals are smaller than the noise of the fixes, which is
-impossible.
+If w is the way over ground itself, the residuals are the noise of the fixes or less: over long legs
+no sea is so still.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,6 +23,7 @@ FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
 TURNED = np.radians(5.0)
 IMPOSSIBLE = 0.2  # of the noise of a leg
+NO_FLOW, STILL = 1.5, 0.01  # of the noise of a leg; m/s that this noise is over its duration
 
 
 def _as_radians(w: np.ndarray) -> np.ndarray:
@@ -56,10 +57,11 @@ def wrong_motion(ways: Sequence[Sequence[float]], noise: float) -> str:
     over_ground, water, durations = rows[:, :2], rows[:, 2:4], rows[:, 4]
     errors = np.hypot(*(over_ground - water).T) * durations
     rms = float(np.sqrt(np.mean(errors**2)))
-    if np.any(water) and rms < IMPOSSIBLE * noise:
+    is_long = noise < STILL * float(np.median(durations))
+    if np.any(water) and rms < (NO_FLOW if is_long else IMPOSSIBLE) * noise:
         return (
-            "the ways through the water are those over ground to a fraction of the fixes' own "
-            "noise: course and speed look like those over ground. Give those through the water"
+            "the ways through the water are those over ground to the fixes' own noise: course and "
+            "speed look like those over ground. Give those through the water"
         )
     limit = _residual(over_ground, water) * np.exp(-CLEAR / (len(ways) - 1))
     residuals = {name: _residual(over_ground, of(water)) for name, of in CAUSES.items()}

@@ -46,6 +46,7 @@ class LogRows:
     velocity: Pair = (nan, nan)  # m/s to the east and north
     unknown: str = NOT_GIVEN  # why the velocity is not known
     had: list[bool] = field(default_factory=lambda: 3 * [False])
+    lost: str = ""  # why a row before the next one is not known
 
     def read(
         self,
@@ -68,6 +69,9 @@ class LogRows:
             if not any(has[1:]):
                 return Reading(skipped=fault, is_taken=False)
         moved, unknown = self._moved(time, stretch)
+        if self.lost:
+            moved, unknown = None, self.lost
+        self.lost = ""
         if velocity is not None:
             self.velocity = velocity
             self.unknown = "" if velocity[0] == velocity[0] else NOT_GIVEN

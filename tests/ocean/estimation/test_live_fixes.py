@@ -234,3 +234,39 @@ def checked(body):
     for letter in body.encode():
         total ^= letter
     return f"${body}*{total:02x}"
+
+
+def before_a_fix(late):
+    """A leg of 2 h whose first hour is told by a line of its own."""
+    at = "2026-05-01T0{}:00:00Z".format
+    fixes = [{"latitude": 36.7, "longitude": y} for y in (-122.1, -122.03)]
+    course = json.dumps({"time": at(1), "course": 90, "speed": 1.0})
+    first, last = (
+        json.dumps({"time": at(k), **f}) for k, f in zip((0, 2), fixes, strict=True)
+    )
+    return [first, late, course, last]
+
+
+@pytest.mark.parametrize(
+    ("line", "status"),
+    [
+        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "speed": null}', 0),
+        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "speed": 60}', 0),
+        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "spe', 2),
+    ],
+)
+def test_an_hour_of_unknown_motion_is_no_hour_at_rest(estimate, line, status):
+    """A leg that a later course ends is not learned, as in a table with the same rows."""
+    last = answers(estimate(before_a_fix(line), status=status).out)[-1]
+    assert last["legs"] == 0
+    assert "3600 s before it is not known" in last["note"]
+
+
+def test_a_torn_line_is_remembered_by_the_state(scenario, tmp_path):
+    """A process that ends behind a torn line answers as one that goes on."""
+    state = tmp_path / "state"
+    command = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
+    lines = before_a_fix('{"time": "2026-05-01T00:00:00Z", "course": 90, "spe')
+    ran(*command, input="\n".join(lines[:2]) + "\n", status=2)
+    done = ran(*command, input="\n".join(lines[2:]) + "\n")
+    assert answers(done.stdout)[-1]["legs"] == 0

@@ -316,6 +316,14 @@ def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
         ground.append((*row[:3], course, np.hypot(east, north) / LEG))
     notes = " ".join(estimate(table(tmp_path / "log.csv", ground))["notes"])
     assert "look like those over ground" in notes
+    # a receiver has noise of its own in each fix, and none in its speed
+    noise = np.random.default_rng(2).normal(0, 10 / 111e3, (len(ground), 2))
+    noisy = [
+        (t, lat + a, lon + b, *way)
+        for (t, lat, lon, *way), (a, b) in zip(ground, noise, strict=True)
+    ]
+    notes = " ".join(estimate(table(tmp_path / "log.csv", noisy))["notes"])
+    assert "look like those over ground" in notes
     clean = estimate(table(tmp_path / "log.csv", rows))
     assert clean["notes"] == []
 
