@@ -44,7 +44,9 @@ every_form = pytest.mark.parametrize("engine", ENGINES)
 
 @every_form
 def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
-    def on_the_edge(t, x, u, p):  # by less than counts as outside, then far beyond it
+    def on_the_edge(
+        t, x, u, p
+    ):  # by less than rounding cannot make, then far beyond it
         return np.where(x[0] < 0.25, 1.0, np.where(x[0] < 0.6, -5e-10, -1.0))
 
     stone = moving(1.0, Guard(on_the_edge, "stop", landed))
