@@ -23,7 +23,10 @@ FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
 TURNED = np.radians(5.0)
 IMPOSSIBLE = 0.2  # of the noise of a leg
-NO_FLOW, STILL = 1.5, 0.01  # of the noise of a leg; m/s that this noise is over its duration
+NO_FLOW, STILL = (
+    1.5,
+    0.01,
+)  # of the noise of a leg; m/s that this noise is over its duration
 
 
 def _as_radians(w: np.ndarray) -> np.ndarray:
