@@ -15,8 +15,10 @@ import clpt_control as clpt
 
 FALLS = "V does not increase"
 TRUE = {  # a conclusion -> what is true with it
-    "asymptotically stable": "comes to rest|goes to zero|square-integrable|stable",
-    "comes to rest": "goes to zero|square-integrable|stable",
+    "asymptotically stable": "comes to rest|all rates go to zero|goes to zero|"
+    "square-integrable|stable",
+    "comes to rest": "all rates go to zero|goes to zero|square-integrable|stable",
+    "all rates go to zero": "goes to zero|square-integrable|stable",
     "goes to zero, stable": "goes to zero|square-integrable|stable",
     "square-integrable": "stable",
     "stable": "",

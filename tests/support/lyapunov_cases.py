@@ -303,6 +303,12 @@ OPEN = {  # no point shows it, or none is looked for
     "a pull of powers without a number": "x' = -x*x**80/(1 + x**80)",
     "a place outside of a table": "x' = -x*(1 + lookup([1.0, 2.0], where(x > 1e6, 5, 0))**2)",
     "V of an area cosine": "x' = 0*x; V = arccosh(x)**2 + x**2",
+    "a jump that rises at no breakpoint": (
+        jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
+    ),
+    "a jump that would rise before the first breakpoint": (
+        jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
+    ),
 }
 BESIDE = {  # more is to be said: the conclusion, its conditions, and the system with its V
     "V of what runs with time": (
@@ -350,16 +356,6 @@ BESIDE = {  # more is to be said: the conclusion, its conditions, and the system
         {"outside V": "y, z are"},
         "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2",
     ),
-    "a jump that rises at no breakpoint": (
-        "V does not increase",
-        {"between jumps": "jumps"},
-        (jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),),
-    ),
-    "a jump that would rise before the first breakpoint": (
-        "V does not increase",
-        {"between jumps": "jumps"},
-        (jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),),
-    ),
     "an angle that ends": (
         "V does not increase",
         {"existence": "th"},
@@ -404,6 +400,7 @@ LESS = {  # a weaker conclusion is shown
         "stable",
     ),
     "a square of squares": "comes to rest",
+    "backstepping": "all rates go to zero",
 }
 OF_TIME = (
     "gain of a higher wave",
@@ -434,6 +431,7 @@ MISSED: dict[str, str] = {}  # what is not said as it should be
 ORDER = (  # each conclusion is true where one before it is
     "asymptotically stable",
     "comes to rest",
+    "all rates go to zero",
     "goes to zero",
     "square-integrable",
     "stable",

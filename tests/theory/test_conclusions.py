@@ -376,7 +376,7 @@ STRONGER = {  # the strongest true conclusion, and what is shown at least
     "a control that is limited": (
         "x' = y; y' = -clip(x, -1, 1) - y; "
         "V = y**2/2 + where(abs(x) <= 1, x**2/2, abs(x) - 0.5)",
-        "asymptotically stable", "comes to rest",
+        "asymptotically stable", None,
     ),
 }  # fmt: skip
 WEAKER = {

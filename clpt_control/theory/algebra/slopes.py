@@ -141,7 +141,7 @@ def _agrees(difference: Expr, border: Expr, order: int) -> bool:
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
         remainder = sympy.rem(expand(numerator), divisor, *symbols)
-    except sympy.PolynomialError:
+    except (sympy.PolynomialError, ZeroDivisionError):
         return False
     return bool(remainder == 0)
 

@@ -295,8 +295,11 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     total = squares(loss, fixed)
     if total is not None and total.constant.is_nonnegative:
         return total.forms
-    forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(factored(loss))]
-    return [form for form in forms if form != 0] if None not in forms else []
+    for e in (factored(loss), loss):
+        forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(e)]
+        if None not in forms:
+            return [form for form in forms if form != 0]
+    return []
 
 
 def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
@@ -376,12 +379,3 @@ def _is_linear(form: Expr, states: list) -> bool:
     slopes = [slope for s in states if (slope := sympy.diff(form, s)) != 0]
     alone = len(slopes) == 1 and slopes[0].is_nonzero
     return bool(alone or all(slope.is_Rational for slope in slopes))
-
-
-def contains_all(total: Squares, states: list) -> bool:
-    """Return whether the linear forms of a sum of squares determine each state."""
-    if not total.forms:
-        return not states
-    J = sympy.Matrix(total.forms).jacobian(states)
-    linear = [row for row in J.tolist() if all(slope.is_Rational for slope in row)]
-    return sympy.Matrix(linear).rank() == len(states)

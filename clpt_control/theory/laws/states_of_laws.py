@@ -29,7 +29,7 @@ from ...simulation.loop_blocks import paper_blocks
 from ..algebra.decide import never_positive
 from ..algebra.exact import as_factors, vanishes
 from ..algebra.numeric_values import NO_VALUE
-from ..algebra.sums_of_squares import contains_all, squares
+from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
 from ..proofs.symbolic_loop import equated
 from .promises import truth_of
@@ -173,7 +173,7 @@ def bounded_states(case: Any) -> tuple[set, set, list[str]]:
     e, V = coordinates.e, V.xreplace(coordinates.in_e)
     learned = [s for port in in_V for s in loop.states[port].flat]
     total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
-    if total and contains_all(total, [*e, *learned]):
+    if total and zero_of(total, [*e, *learned]):
         bounded |= {*coordinates.x, *coordinates.z, *learned}
         if law.weighted_error is not None:  # tr(eta P^-1 eta^T) bounds eta
             bounded |= {*case.states["alpha"].flat}

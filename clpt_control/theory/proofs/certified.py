@@ -20,16 +20,16 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 
-STRENGTH = (  # of conclusions, the strongest first
-    "asymptotically stable",
-    "goes to zero",
-    "ultimately bounded",
-    "stable",
-    "bounded in the mean",
-    "square-integrable",
-    "V does not increase",
-    "V' is at most the push",
-)
+SHOWN = {  # by a certificate with a conclusion, the strongest first: names of `REQUIREMENTS`
+    "asymptotically stable": "definite all falls loses rest limit exists",
+    "goes to zero": "definite falls loses limit exists",
+    "ultimately bounded": "definite pulled exists",
+    "stable": "definite all falls exists",
+    "bounded in the mean": "definite mean exists",
+    "square-integrable": "definite falls loses",
+    "V does not increase": "definite falls",
+    "V' is at most the push": "",
+}
 NOTHING_PROVED = "nothing is proved of V'"
 CHECKED = ("N", "bounded inputs", "outside V", "outside V, bounded")  # conditions
 
@@ -97,7 +97,7 @@ class Case:
         ]
         said = [*self.conditions, *divisors]
         data["conditions"] = [ascii(condition)[1:-1] for condition in said]
-        return strongest(data | {"conclusion": STRENGTH[-1], "of": []})
+        return strongest(data | {"conclusion": "V' is at most the push", "of": []})
 
     def rates(self) -> dict[str, list]:
         """Return the rates of states; an unknown rate of a state outside V is not written."""
@@ -185,7 +185,7 @@ def strongest(data: dict) -> dict:
             for name, shown in found.items()
         }
         claims = (
-            c for c in STRENGTH if c in found and (about[c] or c not in checker.ABOUT)
+            c for c in SHOWN if c in found and (about[c] or c not in checker.ABOUT)
         )
         conclusion = next(claims)
         data = data | {"conclusion": conclusion, "of": about[conclusion]}

@@ -17,6 +17,7 @@ import sympy
 from sympy import Expr
 
 from ...engine.diagram.symbol_names import TIME
+from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import factored, normal_form, vanishes
 from ..algebra.facts import functions_in
@@ -131,13 +132,9 @@ class Still:
                 continue
             self.zero.append(g)
             self._solve(g)
-            queue.append(self.moved(g))
-
-    def moved(self, g: Expr) -> Expr:
-        """Return the rate of an expression; in discrete time its next value."""
-        if self.discrete:
-            return g.xreplace(self.rates)
-        return along(g, self.rates)
+            queue.append(
+                g.xreplace(self.rates) if self.discrete else along(g, self.rates)
+            )
 
     def reduced(self, expression: Expr) -> Expr:
         """Return an expression where all that was found is zero, without factors that never are."""
@@ -183,31 +180,35 @@ class Still:
         """True if each rest stands alone, or runs are known to come to one of several.
 
         Polynomials in the free states, and in sines of single ones, have finitely many zeros.  Of
-        linear rates, and of one state alone, every run that is bounded converges.
+        linear rates, and of one state alone, every run that is bounded converges; so do free states
+        that only rise, or only fall.
         """
         slopes = sympy.Matrix(self.changes).jacobian([*self.rates])
-        linear = not slopes.free_symbols - self.fixed and not functions_in(slopes)
-        alone = len(self.rates) == 1 and not self.discrete
-        if linear or alone or self.point is not None:
+        is_linear = not slopes.free_symbols - self.fixed and not functions_in(slopes)
+        if is_linear or (len(self.rates) == 1 and not self.discrete):
             return True
         forms = [form for form in map(self.in_free_states, self.zero) if form != 0]
-        free = set().union(*(self.in_free_states(s).free_symbols for s in self.rates))
-        angles = {call.args[0] for form in forms for call in form.atoms(*ANGLES)}
-        turned: dict[Expr, Expr] = {f(a): sympy.Dummy() for a in angles for f in ANGLES}
-        forms = [form.xreplace(turned) for form in forms]
-        forms += [sympy.Add(*(turned[f(a)] ** 2 for f in ANGLES)) - 1 for a in angles]
-        free -= {
-            s for a in angles for s in a.free_symbols if sympy.diff(a, s).is_number
-        }
-        variables = [*free, *turned.values()]
-        if any(form.free_symbols - {*variables} for form in forms):
-            return False
-        if not all(form.is_polynomial(*variables) for form in forms):
-            return False
-        return (
-            len(variables) <= MOST_VARIABLES
-            and sympy.groebner(forms, *variables).is_zero_dimensional
+        variables = set().union(
+            *(self.in_free_states(s).free_symbols for s in self.rates)
         )
+        variables -= self.fixed
+        changes = dict(zip(self.rates, self.changes, strict=True))
+        if all(_has_one_sign(changes[s], self.fixed) for s in variables):
+            return True
+        for angle in {call.args[0] for form in forms for call in form.atoms(*ANGLES)}:
+            turned = {f(angle): sympy.Dummy() for f in ANGLES}
+            forms = [form.xreplace(turned) for form in forms]
+            forms.append(sympy.Add(*(value**2 for value in turned.values())) - 1)
+            if len(angle.free_symbols) == 1 and angle.is_polynomial():
+                variables -= angle.free_symbols
+            variables |= {*turned.values()}
+        are_polynomials = all(
+            form.is_polynomial(*variables) and form.free_symbols <= variables
+            for form in forms
+        )
+        if not are_polynomials or len(variables) > MOST_VARIABLES:
+            return False
+        return sympy.groebner(forms, *variables).is_zero_dimensional
 
     def in_free_states(self, e: Expr) -> Expr:
         """Return an expression in the states that no other states give."""
@@ -241,6 +242,11 @@ class Still:
         rests = [{s: v.xreplace(p) for s, v in p.items()} for p in points]
         numbers = all(v.is_number for p in rests for v in p.values())
         return rests if numbers else []
+
+
+def _has_one_sign(e: Expr, fixed: set) -> bool:
+    """Return whether an expression is never positive, or never negative."""
+    return never_positive(e, fixed) or never_positive(-e, fixed)
 
 
 def _calls_of(expression: Expr, state: Any) -> list:

@@ -37,8 +37,15 @@ from ..algebra.slopes import meets_smoothly
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
-from .certified import written
-from .conclusions import Judged, Status, concluded, theorem_and_proof
+from .certified import SHOWN, written
+from .conclusions import (
+    CONCLUSIONS,
+    Condition,
+    Judged,
+    Status,
+    concluded,
+    theorem_and_proof,
+)
 from .ends import Ends, ends
 from .outside import Motion
 from .steps import Step, exact, first_failure
@@ -116,6 +123,15 @@ class Verdict(Judged):
     def why_no_certificate(self) -> str:
         """Return the reason for which `certificate` is None, or ""."""
         return written(self.ways(), self.conditions)[1]
+
+    def beyond_certificate(self) -> tuple[Step, ...]:
+        """Return the steps by which the conclusion is stronger than the certificate's."""
+        data = self.certificate()
+        if data is None:
+            return ()
+        shown = SHOWN[data["conclusion"]].split()
+        more = CONCLUSIONS[self.conclusion].requires.difference(shown)
+        return tuple(step for step in self.steps if more & {*step.shows.split()})
 
     def latex(self) -> str:
         r"""Return the verdict as a theorem and a proof in LaTeX.
@@ -296,55 +312,38 @@ class Answers:
     """The answers on a candidate, as far as they were asked; the verdict is made of them."""
 
     candidate: LyapunovCandidate
-    values: Step
     definite: Definite
     fall: Fall
-    running: Step | None = None
-    every_N: Step | None = None
-    motion: Motion | None = None
-    outside: Step | None = None  # states that V does not contain
+    steps: list[Step]
+    failed: str  # the first step that does not hold
+    for_every_N: bool = False
     ends: Ends | None = None  # what V' loses
+    where: Sequence[Condition] = ()
     jumps: Jumps | None = None
-
-    @property
-    def steps(self) -> list[Step]:
-        """The steps of all answers, in the order of the questions."""
-        of_ends = self.ends.steps if self.ends else []
-        at_jumps = self.jumps.step if self.jumps else None
-        found = [self.values, self.definite.step, *self.fall.steps, self.running]
-        found += [self.every_N, self.outside, *of_ends, at_jumps]
-        return [step for step in found if step is not None]
 
     def verdict(self) -> Verdict:
         """Return the verdict: the first conclusion whose requirements are shown, or none."""
-        candidate, fall, steps = self.candidate, self.fall, tuple(self.steps)
-        if self.motion is None:
-            return candidate.verdict("open", first_failure(steps), fall, steps=steps)
+        fall, steps, failed = self.fall, tuple(self.steps), self.failed
+        verdict = partial(self.candidate.verdict, fall=fall, steps=steps)
         if self.jumps and not self.jumps.step.holds:
-            found = candidate.refuted_at_jump(self.jumps.rise)
+            found = self.candidate.refuted_at_jump(self.jumps.rise)
             if found is not None:
-                return refuted(candidate, found, fall, steps)
+                return refuted(self.candidate, found, fall, steps)
             failed = first_failure([self.jumps.step])
-            return candidate.verdict("open", failed, fall, steps=steps)
-        conclusion = concluded(steps, "" if self.jumps else "jumps")
+        conclusion = "" if failed else concluded(steps, "" if self.jumps else "jumps")
         if not conclusion:
-            failed = first_failure(step for step in steps if step.needed)
-            return candidate.verdict(
-                "open", f"{fall.claim}; {failed}", fall, steps=steps
-            )
-        conditions = [*fall.conditions, *self.motion.where]
-        return candidate.verdict(
+            needed = first_failure(step for step in steps if step.needed)
+            return verdict("open", failed or f"{fall.claim}; {needed}")
+        return verdict(
             "proved",
             fall.claim,
-            fall,
             conclusion=conclusion,
             of=self.ends.of if self.ends else fall.of,
             bound=fall.bound,
             level=fall.level,
-            conditions=tuple(conditions),
-            steps=steps,
-            for_every_N=bool(self.every_N and self.every_N.holds),
-            ways=partial(candidate.ways, self.definite, fall),
+            conditions=(*fall.conditions, *self.where),
+            for_every_N=self.for_every_N,
+            ways=partial(self.candidate.ways, self.definite, fall),
         )
 
 
@@ -354,19 +353,24 @@ def asked(candidate: LyapunovCandidate) -> Answers:
     fall = candidate.falls(definite)
     if not fall.holds:
         fall = candidate.bounds(definite, fall)
-    answers = Answers(candidate, values, definite, fall)
-    if first_failure(answers.steps):
+    steps = [values, definite.step, *fall.steps]
+    if not first_failure(steps):
+        steps.append(candidate.same_as_running())
+    answers = Answers(candidate, definite, fall, steps, first_failure(steps))
+    if answers.failed:
         return answers
-    answers.running = candidate.same_as_running()
-    if not answers.running.holds:
-        return answers
-    answers.every_N = candidate.every_N(definite, fall)
-    motion = answers.motion = candidate.moving(definite, fall.zeroed)
-    answers.outside = motion.outside()
+    if every_N := candidate.every_N(definite, fall):
+        steps.append(every_N)
+        answers.for_every_N = every_N.holds
+    motion = candidate.moving(definite, fall.zeroed)
+    steps.append(motion.outside())
     if fall.losses:
         answers.ends = ends(candidate, definite, fall, motion)
+        steps += answers.ends.steps
+    answers.where = motion.where
     if candidate.eq.jumps:
         answers.jumps = candidate.jumps()
+        steps.append(answers.jumps.step)
     return answers
 
 
@@ -384,21 +388,15 @@ def with_refutation(
         return verdict
     found, searches = candidate.refuted(answers.definite, answers.fall)
     steps = (*verdict.steps, *searches)
-    if found is not None:
-        return refuted(candidate, found, answers.fall, steps)
-    return replace(verdict, steps=steps)
+    if found is None:
+        return replace(verdict, steps=steps)
+    return refuted(candidate, found, answers.fall, steps)
 
 
 def refuted(
     candidate: LyapunovCandidate, found: Refutation, fall: Fall, steps: Iterable[Step]
 ) -> Verdict:
     """Return the verdict on a candidate that a point refutes."""
-    return candidate.verdict(
-        "refuted",
-        found.claim,
-        fall,
-        steps=(*steps, found.step),
-        point=found.point,
-        value=found.value,
-        after=found.after,
-    )
+    known = {"point": found.point, "value": found.value, "after": found.after}
+    steps = (*steps, found.step)
+    return candidate.verdict("refuted", found.claim, fall, steps=steps, **known)

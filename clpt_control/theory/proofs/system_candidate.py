@@ -66,9 +66,8 @@ class SystemCandidate(LyapunovCandidate):
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
     disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
     KD: Mapping[Any, Any] = NO_GAINS  # e of a law -> its gain
-    inside: Mapping[Any, Any] = NO_GAINS  # state -> of a symbol that stays in its set
-    outside: Mapping[Any, Any] = NO_GAINS  # its inverse
-    kept: Mapping[Any, tuple] = NO_GAINS  # state -> the ends of its set
+    kept: Mapping[Any, Any] = NO_GAINS  # state -> the ends of its set
+    inside: Mapping[Any, Any] = NO_GAINS  # state -> what cannot leave its set
     is_rounded = False  # whether V' is without rounding errors of its terms
 
     def __init__(
@@ -105,60 +104,56 @@ class SystemCandidate(LyapunovCandidate):
         self.place = "rest" if self.rest else ""
 
     def _keep(self, where: Mapping[str, Sequence[float | None]]) -> None:
-        """Set the states as functions of symbols that cannot leave their sets, and the inverse."""
-        names, self.kept = {str(s): s for s in self.states}, dict[Any, tuple]()
+        """Set the ends of the sets of states, and states by symbols that cannot leave them."""
+        names = {str(s): s for s in self.states}
         check_holds("where", names, where, f"states are {', '.join(names)}")
-        self.inside, self.outside = dict[Any, sympy.Expr](), dict[Any, sympy.Expr]()
+        self.kept, self.inside = kept, inside = dict[Any, Any](), dict[Any, Any]()
         for name, ends in where.items():
             low, high = (end if end is None else rational(float(end)) for end in ends)
-            share: sympy.Expr = sympy.Dummy(name, nonnegative=True)
-            start, scale = (
-                (high, sympy.S.NegativeOne) if low is None else (low, sympy.S.One)
-            )
+            share: Any = sympy.Dummy(name, nonnegative=True)
             if low is not None and high is not None:
-                share, scale = CLIP(share, 0, 1), high - low
-            self.kept[names[name]] = low, high
-            self.inside[names[name]] = start + scale * share
-            self.outside[share] = (names[name] - start) / scale
+                share = CLIP(share, 0, 1) * (high - low)
+            kept[names[name]] = low, high
+            inside[names[name]] = high - share if low is None else low + share
 
-    def has_values(self) -> Step:
-        """Return the step that there are values, and that states do not leave their sets."""
-        step = super().has_values()
-        for s, ends in self.kept.items():
-            for end, sign in zip(ends, (-1, 1), strict=True):
-                if end is not None and not self._keeps(s, end, sign):
-                    return replace(step, claim=f"{self.sets} is kept", holds=False)
-        return step
-
-    def _keeps(self, s: Any, end: Any, sign: int) -> bool:
-        """Return whether a state does not pass an end of its set, by its rate or at a jump."""
-        rate = self.motion[s]
-        after = [change[s] for change in self.eq.jumps.values() if s in change]
-        if self.eq.discrete:
-            return self.never_positive(sign * (rate - end))
-        at_end = rate.xreplace({s: sympy.sympify(end)})
-        roots = (p for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
-        return (
-            all(root.base.is_positive for root in roots)
-            and jumps_nowhere(rate)
-            and self.never_positive(sign * at_end)
-            and all(self.never_positive(sign * (value - end)) for value in after)
-        )
-
-    def kept_signs(self) -> dict[str, tuple]:
-        """Return states of V', but not of V, that stay at 0 or above if they begin so."""
-        states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
-        return {str(s): (0, None) for s in states if self._keeps(s, sympy.S.Zero, -1)}
+    @property
+    def margins(self) -> list[tuple[Any, sympy.Expr]]:
+        """States that have sets, and the distances from the ends, which are never negative."""
+        return [
+            (s, sign * (s - end))
+            for s, ends in self.kept.items()
+            for sign, end in zip((1, -1), ends, strict=True)
+            if end is not None
+        ]
 
     @property
     def sets(self) -> str:
         """The sets that states do not leave, as text."""
-        return ", ".join(
-            f"{s} {relation} {end}"
-            for s, ends in self.kept.items()
-            for end, relation in zip(ends, (">=", "<="), strict=True)
-            if end is not None
-        )
+        return ", ".join(f"{margin} >= 0" for _, margin in self.margins)
+
+    def has_values(self) -> Step:
+        """Return the step that there are values, and that states do not leave their sets."""
+        if all(self._keeps(s, margin) for s, margin in self.margins):
+            return super().has_values()
+        return exact(f"{self.sets} is kept", False)
+
+    def _keeps(self, s: Any, margin: sympy.Expr) -> bool:
+        """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
+        rate, jumps = self.motion[s], self.eq.jumps.values()
+        nexts = [{s: rate}] if self.eq.discrete else jumps
+        kept = all(self.never_positive(-margin.xreplace(change)) for change in nexts)
+        if self.eq.discrete:
+            return kept
+        roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
+        inward = sympy.diff(margin, s) * rate
+        at_end = inward.xreplace({s: sympy.solve(margin, s)[0]})
+        is_lipschitz = jumps_nowhere(rate) and all(root.is_positive for root in roots)
+        return kept and is_lipschitz and self.never_positive(-at_end)
+
+    def kept_signs(self) -> dict[str, tuple]:
+        """Return states of V', but not of V, that stay at 0 or above if they begin so."""
+        states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
+        return {str(s): (0, None) for s in states if self._keeps(s, s)}
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is never positive where states are in their sets."""
@@ -393,14 +388,12 @@ class SystemCandidate(LyapunovCandidate):
         bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
         variables = (*self.states, *self.inputs)
         loss = -whole_coefficients(normal_form(bound), variables)
-        loss = loss.xreplace(self.inside)
-        at_ends = loss.xreplace(dict.fromkeys(self.outside, sympy.S.Zero))
-        if at_ends != loss and self.never_positive(at_ends - loss):
+        shares = sympy.Tuple(*self.inside.values()).free_symbols
+        zero, inside = dict.fromkeys(shares, sympy.S.Zero), loss.xreplace(self.inside)
+        at_ends = decided(inside.xreplace(zero))
+        if self.kept and self.never_positive(at_ends - inside):
             loss = at_ends
-        losses = [
-            form.xreplace(self.outside)
-            for form in lost_forms(loss, self.fixed, bounded)
-        ]
+        losses = lost_forms(loss, self.fixed, bounded)
         shows = f"falls{' loses' * bool(losses)}"
         claim += " <= 0" * (not claim.endswith("= 0"))
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -408,7 +401,7 @@ class SystemCandidate(LyapunovCandidate):
             steps,
             claim,
             losses,
-            short(self.text(-bound)),
+            self.text(-self.readable_rate(bound)),
             zeroed=zeroed,
             rate=falling if self.claim is None else None,
             conditions=self.conditions(inputs if zeroed else []),
@@ -479,17 +472,14 @@ class SystemCandidate(LyapunovCandidate):
         powers = bound.atoms(sympy.Pow)
         has_divisors = any(power.exp.is_negative for power in powers)
         if has_divisors and terms_of(bound) <= MOST_IN_PRODUCT:
-            product = as_factors(bound)
+            product = as_factors(normal_form(bound))
             if never_positive(product, self.fixed):
                 return product
-        if self.never_positive(bound):
+        by_parameters = self.claim is not None and never_positive(bound, self.fixed)
+        if self.never_positive(bound) or by_parameters:
             return bound
-        if self.claim is not None:
-            return bound if never_positive(bound, self.fixed) else None
-        rate = reduced(bound)
-        by_state = not self.eq.discrete and self._falls_by_state
-        falls = self.never_positive(rate) or (by_state and by_state())
-        return rate if falls else None
+        by_state = self.claim is None and not self.eq.discrete
+        return bound if by_state and self._falls_by_state() else None
 
     def _falls_by_state(self) -> bool:
         """Return whether V' falls without the terms of rates that go down V, as friction does.
@@ -519,14 +509,3 @@ class SystemCandidate(LyapunovCandidate):
         rate = self.readable_rate(self.rate if fall.rate is None else fall.rate)
         inputs = tuple(self.depends_on(self.rate))
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)
-
-
-def reduced(rate: sympy.Expr) -> sympy.Expr:
-    """Return an expression whose divisors contain angles as one reduced fraction."""
-    divisors = (p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative)
-    if not sympy.Mul(*divisors).has(sympy.sin, sympy.cos):
-        return rate
-    numerator, divisor = map(
-        normal_form, sympy.fraction(sympy.together(normal_form(rate)))
-    )
-    return sympy.cancel(numerator / divisor)

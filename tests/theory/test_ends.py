@@ -1,0 +1,239 @@
+"""Ends of loops: each premise of LaSalle's principle and of Barbalat's lemma, held and broken.
+
+A loop that breaks a premise has a witness: states at which nothing moves, off the rest of V, or
+a closed form in the comment of its row.
+"""
+
+import numpy as np
+import pytest
+from text_systems import TICKS, signals, written
+
+import clpt_control as clpt
+from clpt_control.engine.model.declaration import Each
+
+ORDER = (  # each conclusion is true where one before it is
+    "asymptotically stable",
+    "comes to rest",
+    "all rates go to zero",
+    "goes to zero",
+    "square-integrable",
+    "stable",
+    "V does not increase",
+    "",
+)
+AS, REST, RATES, ZERO, INTEGRAL, STABLE, *_ = ORDER
+SIZE = "V = x**2 + y**2"
+TURNED = "V = v**2/2 + 1 - cos(x)"
+
+BROKEN = {  # kind -> text, the strongest true conclusion, a state at which nothing moves
+    "zero at the numbers": [
+        ("x' = -x + (a - b)*y; y' = -(a - b)*x; a = 2; b = 2", REST, [0, 1]),
+        ("x' = -x + sin(a)*y; y' = -sin(a)*x; a = 0", REST, [0, 1]),
+        ("x' = -x + maximum(a, 0)*y; y' = -maximum(a, 0)*x; a = -3", REST, [0, -2]),
+        ("x' = -x + (a**2 - 4)*y; y' = -(a**2 - 4)*x; a = -2", REST, [0, 5]),
+        ("x' = -x + (k - 2*m)*y**3; y' = -(k - 2*m)*x*y**2; k = 2; m = 1", REST, [0, 3]),
+        ("x' = -x + floor(a)*y; y' = -floor(a)*x; a = 0.4", REST, [0, 1]),
+        (  # in phase both swing for ever: no rest
+            "x' = v; p' = q; v' = -a*x - (v - q); q' = -b*p - (q - v); a = 3; b = 3; "
+            "V = v**2 + q**2 + a*x**2 + b*p**2", ZERO, None,
+        ),
+    ],
+    "rates that jump": [  # sticks: the rates on both sides of v = 0 push back to it
+        ("x' = v; v' = -x - 0.5*sign(v)", ZERO, None),
+        ("x' = v; v' = -x - v - where(v > 0, 1.0, -1.0)", ZERO, None),
+        ("x' = v; v' = -sin(x) - 0.2*v - 0.3*sign(v); " + TURNED, ZERO, None),
+        ("x' = v; v' = -x**3 - F*sign(v); F = 2; V = v**2/2 + x**4/4", ZERO, None),
+        ("v' = -v; x' = -y*sign(v); y' = x*sign(v)", ZERO, None),  # turns at speed 1
+        ("v' = -v; x' = -y*floor(2 + tanh(v)); y' = x*floor(2 + tanh(v))", ZERO, None),
+    ],
+    "words of numbers": [
+        ("x' = -x + y*maximum(x, 0); y' = -x*maximum(x, 0)", REST, [0, 3]),
+        ("x' = -x + y*minimum(x, 0); y' = -x*minimum(x, 0)", REST, [0, 3]),
+        ("x' = -x + y*abs(x); y' = -x*abs(x)", REST, [0, -3]),
+        ("x' = -x + y*clip(x, -1, 2); y' = -x*clip(x, -1, 2)", REST, [0, 4]),
+        ("x' = -x + y*(x - clip(x, -1, 1)); y' = -x*(x - clip(x, -1, 1))", REST, [0, 4]),
+        ("x' = -x + y*where(x > 0, 2*x, x); y' = -x*where(x > 0, 2*x, x)", REST, [0, 4]),
+        ("x' = -x + y*maximum(minimum(x, 1), 0); y' = -x*maximum(minimum(x, 1), 0)", REST, [0, 1]),
+    ],
+    "rests in a line": [  # the angle of (a, b) is the integral of a power of s that has none
+        ("s' = -s**3; a' = -s*b; b' = s*a", RATES, [0, 1, 1]),
+        ("s' = -s**3; a' = -s**2*b; b' = s**2*a", RATES, [0, 1, 1]),
+        ("s' = -s**5; a' = -3*s**2*b; b' = 3*s**2*a", RATES, [0, 0, 1]),
+        ("s' = -s**3; a' = -s*b/(1 + s**2); b' = s*a/(1 + s**2)", RATES, [0, 2, 0]),
+        ("s' = -s**3; a' = -tanh(s)*b; b' = tanh(s)*a", RATES, [0, 2, 0]),
+        ("s' = -s**3; a' = -maximum(s, 0)*b; b' = maximum(s, 0)*a", RATES, [0, 2, 0]),
+    ],
+    "forms that step": [  # an input that is on for 2**-n after n = 1, 2, ...
+        ("x' = -where(u > 0.5, 1, 0)*x; input u", INTEGRAL, None),
+        ("x' = -where(u < -1, 3, 0)*x; input u", INTEGRAL, None),
+        ("x' = -where(u > 0, 2, 0)**2*x; y' = -y; input u", INTEGRAL, None),
+        ("x' = -sign(u)**2*x; input u", INTEGRAL, None),
+        ("x' = -floor(clip(u, 0, 1))**2*x; input u", INTEGRAL, None),
+        # ever shorter pulses, of which the sum is finite
+        (
+            "x' = -where(sin(c) > 1 - 1/(1 + c**4), 1, 0)**2*x; c' = 1 + 0*c; V = x**2",
+            INTEGRAL, None,
+        ),
+    ],
+}  # fmt: skip
+HELD = {  # kind -> text, what must be shown
+    "not zero at the numbers": [
+        ("x' = -x + (a - b)*y; y' = -(a - b)*x; a = 2; b = 1", AS),
+        ("x' = -x + sin(a)*y; y' = -sin(a)*x; a = 1", AS),
+        ("x' = -x + maximum(a, 0)*y; y' = -maximum(a, 0)*x; a = 3", AS),
+        ("x' = -x + (a**2 - 4)*y; y' = -(a**2 - 4)*x; a = -1", AS),
+        (
+            "x' = v; p' = q; v' = -a*x - (v - q); q' = -b*p - (q - v); a = 3; b = 2; "
+            "V = v**2 + q**2 + a*x**2 + b*p**2", AS,
+        ),
+        ("x' = -x + a*y; y' = -a*x; a = 0.5", AS),
+    ],
+    "rates without jumps": [
+        ("x' = v; v' = -x - 0.5*tanh(v)", AS),
+        ("x' = v; v' = -x - where(v > 0, v, 2*v)", AS),  # meets at v = 0
+        ("x' = v; v' = -x**3 - v*abs(v); V = v**2/2 + x**4/4", AS),
+        ("x' = v; v' = -tanh(x) - v; V = v**2/2 + log(cosh(x))", AS),
+        ("x' = v; v' = -x - clip(v, -1, 1)", AS),
+        ("v' = -v - sign(v)", AS),  # V' < 0 but at the rest: no premise is asked for
+        ("x' = -y - x - sign(x); y' = x - y", AS),
+    ],
+    "words that are not zero": [
+        ("x' = -x + y*(1 + maximum(x, 0)); y' = -x*(1 + maximum(x, 0))", AS),
+        ("x' = -x + y*where(x > -1, 1, 1); y' = -x", AS),
+        ("x' = -x + y*clip(x + 2, 1, 3); y' = -x*clip(x + 2, 1, 3)", AS),
+    ],
+    "rests that stand alone": [
+        ("x' = v; v' = x - x**3 - v; V = v**2/2 + (x**2 - 1)**2/4", REST),
+        ("x' = v; v' = -sin(x) - v; " + TURNED, REST),
+        ("x' = v; v' = -sin(2*x) - 3*v; V = v**2 + 1 - cos(2*x)", REST),
+        ("a' = b - a; b' = a - b", REST),  # linear: each run converges
+        ("e' = -e - k*e; k' = e**2", REST),  # k only rises
+        ("x' = -x*(x - 1)**2", REST),
+    ],
+    "forms without steps": [
+        ("e' = -e + th*r; th' = -e*r; V = e**2 + th**2; input r", ZERO),
+        ("e' = -abs(e)*e + th*r; th' = -e*r; V = e**2 + th**2; input r", ZERO),
+        ("e' = -e + th*r - maximum(e, 0); th' = -e*r; V = e**2 + th**2; input r", ZERO),
+        ("e' = -(1 + where(r > 0, 1, 0))*e + th*r; th' = -e*r; V = e**2 + th**2; input r", ZERO),
+        ("x' = -(2 + exp(minimum(t, 5)))*x + y; y' = -x", ZERO),
+    ],
+}  # fmt: skip
+
+
+def rows(table):
+    """Rows of all kinds with their names."""
+    for kind, texts in table.items():
+        for k, row in enumerate(texts, 1):
+            yield pytest.param(*row, id=f"{kind} {k}")
+
+
+def judged(text):
+    plant, V, *rest = written(text)
+    return plant, clpt.lyapunov(plant, V, points=20, **dict(*rest))
+
+
+@pytest.mark.parametrize(("text", "strongest", "rest"), [*rows(BROKEN)])
+def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
+    plant, found = judged(text)
+    assert found.status == "proved"
+    assert ORDER.index(found.conclusion) >= ORDER.index(strongest), found
+    if rest is not None:
+        t, u = 0.0, np.zeros(plant.ninputs)
+        assert np.abs(plant.dynamics(t, np.array(rest, float), u)).max() == 0.0
+
+
+@pytest.mark.parametrize(("text", "conclusion"), [*rows(HELD)])
+def test_a_premise_that_holds_is_used(text, conclusion):
+    _, found = judged(text)
+    assert (found.status, found.conclusion) == ("proved", conclusion), found
+
+
+@pytest.mark.parametrize("text", [row[0] for row in BROKEN["zero at the numbers"]])
+def test_a_V_that_is_searched_for_says_no_more(text):
+    plant, V, *_ = written(text)
+    given, searched = (clpt.lyapunov(plant, function) for function in (V, None))
+    if searched.status == "proved":
+        assert ORDER.index(searched.conclusion) >= ORDER.index(given.conclusion)
+
+
+# --- states that jump ----------------------------------------------------------------------------
+
+
+def swapped(breakpoints, **parameters):
+    """x and y are swapped, x' = -x: V = x^2 + y^2 stays at jumps."""
+    return clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": -x.x, "y": 0.0 * x.y},
+        jump=lambda t, x, u, p: {"x": x.y, "y": x.x},
+        states={"x": 1, "y": 1},
+        parameters={"interval": -1.0, **parameters},
+        breakpoints=breakpoints,
+    )
+
+
+def halved(p, t0, t1):
+    """Times n and n + 2^-n."""
+    times = np.array([t for n in range(1, 60) for t in (float(n), n + 2.0**-n)])
+    return times[(times > t0) & (times <= t1)]
+
+
+def test_of_a_state_that_jumps_at_times_of_any_kind_an_integral_is_known():
+    """x is 1 again and again: x falls in 2^-n, and rests as y else."""
+    found = clpt.lyapunov(swapped(halved), lambda s: s.x**2 + s.y**2)
+    assert (found.status, found.conclusion) == ("proved", INTEGRAL)
+    (failed,) = found.failed
+    assert "it jumps with plant" in failed.detail
+
+
+def test_of_a_state_that_jumps_each_period_the_zero_is_known():
+    found = clpt.lyapunov(
+        swapped(Each("period"), period=2.0), lambda s: s.x**2 + s.y**2
+    )
+    assert (found.status, found.conclusion) == ("proved", ZERO)
+
+
+def test_what_does_not_jump_goes_to_zero_whatever_else_jumps():
+    still = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {
+            "e": -x.e + x.k * u.r,
+            "k": -x.e * u.r,
+            "m": 0 * x.m,
+        },
+        jump=lambda t, x, u, p: {"e": x.e, "k": x.k, "m": x.e},
+        states={"e": 1, "k": 1, "m": 1},
+        inputs={"r": 1},
+        **TICKS,
+    )
+    found = clpt.lyapunov(still, signals("e**2 + k**2", ["e", "k", "m"]))
+    assert (found.status, found.conclusion, found.of) == ("proved", ZERO, "e goes")
+
+
+def test_a_V_that_may_rise_at_a_jump_is_open():
+    kicked = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": -x.x},
+        jump=lambda t, x, u, p: {"x": x.x * np.cos(3 * t) * 1.5},
+        states={"x": 1},
+        **TICKS,
+    )
+    found = clpt.lyapunov(kicked, lambda s: s.x**2)
+    assert (found.status, found.conclusion, found.conditions) == ("open", "", ())
+    assert "V does not rise where states of plant jump" in found.claim
+
+
+def test_a_V_that_is_not_between_two_functions_is_no_rest():
+    """V = p x^2, V' = -x^2: of p = 1 + t^4 sin(t)^2 x comes back at each k pi."""
+    found, _ = judged_at_peaks()
+    assert found.conclusion not in (AS, ZERO)
+
+
+def judged_at_peaks():
+    def rate(t, x, u, p):
+        top = 1 + t**4 * np.sin(t) ** 2
+        slope = 4 * t**3 * np.sin(t) ** 2 + 2 * t**4 * np.sin(t) * np.cos(t)
+        return {"x": -(1 + slope) / (2 * top) * x.x}
+
+    plant = clpt.Block("plant", update=rate, states={"x": 1}, parameters={})
+    V = lambda s: (1 + s.t**4 * np.sin(s.t) ** 2) * s.x**2  # noqa: E731
+    return clpt.lyapunov(plant, V), plant
