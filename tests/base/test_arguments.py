@@ -247,7 +247,7 @@ def right(tmp_path_factory):
             "Replay.ahead": {"self": replay},
             "Replay.next_dive": {"self": replay},
             **{name: {"self": replay} for name in ("summary", "dataset")},
-            "lyapunov": LINEAR,
+            "lyapunov": {**LINEAR, "where": None},
             "observer": LINEAR,
             "kalman_filter": LINEAR,
         },

@@ -504,7 +504,7 @@ def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
 
 
 def pass_unknown(estimator: FlowEstimator, time: float) -> None:
-    """Let time pass of which the displacement is not known."""
+    """Move the time of open legs by a stretch of unknown displacement."""
     frame, _ = estimator.under_way
     for leg in estimator._open():
         leg.add(float(frame.own_time(time)), 0.0, 0.0, estimator.track.size)

@@ -348,7 +348,7 @@ class Answers:
 
 
 def asked(candidate: LyapunovCandidate) -> Answers:
-    """Ask the questions of a candidate, each with the answers before it."""
+    """Return the answers on a candidate, each found with those before it."""
     values, definite = candidate.has_values(), candidate.definite()
     fall = candidate.falls(definite)
     if not fall.holds:
