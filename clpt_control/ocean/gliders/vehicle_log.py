@@ -46,7 +46,7 @@ NAMES = {
 }
 PLACED = ("time", "latitude", "longitude")
 TIMES = {"utc": 1.0, "gmt": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
-DEGREES = {"dege7": 1e-7, "1e-7deg": 1e-7}
+DEGREES = {"dege7": 1e-7, "1e-7deg": 1e-7, "degw": -1.0, "degs": -1.0}
 MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
 HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
 AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"

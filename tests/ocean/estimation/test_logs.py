@@ -359,3 +359,11 @@ def test_a_magnetic_heading_alone_is_told():
 def test_read_dives_takes_a_log_too(tmp_path):
     dives, skipped = clpt.gliders.read_dives(table(tmp_path / "log.csv", mission(12)))
     assert (len(dives), skipped) == (12, [])
+
+
+def test_degrees_west_and_south_have_their_sign(tmp_path):
+    rows = ["time,lat (deg S),lon (deg W),course,speed"]
+    rows += [f"2026-05-01T0{k}:00:00Z,36.7,{122.1 - 0.03 * k},90,1.0" for k in (0, 2)]
+    (tmp_path / "log.csv").write_text("\n".join(rows))
+    (leg,), _ = clpt.gliders.read_dives(tmp_path / "log.csv", usable=False)
+    assert leg.start == (-36.7, -122.1)
