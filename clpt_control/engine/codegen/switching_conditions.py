@@ -33,6 +33,7 @@ LOCKED = named(lambda row: row.decisions)
 WIDE = {"add", "sub", "mul", "neg", "sin", "cos", "sqrt"}
 PEAKED = named(lambda row: row.smoothness == SMOOTH and row.slopes) - WIDE
 ROUNDING = 1e-12  # relative, of the numbers that are compared
+OF_TIME = 2e-15  # the same of time and parameters, which have no error of integration
 NAN_IF_ANY = ("sign", "minimum", "maximum")  # NaN where an argument is NaN
 Ref = Any
 Add = Callable[..., Ref]  # writes an operation of arguments; returns its value
@@ -321,7 +322,7 @@ class Decisions:
         if name in COMPARED and of[1] != 0.0:
             threshold_size = add("fabs", of[1])
             size = add("add", size, threshold_size)
-        least = add("mul", size, ROUNDING)
+        least = add("mul", size, OF_TIME if self._is_of_time(of) else ROUNDING)
         if name in COMPARED:
             difference = add("sub", *of)
             if COMPARED[name] < 0:
@@ -387,6 +388,15 @@ class Decisions:
         size = add("add", least_size, second_size)
         rounding = add("mul", size, ROUNDING)
         return add("sub", second_least, least), rounding
+
+    def _is_of_time(self, refs: Sequence[Ref]) -> bool:
+        """Return whether values are computed of time and parameters alone."""
+        entries = self.record.entries
+        nodes = [ref for ref in refs if type(ref) is int]
+        loads = [
+            entries[k].at for k in reached(entries, nodes) if entries[k].kind == "load"
+        ]
+        return any(at[0] == "t" for at in loads) and all(at[0] in "tP" for at in loads)
 
     def rounding_of(self, distance: Ref) -> Ref:
         """Return the rounding error of a guard's distance: of its operands, and of its states."""

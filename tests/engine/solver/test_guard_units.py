@@ -167,3 +167,20 @@ def test_a_level_has_no_width_for_others(length):
         clpt.linearize(block, [0.0, length])
     with pytest.raises(clpt.ClptError, match="python-control ignores"):
         control.input_output_response(block, T, 0, [length, 0.0])
+
+
+@pytest.mark.parametrize("begin", [0.0, 100.0, 1e6, 1e9])
+def test_a_time_is_met_within_the_rounding_of_times(begin):
+    """A comparison of time with a number has no error of integration, however late it is."""
+    end = begin + 4.3
+    times = [begin, begin + 5, begin + 10]
+    near = 1e-14 * (begin + 10) + 1e-12
+
+    def rates(t, x, u, p):
+        return [1.0 if t > end else 0.0]
+
+    model = control.nlsys(rates, None, inputs=0, outputs=1, states=1, name="late")
+    run = clpt.simulate(model, times)
+    assert run.states.values[:, 0] == pytest.approx([0, begin + 5 - end, 5.7], abs=near)
+    stopped = clpt.simulate(model, times, stop=lambda t, y, u: t < end)
+    assert stopped.time.values[-1] == pytest.approx(end, rel=0, abs=near)
