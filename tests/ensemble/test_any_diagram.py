@@ -76,6 +76,30 @@ def test_a_discrete_loop_is_python_controls():
         )
 
 
+def test_members_that_a_guard_stops_have_all_samples_until_then():
+    fall = clpt.Block(
+        "fall",
+        update=lambda t, x, u, p: [-p.rate],
+        states={"h": 1},
+        parameters={"rate": 1.0},
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "stop"),
+    )
+    times = np.arange(21) * 0.2
+    rates = [0.3, 1.0, 1.15]
+    with pytest.warns(UserWarning, match="2 of 3 members did not finish"):
+        data = clpt.run_ensemble(
+            fall,
+            {"fall.rate": rates},
+            timepts=times,
+            initial_state=[2.7],
+            trajectories=True,
+        )
+    for m, rate in enumerate(rates):
+        height = 2.7 - rate * times
+        wanted = np.where(height > 0, height, np.nan)
+        np.testing.assert_allclose(data.h[m], wanted, rtol=0, atol=1e-12)
+
+
 # --- names ------------------------------------------------------------------------------------
 
 

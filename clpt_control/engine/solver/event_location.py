@@ -6,7 +6,7 @@ If a decision has changed within the step, the step is valid up to that event x 
     0 -------- low --x-- high -------- 1     shares of the step
 
 1. Bracket the first event between two sample points of the step, and narrow the bracket.
-2. If the event is a guard, stop the run at `high` and reject the step.
+2. If the event is a guard, write the samples up to `high`, stop the run there, reject the step.
 3. If the rates behind the event are the same with the new decisions, the new ones hold for the
    rest of the step, which is checked as a step that begins there.
 4. Otherwise the step ends at `high`: with the interpolant's state if that is exact enough, else it
@@ -24,6 +24,7 @@ from .event_checks import (
     least_distance,
     shortest_step,
 )
+from .segments import write_samples_until
 from .solver_layout import (
     ACCEPTED,
     ANEW,
@@ -219,6 +220,8 @@ def stops_run(solver, low):
         narrow(solver, STOP_WIDTH)
     else:
         lane[HIGH, 0] = 0.0
+    end = lane[TIME, 0] + lane[HIGH, 0] * lane[TRIAL_SIZE, 0]
+    write_samples_until(solver, 0, end)
     solver.integers[EVENT_INDEX, 0] = guard
     fail(solver, 0, Status.GUARD_LEFT)
     lane[ACCEPTED, 0] = 0.0

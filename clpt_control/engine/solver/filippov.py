@@ -38,16 +38,8 @@ from .evaluation_pass import rounding
 from .level_jumps import MOST_SOON, SHORT, jump_at_level, left_guard
 from .schedule import Schedule
 from .sliding_rates import NEGLIGIBLE, HeldSwitches
-from .solver_layout import (
-    DECISION,
-    DISTANCE,
-    EVENT_INDEX,
-    SAMPLE_POINTS,
-    STATE,
-    TRIAL_SIZE,
-    Status,
-)
-from .termination import decision_name, state_within, stopped_at
+from .solver_layout import DECISION, DISTANCE, EVENT_INDEX, SAMPLE_POINTS, STATE, Status
+from .termination import decision_name, stopped_at
 
 MOST_IN_VAIN = 50  # batches of a run in a row, each shorter than SHORT of the run
 
@@ -89,10 +81,6 @@ def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
         if following is None:
             break
         sliding, t, x = following
-        # samples within the step that was not taken
-        for k in np.flatnonzero((times > last.now) & (times <= t)):
-            share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
-            batch.out[0, k] = state_within(last, share)
         if batch.level_jumps[-1:] == [t]:  # a sample at a jump is after it
             batch.out[0, (times >= t - rounding(t, run)) & (times <= t)] = x
         if t + rounding(t, run) >= times[-1]:

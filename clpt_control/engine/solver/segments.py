@@ -45,12 +45,15 @@ from .solver_layout import (
     STIFF_STEPS,
     STOP_AT,
     TIME,
+    TRIAL_END,
+    TRIAL_SIZE,
     WITHIN,
     Status,
     call,
     decide,
     derivative,
     fail,
+    interpolate,
     prepare,
 )
 
@@ -128,6 +131,23 @@ def begin_segment(solver):
             fail(solver, k, Status.NOT_FINITE)
         stop_outside(solver, k, STATE)
         note_next_stop(solver, k)
+
+
+def write_samples_until(solver, k, end):
+    """Write the states at times up to `end`, within the step of a lane or at its end."""
+    lane, integers = solver.lane, solver.integers
+    results, times, states = solver.results, solver.times, solver.states
+    m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+    while done < len(times) and times[done] <= end:
+        share = (times[done] - lane[TIME, k]) / lane[TRIAL_SIZE, k]
+        for i in range(solver.shape.states):
+            if times[done] == lane[TRIAL_END, k]:
+                results.states[m, done, i] = states[ARGUMENT, i, k]
+            else:
+                results.states[m, done, i] = interpolate(states, i, k, share)
+        done += 1
+        lane[STOP_AT, k] = math.inf
+    integers[SAMPLES_DONE, k] = done
 
 
 def stop_outside(solver, k, state_row):

@@ -1,4 +1,4 @@
-; sha256 d6a3c9920a0697f23a39ee5a221adde43baa2bbce34e33bce1c6bca82292ea03 6b01d44766309987d5ec53a31dd813652eb99ca4e05cc4fe5005f65c73ab1d55, Python 3.11, numba 0.68.1
+; sha256 200dddc164c2017a5391379aa8e56568c6828a7a3a714f9139eb677dd7e1d3a7 4976746b3152dfc16fce72d36c3ff81d8eb20e1cf51a5ecb29a4de4ae4606cdc, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -633,4545 +633,4679 @@ v483:
   %v829 = getelementptr i8, ptr %v134, i64 %v828
   %v830 = select i1 %v799, i64 0, i64 %v208
   %v831 = icmp slt i64 %v789, 1
-  %v832 = shl i64 %v145, 5
+  %v832 = shl i64 %v145, 4
   %v833 = getelementptr i8, ptr %v143, i64 %v832
-  %v834 = mul i64 %v136, 40
+  %v834 = mul i64 %v136, 224
   %v835 = getelementptr i8, ptr %v134, i64 %v834
-  %v836 = mul i64 %v136, 96
-  %v837 = getelementptr i8, ptr %v134, i64 %v836
-  %v838 = mul i64 %v136, 216
-  %v839 = getelementptr i8, ptr %v134, i64 %v838
-  %v840 = mul i64 %v136, 40
-  %v841 = getelementptr i8, ptr %v134, i64 %v840
-  %v842 = shl i64 %v136, 5
+  %v836 = mul i64 %v103, %v102
+  %v837 = mul i64 %v738, 136
+  %v838 = getelementptr i8, ptr %v194, i64 %v837
+  %v839 = add i64 %v94, -1
+  %v840 = shl i64 %v145, 5
+  %v841 = getelementptr i8, ptr %v143, i64 %v840
+  %v842 = mul i64 %v136, 40
   %v843 = getelementptr i8, ptr %v134, i64 %v842
-  %v844 = getelementptr double, ptr %v134, i64 %v136
-  %v845 = mul i64 %v738, 136
-  %v846 = getelementptr i8, ptr %v194, i64 %v845
-  %v847 = mul nsw i64 %v10, %v9
-  %v848 = mul i64 %v847, 136
-  %v849 = getelementptr i8, ptr %v159, i64 %v848
-  %v850 = mul i64 %v847, 104
-  %v851 = getelementptr i8, ptr %v159, i64 %v850
-  %v852 = mul i64 %v10, 136
-  %v853 = getelementptr i8, ptr %v159, i64 %v852
-  %v854 = mul i64 %v208, 192
-  %v855 = getelementptr i8, ptr %v187, i64 %v854
-  %v856 = mul i64 %v103, %v102
-  %v857 = mul i64 %v197, %v196
-  %v858 = shl i64 %v145, 4
-  %v859 = getelementptr i8, ptr %v143, i64 %v858
-  %v860 = mul i64 %v136, 40
-  %v861 = getelementptr i8, ptr %v134, i64 %v860
-  %v862 = mul i64 %v136, 56
-  %v863 = getelementptr i8, ptr %v134, i64 %v862
-  %v864 = mul i64 %v136, 48
-  %v865 = getelementptr i8, ptr %v134, i64 %v864
-  %v866 = mul i64 %v857, 136
-  %v867 = icmp slt i64 %v10, 1
-  %v868 = mul i64 %v136, 224
-  %v869 = getelementptr i8, ptr %v134, i64 %v868
-  %v870 = getelementptr i8, ptr %v194, i64 %v866
-  %v871 = add i64 %v94, -1
-  %v872 = mul i64 %v857, 192
-  %v873 = mul i64 %v857, 184
-  %v874 = mul i64 %v857, 176
-  %v875 = mul i64 %v857, 168
-  %v876 = mul i64 %v857, 160
-  %v877 = mul i64 %v857, 152
-  %v878 = mul i64 %v857, 144
-  %v879 = icmp sgt i64 %v9, 1
-  %v880 = mul i64 %v136, 40
-  %v881 = getelementptr i8, ptr %v134, i64 %v880
-  %v882 = getelementptr i8, ptr %v6, i64 80
-  %v883 = mul i64 %v136, 40
-  %v884 = getelementptr i8, ptr %v134, i64 %v883
-  %v885 = shl i64 %v488, 6
-  %v886 = icmp sgt i64 %v19, 0
-  %v887 = getelementptr i8, ptr %v205, i64 %v885
-  %v888 = mul i64 %v136, 96
+  %v844 = mul i64 %v136, 96
+  %v845 = getelementptr i8, ptr %v134, i64 %v844
+  %v846 = mul i64 %v136, 216
+  %v847 = getelementptr i8, ptr %v134, i64 %v846
+  %v848 = mul i64 %v136, 40
+  %v849 = getelementptr i8, ptr %v134, i64 %v848
+  %v850 = shl i64 %v136, 5
+  %v851 = getelementptr i8, ptr %v134, i64 %v850
+  %v852 = getelementptr double, ptr %v134, i64 %v136
+  %v853 = mul i64 %v738, 136
+  %v854 = getelementptr i8, ptr %v194, i64 %v853
+  %v855 = mul nsw i64 %v10, %v9
+  %v856 = mul i64 %v855, 136
+  %v857 = getelementptr i8, ptr %v159, i64 %v856
+  %v858 = mul i64 %v855, 104
+  %v859 = getelementptr i8, ptr %v159, i64 %v858
+  %v860 = mul i64 %v10, 136
+  %v861 = getelementptr i8, ptr %v159, i64 %v860
+  %v862 = mul i64 %v208, 192
+  %v863 = getelementptr i8, ptr %v187, i64 %v862
+  %v864 = mul i64 %v197, %v196
+  %v865 = mul i64 %v136, 40
+  %v866 = getelementptr i8, ptr %v134, i64 %v865
+  %v867 = mul i64 %v136, 56
+  %v868 = getelementptr i8, ptr %v134, i64 %v867
+  %v869 = shl i64 %v145, 4
+  %v870 = getelementptr i8, ptr %v143, i64 %v869
+  %v871 = mul i64 %v136, 48
+  %v872 = getelementptr i8, ptr %v134, i64 %v871
+  %v873 = mul i64 %v864, 136
+  %v874 = icmp slt i64 %v10, 1
+  %v875 = mul i64 %v136, 224
+  %v876 = getelementptr i8, ptr %v134, i64 %v875
+  %v877 = mul i64 %v103, %v102
+  %v878 = getelementptr i8, ptr %v194, i64 %v873
+  %v879 = add i64 %v94, -1
+  %v880 = mul i64 %v864, 192
+  %v881 = mul i64 %v864, 184
+  %v882 = mul i64 %v864, 176
+  %v883 = mul i64 %v864, 168
+  %v884 = mul i64 %v864, 160
+  %v885 = mul i64 %v864, 152
+  %v886 = mul i64 %v864, 144
+  %v887 = icmp sgt i64 %v9, 1
+  %v888 = mul i64 %v136, 40
   %v889 = getelementptr i8, ptr %v134, i64 %v888
-  %v890 = mul i64 %v136, 120
-  %v891 = getelementptr i8, ptr %v134, i64 %v890
-  %v892 = icmp slt i64 %v10, 1
-  %v893 = getelementptr i8, ptr %v24, i64 8
-  %v894 = getelementptr double, ptr %v93, i64 %v94
-  %v895 = getelementptr i8, ptr %v894, i64 -8
-  %v896 = mul i64 %v145, 24
-  %v897 = getelementptr i8, ptr %v143, i64 %v896
-  %v898 = mul i64 %v145, 24
-  %v899 = getelementptr i8, ptr %v143, i64 %v898
-  %v900 = mul i64 %v136, 24
-  %v901 = getelementptr i8, ptr %v134, i64 %v900
-  %v902 = icmp ne i64 %v17, 0
-  %v903 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v904 = mul i64 %v136, 40
-  %v905 = getelementptr i8, ptr %v134, i64 %v904
-  %v906 = shl i64 %v136, 4
-  %v907 = getelementptr i8, ptr %v134, i64 %v906
-  %v908 = getelementptr i64, ptr %v143, i64 %v145
-  %v909 = icmp slt i64 %v64, 1
-  %v910 = getelementptr i8, ptr %v6, i64 8
-  %v911 = mul nsw i64 %v10, %v9
-  %v912 = getelementptr i8, ptr %v6, i64 24
-  %v913 = mul i64 %v911, 136
-  %v914 = getelementptr i8, ptr %v159, i64 %v913
-  %v915 = mul i64 %v103, %v102
-  %v916 = add nsw i64 %v903, -1
-  %v917 = mul i64 %v197, %v196
-  %v918 = shl i64 %v145, 4
-  %v919 = getelementptr i8, ptr %v143, i64 %v918
-  %v920 = mul i64 %v917, 136
-  %v921 = icmp slt i64 %v10, 1
-  %v922 = getelementptr i8, ptr %v194, i64 %v920
-  %v923 = getelementptr double, ptr %v93, i64 %v94
-  %v924 = getelementptr i8, ptr %v923, i64 -8
-  %v925 = shl i64 %v136, 6
-  %v926 = getelementptr i8, ptr %v134, i64 %v925
-  %v927 = mul i64 %v911, 112
-  %v928 = getelementptr i8, ptr %v159, i64 %v927
-  %v929 = mul i64 %v917, 112
-  %v930 = getelementptr i8, ptr %v194, i64 %v929
-  %v931 = shl i64 %v917, 7
-  %v932 = getelementptr i8, ptr %v194, i64 %v931
-  %v933 = getelementptr i8, ptr %v6, i64 32
-  %v934 = mul i64 %v10, 136
-  %v935 = getelementptr i8, ptr %v159, i64 %v934
-  %v936 = mul i64 %v208, 216
-  %v937 = getelementptr i8, ptr %v187, i64 %v936
-  %v938 = shl i64 %v10, 7
-  %v939 = getelementptr i8, ptr %v159, i64 %v938
-  %v940 = mul i64 %v208, 240
-  %v941 = getelementptr i8, ptr %v187, i64 %v940
-  %v942 = sub i64 %v208, %v19
-  %v943 = tail call i64 @llvm.smax.i64(i64 %v942, i64 0)
-  %v944 = getelementptr double, ptr %v205, i64 %v208
-  %v945 = mul i64 %v208, %v207
-  %v946 = mul i64 %v945, 80
-  %v947 = getelementptr i8, ptr %v944, i64 %v946
-  %v948 = mul i64 %v945, 72
-  %v949 = getelementptr i8, ptr %v205, i64 %v948
-  %v950 = getelementptr double, ptr %v949, i64 %v208
-  %v951 = shl i64 %v208, 4
-  %v952 = getelementptr i8, ptr %v949, i64 %v951
-  %v953 = shl i64 %v145, 5
-  %v954 = getelementptr i8, ptr %v143, i64 %v953
-  %v955 = mul i64 %v136, 112
-  %v956 = getelementptr i8, ptr %v134, i64 %v955
-  %v957 = mul i64 %v136, 40
-  %v958 = getelementptr i8, ptr %v134, i64 %v957
-  %v959 = shl i64 %v136, 4
-  %v960 = getelementptr i8, ptr %v134, i64 %v959
-  %v961 = getelementptr i64, ptr %v143, i64 %v145
-  %v962 = mul i64 %v136, 24
-  %v963 = getelementptr i8, ptr %v134, i64 %v962
-  %v964 = mul i64 %v136, 24
-  %v965 = getelementptr i8, ptr %v134, i64 %v964
-  %v966 = icmp slt i64 %v64, 1
-  %v967 = shl i64 %v145, 4
-  %v968 = getelementptr i8, ptr %v143, i64 %v967
-  %v969 = mul i64 %v136, 24
-  %v970 = getelementptr i8, ptr %v134, i64 %v969
-  %v971 = getelementptr i8, ptr %v152, i64 8
-  %v972 = getelementptr i64, ptr %v143, i64 %v145
-  %v973 = mul i64 %v145, 24
-  %v974 = getelementptr i8, ptr %v143, i64 %v973
-  %v975 = icmp slt i64 %v42, 1
-  %v976 = icmp slt i64 %v64, 1
-  %v977 = icmp slt i64 %v10, 1
-  %v978 = mul i64 %v136, 248
-  %v979 = getelementptr i8, ptr %v134, i64 %v978
-  %v980 = mul i64 %v136, 240
-  %v981 = getelementptr i8, ptr %v134, i64 %v980
-  %v982 = mul i64 %v136, 232
-  %v983 = getelementptr i8, ptr %v134, i64 %v982
-  %v984 = shl i64 %v136, 4
-  %v985 = shl i64 %v136, 5
-  %v986 = mul i64 %v136, 48
-  %v987 = mul i64 %v136, 56
-  %v988 = shl i64 %v136, 6
-  %v989 = mul i64 %v136, 72
-  %v990 = mul i64 %v136, 80
-  %v991 = mul i64 %v136, 88
-  %v992 = mul i64 %v136, 96
-  %v993 = mul i64 %v136, 104
-  %v994 = mul i64 %v136, 112
-  %v995 = mul i64 %v136, 120
-  %v996 = shl i64 %v136, 7
-  %v997 = mul i64 %v136, 136
-  %v998 = mul i64 %v136, 144
-  %v999 = mul i64 %v136, 152
-  %v1000 = mul i64 %v136, 160
-  %v1001 = mul i64 %v136, 168
-  %v1002 = mul i64 %v136, 176
-  %v1003 = mul i64 %v136, 184
-  %v1004 = mul i64 %v136, 192
-  %v1005 = mul i64 %v136, 200
-  %v1006 = mul i64 %v136, 208
-  %v1007 = mul i64 %v136, 216
-  %v1008 = mul i64 %v136, 224
-  %v1009 = getelementptr i8, ptr %v134, i64 %v995
-  %v1010 = getelementptr i8, ptr %v134, i64 %v1008
-  %v1011 = getelementptr i8, ptr %v134, i64 %v984
-  %v1012 = mul i64 %v136, 232
-  %v1013 = getelementptr i8, ptr %v134, i64 %v1012
-  %v1014 = getelementptr double, ptr %v93, i64 %v94
-  %v1015 = getelementptr i8, ptr %v1014, i64 -8
-  %v1016 = getelementptr double, ptr %v134, i64 %v136
-  %v1017 = mul i64 %v136, 232
-  %v1018 = getelementptr i8, ptr %v134, i64 %v1017
-  %v1019 = mul i64 %v136, 176
-  %v1020 = getelementptr i8, ptr %v134, i64 %v1019
-  %v1021 = shl i64 %v136, 4
-  %v1022 = getelementptr i8, ptr %v134, i64 %v1021
-  %v1023 = mul i64 %v136, 168
-  %v1024 = getelementptr i8, ptr %v134, i64 %v1023
-  %v1025 = shl i64 %v145, 4
-  %v1026 = getelementptr i8, ptr %v143, i64 %v1025
-  %v1027 = shl i64 %v703, 4
-  %v1028 = mul i64 %v703, 24
-  %v1029 = shl i64 %v703, 5
-  %v1030 = mul i64 %v703, 40
-  %v1031 = mul i64 %v703, 48
-  %v1032 = mul i64 %v703, 56
-  %v1033 = shl i64 %v703, 6
-  %v1034 = shl i64 %v705, 4
-  %v1035 = shl i64 %v705, 5
-  %v1036 = mul i64 %v705, 48
-  %v1037 = shl i64 %v705, 6
-  %v1038 = mul i64 %v705, 24
-  %v1039 = shl i64 %v705, 4
-  %v1040 = shl i64 %v705, 5
-  %v1041 = mul i64 %v705, 48
-  %v1042 = shl i64 %v705, 6
-  %v1043 = mul i64 %v705, 40
-  %v1044 = shl i64 %v705, 4
-  %v1045 = shl i64 %v705, 5
-  %v1046 = mul i64 %v705, 48
-  %v1047 = shl i64 %v705, 6
-  %v1048 = mul i64 %v705, 56
-  %v1049 = shl i64 %v705, 4
-  %v1050 = shl i64 %v705, 5
-  %v1051 = mul i64 %v705, 48
-  %v1052 = shl i64 %v705, 6
-  br label %v1053
+  %v890 = getelementptr i8, ptr %v6, i64 80
+  %v891 = mul i64 %v136, 40
+  %v892 = getelementptr i8, ptr %v134, i64 %v891
+  %v893 = shl i64 %v488, 6
+  %v894 = icmp sgt i64 %v19, 0
+  %v895 = getelementptr i8, ptr %v205, i64 %v893
+  %v896 = mul i64 %v136, 96
+  %v897 = getelementptr i8, ptr %v134, i64 %v896
+  %v898 = mul i64 %v136, 120
+  %v899 = getelementptr i8, ptr %v134, i64 %v898
+  %v900 = icmp slt i64 %v10, 1
+  %v901 = getelementptr i8, ptr %v24, i64 8
+  %v902 = getelementptr double, ptr %v93, i64 %v94
+  %v903 = getelementptr i8, ptr %v902, i64 -8
+  %v904 = mul i64 %v145, 24
+  %v905 = getelementptr i8, ptr %v143, i64 %v904
+  %v906 = mul i64 %v145, 24
+  %v907 = getelementptr i8, ptr %v143, i64 %v906
+  %v908 = mul i64 %v136, 24
+  %v909 = getelementptr i8, ptr %v134, i64 %v908
+  %v910 = icmp ne i64 %v17, 0
+  %v911 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v912 = mul i64 %v136, 40
+  %v913 = getelementptr i8, ptr %v134, i64 %v912
+  %v914 = shl i64 %v136, 4
+  %v915 = getelementptr i8, ptr %v134, i64 %v914
+  %v916 = getelementptr i64, ptr %v143, i64 %v145
+  %v917 = icmp slt i64 %v64, 1
+  %v918 = getelementptr i8, ptr %v6, i64 8
+  %v919 = mul nsw i64 %v10, %v9
+  %v920 = getelementptr i8, ptr %v6, i64 24
+  %v921 = mul i64 %v919, 136
+  %v922 = getelementptr i8, ptr %v159, i64 %v921
+  %v923 = mul i64 %v103, %v102
+  %v924 = add nsw i64 %v911, -1
+  %v925 = mul i64 %v197, %v196
+  %v926 = shl i64 %v145, 4
+  %v927 = getelementptr i8, ptr %v143, i64 %v926
+  %v928 = mul i64 %v925, 136
+  %v929 = icmp slt i64 %v10, 1
+  %v930 = getelementptr i8, ptr %v194, i64 %v928
+  %v931 = getelementptr double, ptr %v93, i64 %v94
+  %v932 = getelementptr i8, ptr %v931, i64 -8
+  %v933 = shl i64 %v136, 6
+  %v934 = getelementptr i8, ptr %v134, i64 %v933
+  %v935 = mul i64 %v919, 112
+  %v936 = getelementptr i8, ptr %v159, i64 %v935
+  %v937 = mul i64 %v925, 112
+  %v938 = getelementptr i8, ptr %v194, i64 %v937
+  %v939 = shl i64 %v925, 7
+  %v940 = getelementptr i8, ptr %v194, i64 %v939
+  %v941 = getelementptr i8, ptr %v6, i64 32
+  %v942 = mul i64 %v10, 136
+  %v943 = getelementptr i8, ptr %v159, i64 %v942
+  %v944 = mul i64 %v208, 216
+  %v945 = getelementptr i8, ptr %v187, i64 %v944
+  %v946 = shl i64 %v10, 7
+  %v947 = getelementptr i8, ptr %v159, i64 %v946
+  %v948 = mul i64 %v208, 240
+  %v949 = getelementptr i8, ptr %v187, i64 %v948
+  %v950 = sub i64 %v208, %v19
+  %v951 = tail call i64 @llvm.smax.i64(i64 %v950, i64 0)
+  %v952 = getelementptr double, ptr %v205, i64 %v208
+  %v953 = mul i64 %v208, %v207
+  %v954 = mul i64 %v953, 80
+  %v955 = getelementptr i8, ptr %v952, i64 %v954
+  %v956 = mul i64 %v953, 72
+  %v957 = getelementptr i8, ptr %v205, i64 %v956
+  %v958 = getelementptr double, ptr %v957, i64 %v208
+  %v959 = shl i64 %v208, 4
+  %v960 = getelementptr i8, ptr %v957, i64 %v959
+  %v961 = shl i64 %v145, 5
+  %v962 = getelementptr i8, ptr %v143, i64 %v961
+  %v963 = mul i64 %v136, 112
+  %v964 = getelementptr i8, ptr %v134, i64 %v963
+  %v965 = mul i64 %v136, 40
+  %v966 = getelementptr i8, ptr %v134, i64 %v965
+  %v967 = shl i64 %v136, 4
+  %v968 = getelementptr i8, ptr %v134, i64 %v967
+  %v969 = getelementptr i64, ptr %v143, i64 %v145
+  %v970 = mul i64 %v136, 24
+  %v971 = getelementptr i8, ptr %v134, i64 %v970
+  %v972 = mul i64 %v136, 24
+  %v973 = getelementptr i8, ptr %v134, i64 %v972
+  %v974 = icmp slt i64 %v64, 1
+  %v975 = shl i64 %v145, 4
+  %v976 = getelementptr i8, ptr %v143, i64 %v975
+  %v977 = mul i64 %v136, 24
+  %v978 = getelementptr i8, ptr %v134, i64 %v977
+  %v979 = getelementptr i8, ptr %v152, i64 8
+  %v980 = getelementptr i64, ptr %v143, i64 %v145
+  %v981 = mul i64 %v145, 24
+  %v982 = getelementptr i8, ptr %v143, i64 %v981
+  %v983 = icmp slt i64 %v42, 1
+  %v984 = icmp slt i64 %v64, 1
+  %v985 = icmp slt i64 %v10, 1
+  %v986 = mul i64 %v136, 248
+  %v987 = getelementptr i8, ptr %v134, i64 %v986
+  %v988 = mul i64 %v136, 240
+  %v989 = getelementptr i8, ptr %v134, i64 %v988
+  %v990 = mul i64 %v136, 232
+  %v991 = getelementptr i8, ptr %v134, i64 %v990
+  %v992 = shl i64 %v136, 4
+  %v993 = shl i64 %v136, 5
+  %v994 = mul i64 %v136, 48
+  %v995 = mul i64 %v136, 56
+  %v996 = shl i64 %v136, 6
+  %v997 = mul i64 %v136, 72
+  %v998 = mul i64 %v136, 80
+  %v999 = mul i64 %v136, 88
+  %v1000 = mul i64 %v136, 96
+  %v1001 = mul i64 %v136, 104
+  %v1002 = mul i64 %v136, 112
+  %v1003 = mul i64 %v136, 120
+  %v1004 = shl i64 %v136, 7
+  %v1005 = mul i64 %v136, 136
+  %v1006 = mul i64 %v136, 144
+  %v1007 = mul i64 %v136, 152
+  %v1008 = mul i64 %v136, 160
+  %v1009 = mul i64 %v136, 168
+  %v1010 = mul i64 %v136, 176
+  %v1011 = mul i64 %v136, 184
+  %v1012 = mul i64 %v136, 192
+  %v1013 = mul i64 %v136, 200
+  %v1014 = mul i64 %v136, 208
+  %v1015 = mul i64 %v136, 216
+  %v1016 = mul i64 %v136, 224
+  %v1017 = getelementptr i8, ptr %v134, i64 %v1003
+  %v1018 = getelementptr i8, ptr %v134, i64 %v1016
+  %v1019 = getelementptr i8, ptr %v134, i64 %v992
+  %v1020 = mul i64 %v136, 232
+  %v1021 = getelementptr i8, ptr %v134, i64 %v1020
+  %v1022 = getelementptr double, ptr %v93, i64 %v94
+  %v1023 = getelementptr i8, ptr %v1022, i64 -8
+  %v1024 = getelementptr double, ptr %v134, i64 %v136
+  %v1025 = mul i64 %v136, 232
+  %v1026 = getelementptr i8, ptr %v134, i64 %v1025
+  %v1027 = mul i64 %v136, 176
+  %v1028 = getelementptr i8, ptr %v134, i64 %v1027
+  %v1029 = shl i64 %v136, 4
+  %v1030 = getelementptr i8, ptr %v134, i64 %v1029
+  %v1031 = mul i64 %v136, 168
+  %v1032 = getelementptr i8, ptr %v134, i64 %v1031
+  %v1033 = shl i64 %v145, 4
+  %v1034 = getelementptr i8, ptr %v143, i64 %v1033
+  %v1035 = shl i64 %v703, 4
+  %v1036 = mul i64 %v703, 24
+  %v1037 = shl i64 %v703, 5
+  %v1038 = mul i64 %v703, 40
+  %v1039 = mul i64 %v703, 48
+  %v1040 = mul i64 %v703, 56
+  %v1041 = shl i64 %v703, 6
+  %v1042 = shl i64 %v705, 4
+  %v1043 = shl i64 %v705, 5
+  %v1044 = mul i64 %v705, 48
+  %v1045 = shl i64 %v705, 6
+  %v1046 = mul i64 %v705, 24
+  %v1047 = shl i64 %v705, 4
+  %v1048 = shl i64 %v705, 5
+  %v1049 = mul i64 %v705, 48
+  %v1050 = shl i64 %v705, 6
+  %v1051 = mul i64 %v705, 40
+  %v1052 = shl i64 %v705, 4
+  %v1053 = shl i64 %v705, 5
+  %v1054 = mul i64 %v705, 48
+  %v1055 = shl i64 %v705, 6
+  %v1056 = mul i64 %v705, 56
+  %v1057 = shl i64 %v705, 4
+  %v1058 = shl i64 %v705, 5
+  %v1059 = mul i64 %v705, 48
+  %v1060 = shl i64 %v705, 6
+  br label %v1061
 
-v1053:
-  %v1054 = phi i64 [ %v1055, %v1056 ], [ %v284, %v483 ]
-  %v1057 = phi i64 [ %v1058, %v1056 ], [ %v479, %v483 ]
-  %v1059 = add nsw i64 %v1054, -1
-  %v1060 = load i64, ptr %v485, align 8, !noalias !11
-  %v1061 = icmp eq i64 %v1060, 0
-  br i1 %v1061, label %v1062, label %v1063
+v1061:
+  %v1062 = phi i64 [ %v1063, %v1064 ], [ %v284, %v483 ]
+  %v1065 = phi i64 [ %v1066, %v1064 ], [ %v479, %v483 ]
+  %v1067 = add nsw i64 %v1062, -1
+  %v1068 = load i64, ptr %v485, align 8, !noalias !11
+  %v1069 = icmp eq i64 %v1068, 0
+  br i1 %v1069, label %v1070, label %v1071
 
-v1063:
-  %v1064 = icmp eq i64 %v1060, 2
+v1071:
+  %v1072 = icmp eq i64 %v1068, 2
   store i64 0, ptr %v485, align 8, !noalias !11
-  %v1065 = load i64, ptr %v489, align 8, !noalias !15
-  %v1066 = inttoptr i64 %v1065 to ptr
-  tail call void %v1066(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !15
-  br i1 %v292, label %v1067, label %v1068
-
-v1067:
-  %v1069 = load i64, ptr %v490, align 8, !noalias !18
-  %v1070 = inttoptr i64 %v1069 to ptr
-  tail call void %v1070(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !18
-  %v1071 = load double, ptr %v492, align 8, !noalias !24
-  %v1072 = fcmp une double %v1071, 2.500000e-01
-  br i1 %v1072, label %v1068, label %v1073
-
-v1073:
-  store double 0.000000e+00, ptr %v492, align 8, !noalias !24
-  br i1 %v493, label %v1074, label %v1075
-
-v1076:
-  store double 1.000000e+00, ptr %v492, align 8, !noalias !24
-  br label %v1077
-
-v1077:
-  %v1078 = icmp eq i64 %v1079, %v19
-  br i1 %v1078, label %v1075, label %v1074
+  %v1073 = load i64, ptr %v489, align 8, !noalias !15
+  %v1074 = inttoptr i64 %v1073 to ptr
+  tail call void %v1074(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !15
+  br i1 %v292, label %v1075, label %v1076
 
 v1075:
-  %v1080 = load double, ptr %v492, align 8, !noalias !24
-  %v1081 = fcmp ogt double %v1080, 5.000000e-01
-  %v1082 = or i1 %v1064, %v1081
-  br label %v1068
+  %v1077 = load i64, ptr %v490, align 8, !noalias !18
+  %v1078 = inttoptr i64 %v1077 to ptr
+  tail call void %v1078(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !18
+  %v1079 = load double, ptr %v492, align 8, !noalias !24
+  %v1080 = fcmp une double %v1079, 2.500000e-01
+  br i1 %v1080, label %v1076, label %v1081
 
-v1074:
-  %v1083 = phi i64 [ %v1079, %v1077 ], [ 0, %v1073 ]
-  %v1079 = add nsw i64 %v1083, 1
-  %v1084 = getelementptr double, ptr %v205, i64 %v1083
-  %v1085 = load double, ptr %v1084, align 8, !noalias !24
-  %v1086 = add nsw i64 %v1083, %v18
-  %v1087 = icmp slt i64 %v1086, 0
-  %v1088 = select i1 %v1087, i64 %v167, i64 0
-  %v1089 = getelementptr double, ptr %v166, i64 %v1086
-  %v1090 = getelementptr double, ptr %v1089, i64 %v1088
-  %v1091 = load double, ptr %v1090, align 8, !noalias !24
-  %v1092 = fcmp une double %v1085, %v1091
-  br i1 %v1092, label %v1076, label %v1077
+v1081:
+  store double 0.000000e+00, ptr %v492, align 8, !noalias !24
+  br i1 %v493, label %v1082, label %v1083
 
-v1068:
-  %v1093 = phi i1 [ %v1064, %v1063 ], [ %v1082, %v1075 ], [ %v1064, %v1067 ]
-  br i1 %v1093, label %v1094, label %v1062
+v1084:
+  store double 1.000000e+00, ptr %v492, align 8, !noalias !24
+  br label %v1085
 
-v1094:
-  br i1 %v292, label %v1095, label %v1096
+v1085:
+  %v1086 = icmp eq i64 %v1087, %v19
+  br i1 %v1086, label %v1083, label %v1082
 
-v1095:
-  %v1097 = load i64, ptr %v494, align 8, !noalias !25
-  %v1098 = inttoptr i64 %v1097 to ptr
-  tail call void %v1098(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !25
-  %v1099 = load double, ptr %v496, align 8, !noalias !31
-  %v1100 = fcmp ule double %v1099, 5.000000e-01
-  %v1101 = select i1 %v1100, i1 true, i1 %v497
-  br i1 %v1101, label %v1102, label %v1103
+v1083:
+  %v1088 = load double, ptr %v492, align 8, !noalias !24
+  %v1089 = fcmp ogt double %v1088, 5.000000e-01
+  %v1090 = or i1 %v1072, %v1089
+  br label %v1076
+
+v1082:
+  %v1091 = phi i64 [ %v1087, %v1085 ], [ 0, %v1081 ]
+  %v1087 = add nsw i64 %v1091, 1
+  %v1092 = getelementptr double, ptr %v205, i64 %v1091
+  %v1093 = load double, ptr %v1092, align 8, !noalias !24
+  %v1094 = add nsw i64 %v1091, %v18
+  %v1095 = icmp slt i64 %v1094, 0
+  %v1096 = select i1 %v1095, i64 %v167, i64 0
+  %v1097 = getelementptr double, ptr %v166, i64 %v1094
+  %v1098 = getelementptr double, ptr %v1097, i64 %v1096
+  %v1099 = load double, ptr %v1098, align 8, !noalias !24
+  %v1100 = fcmp une double %v1093, %v1099
+  br i1 %v1100, label %v1084, label %v1085
+
+v1076:
+  %v1101 = phi i1 [ %v1072, %v1071 ], [ %v1090, %v1083 ], [ %v1072, %v1075 ]
+  br i1 %v1101, label %v1102, label %v1070
 
 v1102:
-  %v1104 = load i64, ptr %v489, align 8, !noalias !32
-  %v1105 = inttoptr i64 %v1104 to ptr
-  tail call void %v1105(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !32
-  br label %v1096
+  br i1 %v292, label %v1103, label %v1104
 
 v1103:
-  %v1106 = phi i64 [ %v1107, %v1103 ], [ 0, %v1095 ]
-  %v1107 = add nsw i64 %v1106, 1
-  %v1108 = getelementptr double, ptr %v205, i64 %v1106
-  %v1109 = load double, ptr %v1108, align 8, !noalias !31
-  %v1110 = add nsw i64 %v1106, %v18
-  %v1111 = icmp slt i64 %v1110, 0
-  %v1112 = select i1 %v1111, i64 %v167, i64 0
-  %v1113 = getelementptr double, ptr %v166, i64 %v1110
-  %v1114 = getelementptr double, ptr %v1113, i64 %v1112
-  store double %v1109, ptr %v1114, align 8, !noalias !31
-  %v1115 = icmp eq i64 %v1107, %v19
-  br i1 %v1115, label %v1102, label %v1103
+  %v1105 = load i64, ptr %v494, align 8, !noalias !25
+  %v1106 = inttoptr i64 %v1105 to ptr
+  tail call void %v1106(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !25
+  %v1107 = load double, ptr %v496, align 8, !noalias !31
+  %v1108 = fcmp ule double %v1107, 5.000000e-01
+  %v1109 = select i1 %v1108, i1 true, i1 %v497
+  br i1 %v1109, label %v1110, label %v1111
 
-v1096:
-  br i1 %v498, label %v1116, label %v1117
+v1110:
+  %v1112 = load i64, ptr %v489, align 8, !noalias !32
+  %v1113 = inttoptr i64 %v1112 to ptr
+  tail call void %v1113(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !32
+  br label %v1104
 
-v1116:
-  %v1118 = load i64, ptr %v6, align 8, !noalias !35
-  %v1119 = inttoptr i64 %v1118 to ptr
-  tail call void %v1119(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v501), !noalias !35
-  %v1120 = load i64, ptr %v502, align 8, !noalias !38
-  %v1121 = inttoptr i64 %v1120 to ptr
-  tail call void %v1121(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !38
-  %v1122 = load i64, ptr %v503, align 8, !noalias !41
-  %v1123 = inttoptr i64 %v1122 to ptr
-  tail call void %v1123(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !41
-  %v1124 = load i64, ptr %v6, align 8, !noalias !44
-  %v1125 = inttoptr i64 %v1124 to ptr
-  tail call void %v1125(ptr %v505, ptr %v507, ptr %v166, ptr %v173, ptr %v180, ptr %v509), !noalias !44
-  %v1126 = load i64, ptr %v510, align 8, !noalias !47
+v1111:
+  %v1114 = phi i64 [ %v1115, %v1111 ], [ 0, %v1103 ]
+  %v1115 = add nsw i64 %v1114, 1
+  %v1116 = getelementptr double, ptr %v205, i64 %v1114
+  %v1117 = load double, ptr %v1116, align 8, !noalias !31
+  %v1118 = add nsw i64 %v1114, %v18
+  %v1119 = icmp slt i64 %v1118, 0
+  %v1120 = select i1 %v1119, i64 %v167, i64 0
+  %v1121 = getelementptr double, ptr %v166, i64 %v1118
+  %v1122 = getelementptr double, ptr %v1121, i64 %v1120
+  store double %v1117, ptr %v1122, align 8, !noalias !31
+  %v1123 = icmp eq i64 %v1115, %v19
+  br i1 %v1123, label %v1110, label %v1111
+
+v1104:
+  br i1 %v498, label %v1124, label %v1125
+
+v1124:
+  %v1126 = load i64, ptr %v6, align 8, !noalias !35
   %v1127 = inttoptr i64 %v1126 to ptr
-  tail call void %v1127(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !47
-  br label %v1117
+  tail call void %v1127(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v501), !noalias !35
+  %v1128 = load i64, ptr %v502, align 8, !noalias !38
+  %v1129 = inttoptr i64 %v1128 to ptr
+  tail call void %v1129(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !38
+  %v1130 = load i64, ptr %v503, align 8, !noalias !41
+  %v1131 = inttoptr i64 %v1130 to ptr
+  tail call void %v1131(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !41
+  %v1132 = load i64, ptr %v6, align 8, !noalias !44
+  %v1133 = inttoptr i64 %v1132 to ptr
+  tail call void %v1133(ptr %v505, ptr %v507, ptr %v166, ptr %v173, ptr %v180, ptr %v509), !noalias !44
+  %v1134 = load i64, ptr %v510, align 8, !noalias !47
+  %v1135 = inttoptr i64 %v1134 to ptr
+  tail call void %v1135(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !47
+  br label %v1125
 
-v1117:
-  br i1 %v294, label %v1062, label %v1128
+v1125:
+  br i1 %v294, label %v1070, label %v1136
 
-v1129:
-  store double 0.000000e+00, ptr %v1130, align 8, !noalias !50
-  %v1131 = getelementptr double, ptr %v515, i64 %v1132
-  store double 0.000000e+00, ptr %v1131, align 8, !noalias !50
-  %v1133 = getelementptr double, ptr %v517, i64 %v1132
-  store double 0.000000e+00, ptr %v1133, align 8, !noalias !50
-  %v1134 = getelementptr i64, ptr %v143, i64 %v1132
-  %v1135 = load i64, ptr %v1134, align 8, !noalias !50
-  %v1136 = icmp slt i64 %v1135, 0
-  %v1137 = select i1 %v1136, i64 %v126, i64 0
-  %v1138 = add i64 %v1137, %v1135
-  %v1139 = mul i64 %v1138, %v127
-  %v1140 = getelementptr i64, ptr %v125, i64 %v1139
-  %v1141 = getelementptr i8, ptr %v1140, i64 8
-  %v1142 = load i64, ptr %v1141, align 8, !noalias !50
-  %v1143 = add nsw i64 %v1142, %v518
-  store i64 %v1143, ptr %v1141, align 8, !noalias !50
-  %v1144 = load i64, ptr %v1134, align 8, !noalias !50
-  %v1145 = icmp slt i64 %v1144, 0
-  %v1146 = select i1 %v1145, i64 %v126, i64 0
-  %v1147 = add i64 %v1146, %v1144
-  %v1148 = mul i64 %v1147, %v127
-  %v1149 = getelementptr i64, ptr %v125, i64 %v1148
-  %v1150 = getelementptr i8, ptr %v1149, i64 16
-  %v1151 = load i64, ptr %v1150, align 8, !noalias !50
-  %v1152 = add nsw i64 %v1151, %v520
-  store i64 %v1152, ptr %v1150, align 8, !noalias !50
-  %v1153 = getelementptr double, ptr %v522, i64 %v1132
-  %v1154 = load double, ptr %v1153, align 8, !noalias !50
-  %v1155 = fcmp une double %v1154, 0.000000e+00
-  br i1 %v1155, label %v1156, label %v1157
-
-v1156:
-  %v1158 = load i64, ptr %v1134, align 8, !noalias !54
-  %v1159 = icmp sgt i64 %v1158, -1
-  br i1 %v1159, label %v1160, label %v1157
-
-v1160:
-  %v1161 = getelementptr i64, ptr %v111, i64 %v1158
-  %v1162 = load i64, ptr %v1161, align 8, !noalias !54
-  %v1163 = icmp eq i64 %v1162, 0
-  br i1 %v1163, label %v1164, label %v1157
+v1137:
+  store double 0.000000e+00, ptr %v1138, align 8, !noalias !50
+  %v1139 = getelementptr double, ptr %v515, i64 %v1140
+  store double 0.000000e+00, ptr %v1139, align 8, !noalias !50
+  %v1141 = getelementptr double, ptr %v517, i64 %v1140
+  store double 0.000000e+00, ptr %v1141, align 8, !noalias !50
+  %v1142 = getelementptr i64, ptr %v143, i64 %v1140
+  %v1143 = load i64, ptr %v1142, align 8, !noalias !50
+  %v1144 = icmp slt i64 %v1143, 0
+  %v1145 = select i1 %v1144, i64 %v126, i64 0
+  %v1146 = add i64 %v1145, %v1143
+  %v1147 = mul i64 %v1146, %v127
+  %v1148 = getelementptr i64, ptr %v125, i64 %v1147
+  %v1149 = getelementptr i8, ptr %v1148, i64 8
+  %v1150 = load i64, ptr %v1149, align 8, !noalias !50
+  %v1151 = add nsw i64 %v1150, %v518
+  store i64 %v1151, ptr %v1149, align 8, !noalias !50
+  %v1152 = load i64, ptr %v1142, align 8, !noalias !50
+  %v1153 = icmp slt i64 %v1152, 0
+  %v1154 = select i1 %v1153, i64 %v126, i64 0
+  %v1155 = add i64 %v1154, %v1152
+  %v1156 = mul i64 %v1155, %v127
+  %v1157 = getelementptr i64, ptr %v125, i64 %v1156
+  %v1158 = getelementptr i8, ptr %v1157, i64 16
+  %v1159 = load i64, ptr %v1158, align 8, !noalias !50
+  %v1160 = add nsw i64 %v1159, %v520
+  store i64 %v1160, ptr %v1158, align 8, !noalias !50
+  %v1161 = getelementptr double, ptr %v522, i64 %v1140
+  %v1162 = load double, ptr %v1161, align 8, !noalias !50
+  %v1163 = fcmp une double %v1162, 0.000000e+00
+  br i1 %v1163, label %v1164, label %v1165
 
 v1164:
-  store i64 3, ptr %v1161, align 8, !noalias !54
-  br label %v1157
+  %v1166 = load i64, ptr %v1142, align 8, !noalias !54
+  %v1167 = icmp sgt i64 %v1166, -1
+  br i1 %v1167, label %v1168, label %v1165
 
-v1157:
-  br i1 %v291, label %v1165, label %v1166
+v1168:
+  %v1169 = getelementptr i64, ptr %v111, i64 %v1166
+  %v1170 = load i64, ptr %v1169, align 8, !noalias !54
+  %v1171 = icmp eq i64 %v1170, 0
+  br i1 %v1171, label %v1172, label %v1165
+
+v1172:
+  store i64 3, ptr %v1169, align 8, !noalias !54
+  br label %v1165
 
 v1165:
-  %v1167 = load double, ptr %v524, align 8, !noalias !57
-  %v1168 = load double, ptr %v93, align 8, !noalias !57
-  %v1169 = fsub double %v1167, %v1168
-  %v1170 = fmul double %v1169, 1.000000e-13
-  %v1171 = load double, ptr %v134, align 8, !noalias !57
-  %v1172 = tail call double @llvm.fabs.f64(double %v1171)
-  %v1173 = fmul double %v1172, 4.000000e-15
-  %v1174 = fcmp ogt double %v1173, %v1170
-  %v1175 = select i1 %v1174, double %v1173, double %v1170
-  %v1176 = fadd double %v1171, %v1175
-  store double %v1176, ptr %v526, align 8, !noalias !67
-  %v1177 = load i64, ptr %v6, align 8, !noalias !68
-  %v1178 = inttoptr i64 %v1177 to ptr
-  tail call void %v1178(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v527), !noalias !68
-  br i1 %v528, label %v1179, label %v1180
+  br i1 %v291, label %v1173, label %v1174
 
-v1179:
-  %v1181 = load i64, ptr %v534, align 8, !noalias !71
-  %v1182 = inttoptr i64 %v1181 to ptr
-  tail call void %v1182(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v536), !noalias !71
-  %v1183 = load i64, ptr %v534, align 8, !noalias !74
-  %v1184 = inttoptr i64 %v1183 to ptr
-  tail call void %v1184(ptr nonnull %v526, ptr %v538, ptr %v166, ptr %v173, ptr %v180, ptr %v540), !noalias !74
-  br label %v1185
+v1173:
+  %v1175 = load double, ptr %v524, align 8, !noalias !57
+  %v1176 = load double, ptr %v93, align 8, !noalias !57
+  %v1177 = fsub double %v1175, %v1176
+  %v1178 = fmul double %v1177, 1.000000e-13
+  %v1179 = load double, ptr %v134, align 8, !noalias !57
+  %v1180 = tail call double @llvm.fabs.f64(double %v1179)
+  %v1181 = fmul double %v1180, 4.000000e-15
+  %v1182 = fcmp ogt double %v1181, %v1178
+  %v1183 = select i1 %v1182, double %v1181, double %v1178
+  %v1184 = fadd double %v1179, %v1183
+  store double %v1184, ptr %v526, align 8, !noalias !67
+  %v1185 = load i64, ptr %v6, align 8, !noalias !68
+  %v1186 = inttoptr i64 %v1185 to ptr
+  tail call void %v1186(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v527), !noalias !68
+  br i1 %v528, label %v1187, label %v1188
 
-v1185:
-  %v1186 = phi i64 [ %v19, %v1179 ], [ %v1187, %v1188 ]
-  %v1189 = phi i64 [ %v542, %v1179 ], [ %v1190, %v1188 ]
-  %v1191 = icmp sgt i64 %v1189, 0
-  br i1 %v1191, label %v1188, label %v1192
+v1187:
+  %v1189 = load i64, ptr %v534, align 8, !noalias !71
+  %v1190 = inttoptr i64 %v1189 to ptr
+  tail call void %v1190(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v536), !noalias !71
+  %v1191 = load i64, ptr %v534, align 8, !noalias !74
+  %v1192 = inttoptr i64 %v1191 to ptr
+  tail call void %v1192(ptr nonnull %v526, ptr %v538, ptr %v166, ptr %v173, ptr %v180, ptr %v540), !noalias !74
+  br label %v1193
+
+v1193:
+  %v1194 = phi i64 [ %v19, %v1187 ], [ %v1195, %v1196 ]
+  %v1197 = phi i64 [ %v542, %v1187 ], [ %v1198, %v1196 ]
+  %v1199 = icmp sgt i64 %v1197, 0
+  br i1 %v1199, label %v1196, label %v1200
+
+v1196:
+  %v1198 = add nsw i64 %v1197, -1
+  %v1195 = add i64 %v1194, 1
+  %v1201 = icmp slt i64 %v1194, 0
+  %v1202 = select i1 %v1201, i64 %v208, i64 0
+  %v1203 = add i64 %v1202, %v1194
+  %v1204 = getelementptr double, ptr %v546, i64 %v1203
+  %v1205 = load double, ptr %v1204, align 8, !noalias !67
+  %v1206 = getelementptr double, ptr %v549, i64 %v1203
+  %v1207 = load double, ptr %v1206, align 8, !noalias !67
+  %v1208 = fsub double %v1205, %v1207
+  %v1209 = tail call double @llvm.fabs.f64(double %v1208)
+  %v1210 = getelementptr double, ptr %v551, i64 %v1203
+  %v1211 = load double, ptr %v1210, align 8, !noalias !67
+  %v1212 = tail call i1 @llvm.is.fpclass.f64(double %v1211, i32 543)
+  %v1213 = select i1 %v1212, double 0.000000e+00, double %v1211
+  %v1214 = fcmp ueq double %v1209, 0x7FF0000000000000
+  %v1215 = select i1 %v1214, double -0.000000e+00, double %v1209
+  %v1216 = fadd double %v1213, %v1215
+  %v1217 = getelementptr double, ptr %v548, i64 %v1203
+  %v1218 = load double, ptr %v1217, align 8, !noalias !67
+  %v1219 = fneg double %v1216
+  %v1220 = fcmp olt double %v1218, %v1219
+  br i1 %v1220, label %v1200, label %v1193
 
 v1188:
-  %v1190 = add nsw i64 %v1189, -1
-  %v1187 = add i64 %v1186, 1
-  %v1193 = icmp slt i64 %v1186, 0
-  %v1194 = select i1 %v1193, i64 %v208, i64 0
-  %v1195 = add i64 %v1194, %v1186
-  %v1196 = getelementptr double, ptr %v546, i64 %v1195
-  %v1197 = load double, ptr %v1196, align 8, !noalias !67
-  %v1198 = getelementptr double, ptr %v549, i64 %v1195
-  %v1199 = load double, ptr %v1198, align 8, !noalias !67
-  %v1200 = fsub double %v1197, %v1199
-  %v1201 = tail call double @llvm.fabs.f64(double %v1200)
-  %v1202 = getelementptr double, ptr %v551, i64 %v1195
-  %v1203 = load double, ptr %v1202, align 8, !noalias !67
-  %v1204 = tail call i1 @llvm.is.fpclass.f64(double %v1203, i32 543)
-  %v1205 = select i1 %v1204, double 0.000000e+00, double %v1203
-  %v1206 = fcmp ueq double %v1201, 0x7FF0000000000000
-  %v1207 = select i1 %v1206, double -0.000000e+00, double %v1201
-  %v1208 = fadd double %v1205, %v1207
-  %v1209 = getelementptr double, ptr %v548, i64 %v1195
-  %v1210 = load double, ptr %v1209, align 8, !noalias !67
-  %v1211 = fneg double %v1208
-  %v1212 = fcmp olt double %v1210, %v1211
-  br i1 %v1212, label %v1192, label %v1185
+  %v1221 = phi i64 [ %v1222, %v1188 ], [ 0, %v1173 ]
+  %v1222 = add nsw i64 %v1221, 1
+  %v1223 = mul i64 %v1221, %v197
+  %v1224 = getelementptr double, ptr %v194, i64 %v1223
+  %v1225 = load double, ptr %v1224, align 8, !noalias !67
+  %v1226 = getelementptr double, ptr %v531, i64 %v1223
+  %v1227 = load double, ptr %v1226, align 8, !noalias !67
+  %v1228 = fmul double %v1183, %v1227
+  %v1229 = fadd double %v1225, %v1228
+  %v1230 = getelementptr double, ptr %v533, i64 %v1223
+  store double %v1229, ptr %v1230, align 8, !noalias !67
+  %v1231 = icmp eq i64 %v10, %v1222
+  br i1 %v1231, label %v1187, label %v1188
 
-v1180:
-  %v1213 = phi i64 [ %v1214, %v1180 ], [ 0, %v1165 ]
-  %v1214 = add nsw i64 %v1213, 1
-  %v1215 = mul i64 %v1213, %v197
-  %v1216 = getelementptr double, ptr %v194, i64 %v1215
-  %v1217 = load double, ptr %v1216, align 8, !noalias !67
-  %v1218 = getelementptr double, ptr %v531, i64 %v1215
-  %v1219 = load double, ptr %v1218, align 8, !noalias !67
-  %v1220 = fmul double %v1175, %v1219
-  %v1221 = fadd double %v1217, %v1220
-  %v1222 = getelementptr double, ptr %v533, i64 %v1215
-  store double %v1221, ptr %v1222, align 8, !noalias !67
-  %v1223 = icmp eq i64 %v10, %v1214
-  br i1 %v1223, label %v1179, label %v1180
+v1232:
+  %v1233 = getelementptr i64, ptr %v553, i64 %v1140
+  store i64 %v1234, ptr %v1233, align 8, !noalias !77
+  %v1235 = load i64, ptr %v1142, align 8, !noalias !78
+  %v1236 = icmp sgt i64 %v1235, -1
+  br i1 %v1236, label %v1237, label %v1238
 
-v1224:
-  %v1225 = getelementptr i64, ptr %v553, i64 %v1132
-  store i64 %v1226, ptr %v1225, align 8, !noalias !77
-  %v1227 = load i64, ptr %v1134, align 8, !noalias !78
-  %v1228 = icmp sgt i64 %v1227, -1
-  br i1 %v1228, label %v1229, label %v1230
+v1237:
+  %v1239 = getelementptr i64, ptr %v111, i64 %v1235
+  %v1240 = load i64, ptr %v1239, align 8, !noalias !78
+  %v1241 = icmp eq i64 %v1240, 0
+  br i1 %v1241, label %v1242, label %v1238
 
-v1229:
-  %v1231 = getelementptr i64, ptr %v111, i64 %v1227
-  %v1232 = load i64, ptr %v1231, align 8, !noalias !78
-  %v1233 = icmp eq i64 %v1232, 0
-  br i1 %v1233, label %v1234, label %v1230
+v1242:
+  store i64 4, ptr %v1239, align 8, !noalias !78
+  br label %v1238
 
-v1234:
-  store i64 4, ptr %v1231, align 8, !noalias !78
-  br label %v1230
+v1238:
+  %v1243 = getelementptr double, ptr %v134, i64 %v1140
+  %v1244 = load double, ptr %v1243, align 8, !noalias !77
+  %v1245 = getelementptr double, ptr %v555, i64 %v1140
+  store double %v1244, ptr %v1245, align 8, !noalias !77
+  %v1246 = getelementptr double, ptr %v557, i64 %v1140
+  store double 0.000000e+00, ptr %v1246, align 8, !noalias !77
+  br label %v1174
 
-v1230:
-  %v1235 = getelementptr double, ptr %v134, i64 %v1132
-  %v1236 = load double, ptr %v1235, align 8, !noalias !77
-  %v1237 = getelementptr double, ptr %v555, i64 %v1132
-  store double %v1236, ptr %v1237, align 8, !noalias !77
-  %v1238 = getelementptr double, ptr %v557, i64 %v1132
-  store double 0.000000e+00, ptr %v1238, align 8, !noalias !77
-  br label %v1166
+v1200:
+  %v1234 = phi i64 [ %v1194, %v1196 ], [ -1, %v1193 ]
+  %v1247 = icmp sgt i64 %v1234, -1
+  br i1 %v1247, label %v1232, label %v1174
 
-v1192:
-  %v1226 = phi i64 [ %v1186, %v1188 ], [ -1, %v1185 ]
-  %v1239 = icmp sgt i64 %v1226, -1
-  br i1 %v1239, label %v1224, label %v1166
+v1248:
+  %v1249 = icmp sgt i64 %v1250, 1
+  br i1 %v1249, label %v1136, label %v1070
 
-v1240:
-  %v1241 = icmp sgt i64 %v1242, 1
-  br i1 %v1241, label %v1128, label %v1062
+v1136:
+  %v1250 = phi i64 [ %v1251, %v1248 ], [ %v295, %v1125 ]
+  %v1140 = phi i64 [ %v1252, %v1248 ], [ 0, %v1125 ]
+  %v1251 = add nsw i64 %v1250, -1
+  %v1252 = add nsw i64 %v1140, 1
+  %v1138 = getelementptr double, ptr %v513, i64 %v1140
+  %v1253 = load double, ptr %v1138, align 8, !noalias !50
+  %v1254 = fcmp olt double %v1253, 5.000000e-01
+  br i1 %v1254, label %v1248, label %v1137
 
-v1128:
-  %v1242 = phi i64 [ %v1243, %v1240 ], [ %v295, %v1117 ]
-  %v1132 = phi i64 [ %v1244, %v1240 ], [ 0, %v1117 ]
-  %v1243 = add nsw i64 %v1242, -1
-  %v1244 = add nsw i64 %v1132, 1
-  %v1130 = getelementptr double, ptr %v513, i64 %v1132
-  %v1245 = load double, ptr %v1130, align 8, !noalias !50
-  %v1246 = fcmp olt double %v1245, 5.000000e-01
-  br i1 %v1246, label %v1240, label %v1129
+v1174:
+  %v1255 = getelementptr double, ptr %v559, i64 %v1140
+  %v1256 = load double, ptr %v1255, align 8, !noalias !81
+  %v1257 = getelementptr double, ptr %v561, i64 %v1140
+  store double %v1256, ptr %v1257, align 8, !noalias !81
+  %v1258 = getelementptr i64, ptr %v563, i64 %v1140
+  %v1259 = load i64, ptr %v1258, align 8, !noalias !81
+  %v1260 = icmp slt i64 %v1259, %v94
+  br i1 %v1260, label %v1261, label %v1248
 
-v1166:
-  %v1247 = getelementptr double, ptr %v559, i64 %v1132
-  %v1248 = load double, ptr %v1247, align 8, !noalias !81
-  %v1249 = getelementptr double, ptr %v561, i64 %v1132
-  store double %v1248, ptr %v1249, align 8, !noalias !81
-  %v1250 = getelementptr i64, ptr %v563, i64 %v1132
-  %v1251 = load i64, ptr %v1250, align 8, !noalias !81
-  %v1252 = icmp slt i64 %v1251, %v94
-  br i1 %v1252, label %v1253, label %v1240
+v1261:
+  %v1262 = icmp slt i64 %v1259, 0
+  %v1263 = select i1 %v1262, i64 %v94, i64 0
+  %v1264 = getelementptr double, ptr %v93, i64 %v1259
+  %v1265 = getelementptr double, ptr %v1264, i64 %v1263
+  %v1266 = load double, ptr %v1265, align 8, !noalias !81
+  %v1267 = load double, ptr %v1255, align 8, !noalias !81
+  %v1268 = fcmp olt double %v1267, %v1266
+  %v1269 = select i1 %v1268, double %v1267, double %v1266
+  store double %v1269, ptr %v1257, align 8, !noalias !81
+  br label %v1248
 
-v1253:
-  %v1254 = icmp slt i64 %v1251, 0
-  %v1255 = select i1 %v1254, i64 %v94, i64 0
-  %v1256 = getelementptr double, ptr %v93, i64 %v1251
-  %v1257 = getelementptr double, ptr %v1256, i64 %v1255
-  %v1258 = load double, ptr %v1257, align 8, !noalias !81
-  %v1259 = load double, ptr %v1247, align 8, !noalias !81
-  %v1260 = fcmp olt double %v1259, %v1258
-  %v1261 = select i1 %v1260, double %v1259, double %v1258
-  store double %v1261, ptr %v1249, align 8, !noalias !81
-  br label %v1240
+v1070:
+  %v1270 = phi i1 [ %v647, %v1076 ], [ %v647, %v1061 ], [ true, %v1125 ], [ true, %v1248 ]
+  %v1271 = load i64, ptr %v564, align 8, !noalias !85
+  %v1272 = inttoptr i64 %v1271 to ptr
+  tail call void %v1272(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !85
+  br i1 %v565, label %v1273, label %v1274
 
-v1062:
-  %v1262 = phi i1 [ %v647, %v1068 ], [ %v647, %v1053 ], [ true, %v1117 ], [ true, %v1240 ]
-  %v1263 = load i64, ptr %v564, align 8, !noalias !85
-  %v1264 = inttoptr i64 %v1263 to ptr
-  tail call void %v1264(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !85
-  br i1 %v565, label %v1265, label %v1266
+v1275:
+  %v1276 = getelementptr double, ptr %v649, i64 %v1277
+  %v1278 = load double, ptr %v1276, align 8
+  %v1279 = fcmp ogt double %v1278, 5.000000e-01
+  br label %v1280
 
-v1267:
-  %v1268 = getelementptr double, ptr %v649, i64 %v1269
-  %v1270 = load double, ptr %v1268, align 8
-  %v1271 = fcmp ogt double %v1270, 5.000000e-01
-  br label %v1272
+v1280:
+  %v1281 = phi i1 [ true, %v1282 ], [ %v1279, %v1275 ]
+  br i1 %v1283, label %v1284, label %v1285
 
-v1272:
-  %v1273 = phi i1 [ true, %v1274 ], [ %v1271, %v1267 ]
-  br i1 %v1275, label %v1276, label %v1277
-
-v1277:
-  %v1278 = getelementptr double, ptr %v651, i64 %v1269
-  %v1279 = load double, ptr %v1278, align 8
-  %v1280 = fcmp ogt double %v1279, 5.000000e-01
-  br label %v1276
-
-v1276:
-  %v1281 = phi i1 [ true, %v1272 ], [ %v1280, %v1277 ]
-  %v1282 = icmp sgt i64 %v1283, 1
-  br i1 %v1282, label %v1274, label %v1284
+v1285:
+  %v1286 = getelementptr double, ptr %v651, i64 %v1277
+  %v1287 = load double, ptr %v1286, align 8
+  %v1288 = fcmp ogt double %v1287, 5.000000e-01
+  br label %v1284
 
 v1284:
-  %v1285 = phi i1 [ false, %v1286 ], [ %v1273, %v1276 ]
-  %v1287 = phi i1 [ %v1262, %v1286 ], [ %v1281, %v1276 ]
-  %v1288 = xor i1 %v1287, true
-  %v1289 = or i1 %v294, %v1288
-  br i1 %v1289, label %v1290, label %v1291
+  %v1289 = phi i1 [ true, %v1280 ], [ %v1288, %v1285 ]
+  %v1290 = icmp sgt i64 %v1291, 1
+  br i1 %v1290, label %v1282, label %v1292
 
 v1292:
-  br i1 %v294, label %v1290, label %v1293
+  %v1293 = phi i1 [ false, %v1294 ], [ %v1281, %v1284 ]
+  %v1295 = phi i1 [ %v1270, %v1294 ], [ %v1289, %v1284 ]
+  %v1296 = xor i1 %v1295, true
+  %v1297 = or i1 %v294, %v1296
+  br i1 %v1297, label %v1298, label %v1299
 
-v1294:
-  %v1295 = getelementptr double, ptr %v653, i64 %v1296
-  %v1297 = load double, ptr %v1295, align 8, !noalias !91
-  %v1298 = fptosi double %v1297 to i64
-  %v1299 = getelementptr double, ptr %v655, i64 %v1296
-  %v1300 = load double, ptr %v1299, align 8, !noalias !91
-  %v1301 = fptosi double %v1300 to i64
-  %v1302 = mul i64 %v1303, %v127
-  %v1304 = getelementptr i64, ptr %v125, i64 %v1302
-  %v1305 = load i64, ptr %v1304, align 8, !noalias !91
-  %v1306 = add nsw i64 %v1305, %v1298
-  store i64 %v1306, ptr %v1304, align 8, !noalias !91
-  %v1307 = getelementptr i8, ptr %v1304, i64 24
-  %v1308 = load i64, ptr %v1307, align 8, !noalias !91
-  %v1309 = add nsw i64 %v1308, %v1301
-  store i64 %v1309, ptr %v1307, align 8, !noalias !91
-  %v1310 = getelementptr i8, ptr %v1304, i64 8
-  %v1311 = load i64, ptr %v1310, align 8, !noalias !91
-  %v1312 = add nsw i64 %v1301, %v1298
-  %v1313 = mul nsw i64 %v1312, %v624
-  %v1314 = add nsw i64 %v1313, %v1298
-  %v1315 = add nsw i64 %v1314, %v1311
-  store i64 %v1315, ptr %v1310, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1295, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1299, align 8, !noalias !91
-  %v1316 = getelementptr double, ptr %v657, i64 %v1296
-  %v1317 = load double, ptr %v1316, align 8, !noalias !91
-  %v1318 = sitofp i64 %v1312 to double
-  %v1319 = fsub double %v1317, %v1318
-  store double %v1319, ptr %v1316, align 8, !noalias !91
-  br label %v1320
+v1300:
+  br i1 %v294, label %v1298, label %v1301
 
-v1320:
-  %v1321 = icmp sgt i64 %v1322, 1
-  br i1 %v1321, label %v1291, label %v1292
+v1302:
+  %v1303 = getelementptr double, ptr %v653, i64 %v1304
+  %v1305 = load double, ptr %v1303, align 8, !noalias !91
+  %v1306 = fptosi double %v1305 to i64
+  %v1307 = getelementptr double, ptr %v655, i64 %v1304
+  %v1308 = load double, ptr %v1307, align 8, !noalias !91
+  %v1309 = fptosi double %v1308 to i64
+  %v1310 = mul i64 %v1311, %v127
+  %v1312 = getelementptr i64, ptr %v125, i64 %v1310
+  %v1313 = load i64, ptr %v1312, align 8, !noalias !91
+  %v1314 = add nsw i64 %v1313, %v1306
+  store i64 %v1314, ptr %v1312, align 8, !noalias !91
+  %v1315 = getelementptr i8, ptr %v1312, i64 24
+  %v1316 = load i64, ptr %v1315, align 8, !noalias !91
+  %v1317 = add nsw i64 %v1316, %v1309
+  store i64 %v1317, ptr %v1315, align 8, !noalias !91
+  %v1318 = getelementptr i8, ptr %v1312, i64 8
+  %v1319 = load i64, ptr %v1318, align 8, !noalias !91
+  %v1320 = add nsw i64 %v1309, %v1306
+  %v1321 = mul nsw i64 %v1320, %v624
+  %v1322 = add nsw i64 %v1321, %v1306
+  %v1323 = add nsw i64 %v1322, %v1319
+  store i64 %v1323, ptr %v1318, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1303, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1307, align 8, !noalias !91
+  %v1324 = getelementptr double, ptr %v657, i64 %v1304
+  %v1325 = load double, ptr %v1324, align 8, !noalias !91
+  %v1326 = sitofp i64 %v1320 to double
+  %v1327 = fsub double %v1325, %v1326
+  store double %v1327, ptr %v1324, align 8, !noalias !91
+  br label %v1328
 
-v1291:
-  %v1322 = phi i64 [ %v1323, %v1320 ], [ %v295, %v1284 ]
-  %v1296 = phi i64 [ %v1324, %v1320 ], [ 0, %v1284 ]
-  %v1323 = add nsw i64 %v1322, -1
-  %v1324 = add nsw i64 %v1296, 1
-  %v1325 = getelementptr i64, ptr %v143, i64 %v1296
-  %v1303 = load i64, ptr %v1325, align 8, !noalias !91
-  %v1326 = icmp sgt i64 %v1303, -1
-  br i1 %v1326, label %v1294, label %v1320
+v1328:
+  %v1329 = icmp sgt i64 %v1330, 1
+  br i1 %v1329, label %v1299, label %v1300
 
-v1327:
-  %v1328 = getelementptr double, ptr %v663, i64 %v1329
-  %v1330 = load double, ptr %v1328, align 8, !noalias !98
-  %v1331 = fcmp ogt double %v1330, 5.000000e-01
-  br i1 %v1331, label %v1332, label %v1333
+v1299:
+  %v1330 = phi i64 [ %v1331, %v1328 ], [ %v295, %v1292 ]
+  %v1304 = phi i64 [ %v1332, %v1328 ], [ 0, %v1292 ]
+  %v1331 = add nsw i64 %v1330, -1
+  %v1332 = add nsw i64 %v1304, 1
+  %v1333 = getelementptr i64, ptr %v143, i64 %v1304
+  %v1311 = load i64, ptr %v1333, align 8, !noalias !91
+  %v1334 = icmp sgt i64 %v1311, -1
+  br i1 %v1334, label %v1302, label %v1328
 
-v1332:
-  %v1334 = fptosi double %v1330 to i64
-  %v1335 = load i64, ptr %v1336, align 8, !noalias !99
-  %v1337 = icmp sgt i64 %v1335, -1
-  br i1 %v1337, label %v1338, label %v1333
+v1335:
+  %v1336 = getelementptr double, ptr %v663, i64 %v1337
+  %v1338 = load double, ptr %v1336, align 8, !noalias !98
+  %v1339 = fcmp ogt double %v1338, 5.000000e-01
+  br i1 %v1339, label %v1340, label %v1341
 
-v1333:
-  %v1339 = getelementptr double, ptr %v665, i64 %v1329
-  %v1340 = load double, ptr %v1339, align 8, !noalias !98
-  %v1341 = fcmp ogt double %v1340, 5.000000e-01
-  br i1 %v1341, label %v1342, label %v1343
+v1340:
+  %v1342 = fptosi double %v1338 to i64
+  %v1343 = load i64, ptr %v1344, align 8, !noalias !99
+  %v1345 = icmp sgt i64 %v1343, -1
+  br i1 %v1345, label %v1346, label %v1341
 
-v1342:
-  %v1344 = select i1 %v1345, i1 true, i1 %v291
-  %v1346 = icmp slt i64 %v1347, %v94
-  br i1 %v1346, label %v1348, label %v1349
+v1341:
+  %v1347 = getelementptr double, ptr %v665, i64 %v1337
+  %v1348 = load double, ptr %v1347, align 8, !noalias !98
+  %v1349 = fcmp ogt double %v1348, 5.000000e-01
+  br i1 %v1349, label %v1350, label %v1351
 
-v1348:
-  %v1350 = icmp slt i64 %v1347, 0
-  %v1351 = select i1 %v1350, i64 %v94, i64 0
-  %v1352 = getelementptr double, ptr %v93, i64 %v1347
-  %v1353 = getelementptr double, ptr %v1352, i64 %v1351
-  %v1354 = load double, ptr %v1353, align 8, !noalias !98
-  %v1355 = getelementptr double, ptr %v667, i64 %v1329
-  %v1356 = load double, ptr %v1355, align 8, !noalias !98
-  %v1357 = fcmp olt double %v1354, %v1356
-  br i1 %v1357, label %v1358, label %v1349
+v1350:
+  %v1352 = select i1 %v1353, i1 true, i1 %v291
+  %v1354 = icmp slt i64 %v1355, %v94
+  br i1 %v1354, label %v1356, label %v1357
 
-v1358:
-  br label %v1349
-
-v1349:
-  %v1359 = phi i1 [ true, %v1358 ], [ %v1344, %v1348 ], [ %v1344, %v1342 ]
-  %v1360 = mul i64 %v1361, %v127
-  %v1362 = getelementptr i64, ptr %v125, i64 %v1360
-  %v1363 = load i64, ptr %v1362, align 8, !noalias !98
-  %v1364 = and i64 %v1363, 127
-  %v1365 = icmp eq i64 %v1364, 0
-  br i1 %v1365, label %v1366, label %v1367
-
-v1367:
-  %v1368 = getelementptr double, ptr %v669, i64 %v1329
-  %v1369 = load double, ptr %v1368, align 8, !noalias !98
-  %v1370 = fcmp ogt double %v1369, 0.000000e+00
-  br i1 %v1370, label %v1366, label %v1343
+v1356:
+  %v1358 = icmp slt i64 %v1355, 0
+  %v1359 = select i1 %v1358, i64 %v94, i64 0
+  %v1360 = getelementptr double, ptr %v93, i64 %v1355
+  %v1361 = getelementptr double, ptr %v1360, i64 %v1359
+  %v1362 = load double, ptr %v1361, align 8, !noalias !98
+  %v1363 = getelementptr double, ptr %v667, i64 %v1337
+  %v1364 = load double, ptr %v1363, align 8, !noalias !98
+  %v1365 = fcmp olt double %v1362, %v1364
+  br i1 %v1365, label %v1366, label %v1357
 
 v1366:
-  store double 1.000000e+00, ptr %v1371, align 8, !noalias !98
-  br label %v1343
+  br label %v1357
 
-v1343:
-  %v1372 = phi i1 [ %v1359, %v1366 ], [ %v1359, %v1367 ], [ %v1345, %v1333 ], [ %v1345, %v1293 ]
-  %v1373 = phi i1 [ true, %v1366 ], [ %v1374, %v1367 ], [ %v1374, %v1333 ], [ %v1374, %v1293 ]
-  %v1375 = icmp sgt i64 %v1376, 1
-  br i1 %v1375, label %v1293, label %v1377
+v1357:
+  %v1367 = phi i1 [ true, %v1366 ], [ %v1352, %v1356 ], [ %v1352, %v1350 ]
+  %v1368 = mul i64 %v1369, %v127
+  %v1370 = getelementptr i64, ptr %v125, i64 %v1368
+  %v1371 = load i64, ptr %v1370, align 8, !noalias !98
+  %v1372 = and i64 %v1371, 127
+  %v1373 = icmp eq i64 %v1372, 0
+  br i1 %v1373, label %v1374, label %v1375
 
-v1293:
-  %v1374 = phi i1 [ %v1373, %v1343 ], [ false, %v1292 ]
-  %v1345 = phi i1 [ %v1372, %v1343 ], [ false, %v1292 ]
-  %v1376 = phi i64 [ %v1378, %v1343 ], [ %v295, %v1292 ]
-  %v1329 = phi i64 [ %v1379, %v1343 ], [ 0, %v1292 ]
-  %v1378 = add nsw i64 %v1376, -1
-  %v1379 = add nsw i64 %v1329, 1
-  %v1336 = getelementptr i64, ptr %v143, i64 %v1329
-  %v1361 = load i64, ptr %v1336, align 8, !noalias !98
-  %v1380 = getelementptr i64, ptr %v659, i64 %v1329
-  %v1347 = load i64, ptr %v1380, align 8, !noalias !98
-  %v1371 = getelementptr double, ptr %v661, i64 %v1329
-  store double 0.000000e+00, ptr %v1371, align 8, !noalias !98
-  %v1381 = icmp sgt i64 %v1361, -1
-  br i1 %v1381, label %v1327, label %v1343
+v1375:
+  %v1376 = getelementptr double, ptr %v669, i64 %v1337
+  %v1377 = load double, ptr %v1376, align 8, !noalias !98
+  %v1378 = fcmp ogt double %v1377, 0.000000e+00
+  br i1 %v1378, label %v1374, label %v1351
 
-v1338:
-  %v1382 = getelementptr i64, ptr %v111, i64 %v1335
-  %v1383 = load i64, ptr %v1382, align 8, !noalias !99
-  %v1384 = icmp eq i64 %v1383, 0
-  br i1 %v1384, label %v1385, label %v1333
+v1374:
+  store double 1.000000e+00, ptr %v1379, align 8, !noalias !98
+  br label %v1351
 
-v1385:
-  store i64 %v1334, ptr %v1382, align 8, !noalias !99
-  br label %v1333
+v1351:
+  %v1380 = phi i1 [ %v1367, %v1374 ], [ %v1367, %v1375 ], [ %v1353, %v1341 ], [ %v1353, %v1301 ]
+  %v1381 = phi i1 [ true, %v1374 ], [ %v1382, %v1375 ], [ %v1382, %v1341 ], [ %v1382, %v1301 ]
+  %v1383 = icmp sgt i64 %v1384, 1
+  br i1 %v1383, label %v1301, label %v1385
 
-v1290:
-  %v1386 = phi i1 [ true, %v1284 ], [ true, %v1292 ], [ %v1387, %v1377 ]
-  %v1388 = phi i1 [ true, %v1284 ], [ true, %v1292 ], [ %v1389, %v1377 ]
-  %v1390 = and i1 %v670, %v1285
-  br i1 %v1390, label %v1391, label %v1392
+v1301:
+  %v1382 = phi i1 [ %v1381, %v1351 ], [ false, %v1300 ]
+  %v1353 = phi i1 [ %v1380, %v1351 ], [ false, %v1300 ]
+  %v1384 = phi i64 [ %v1386, %v1351 ], [ %v295, %v1300 ]
+  %v1337 = phi i64 [ %v1387, %v1351 ], [ 0, %v1300 ]
+  %v1386 = add nsw i64 %v1384, -1
+  %v1387 = add nsw i64 %v1337, 1
+  %v1344 = getelementptr i64, ptr %v143, i64 %v1337
+  %v1369 = load i64, ptr %v1344, align 8, !noalias !98
+  %v1388 = getelementptr i64, ptr %v659, i64 %v1337
+  %v1355 = load i64, ptr %v1388, align 8, !noalias !98
+  %v1379 = getelementptr double, ptr %v661, i64 %v1337
+  store double 0.000000e+00, ptr %v1379, align 8, !noalias !98
+  %v1389 = icmp sgt i64 %v1369, -1
+  br i1 %v1389, label %v1335, label %v1351
 
-v1391:
-  %v1393 = load i64, ptr %v6, align 8, !noalias !102
-  %v1394 = inttoptr i64 %v1393 to ptr
-  tail call void %v1394(ptr %v675, ptr %v678, ptr %v166, ptr %v173, ptr %v180, ptr %v680), !noalias !102
-  br label %v1392
+v1346:
+  %v1390 = getelementptr i64, ptr %v111, i64 %v1343
+  %v1391 = load i64, ptr %v1390, align 8, !noalias !99
+  %v1392 = icmp eq i64 %v1391, 0
+  br i1 %v1392, label %v1393, label %v1341
 
-v1392:
-  br i1 %v1388, label %v1395, label %v1396
+v1393:
+  store i64 %v1342, ptr %v1390, align 8, !noalias !99
+  br label %v1341
 
-v1396:
-  %v1397 = load i64, ptr %v681, align 8, !noalias !108
-  %v1398 = inttoptr i64 %v1397 to ptr
-  tail call void %v1398(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !108
-  br label %v1395
+v1298:
+  %v1394 = phi i1 [ true, %v1292 ], [ true, %v1300 ], [ %v1395, %v1385 ]
+  %v1396 = phi i1 [ true, %v1292 ], [ true, %v1300 ], [ %v1397, %v1385 ]
+  %v1398 = and i1 %v670, %v1293
+  br i1 %v1398, label %v1399, label %v1400
 
-v1395:
-  %v1399 = select i1 %v1285, i1 %v291, i1 false
-  %v1400 = xor i1 %v1285, true
-  %v1401 = select i1 %v292, i1 %v1285, i1 false
-  %v1402 = xor i1 %v1401, true
-  %v1403 = select i1 %v1402, i1 true, i1 %v1399
-  %v1404 = select i1 %v292, i1 %v1285, i1 %v1399
-  br i1 %v1403, label %v1405, label %v1406
+v1399:
+  %v1401 = load i64, ptr %v6, align 8, !noalias !102
+  %v1402 = inttoptr i64 %v1401 to ptr
+  tail call void %v1402(ptr %v675, ptr %v678, ptr %v166, ptr %v173, ptr %v180, ptr %v680), !noalias !102
+  br label %v1400
 
-v1406:
-  %v1407 = load i64, ptr %v682, align 8, !noalias !111
-  %v1408 = inttoptr i64 %v1407 to ptr
-  tail call void %v1408(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !111
-  br label %v1409
+v1400:
+  br i1 %v1396, label %v1403, label %v1404
 
-v1409:
-  %v1410 = phi i64 [ 0, %v1406 ], [ %v1411, %v1412 ]
-  %v1411 = add nsw i64 %v1410, 1
-  %v1413 = icmp ult i64 %v1410, 9
-  br i1 %v1413, label %v1414, label %v1415
+v1404:
+  %v1405 = load i64, ptr %v681, align 8, !noalias !108
+  %v1406 = inttoptr i64 %v1405 to ptr
+  tail call void %v1406(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !108
+  br label %v1403
+
+v1403:
+  %v1407 = select i1 %v1293, i1 %v291, i1 false
+  %v1408 = xor i1 %v1293, true
+  %v1409 = select i1 %v292, i1 %v1293, i1 false
+  %v1410 = xor i1 %v1409, true
+  %v1411 = select i1 %v1410, i1 true, i1 %v1407
+  %v1412 = select i1 %v292, i1 %v1293, i1 %v1407
+  br i1 %v1411, label %v1413, label %v1414
 
 v1414:
-  %v1416 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1410
-  %v1417 = load double, ptr %v1416, align 8
-  %v1418 = load double, ptr %v134, align 8, !noalias !114
-  %v1419 = load double, ptr %v685, align 8, !noalias !114
-  %v1420 = fmul double %v1417, %v1419
-  %v1421 = fadd double %v1418, %v1420
-  store double %v1421, ptr %v687, align 8, !noalias !114
-  br i1 %v689, label %v1412, label %v1422
+  %v1415 = load i64, ptr %v682, align 8, !noalias !111
+  %v1416 = inttoptr i64 %v1415 to ptr
+  tail call void %v1416(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !111
+  br label %v1417
+
+v1417:
+  %v1418 = phi i64 [ 0, %v1414 ], [ %v1419, %v1420 ]
+  %v1419 = add nsw i64 %v1418, 1
+  %v1421 = icmp ult i64 %v1418, 9
+  br i1 %v1421, label %v1422, label %v1423
 
 v1422:
-  %v1423 = fsub double 1.000000e+00, %v1417
-  br label %v1424
+  %v1424 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1418
+  %v1425 = load double, ptr %v1424, align 8
+  %v1426 = load double, ptr %v134, align 8, !noalias !114
+  %v1427 = load double, ptr %v685, align 8, !noalias !114
+  %v1428 = fmul double %v1425, %v1427
+  %v1429 = fadd double %v1426, %v1428
+  store double %v1429, ptr %v687, align 8, !noalias !114
+  br i1 %v689, label %v1420, label %v1430
 
-v1424:
-  %v1425 = phi i64 [ 0, %v1422 ], [ %v1426, %v1424 ]
-  %v1427 = mul i64 %v1425, %v197
-  %v1428 = getelementptr double, ptr %v194, i64 %v1427
-  %v1429 = getelementptr i8, ptr %v1428, i64 %v693
-  %v1430 = load double, ptr %v1429, align 8, !noalias !124
-  %v1431 = fadd double %v1430, 0.000000e+00
-  %v1432 = fmul double %v1417, %v1431
-  %v1433 = getelementptr i8, ptr %v1428, i64 %v694
-  %v1434 = load double, ptr %v1433, align 8, !noalias !124
-  %v1435 = fadd double %v1434, %v1432
-  %v1436 = fmul double %v1423, %v1435
-  %v1437 = getelementptr i8, ptr %v1428, i64 %v695
+v1430:
+  %v1431 = fsub double 1.000000e+00, %v1425
+  br label %v1432
+
+v1432:
+  %v1433 = phi i64 [ 0, %v1430 ], [ %v1434, %v1432 ]
+  %v1435 = mul i64 %v1433, %v197
+  %v1436 = getelementptr double, ptr %v194, i64 %v1435
+  %v1437 = getelementptr i8, ptr %v1436, i64 %v693
   %v1438 = load double, ptr %v1437, align 8, !noalias !124
-  %v1439 = fadd double %v1438, %v1436
-  %v1440 = fmul double %v1417, %v1439
-  %v1441 = getelementptr i8, ptr %v1428, i64 %v696
+  %v1439 = fadd double %v1438, 0.000000e+00
+  %v1440 = fmul double %v1425, %v1439
+  %v1441 = getelementptr i8, ptr %v1436, i64 %v694
   %v1442 = load double, ptr %v1441, align 8, !noalias !124
   %v1443 = fadd double %v1442, %v1440
-  %v1444 = fmul double %v1423, %v1443
-  %v1445 = getelementptr i8, ptr %v1428, i64 %v697
+  %v1444 = fmul double %v1431, %v1443
+  %v1445 = getelementptr i8, ptr %v1436, i64 %v695
   %v1446 = load double, ptr %v1445, align 8, !noalias !124
   %v1447 = fadd double %v1446, %v1444
-  %v1448 = fmul double %v1417, %v1447
-  %v1449 = getelementptr i8, ptr %v1428, i64 %v698
+  %v1448 = fmul double %v1425, %v1447
+  %v1449 = getelementptr i8, ptr %v1436, i64 %v696
   %v1450 = load double, ptr %v1449, align 8, !noalias !124
   %v1451 = fadd double %v1450, %v1448
-  %v1452 = fmul double %v1423, %v1451
-  %v1453 = getelementptr i8, ptr %v1428, i64 %v699
+  %v1452 = fmul double %v1431, %v1451
+  %v1453 = getelementptr i8, ptr %v1436, i64 %v697
   %v1454 = load double, ptr %v1453, align 8, !noalias !124
   %v1455 = fadd double %v1454, %v1452
-  %v1456 = fmul double %v1417, %v1455
-  %v1426 = add nsw i64 %v1425, 1
-  %v1457 = load double, ptr %v1428, align 8, !noalias !124
-  %v1458 = fadd double %v1457, %v1456
-  %v1459 = getelementptr double, ptr %v690, i64 %v1427
-  store double %v1458, ptr %v1459, align 8, !noalias !114
-  %v1460 = icmp eq i64 %v10, %v1426
-  br i1 %v1460, label %v1412, label %v1424
+  %v1456 = fmul double %v1425, %v1455
+  %v1457 = getelementptr i8, ptr %v1436, i64 %v698
+  %v1458 = load double, ptr %v1457, align 8, !noalias !124
+  %v1459 = fadd double %v1458, %v1456
+  %v1460 = fmul double %v1431, %v1459
+  %v1461 = getelementptr i8, ptr %v1436, i64 %v699
+  %v1462 = load double, ptr %v1461, align 8, !noalias !124
+  %v1463 = fadd double %v1462, %v1460
+  %v1464 = fmul double %v1425, %v1463
+  %v1434 = add nsw i64 %v1433, 1
+  %v1465 = load double, ptr %v1436, align 8, !noalias !124
+  %v1466 = fadd double %v1465, %v1464
+  %v1467 = getelementptr double, ptr %v690, i64 %v1435
+  store double %v1466, ptr %v1467, align 8, !noalias !114
+  %v1468 = icmp eq i64 %v10, %v1434
+  br i1 %v1468, label %v1420, label %v1432
 
-v1412:
-  %v1461 = icmp eq i64 %v1410, 8
-  %v1462 = select i1 %v1461, i64 17, i64 16
-  %v1463 = mul i64 %v691, %v1410
-  %v1464 = load i64, ptr %v692, align 8, !noalias !128
-  %v1465 = mul nsw i64 %v1462, %v10
-  %v1466 = getelementptr double, ptr %v159, i64 %v1465
-  %v1467 = getelementptr double, ptr %v187, i64 %v1463
-  %v1468 = inttoptr i64 %v1464 to ptr
-  tail call void %v1468(ptr nonnull %v687, ptr %v1466, ptr %v166, ptr %v173, ptr %v180, ptr %v1467), !noalias !128
-  %v1469 = icmp eq i64 %v1411, 9
-  br i1 %v1469, label %v1415, label %v1409
+v1420:
+  %v1469 = icmp eq i64 %v1418, 8
+  %v1470 = select i1 %v1469, i64 17, i64 16
+  %v1471 = mul i64 %v691, %v1418
+  %v1472 = load i64, ptr %v692, align 8, !noalias !128
+  %v1473 = mul nsw i64 %v1470, %v10
+  %v1474 = getelementptr double, ptr %v159, i64 %v1473
+  %v1475 = getelementptr double, ptr %v187, i64 %v1471
+  %v1476 = inttoptr i64 %v1472 to ptr
+  tail call void %v1476(ptr nonnull %v687, ptr %v1474, ptr %v166, ptr %v173, ptr %v180, ptr %v1475), !noalias !128
+  %v1477 = icmp eq i64 %v1419, 9
+  br i1 %v1477, label %v1423, label %v1417
 
-v1415:
-  %v1470 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1409 ], [ null, %v1412 ]
-  %v1471 = phi i32 [ 1, %v1409 ], [ 0, %v1412 ]
-  br i1 %v1413, label %v1472, label %v1473, !prof !131
+v1423:
+  %v1478 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1417 ], [ null, %v1420 ]
+  %v1479 = phi i32 [ 1, %v1417 ], [ 0, %v1420 ]
+  br i1 %v1421, label %v1480, label %v1481, !prof !131
 
-v1405:
-  %v1474 = phi i1 [ %v1404, %v1395 ], [ %v1475, %v1473 ]
-  %v1476 = xor i1 %v1386, true
-  %v1477 = select i1 %v1476, i1 true, i1 %v1474
-  br i1 %v1477, label %v1478, label %v1479
+v1413:
+  %v1482 = phi i1 [ %v1412, %v1403 ], [ %v1483, %v1481 ]
+  %v1484 = xor i1 %v1394, true
+  %v1485 = select i1 %v1484, i1 true, i1 %v1482
+  br i1 %v1485, label %v1486, label %v1487
 
-v1478:
-  br i1 %v710, label %v1480, label %v1481
+v1486:
+  br i1 %v710, label %v1488, label %v1489
 
-v1482:
-  %v1483 = load i64, ptr %v721, align 8, !noalias !132
-  %v1484 = inttoptr i64 %v1483 to ptr
-  tail call void %v1484(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !132
-  br label %v1481
+v1490:
+  %v1491 = load i64, ptr %v721, align 8, !noalias !132
+  %v1492 = inttoptr i64 %v1491 to ptr
+  tail call void %v1492(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !132
+  br label %v1489
 
-v1480:
-  %v1485 = phi i64 [ %v1486, %v1480 ], [ 1, %v1478 ]
-  %v1486 = add i64 %v1485, 1
-  %v1487 = add nsw i64 %v711, %v1485
-  %v1488 = icmp slt i64 %v1487, 0
-  %v1489 = select i1 %v1488, i64 %v7, i64 0
-  %v1490 = getelementptr i64, ptr %v6, i64 %v1487
-  %v1491 = getelementptr i64, ptr %v1490, i64 %v1489
-  %v1492 = load i64, ptr %v1491, align 8, !noalias !138
-  %v1493 = inttoptr i64 %v1492 to ptr
-  tail call void %v1493(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !138
-  %v1494 = add nsw i64 %v1485, 13
-  %v1495 = load i64, ptr %v6, align 8, !noalias !141
-  %v1496 = mul nsw i64 %v1494, %v714
-  %v1497 = getelementptr double, ptr %v159, i64 %v1496
-  %v1498 = inttoptr i64 %v1495 to ptr
-  tail call void %v1498(ptr %v713, ptr %v716, ptr %v166, ptr %v173, ptr %v180, ptr %v1497), !noalias !141
-  %v1499 = icmp eq i64 %v1485, %v12
-  br i1 %v1499, label %v1482, label %v1480
-
-v1481:
-  %v1500 = load i64, ptr %v722, align 8, !noalias !144
+v1488:
+  %v1493 = phi i64 [ %v1494, %v1488 ], [ 1, %v1486 ]
+  %v1494 = add i64 %v1493, 1
+  %v1495 = add nsw i64 %v711, %v1493
+  %v1496 = icmp slt i64 %v1495, 0
+  %v1497 = select i1 %v1496, i64 %v7, i64 0
+  %v1498 = getelementptr i64, ptr %v6, i64 %v1495
+  %v1499 = getelementptr i64, ptr %v1498, i64 %v1497
+  %v1500 = load i64, ptr %v1499, align 8, !noalias !138
   %v1501 = inttoptr i64 %v1500 to ptr
-  tail call void %v1501(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !144
-  %v1502 = select i1 %v673, i1 true, i1 %v1400
-  %v1503 = or i1 %v1502, %v294
-  br i1 %v1503, label %v1504, label %v1505
+  tail call void %v1501(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !138
+  %v1502 = add nsw i64 %v1493, 13
+  %v1503 = load i64, ptr %v6, align 8, !noalias !141
+  %v1504 = mul nsw i64 %v1502, %v714
+  %v1505 = getelementptr double, ptr %v159, i64 %v1504
+  %v1506 = inttoptr i64 %v1503 to ptr
+  tail call void %v1506(ptr %v713, ptr %v716, ptr %v166, ptr %v173, ptr %v180, ptr %v1505), !noalias !141
+  %v1507 = icmp eq i64 %v1493, %v12
+  br i1 %v1507, label %v1490, label %v1488
 
-v1506:
-  %v1507 = getelementptr double, ptr %v726, i64 %v1508
-  %v1509 = load double, ptr %v1507, align 8, !noalias !147
-  %v1510 = fcmp uge double %v1509, 5.000000e-01
-  %v1511 = icmp slt i64 %v1512, %v94
-  %v1513 = select i1 %v1510, i1 %v1511, i1 false
-  br i1 %v1513, label %v1514, label %v1515
+v1489:
+  %v1508 = load i64, ptr %v722, align 8, !noalias !144
+  %v1509 = inttoptr i64 %v1508 to ptr
+  tail call void %v1509(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !144
+  %v1510 = select i1 %v673, i1 true, i1 %v1408
+  %v1511 = or i1 %v1510, %v294
+  br i1 %v1511, label %v1512, label %v1513
 
 v1514:
-  %v1516 = icmp slt i64 %v1512, 0
-  %v1517 = select i1 %v1516, i64 %v94, i64 0
-  %v1518 = getelementptr double, ptr %v93, i64 %v1512
-  %v1519 = getelementptr double, ptr %v1518, i64 %v1517
-  %v1520 = load double, ptr %v1519, align 8, !noalias !147
-  %v1521 = getelementptr double, ptr %v728, i64 %v1508
-  %v1522 = load double, ptr %v1521, align 8, !noalias !147
-  %v1523 = fcmp olt double %v1520, %v1522
-  br i1 %v1523, label %v1524, label %v1515
+  %v1515 = getelementptr double, ptr %v726, i64 %v1516
+  %v1517 = load double, ptr %v1515, align 8, !noalias !147
+  %v1518 = fcmp uge double %v1517, 5.000000e-01
+  %v1519 = icmp slt i64 %v1520, %v94
+  %v1521 = select i1 %v1518, i1 %v1519, i1 false
+  br i1 %v1521, label %v1522, label %v1523
 
-v1524:
-  %v1525 = getelementptr double, ptr %v730, i64 %v1508
-  %v1526 = load double, ptr %v1525, align 8, !noalias !147
-  %v1527 = fcmp ogt double %v1526, 1.000000e+00
-  br i1 %v1527, label %v1528, label %v1515
-
-v1528:
-  %v1529 = getelementptr double, ptr %v732, i64 %v1508
+v1522:
+  %v1524 = icmp slt i64 %v1520, 0
+  %v1525 = select i1 %v1524, i64 %v94, i64 0
+  %v1526 = getelementptr double, ptr %v93, i64 %v1520
+  %v1527 = getelementptr double, ptr %v1526, i64 %v1525
+  %v1528 = load double, ptr %v1527, align 8, !noalias !147
+  %v1529 = getelementptr double, ptr %v728, i64 %v1516
   %v1530 = load double, ptr %v1529, align 8, !noalias !147
-  store double 0.000000e+00, ptr %v1507, align 8, !noalias !151
-  %v1531 = getelementptr double, ptr %v734, i64 %v1508
-  store double 0.000000e+00, ptr %v1531, align 8, !noalias !151
-  %v1532 = getelementptr double, ptr %v735, i64 %v1508
-  store double %v1530, ptr %v1532, align 8, !noalias !151
-  %v1533 = load i64, ptr %v1534, align 8, !noalias !151
-  %v1535 = icmp slt i64 %v1533, 0
-  %v1536 = select i1 %v1535, i64 %v126, i64 0
-  %v1537 = add i64 %v1536, %v1533
-  %v1538 = mul i64 %v1537, %v127
-  %v1539 = getelementptr i64, ptr %v125, i64 %v1538
-  %v1540 = load i64, ptr %v1539, align 8, !noalias !151
-  %v1541 = add nsw i64 %v1540, -1
-  store i64 %v1541, ptr %v1539, align 8, !noalias !151
-  %v1542 = load i64, ptr %v1534, align 8, !noalias !151
-  %v1543 = icmp slt i64 %v1542, 0
+  %v1531 = fcmp olt double %v1528, %v1530
+  br i1 %v1531, label %v1532, label %v1523
+
+v1532:
+  %v1533 = getelementptr double, ptr %v730, i64 %v1516
+  %v1534 = load double, ptr %v1533, align 8, !noalias !147
+  %v1535 = fcmp ogt double %v1534, 1.000000e+00
+  br i1 %v1535, label %v1536, label %v1523
+
+v1536:
+  %v1537 = getelementptr double, ptr %v732, i64 %v1516
+  %v1538 = load double, ptr %v1537, align 8, !noalias !147
+  store double 0.000000e+00, ptr %v1515, align 8, !noalias !151
+  %v1539 = getelementptr double, ptr %v734, i64 %v1516
+  store double 0.000000e+00, ptr %v1539, align 8, !noalias !151
+  %v1540 = getelementptr double, ptr %v735, i64 %v1516
+  store double %v1538, ptr %v1540, align 8, !noalias !151
+  %v1541 = load i64, ptr %v1542, align 8, !noalias !151
+  %v1543 = icmp slt i64 %v1541, 0
   %v1544 = select i1 %v1543, i64 %v126, i64 0
-  %v1545 = add i64 %v1544, %v1542
+  %v1545 = add i64 %v1544, %v1541
   %v1546 = mul i64 %v1545, %v127
   %v1547 = getelementptr i64, ptr %v125, i64 %v1546
-  %v1548 = getelementptr i8, ptr %v1547, i64 24
-  %v1549 = load i64, ptr %v1548, align 8, !noalias !151
-  %v1550 = add nsw i64 %v1549, 1
-  store i64 %v1550, ptr %v1548, align 8, !noalias !151
-  %v1551 = load double, ptr %v1519, align 8, !noalias !147
-  %v1552 = getelementptr double, ptr %v737, i64 %v1508
-  store double %v1551, ptr %v1552, align 8, !noalias !147
-  %v1553 = mul i64 %v1554, %v127
-  %v1555 = getelementptr i64, ptr %v125, i64 %v1553
-  %v1556 = getelementptr i8, ptr %v1555, i64 8
-  %v1557 = load i64, ptr %v1556, align 8, !noalias !147
-  %v1558 = add nsw i64 %v1557, %v12
-  store i64 %v1558, ptr %v1556, align 8, !noalias !147
-  br label %v1515
+  %v1548 = load i64, ptr %v1547, align 8, !noalias !151
+  %v1549 = add nsw i64 %v1548, -1
+  store i64 %v1549, ptr %v1547, align 8, !noalias !151
+  %v1550 = load i64, ptr %v1542, align 8, !noalias !151
+  %v1551 = icmp slt i64 %v1550, 0
+  %v1552 = select i1 %v1551, i64 %v126, i64 0
+  %v1553 = add i64 %v1552, %v1550
+  %v1554 = mul i64 %v1553, %v127
+  %v1555 = getelementptr i64, ptr %v125, i64 %v1554
+  %v1556 = getelementptr i8, ptr %v1555, i64 24
+  %v1557 = load i64, ptr %v1556, align 8, !noalias !151
+  %v1558 = add nsw i64 %v1557, 1
+  store i64 %v1558, ptr %v1556, align 8, !noalias !151
+  %v1559 = load double, ptr %v1527, align 8, !noalias !147
+  %v1560 = getelementptr double, ptr %v737, i64 %v1516
+  store double %v1559, ptr %v1560, align 8, !noalias !147
+  %v1561 = mul i64 %v1562, %v127
+  %v1563 = getelementptr i64, ptr %v125, i64 %v1561
+  %v1564 = getelementptr i8, ptr %v1563, i64 8
+  %v1565 = load i64, ptr %v1564, align 8, !noalias !147
+  %v1566 = add nsw i64 %v1565, %v12
+  store i64 %v1566, ptr %v1564, align 8, !noalias !147
+  br label %v1523
 
-v1515:
-  %v1559 = icmp sgt i64 %v1560, 1
-  br i1 %v1559, label %v1505, label %v1504
+v1523:
+  %v1567 = icmp sgt i64 %v1568, 1
+  br i1 %v1567, label %v1513, label %v1512
 
-v1505:
-  %v1560 = phi i64 [ %v1561, %v1515 ], [ %v295, %v1481 ]
-  %v1508 = phi i64 [ %v1562, %v1515 ], [ 0, %v1481 ]
-  %v1561 = add nsw i64 %v1560, -1
-  %v1562 = add nsw i64 %v1508, 1
-  %v1534 = getelementptr i64, ptr %v143, i64 %v1508
-  %v1554 = load i64, ptr %v1534, align 8, !noalias !147
-  %v1563 = getelementptr i64, ptr %v724, i64 %v1508
-  %v1512 = load i64, ptr %v1563, align 8, !noalias !147
-  %v1564 = icmp slt i64 %v1554, 0
-  br i1 %v1564, label %v1515, label %v1506
+v1513:
+  %v1568 = phi i64 [ %v1569, %v1523 ], [ %v295, %v1489 ]
+  %v1516 = phi i64 [ %v1570, %v1523 ], [ 0, %v1489 ]
+  %v1569 = add nsw i64 %v1568, -1
+  %v1570 = add nsw i64 %v1516, 1
+  %v1542 = getelementptr i64, ptr %v143, i64 %v1516
+  %v1562 = load i64, ptr %v1542, align 8, !noalias !147
+  %v1571 = getelementptr i64, ptr %v724, i64 %v1516
+  %v1520 = load i64, ptr %v1571, align 8, !noalias !147
+  %v1572 = icmp slt i64 %v1562, 0
+  br i1 %v1572, label %v1523, label %v1514
 
-v1504:
-  br i1 %v1474, label %v1565, label %v1566
+v1512:
+  br i1 %v1482, label %v1573, label %v1574
 
-v1565:
+v1573:
   call void @llvm.lifetime.start.p0(ptr nonnull %v289)
   call void @llvm.lifetime.start.p0(ptr nonnull %v290)
   store i8 0, ptr %v289, align 1, !noalias !154
   store ptr null, ptr %v290, align 8, !noalias !154
-  br label %v1567
+  br label %v1575
 
-v1567:
-  %v1568 = phi i64 [ 0, %v1565 ], [ %v1569, %v1570 ]
-  %v1569 = add nsw i64 %v1568, 1
-  %v1571 = icmp ult i64 %v1568, 9
-  br i1 %v1571, label %v1572, label %v1573
-
-v1572:
-  %v1574 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1568
-  %v1575 = load double, ptr %v1574, align 8
-  %v1576 = load double, ptr %v134, align 8, !noalias !158
-  %v1577 = load double, ptr %v740, align 8, !noalias !158
-  %v1578 = fmul double %v1575, %v1577
-  %v1579 = fadd double %v1576, %v1578
-  store double %v1579, ptr %v742, align 8, !noalias !158
-  br i1 %v744, label %v1570, label %v1580
+v1575:
+  %v1576 = phi i64 [ 0, %v1573 ], [ %v1577, %v1578 ]
+  %v1577 = add nsw i64 %v1576, 1
+  %v1579 = icmp ult i64 %v1576, 9
+  br i1 %v1579, label %v1580, label %v1581
 
 v1580:
-  %v1581 = fsub double 1.000000e+00, %v1575
-  br label %v1582
+  %v1582 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1576
+  %v1583 = load double, ptr %v1582, align 8
+  %v1584 = load double, ptr %v134, align 8, !noalias !158
+  %v1585 = load double, ptr %v740, align 8, !noalias !158
+  %v1586 = fmul double %v1583, %v1585
+  %v1587 = fadd double %v1584, %v1586
+  store double %v1587, ptr %v742, align 8, !noalias !158
+  br i1 %v744, label %v1578, label %v1588
 
-v1582:
-  %v1583 = phi i64 [ 0, %v1580 ], [ %v1584, %v1582 ]
-  %v1585 = mul i64 %v1583, %v197
-  %v1586 = getelementptr double, ptr %v194, i64 %v1585
-  %v1587 = getelementptr i8, ptr %v1586, i64 %v748
-  %v1588 = load double, ptr %v1587, align 8, !noalias !165
-  %v1589 = fadd double %v1588, 0.000000e+00
-  %v1590 = fmul double %v1575, %v1589
-  %v1591 = getelementptr i8, ptr %v1586, i64 %v749
-  %v1592 = load double, ptr %v1591, align 8, !noalias !165
-  %v1593 = fadd double %v1592, %v1590
-  %v1594 = fmul double %v1581, %v1593
-  %v1595 = getelementptr i8, ptr %v1586, i64 %v750
+v1588:
+  %v1589 = fsub double 1.000000e+00, %v1583
+  br label %v1590
+
+v1590:
+  %v1591 = phi i64 [ 0, %v1588 ], [ %v1592, %v1590 ]
+  %v1593 = mul i64 %v1591, %v197
+  %v1594 = getelementptr double, ptr %v194, i64 %v1593
+  %v1595 = getelementptr i8, ptr %v1594, i64 %v748
   %v1596 = load double, ptr %v1595, align 8, !noalias !165
-  %v1597 = fadd double %v1596, %v1594
-  %v1598 = fmul double %v1575, %v1597
-  %v1599 = getelementptr i8, ptr %v1586, i64 %v751
+  %v1597 = fadd double %v1596, 0.000000e+00
+  %v1598 = fmul double %v1583, %v1597
+  %v1599 = getelementptr i8, ptr %v1594, i64 %v749
   %v1600 = load double, ptr %v1599, align 8, !noalias !165
   %v1601 = fadd double %v1600, %v1598
-  %v1602 = fmul double %v1581, %v1601
-  %v1603 = getelementptr i8, ptr %v1586, i64 %v752
+  %v1602 = fmul double %v1589, %v1601
+  %v1603 = getelementptr i8, ptr %v1594, i64 %v750
   %v1604 = load double, ptr %v1603, align 8, !noalias !165
   %v1605 = fadd double %v1604, %v1602
-  %v1606 = fmul double %v1575, %v1605
-  %v1607 = getelementptr i8, ptr %v1586, i64 %v753
+  %v1606 = fmul double %v1583, %v1605
+  %v1607 = getelementptr i8, ptr %v1594, i64 %v751
   %v1608 = load double, ptr %v1607, align 8, !noalias !165
   %v1609 = fadd double %v1608, %v1606
-  %v1610 = fmul double %v1581, %v1609
-  %v1611 = getelementptr i8, ptr %v1586, i64 %v754
+  %v1610 = fmul double %v1589, %v1609
+  %v1611 = getelementptr i8, ptr %v1594, i64 %v752
   %v1612 = load double, ptr %v1611, align 8, !noalias !165
   %v1613 = fadd double %v1612, %v1610
-  %v1614 = fmul double %v1575, %v1613
-  %v1584 = add nsw i64 %v1583, 1
-  %v1615 = load double, ptr %v1586, align 8, !noalias !165
-  %v1616 = fadd double %v1615, %v1614
-  %v1617 = getelementptr double, ptr %v745, i64 %v1585
-  store double %v1616, ptr %v1617, align 8, !noalias !158
-  %v1618 = icmp eq i64 %v10, %v1584
-  br i1 %v1618, label %v1570, label %v1582
+  %v1614 = fmul double %v1583, %v1613
+  %v1615 = getelementptr i8, ptr %v1594, i64 %v753
+  %v1616 = load double, ptr %v1615, align 8, !noalias !165
+  %v1617 = fadd double %v1616, %v1614
+  %v1618 = fmul double %v1589, %v1617
+  %v1619 = getelementptr i8, ptr %v1594, i64 %v754
+  %v1620 = load double, ptr %v1619, align 8, !noalias !165
+  %v1621 = fadd double %v1620, %v1618
+  %v1622 = fmul double %v1583, %v1621
+  %v1592 = add nsw i64 %v1591, 1
+  %v1623 = load double, ptr %v1594, align 8, !noalias !165
+  %v1624 = fadd double %v1623, %v1622
+  %v1625 = getelementptr double, ptr %v745, i64 %v1593
+  store double %v1624, ptr %v1625, align 8, !noalias !158
+  %v1626 = icmp eq i64 %v10, %v1592
+  br i1 %v1626, label %v1578, label %v1590
 
-v1570:
-  %v1619 = icmp eq i64 %v1568, 8
-  %v1620 = select i1 %v1619, i64 17, i64 16
-  %v1621 = mul i64 %v1568, %v746
-  %v1622 = load i64, ptr %v747, align 8, !noalias !169
-  %v1623 = mul nsw i64 %v1620, %v10
-  %v1624 = getelementptr double, ptr %v159, i64 %v1623
-  %v1625 = getelementptr double, ptr %v187, i64 %v1621
-  %v1626 = inttoptr i64 %v1622 to ptr
-  tail call void %v1626(ptr nonnull %v742, ptr %v1624, ptr %v166, ptr %v173, ptr %v180, ptr %v1625), !noalias !169
-  %v1627 = icmp eq i64 %v1569, 9
-  br i1 %v1627, label %v1573, label %v1567
+v1578:
+  %v1627 = icmp eq i64 %v1576, 8
+  %v1628 = select i1 %v1627, i64 17, i64 16
+  %v1629 = mul i64 %v1576, %v746
+  %v1630 = load i64, ptr %v747, align 8, !noalias !169
+  %v1631 = mul nsw i64 %v1628, %v10
+  %v1632 = getelementptr double, ptr %v159, i64 %v1631
+  %v1633 = getelementptr double, ptr %v187, i64 %v1629
+  %v1634 = inttoptr i64 %v1630 to ptr
+  tail call void %v1634(ptr nonnull %v742, ptr %v1632, ptr %v166, ptr %v173, ptr %v180, ptr %v1633), !noalias !169
+  %v1635 = icmp eq i64 %v1577, 9
+  br i1 %v1635, label %v1581, label %v1575
 
-v1573:
-  %v1628 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1567 ], [ null, %v1570 ]
-  %v1629 = phi i32 [ 1, %v1567 ], [ 0, %v1570 ]
-  br i1 %v1571, label %v1630, label %v1631, !prof !131
+v1581:
+  %v1636 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1575 ], [ null, %v1578 ]
+  %v1637 = phi i32 [ 1, %v1575 ], [ 0, %v1578 ]
+  br i1 %v1579, label %v1638, label %v1639, !prof !131
 
-v1630:
-  %v1632 = load double, ptr %v756, align 8, !noalias !172
-  %v1633 = load double, ptr %v93, align 8, !noalias !172
-  %v1634 = fsub double %v1632, %v1633
-  %v1635 = fmul double %v1634, 1.000000e-13
-  %v1636 = load double, ptr %v134, align 8, !noalias !172
-  %v1637 = tail call double @llvm.fabs.f64(double %v1636)
-  %v1638 = fmul double %v1637, 4.000000e-15
-  %v1639 = fcmp ogt double %v1638, %v1635
-  %v1640 = select i1 %v1639, double %v1638, double %v1635
-  %v1641 = load double, ptr %v740, align 8, !noalias !179
-  %v1642 = fdiv double %v1640, %v1641
-  %v1643 = fcmp olt double %v1642, 1.000000e+00
-  %v1644 = select i1 %v1643, double %v1642, double 1.000000e+00
-  br i1 %v757, label %v1645, label %v1646
-
-v1647:
-  %v1648 = fcmp olt double %v1649, %v1650
-  %v1651 = select i1 %v1648, double %v1649, double %v1650
-  %v1652 = fcmp ogt double %v1649, %v1653
-  %v1654 = select i1 %v1652, double %v1649, double %v1653
-  br label %v1655
+v1638:
+  %v1640 = load double, ptr %v756, align 8, !noalias !172
+  %v1641 = load double, ptr %v93, align 8, !noalias !172
+  %v1642 = fsub double %v1640, %v1641
+  %v1643 = fmul double %v1642, 1.000000e-13
+  %v1644 = load double, ptr %v134, align 8, !noalias !172
+  %v1645 = tail call double @llvm.fabs.f64(double %v1644)
+  %v1646 = fmul double %v1645, 4.000000e-15
+  %v1647 = fcmp ogt double %v1646, %v1643
+  %v1648 = select i1 %v1647, double %v1646, double %v1643
+  %v1649 = load double, ptr %v740, align 8, !noalias !179
+  %v1650 = fdiv double %v1648, %v1649
+  %v1651 = fcmp olt double %v1650, 1.000000e+00
+  %v1652 = select i1 %v1651, double %v1650, double 1.000000e+00
+  br i1 %v757, label %v1653, label %v1654
 
 v1655:
-  %v1656 = phi double [ %v1654, %v1647 ], [ %v1653, %v1657 ]
-  %v1658 = phi double [ %v1651, %v1647 ], [ %v1650, %v1657 ]
-  %v1659 = icmp eq i64 %v1660, 9
-  br i1 %v1659, label %v1661, label %v1657
+  %v1656 = fcmp olt double %v1657, %v1658
+  %v1659 = select i1 %v1656, double %v1657, double %v1658
+  %v1660 = fcmp ogt double %v1657, %v1661
+  %v1662 = select i1 %v1660, double %v1657, double %v1661
+  br label %v1663
 
-v1661:
-  %v1662 = fsub double %v1656, %v1658
-  %v1663 = fmul double %v1644, %v1662
-  %v1664 = tail call i1 @llvm.is.fpclass.f64(double %v1665, i32 543)
-  %v1666 = select i1 %v1664, double 0.000000e+00, double %v1665
-  %v1667 = tail call i1 @llvm.is.fpclass.f64(double %v1663, i32 543)
-  %v1668 = select i1 %v1667, double -0.000000e+00, double %v1663
-  %v1669 = fadd double %v1666, %v1668
-  %v1670 = getelementptr double, ptr %v760, i64 %v1671
-  %v1672 = load double, ptr %v1670, align 8, !noalias !179
-  %v1673 = sub nsw i64 %v1674, %v19
-  %v1675 = getelementptr double, ptr %v216, i64 %v1673
-  %v1676 = load double, ptr %v1675, align 8, !noalias !179
-  %v1677 = getelementptr double, ptr %v761, i64 %v1671
-  store double %v1669, ptr %v1677, align 8, !noalias !179
-  %v1678 = fcmp ule double %v1676, 5.000000e-01
-  %v1679 = fcmp ule double %v1672, 0.000000e+00
-  %v1680 = select i1 %v1678, i1 true, i1 %v1679
-  %v1681 = select i1 %v1680, double %v1669, double 0.000000e+00
-  %v1682 = getelementptr double, ptr %v1677, i64 %v758
-  store double %v1681, ptr %v1682, align 8, !noalias !179
-  %v1683 = getelementptr i8, ptr %v1677, i64 %v762
-  store double %v1681, ptr %v1683, align 8, !noalias !179
-  %v1684 = getelementptr i8, ptr %v1677, i64 %v763
-  store double %v1681, ptr %v1684, align 8, !noalias !179
-  %v1685 = getelementptr i8, ptr %v1677, i64 %v764
-  store double %v1681, ptr %v1685, align 8, !noalias !179
-  %v1686 = getelementptr i8, ptr %v1677, i64 %v765
-  store double %v1681, ptr %v1686, align 8, !noalias !179
-  %v1687 = getelementptr i8, ptr %v1677, i64 %v766
-  store double %v1681, ptr %v1687, align 8, !noalias !179
-  %v1688 = getelementptr i8, ptr %v1677, i64 %v767
-  store double %v1681, ptr %v1688, align 8, !noalias !179
-  %v1689 = getelementptr i8, ptr %v1677, i64 %v768
-  store double %v1681, ptr %v1689, align 8, !noalias !179
-  %v1690 = add nsw i64 %v1691, -1
-  %v1692 = add i64 %v1674, 1
-  %v1693 = icmp sgt i64 %v1691, 1
-  br i1 %v1693, label %v1646, label %v1645
+v1663:
+  %v1664 = phi double [ %v1662, %v1655 ], [ %v1661, %v1665 ]
+  %v1666 = phi double [ %v1659, %v1655 ], [ %v1658, %v1665 ]
+  %v1667 = icmp eq i64 %v1668, 9
+  br i1 %v1667, label %v1669, label %v1665
 
-v1646:
-  %v1691 = phi i64 [ %v1690, %v1661 ], [ %v16, %v1630 ]
-  %v1674 = phi i64 [ %v1692, %v1661 ], [ %v19, %v1630 ]
-  %v1694 = icmp slt i64 %v1674, 0
-  %v1695 = select i1 %v1694, i64 %v208, i64 0
-  %v1671 = add i64 %v1695, %v1674
-  br label %v1657
+v1669:
+  %v1670 = fsub double %v1664, %v1666
+  %v1671 = fmul double %v1652, %v1670
+  %v1672 = tail call i1 @llvm.is.fpclass.f64(double %v1673, i32 543)
+  %v1674 = select i1 %v1672, double 0.000000e+00, double %v1673
+  %v1675 = tail call i1 @llvm.is.fpclass.f64(double %v1671, i32 543)
+  %v1676 = select i1 %v1675, double -0.000000e+00, double %v1671
+  %v1677 = fadd double %v1674, %v1676
+  %v1678 = getelementptr double, ptr %v760, i64 %v1679
+  %v1680 = load double, ptr %v1678, align 8, !noalias !179
+  %v1681 = sub nsw i64 %v1682, %v19
+  %v1683 = getelementptr double, ptr %v216, i64 %v1681
+  %v1684 = load double, ptr %v1683, align 8, !noalias !179
+  %v1685 = getelementptr double, ptr %v761, i64 %v1679
+  store double %v1677, ptr %v1685, align 8, !noalias !179
+  %v1686 = fcmp ule double %v1684, 5.000000e-01
+  %v1687 = fcmp ule double %v1680, 0.000000e+00
+  %v1688 = select i1 %v1686, i1 true, i1 %v1687
+  %v1689 = select i1 %v1688, double %v1677, double 0.000000e+00
+  %v1690 = getelementptr double, ptr %v1685, i64 %v758
+  store double %v1689, ptr %v1690, align 8, !noalias !179
+  %v1691 = getelementptr i8, ptr %v1685, i64 %v762
+  store double %v1689, ptr %v1691, align 8, !noalias !179
+  %v1692 = getelementptr i8, ptr %v1685, i64 %v763
+  store double %v1689, ptr %v1692, align 8, !noalias !179
+  %v1693 = getelementptr i8, ptr %v1685, i64 %v764
+  store double %v1689, ptr %v1693, align 8, !noalias !179
+  %v1694 = getelementptr i8, ptr %v1685, i64 %v765
+  store double %v1689, ptr %v1694, align 8, !noalias !179
+  %v1695 = getelementptr i8, ptr %v1685, i64 %v766
+  store double %v1689, ptr %v1695, align 8, !noalias !179
+  %v1696 = getelementptr i8, ptr %v1685, i64 %v767
+  store double %v1689, ptr %v1696, align 8, !noalias !179
+  %v1697 = getelementptr i8, ptr %v1685, i64 %v768
+  store double %v1689, ptr %v1697, align 8, !noalias !179
+  %v1698 = add nsw i64 %v1699, -1
+  %v1700 = add i64 %v1682, 1
+  %v1701 = icmp sgt i64 %v1699, 1
+  br i1 %v1701, label %v1654, label %v1653
 
-v1657:
-  %v1650 = phi double [ 0x7FF0000000000000, %v1646 ], [ %v1658, %v1655 ]
-  %v1653 = phi double [ 0xFFF0000000000000, %v1646 ], [ %v1656, %v1655 ]
-  %v1696 = phi double [ 0.000000e+00, %v1646 ], [ %v1665, %v1655 ]
-  %v1697 = phi i64 [ 0, %v1646 ], [ %v1660, %v1655 ]
-  %v1660 = add nsw i64 %v1697, 1
-  %v1698 = mul i64 %v1697, %v758
-  %v1699 = getelementptr double, ptr %v205, i64 %v1698
-  %v1700 = getelementptr i8, ptr %v1699, i64 %v759
-  %v1701 = getelementptr double, ptr %v1700, i64 %v1671
-  %v1702 = load double, ptr %v1701, align 8, !noalias !179
-  %v1703 = tail call i1 @llvm.is.fpclass.f64(double %v1702, i32 543)
-  %v1704 = fadd double %v1702, 0.000000e+00
-  %v1705 = select i1 %v1703, double 0.000000e+00, double %v1704
-  %v1706 = fcmp ogt double %v1705, %v1696
-  %v1665 = select i1 %v1706, double %v1705, double %v1696
-  %v1707 = getelementptr double, ptr %v1699, i64 %v208
-  %v1708 = getelementptr double, ptr %v1707, i64 %v1671
-  %v1649 = load double, ptr %v1708, align 8, !noalias !179
-  %v1709 = tail call double @llvm.fabs.f64(double %v1649)
-  %v1710 = fcmp ueq double %v1709, 0x7FF0000000000000
-  br i1 %v1710, label %v1655, label %v1647
+v1654:
+  %v1699 = phi i64 [ %v1698, %v1669 ], [ %v16, %v1638 ]
+  %v1682 = phi i64 [ %v1700, %v1669 ], [ %v19, %v1638 ]
+  %v1702 = icmp slt i64 %v1682, 0
+  %v1703 = select i1 %v1702, i64 %v208, i64 0
+  %v1679 = add i64 %v1703, %v1682
+  br label %v1665
 
-v1645:
+v1665:
+  %v1658 = phi double [ 0x7FF0000000000000, %v1654 ], [ %v1666, %v1663 ]
+  %v1661 = phi double [ 0xFFF0000000000000, %v1654 ], [ %v1664, %v1663 ]
+  %v1704 = phi double [ 0.000000e+00, %v1654 ], [ %v1673, %v1663 ]
+  %v1705 = phi i64 [ 0, %v1654 ], [ %v1668, %v1663 ]
+  %v1668 = add nsw i64 %v1705, 1
+  %v1706 = mul i64 %v1705, %v758
+  %v1707 = getelementptr double, ptr %v205, i64 %v1706
+  %v1708 = getelementptr i8, ptr %v1707, i64 %v759
+  %v1709 = getelementptr double, ptr %v1708, i64 %v1679
+  %v1710 = load double, ptr %v1709, align 8, !noalias !179
+  %v1711 = tail call i1 @llvm.is.fpclass.f64(double %v1710, i32 543)
+  %v1712 = fadd double %v1710, 0.000000e+00
+  %v1713 = select i1 %v1711, double 0.000000e+00, double %v1712
+  %v1714 = fcmp ogt double %v1713, %v1704
+  %v1673 = select i1 %v1714, double %v1713, double %v1704
+  %v1715 = getelementptr double, ptr %v1707, i64 %v208
+  %v1716 = getelementptr double, ptr %v1715, i64 %v1679
+  %v1657 = load double, ptr %v1716, align 8, !noalias !179
+  %v1717 = tail call double @llvm.fabs.f64(double %v1657)
+  %v1718 = fcmp ueq double %v1717, 0x7FF0000000000000
+  br i1 %v1718, label %v1663, label %v1655
+
+v1653:
   store i8 0, ptr %v289, align 1, !noalias !154
-  %v1711 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v289, ptr %v290, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double 0.000000e+00)
-  %v1712 = icmp eq i32 %v1711, 0
-  br i1 %v1712, label %v1713, label %v1714, !prof !131
+  %v1719 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v289, ptr %v290, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double 0.000000e+00)
+  %v1720 = icmp eq i32 %v1719, 0
+  br i1 %v1720, label %v1721, label %v1722, !prof !131
 
-v1714:
-  %v1715 = load ptr, ptr %v290, align 8, !noalias !154
-  br label %v1631
+v1722:
+  %v1723 = load ptr, ptr %v290, align 8, !noalias !154
+  br label %v1639
 
-v1713:
-  %v1716 = load i8, ptr %v289, align 1, !noalias !154
-  %v1717 = icmp eq i8 %v1716, 0
-  br label %v1631
+v1721:
+  %v1724 = load i8, ptr %v289, align 1, !noalias !154
+  %v1725 = icmp eq i8 %v1724, 0
+  br label %v1639
 
-v1631:
-  %v1718 = phi i1 [ %v1717, %v1713 ], [ true, %v1714 ], [ true, %v1573 ]
-  %v1719 = phi ptr [ null, %v1713 ], [ %v1715, %v1714 ], [ %v1628, %v1573 ]
-  %v1720 = phi i32 [ 0, %v1713 ], [ 1, %v1714 ], [ %v1629, %v1573 ]
+v1639:
+  %v1726 = phi i1 [ %v1725, %v1721 ], [ true, %v1722 ], [ true, %v1581 ]
+  %v1727 = phi ptr [ null, %v1721 ], [ %v1723, %v1722 ], [ %v1636, %v1581 ]
+  %v1728 = phi i32 [ 0, %v1721 ], [ 1, %v1722 ], [ %v1637, %v1581 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v289)
   call void @llvm.lifetime.end.p0(ptr nonnull %v290)
-  %v1721 = icmp eq i32 %v1720, 0
-  %v1722 = select i1 %v1721, ptr undef, ptr %v1719
-  br i1 %v1721, label %v1723, label %v1479, !prof !131
+  %v1729 = icmp eq i32 %v1728, 0
+  %v1730 = select i1 %v1729, ptr undef, ptr %v1727
+  br i1 %v1729, label %v1731, label %v1487, !prof !131
 
-v1724:
-  %v1725 = load double, ptr %v770, align 8, !noalias !180
-  %v1726 = load double, ptr %v740, align 8, !noalias !180
-  %v1727 = load double, ptr %v772, align 8, !noalias !180
-  %v1728 = load double, ptr %v93, align 8, !noalias !180
-  %v1729 = fsub double %v1727, %v1728
-  %v1730 = load double, ptr %v774, align 8, !noalias !180
-  %v1731 = load double, ptr %v776, align 8, !noalias !180
-  %v1732 = fsub double %v1730, %v1731
-  %v1733 = fmul double %v1729, 5.000000e-06
-  %v1734 = fcmp olt double %v1732, %v1733
-  br label %v1735
+v1732:
+  %v1733 = load double, ptr %v770, align 8, !noalias !180
+  %v1734 = load double, ptr %v740, align 8, !noalias !180
+  %v1735 = load double, ptr %v772, align 8, !noalias !180
+  %v1736 = load double, ptr %v93, align 8, !noalias !180
+  %v1737 = fsub double %v1735, %v1736
+  %v1738 = load double, ptr %v774, align 8, !noalias !180
+  %v1739 = load double, ptr %v776, align 8, !noalias !180
+  %v1740 = fsub double %v1738, %v1739
+  %v1741 = fmul double %v1737, 5.000000e-06
+  %v1742 = fcmp olt double %v1740, %v1741
+  br label %v1743
 
-v1736:
-  %v1737 = sub nsw i64 45, %v1738
-  %v1739 = load double, ptr %v781, align 8, !noalias !184
-  %v1740 = load double, ptr %v783, align 8, !noalias !184
-  br label %v1741
+v1744:
+  %v1745 = sub nsw i64 45, %v1746
+  %v1747 = load double, ptr %v781, align 8, !noalias !184
+  %v1748 = load double, ptr %v783, align 8, !noalias !184
+  br label %v1749
 
-v1741:
-  %v1742 = phi double [ %v1743, %v1741 ], [ 1.000000e+00, %v1736 ]
-  %v1744 = phi double [ %v1745, %v1741 ], [ 2.000000e+00, %v1736 ]
-  %v1746 = phi i64 [ %v1747, %v1741 ], [ %v1737, %v1736 ]
-  %v1748 = and i64 %v1746, 1
-  %v1749 = icmp eq i64 %v1748, 0
-  %v1750 = fmul double %v1742, %v1744
-  %v1743 = select i1 %v1749, double %v1742, double %v1750
-  %v1747 = lshr i64 %v1746, 1
-  %v1745 = fmul double %v1744, %v1744
-  %v1751 = icmp eq i64 %v1747, 0
-  br i1 %v1751, label %v1752, label %v1741
-
-v1753:
-  %v1754 = fcmp olt double %v1755, 0.000000e+00
-  %v1756 = select i1 %v1754, double 0.000000e+00, double %v1755
-  %v1757 = fmul double %v1758, %v1756
-  %v1759 = fsub double %v1760, %v1757
-  br label %v1761
-
-v1752:
-  %v1762 = fadd double %v1763, %v1764
-  %v1760 = fmul double %v1762, 5.000000e-01
-  %v1765 = fmul double %v1743, 1.000000e-13
-  %v1766 = fsub double %v1765, %v1767
-  %v1755 = fmul double %v1766, 5.000000e-01
-  %v1768 = fmul double %v1764, %v1740
-  %v1769 = fmul double %v1763, %v1739
-  %v1770 = fsub double %v1768, %v1769
-  %v1771 = fsub double %v1740, %v1739
-  %v1772 = fdiv double %v1770, %v1771
-  %v1773 = fcmp olt double %v1764, %v1772
-  %v1774 = fcmp olt double %v1772, %v1763
-  %v1775 = and i1 %v1773, %v1774
-  %v1776 = select i1 %v1775, double %v1772, double %v1760
-  %v1777 = fsub double %v1760, %v1776
-  %v1758 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1777)
-  %v1778 = fmul double %v1767, %v1767
-  %v1779 = tail call double @llvm.fabs.f64(double %v1777)
-  %v1780 = fcmp olt double %v1779, %v1778
-  %v1781 = select i1 %v1780, double %v1779, double %v1778
-  %v1782 = fmul double %v1758, %v1781
-  %v1783 = fadd double %v1776, %v1782
-  %v1784 = fsub double %v1783, %v1760
-  %v1785 = tail call double @llvm.fabs.f64(double %v1784)
-  %v1786 = fcmp ugt double %v1785, %v1755
-  br i1 %v1786, label %v1753, label %v1761
-
-v1787:
-  store double %v1788, ptr %v778, align 8, !noalias !190
-  store double %v1789, ptr %v783, align 8, !noalias !190
-  br label %v1790
-
-v1791:
-  store double %v1788, ptr %v770, align 8, !noalias !190
-  store double %v1789, ptr %v781, align 8, !noalias !190
-  br label %v1790
-
-v1790:
-  %v1792 = icmp eq i64 %v1793, 45
-  br i1 %v1792, label %v1794, label %v1735
-
-v1735:
-  %v1738 = phi i64 [ 0, %v1724 ], [ %v1793, %v1790 ]
-  %v1793 = add nsw i64 %v1738, 1
-  %v1763 = load double, ptr %v778, align 8, !noalias !190
-  %v1764 = load double, ptr %v770, align 8, !noalias !190
-  %v1767 = fsub double %v1763, %v1764
-  %v1795 = fcmp ugt double %v1767, 1.000000e-13
-  br i1 %v1795, label %v1736, label %v1794
+v1749:
+  %v1750 = phi double [ %v1751, %v1749 ], [ 1.000000e+00, %v1744 ]
+  %v1752 = phi double [ %v1753, %v1749 ], [ 2.000000e+00, %v1744 ]
+  %v1754 = phi i64 [ %v1755, %v1749 ], [ %v1745, %v1744 ]
+  %v1756 = and i64 %v1754, 1
+  %v1757 = icmp eq i64 %v1756, 0
+  %v1758 = fmul double %v1750, %v1752
+  %v1751 = select i1 %v1757, double %v1750, double %v1758
+  %v1755 = lshr i64 %v1754, 1
+  %v1753 = fmul double %v1752, %v1752
+  %v1759 = icmp eq i64 %v1755, 0
+  br i1 %v1759, label %v1760, label %v1749
 
 v1761:
-  %v1788 = phi double [ %v1783, %v1752 ], [ %v1759, %v1753 ]
-  %v1796 = load double, ptr %v134, align 8, !noalias !191
-  %v1797 = load double, ptr %v740, align 8, !noalias !191
-  %v1798 = fmul double %v1788, %v1797
-  %v1799 = fadd double %v1796, %v1798
-  store double %v1799, ptr %v742, align 8, !noalias !191
-  br i1 %v784, label %v1800, label %v1801
+  %v1762 = fcmp olt double %v1763, 0.000000e+00
+  %v1764 = select i1 %v1762, double 0.000000e+00, double %v1763
+  %v1765 = fmul double %v1766, %v1764
+  %v1767 = fsub double %v1768, %v1765
+  br label %v1769
 
-v1800:
-  %v1802 = fsub double 1.000000e+00, %v1788
-  br label %v1803
+v1760:
+  %v1770 = fadd double %v1771, %v1772
+  %v1768 = fmul double %v1770, 5.000000e-01
+  %v1773 = fmul double %v1751, 1.000000e-13
+  %v1774 = fsub double %v1773, %v1775
+  %v1763 = fmul double %v1774, 5.000000e-01
+  %v1776 = fmul double %v1772, %v1748
+  %v1777 = fmul double %v1771, %v1747
+  %v1778 = fsub double %v1776, %v1777
+  %v1779 = fsub double %v1748, %v1747
+  %v1780 = fdiv double %v1778, %v1779
+  %v1781 = fcmp olt double %v1772, %v1780
+  %v1782 = fcmp olt double %v1780, %v1771
+  %v1783 = and i1 %v1781, %v1782
+  %v1784 = select i1 %v1783, double %v1780, double %v1768
+  %v1785 = fsub double %v1768, %v1784
+  %v1766 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1785)
+  %v1786 = fmul double %v1775, %v1775
+  %v1787 = tail call double @llvm.fabs.f64(double %v1785)
+  %v1788 = fcmp olt double %v1787, %v1786
+  %v1789 = select i1 %v1788, double %v1787, double %v1786
+  %v1790 = fmul double %v1766, %v1789
+  %v1791 = fadd double %v1784, %v1790
+  %v1792 = fsub double %v1791, %v1768
+  %v1793 = tail call double @llvm.fabs.f64(double %v1792)
+  %v1794 = fcmp ugt double %v1793, %v1763
+  br i1 %v1794, label %v1761, label %v1769
 
-v1803:
-  %v1804 = phi i64 [ 0, %v1800 ], [ %v1805, %v1803 ]
-  %v1806 = mul i64 %v1804, %v197
-  %v1807 = getelementptr double, ptr %v194, i64 %v1806
-  %v1808 = getelementptr i8, ptr %v1807, i64 %v748
-  %v1809 = load double, ptr %v1808, align 8, !noalias !198
-  %v1810 = fadd double %v1809, 0.000000e+00
-  %v1811 = fmul double %v1788, %v1810
-  %v1812 = getelementptr i8, ptr %v1807, i64 %v749
-  %v1813 = load double, ptr %v1812, align 8, !noalias !198
-  %v1814 = fadd double %v1813, %v1811
-  %v1815 = fmul double %v1802, %v1814
-  %v1816 = getelementptr i8, ptr %v1807, i64 %v750
+v1795:
+  store double %v1796, ptr %v778, align 8, !noalias !190
+  store double %v1797, ptr %v783, align 8, !noalias !190
+  br label %v1798
+
+v1799:
+  store double %v1796, ptr %v770, align 8, !noalias !190
+  store double %v1797, ptr %v781, align 8, !noalias !190
+  br label %v1798
+
+v1798:
+  %v1800 = icmp eq i64 %v1801, 45
+  br i1 %v1800, label %v1802, label %v1743
+
+v1743:
+  %v1746 = phi i64 [ 0, %v1732 ], [ %v1801, %v1798 ]
+  %v1801 = add nsw i64 %v1746, 1
+  %v1771 = load double, ptr %v778, align 8, !noalias !190
+  %v1772 = load double, ptr %v770, align 8, !noalias !190
+  %v1775 = fsub double %v1771, %v1772
+  %v1803 = fcmp ugt double %v1775, 1.000000e-13
+  br i1 %v1803, label %v1744, label %v1802
+
+v1769:
+  %v1796 = phi double [ %v1791, %v1760 ], [ %v1767, %v1761 ]
+  %v1804 = load double, ptr %v134, align 8, !noalias !191
+  %v1805 = load double, ptr %v740, align 8, !noalias !191
+  %v1806 = fmul double %v1796, %v1805
+  %v1807 = fadd double %v1804, %v1806
+  store double %v1807, ptr %v742, align 8, !noalias !191
+  br i1 %v784, label %v1808, label %v1809
+
+v1808:
+  %v1810 = fsub double 1.000000e+00, %v1796
+  br label %v1811
+
+v1811:
+  %v1812 = phi i64 [ 0, %v1808 ], [ %v1813, %v1811 ]
+  %v1814 = mul i64 %v1812, %v197
+  %v1815 = getelementptr double, ptr %v194, i64 %v1814
+  %v1816 = getelementptr i8, ptr %v1815, i64 %v748
   %v1817 = load double, ptr %v1816, align 8, !noalias !198
-  %v1818 = fadd double %v1817, %v1815
-  %v1819 = fmul double %v1788, %v1818
-  %v1820 = getelementptr i8, ptr %v1807, i64 %v751
+  %v1818 = fadd double %v1817, 0.000000e+00
+  %v1819 = fmul double %v1796, %v1818
+  %v1820 = getelementptr i8, ptr %v1815, i64 %v749
   %v1821 = load double, ptr %v1820, align 8, !noalias !198
   %v1822 = fadd double %v1821, %v1819
-  %v1823 = fmul double %v1802, %v1822
-  %v1824 = getelementptr i8, ptr %v1807, i64 %v752
+  %v1823 = fmul double %v1810, %v1822
+  %v1824 = getelementptr i8, ptr %v1815, i64 %v750
   %v1825 = load double, ptr %v1824, align 8, !noalias !198
   %v1826 = fadd double %v1825, %v1823
-  %v1827 = fmul double %v1788, %v1826
-  %v1828 = getelementptr i8, ptr %v1807, i64 %v753
+  %v1827 = fmul double %v1796, %v1826
+  %v1828 = getelementptr i8, ptr %v1815, i64 %v751
   %v1829 = load double, ptr %v1828, align 8, !noalias !198
   %v1830 = fadd double %v1829, %v1827
-  %v1831 = fmul double %v1802, %v1830
-  %v1832 = getelementptr i8, ptr %v1807, i64 %v754
+  %v1831 = fmul double %v1810, %v1830
+  %v1832 = getelementptr i8, ptr %v1815, i64 %v752
   %v1833 = load double, ptr %v1832, align 8, !noalias !198
   %v1834 = fadd double %v1833, %v1831
-  %v1835 = fmul double %v1788, %v1834
-  %v1805 = add nsw i64 %v1804, 1
-  %v1836 = load double, ptr %v1807, align 8, !noalias !198
-  %v1837 = fadd double %v1836, %v1835
-  %v1838 = getelementptr double, ptr %v745, i64 %v1806
-  store double %v1837, ptr %v1838, align 8, !noalias !191
-  %v1839 = icmp eq i64 %v10, %v1805
-  br i1 %v1839, label %v1801, label %v1803
+  %v1835 = fmul double %v1796, %v1834
+  %v1836 = getelementptr i8, ptr %v1815, i64 %v753
+  %v1837 = load double, ptr %v1836, align 8, !noalias !198
+  %v1838 = fadd double %v1837, %v1835
+  %v1839 = fmul double %v1810, %v1838
+  %v1840 = getelementptr i8, ptr %v1815, i64 %v754
+  %v1841 = load double, ptr %v1840, align 8, !noalias !198
+  %v1842 = fadd double %v1841, %v1839
+  %v1843 = fmul double %v1796, %v1842
+  %v1813 = add nsw i64 %v1812, 1
+  %v1844 = load double, ptr %v1815, align 8, !noalias !198
+  %v1845 = fadd double %v1844, %v1843
+  %v1846 = getelementptr double, ptr %v745, i64 %v1814
+  store double %v1845, ptr %v1846, align 8, !noalias !191
+  %v1847 = icmp eq i64 %v10, %v1813
+  br i1 %v1847, label %v1809, label %v1811
 
-v1801:
-  %v1840 = load i64, ptr %v747, align 8, !noalias !202
-  %v1841 = inttoptr i64 %v1840 to ptr
-  tail call void %v1841(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !202
-  br i1 %v791, label %v1842, label %v1843
+v1809:
+  %v1848 = load i64, ptr %v747, align 8, !noalias !202
+  %v1849 = inttoptr i64 %v1848 to ptr
+  tail call void %v1849(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !202
+  br i1 %v791, label %v1850, label %v1851
 
-v1842:
-  %v1844 = phi i64 [ %v1845, %v1842 ], [ %v790, %v1801 ]
-  %v1846 = phi i64 [ %v1847, %v1842 ], [ %v19, %v1801 ]
-  %v1845 = add nsw i64 %v1844, -1
-  %v1847 = add i64 %v1846, 1
-  %v1848 = icmp slt i64 %v1846, 0
-  %v1849 = select i1 %v1848, i64 %v208, i64 0
-  %v1850 = add i64 %v1849, %v1846
-  %v1851 = getelementptr double, ptr %v795, i64 %v1850
-  %v1852 = load double, ptr %v1851, align 8, !noalias !205
-  %v1853 = getelementptr double, ptr %v798, i64 %v1850
-  store double %v1852, ptr %v1853, align 8, !noalias !205
-  %v1854 = icmp sgt i64 %v1844, 1
-  br i1 %v1854, label %v1842, label %v1843
+v1850:
+  %v1852 = phi i64 [ %v1853, %v1850 ], [ %v790, %v1809 ]
+  %v1854 = phi i64 [ %v1855, %v1850 ], [ %v19, %v1809 ]
+  %v1853 = add nsw i64 %v1852, -1
+  %v1855 = add i64 %v1854, 1
+  %v1856 = icmp slt i64 %v1854, 0
+  %v1857 = select i1 %v1856, i64 %v208, i64 0
+  %v1858 = add i64 %v1857, %v1854
+  %v1859 = getelementptr double, ptr %v795, i64 %v1858
+  %v1860 = load double, ptr %v1859, align 8, !noalias !205
+  %v1861 = getelementptr double, ptr %v798, i64 %v1858
+  store double %v1860, ptr %v1861, align 8, !noalias !205
+  %v1862 = icmp sgt i64 %v1852, 1
+  br i1 %v1862, label %v1850, label %v1851
 
-v1843:
-  br i1 %v799, label %v1855, label %v1856
+v1851:
+  br i1 %v799, label %v1863, label %v1864
 
-v1856:
-  %v1857 = phi double [ %v1858, %v1856 ], [ 0x7FF0000000000000, %v1843 ]
-  %v1859 = phi i64 [ %v1860, %v1856 ], [ 0, %v1843 ]
-  %v1860 = add nsw i64 %v1859, 1
-  %v1861 = getelementptr double, ptr %v800, i64 %v1859
-  %v1862 = load double, ptr %v1861, align 8, !noalias !206
-  %v1863 = getelementptr double, ptr %v798, i64 %v1859
-  %v1864 = load double, ptr %v1863, align 8, !noalias !206
-  %v1865 = fadd double %v1862, %v1864
-  %v1866 = fcmp olt double %v1865, %v1857
-  %v1858 = select i1 %v1866, double %v1865, double %v1857
-  %v1867 = icmp eq i64 %v208, %v1860
-  br i1 %v1867, label %v1855, label %v1856
+v1864:
+  %v1865 = phi double [ %v1866, %v1864 ], [ 0x7FF0000000000000, %v1851 ]
+  %v1867 = phi i64 [ %v1868, %v1864 ], [ 0, %v1851 ]
+  %v1868 = add nsw i64 %v1867, 1
+  %v1869 = getelementptr double, ptr %v800, i64 %v1867
+  %v1870 = load double, ptr %v1869, align 8, !noalias !206
+  %v1871 = getelementptr double, ptr %v798, i64 %v1867
+  %v1872 = load double, ptr %v1871, align 8, !noalias !206
+  %v1873 = fadd double %v1870, %v1872
+  %v1874 = fcmp olt double %v1873, %v1865
+  %v1866 = select i1 %v1874, double %v1873, double %v1865
+  %v1875 = icmp eq i64 %v208, %v1868
+  br i1 %v1875, label %v1863, label %v1864
 
-v1855:
-  %v1789 = phi double [ 0x7FF0000000000000, %v1843 ], [ %v1858, %v1856 ]
-  %v1868 = fcmp olt double %v1789, 0.000000e+00
-  br i1 %v1868, label %v1787, label %v1791
+v1863:
+  %v1797 = phi double [ 0x7FF0000000000000, %v1851 ], [ %v1866, %v1864 ]
+  %v1876 = fcmp olt double %v1797, 0.000000e+00
+  br i1 %v1876, label %v1795, label %v1799
 
-v1869:
-  %v1870 = load double, ptr %v778, align 8, !noalias !210
-  %v1871 = load double, ptr %v134, align 8, !noalias !214
-  %v1872 = load double, ptr %v740, align 8, !noalias !214
-  %v1873 = fmul double %v1870, %v1872
-  %v1874 = fadd double %v1871, %v1873
-  store double %v1874, ptr %v742, align 8, !noalias !214
-  br i1 %v784, label %v1875, label %v1876
+v1877:
+  %v1878 = load double, ptr %v778, align 8, !noalias !210
+  %v1879 = load double, ptr %v134, align 8, !noalias !214
+  %v1880 = load double, ptr %v740, align 8, !noalias !214
+  %v1881 = fmul double %v1878, %v1880
+  %v1882 = fadd double %v1879, %v1881
+  store double %v1882, ptr %v742, align 8, !noalias !214
+  br i1 %v784, label %v1883, label %v1884
 
-v1875:
-  %v1877 = fsub double 1.000000e+00, %v1870
-  br label %v1878
+v1883:
+  %v1885 = fsub double 1.000000e+00, %v1878
+  br label %v1886
 
-v1878:
-  %v1879 = phi i64 [ 0, %v1875 ], [ %v1880, %v1878 ]
-  %v1881 = mul i64 %v1879, %v197
-  %v1882 = getelementptr double, ptr %v194, i64 %v1881
-  %v1883 = getelementptr i8, ptr %v1882, i64 %v748
-  %v1884 = load double, ptr %v1883, align 8, !noalias !221
-  %v1885 = fadd double %v1884, 0.000000e+00
-  %v1886 = fmul double %v1870, %v1885
-  %v1887 = getelementptr i8, ptr %v1882, i64 %v749
-  %v1888 = load double, ptr %v1887, align 8, !noalias !221
-  %v1889 = fadd double %v1888, %v1886
-  %v1890 = fmul double %v1877, %v1889
-  %v1891 = getelementptr i8, ptr %v1882, i64 %v750
+v1886:
+  %v1887 = phi i64 [ 0, %v1883 ], [ %v1888, %v1886 ]
+  %v1889 = mul i64 %v1887, %v197
+  %v1890 = getelementptr double, ptr %v194, i64 %v1889
+  %v1891 = getelementptr i8, ptr %v1890, i64 %v748
   %v1892 = load double, ptr %v1891, align 8, !noalias !221
-  %v1893 = fadd double %v1892, %v1890
-  %v1894 = fmul double %v1870, %v1893
-  %v1895 = getelementptr i8, ptr %v1882, i64 %v751
+  %v1893 = fadd double %v1892, 0.000000e+00
+  %v1894 = fmul double %v1878, %v1893
+  %v1895 = getelementptr i8, ptr %v1890, i64 %v749
   %v1896 = load double, ptr %v1895, align 8, !noalias !221
   %v1897 = fadd double %v1896, %v1894
-  %v1898 = fmul double %v1877, %v1897
-  %v1899 = getelementptr i8, ptr %v1882, i64 %v752
+  %v1898 = fmul double %v1885, %v1897
+  %v1899 = getelementptr i8, ptr %v1890, i64 %v750
   %v1900 = load double, ptr %v1899, align 8, !noalias !221
   %v1901 = fadd double %v1900, %v1898
-  %v1902 = fmul double %v1870, %v1901
-  %v1903 = getelementptr i8, ptr %v1882, i64 %v753
+  %v1902 = fmul double %v1878, %v1901
+  %v1903 = getelementptr i8, ptr %v1890, i64 %v751
   %v1904 = load double, ptr %v1903, align 8, !noalias !221
   %v1905 = fadd double %v1904, %v1902
-  %v1906 = fmul double %v1877, %v1905
-  %v1907 = getelementptr i8, ptr %v1882, i64 %v754
+  %v1906 = fmul double %v1885, %v1905
+  %v1907 = getelementptr i8, ptr %v1890, i64 %v752
   %v1908 = load double, ptr %v1907, align 8, !noalias !221
   %v1909 = fadd double %v1908, %v1906
-  %v1910 = fmul double %v1870, %v1909
-  %v1880 = add nsw i64 %v1879, 1
-  %v1911 = load double, ptr %v1882, align 8, !noalias !221
-  %v1912 = fadd double %v1911, %v1910
-  %v1913 = getelementptr double, ptr %v745, i64 %v1881
-  store double %v1912, ptr %v1913, align 8, !noalias !214
-  %v1914 = icmp eq i64 %v10, %v1880
-  br i1 %v1914, label %v1876, label %v1878
+  %v1910 = fmul double %v1878, %v1909
+  %v1911 = getelementptr i8, ptr %v1890, i64 %v753
+  %v1912 = load double, ptr %v1911, align 8, !noalias !221
+  %v1913 = fadd double %v1912, %v1910
+  %v1914 = fmul double %v1885, %v1913
+  %v1915 = getelementptr i8, ptr %v1890, i64 %v754
+  %v1916 = load double, ptr %v1915, align 8, !noalias !221
+  %v1917 = fadd double %v1916, %v1914
+  %v1918 = fmul double %v1878, %v1917
+  %v1888 = add nsw i64 %v1887, 1
+  %v1919 = load double, ptr %v1890, align 8, !noalias !221
+  %v1920 = fadd double %v1919, %v1918
+  %v1921 = getelementptr double, ptr %v745, i64 %v1889
+  store double %v1920, ptr %v1921, align 8, !noalias !214
+  %v1922 = icmp eq i64 %v10, %v1888
+  br i1 %v1922, label %v1884, label %v1886
 
-v1876:
-  %v1915 = load i64, ptr %v747, align 8, !noalias !225
-  %v1916 = inttoptr i64 %v1915 to ptr
-  tail call void %v1916(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !225
-  br i1 %v791, label %v1917, label %v1918
+v1884:
+  %v1923 = load i64, ptr %v747, align 8, !noalias !225
+  %v1924 = inttoptr i64 %v1923 to ptr
+  tail call void %v1924(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !225
+  br i1 %v791, label %v1925, label %v1926
 
-v1918:
-  br label %v1919
+v1926:
+  br label %v1927
 
-v1917:
-  %v1920 = phi i64 [ %v1921, %v1917 ], [ %v790, %v1876 ]
-  %v1922 = phi i64 [ %v1923, %v1917 ], [ %v19, %v1876 ]
-  %v1921 = add nsw i64 %v1920, -1
-  %v1923 = add i64 %v1922, 1
-  %v1924 = icmp slt i64 %v1922, 0
-  %v1925 = select i1 %v1924, i64 %v208, i64 0
-  %v1926 = add i64 %v1925, %v1922
-  %v1927 = getelementptr double, ptr %v795, i64 %v1926
-  %v1928 = load double, ptr %v1927, align 8, !noalias !228
-  %v1929 = getelementptr double, ptr %v798, i64 %v1926
-  store double %v1928, ptr %v1929, align 8, !noalias !228
-  %v1930 = icmp sgt i64 %v1920, 1
-  br i1 %v1930, label %v1917, label %v1918
-
-v1931:
-  %v1932 = icmp slt i64 %v1933, 0
-  %v1934 = select i1 %v1932, i64 %v208, i64 0
-  %v1935 = add i64 %v1934, %v1933
-  %v1936 = getelementptr double, ptr %v800, i64 %v1935
-  %v1937 = load double, ptr %v1936, align 8, !noalias !210
-  store double %v1937, ptr %v783, align 8, !noalias !210
-  br label %v1938
+v1925:
+  %v1928 = phi i64 [ %v1929, %v1925 ], [ %v790, %v1884 ]
+  %v1930 = phi i64 [ %v1931, %v1925 ], [ %v19, %v1884 ]
+  %v1929 = add nsw i64 %v1928, -1
+  %v1931 = add i64 %v1930, 1
+  %v1932 = icmp slt i64 %v1930, 0
+  %v1933 = select i1 %v1932, i64 %v208, i64 0
+  %v1934 = add i64 %v1933, %v1930
+  %v1935 = getelementptr double, ptr %v795, i64 %v1934
+  %v1936 = load double, ptr %v1935, align 8, !noalias !228
+  %v1937 = getelementptr double, ptr %v798, i64 %v1934
+  store double %v1936, ptr %v1937, align 8, !noalias !228
+  %v1938 = icmp sgt i64 %v1928, 1
+  br i1 %v1938, label %v1925, label %v1926
 
 v1939:
-  %v1940 = phi i64 [ 0, %v1941 ], [ %v1942, %v1939 ]
-  %v1943 = mul i64 %v1940, %v197
-  %v1944 = getelementptr double, ptr %v194, i64 %v1943
-  %v1945 = getelementptr i8, ptr %v1944, i64 %v748
-  %v1946 = load double, ptr %v1945, align 8, !noalias !229
-  %v1947 = fadd double %v1946, 0.000000e+00
-  %v1948 = fmul double %v1949, %v1947
-  %v1950 = getelementptr i8, ptr %v1944, i64 %v749
-  %v1951 = load double, ptr %v1950, align 8, !noalias !229
-  %v1952 = fadd double %v1951, %v1948
-  %v1953 = fmul double %v1954, %v1952
-  %v1955 = getelementptr i8, ptr %v1944, i64 %v750
-  %v1956 = load double, ptr %v1955, align 8, !noalias !229
-  %v1957 = fadd double %v1956, %v1953
-  %v1958 = fmul double %v1949, %v1957
-  %v1959 = getelementptr i8, ptr %v1944, i64 %v751
-  %v1960 = load double, ptr %v1959, align 8, !noalias !229
-  %v1961 = fadd double %v1960, %v1958
-  %v1962 = fmul double %v1954, %v1961
-  %v1963 = getelementptr i8, ptr %v1944, i64 %v752
+  %v1940 = icmp slt i64 %v1941, 0
+  %v1942 = select i1 %v1940, i64 %v208, i64 0
+  %v1943 = add i64 %v1942, %v1941
+  %v1944 = getelementptr double, ptr %v800, i64 %v1943
+  %v1945 = load double, ptr %v1944, align 8, !noalias !210
+  store double %v1945, ptr %v783, align 8, !noalias !210
+  br label %v1946
+
+v1947:
+  %v1948 = phi i64 [ 0, %v1949 ], [ %v1950, %v1947 ]
+  %v1951 = mul i64 %v1948, %v197
+  %v1952 = getelementptr double, ptr %v194, i64 %v1951
+  %v1953 = getelementptr i8, ptr %v1952, i64 %v748
+  %v1954 = load double, ptr %v1953, align 8, !noalias !229
+  %v1955 = fadd double %v1954, 0.000000e+00
+  %v1956 = fmul double %v1957, %v1955
+  %v1958 = getelementptr i8, ptr %v1952, i64 %v749
+  %v1959 = load double, ptr %v1958, align 8, !noalias !229
+  %v1960 = fadd double %v1959, %v1956
+  %v1961 = fmul double %v1962, %v1960
+  %v1963 = getelementptr i8, ptr %v1952, i64 %v750
   %v1964 = load double, ptr %v1963, align 8, !noalias !229
-  %v1965 = fadd double %v1964, %v1962
-  %v1966 = fmul double %v1949, %v1965
-  %v1967 = getelementptr i8, ptr %v1944, i64 %v753
+  %v1965 = fadd double %v1964, %v1961
+  %v1966 = fmul double %v1957, %v1965
+  %v1967 = getelementptr i8, ptr %v1952, i64 %v751
   %v1968 = load double, ptr %v1967, align 8, !noalias !229
   %v1969 = fadd double %v1968, %v1966
-  %v1970 = fmul double %v1954, %v1969
-  %v1971 = getelementptr i8, ptr %v1944, i64 %v754
+  %v1970 = fmul double %v1962, %v1969
+  %v1971 = getelementptr i8, ptr %v1952, i64 %v752
   %v1972 = load double, ptr %v1971, align 8, !noalias !229
   %v1973 = fadd double %v1972, %v1970
-  %v1974 = fmul double %v1949, %v1973
-  %v1942 = add nsw i64 %v1940, 1
-  %v1975 = load double, ptr %v1944, align 8, !noalias !229
-  %v1976 = fadd double %v1975, %v1974
-  %v1977 = getelementptr double, ptr %v745, i64 %v1943
-  store double %v1976, ptr %v1977, align 8, !noalias !239
-  %v1978 = icmp eq i64 %v10, %v1942
-  br i1 %v1978, label %v1979, label %v1939
+  %v1974 = fmul double %v1957, %v1973
+  %v1975 = getelementptr i8, ptr %v1952, i64 %v753
+  %v1976 = load double, ptr %v1975, align 8, !noalias !229
+  %v1977 = fadd double %v1976, %v1974
+  %v1978 = fmul double %v1962, %v1977
+  %v1979 = getelementptr i8, ptr %v1952, i64 %v754
+  %v1980 = load double, ptr %v1979, align 8, !noalias !229
+  %v1981 = fadd double %v1980, %v1978
+  %v1982 = fmul double %v1957, %v1981
+  %v1950 = add nsw i64 %v1948, 1
+  %v1983 = load double, ptr %v1952, align 8, !noalias !229
+  %v1984 = fadd double %v1983, %v1982
+  %v1985 = getelementptr double, ptr %v745, i64 %v1951
+  store double %v1984, ptr %v1985, align 8, !noalias !239
+  %v1986 = icmp eq i64 %v10, %v1950
+  br i1 %v1986, label %v1987, label %v1947
 
-v1979:
-  %v1980 = load i64, ptr %v747, align 8, !noalias !240
-  %v1981 = inttoptr i64 %v1980 to ptr
-  tail call void %v1981(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !240
-  br i1 %v831, label %v1982, label %v1983
+v1987:
+  %v1988 = load i64, ptr %v747, align 8, !noalias !240
+  %v1989 = inttoptr i64 %v1988 to ptr
+  tail call void %v1989(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !240
+  br i1 %v831, label %v1990, label %v1991
 
-v1983:
-  %v1984 = phi i64 [ %v1985, %v1983 ], [ %v790, %v1979 ]
-  %v1986 = phi i64 [ %v1987, %v1983 ], [ %v19, %v1979 ]
-  %v1985 = add nsw i64 %v1984, -1
-  %v1987 = add i64 %v1986, 1
-  %v1988 = icmp slt i64 %v1986, 0
-  %v1989 = select i1 %v1988, i64 %v208, i64 0
-  %v1990 = add i64 %v1989, %v1986
-  %v1991 = getelementptr double, ptr %v795, i64 %v1990
-  %v1992 = load double, ptr %v1991, align 8, !noalias !243
-  %v1993 = getelementptr double, ptr %v798, i64 %v1990
-  store double %v1992, ptr %v1993, align 8, !noalias !243
-  %v1994 = icmp sgt i64 %v1984, 1
-  br i1 %v1994, label %v1983, label %v1982
+v1991:
+  %v1992 = phi i64 [ %v1993, %v1991 ], [ %v790, %v1987 ]
+  %v1994 = phi i64 [ %v1995, %v1991 ], [ %v19, %v1987 ]
+  %v1993 = add nsw i64 %v1992, -1
+  %v1995 = add i64 %v1994, 1
+  %v1996 = icmp slt i64 %v1994, 0
+  %v1997 = select i1 %v1996, i64 %v208, i64 0
+  %v1998 = add i64 %v1997, %v1994
+  %v1999 = getelementptr double, ptr %v795, i64 %v1998
+  %v2000 = load double, ptr %v1999, align 8, !noalias !243
+  %v2001 = getelementptr double, ptr %v798, i64 %v1998
+  store double %v2000, ptr %v2001, align 8, !noalias !243
+  %v2002 = icmp sgt i64 %v1992, 1
+  br i1 %v2002, label %v1991, label %v1990
 
-v1995:
-  br i1 %v1996, label %v1997, label %v1998
-
-v1997:
-  %v1999 = load double, ptr %v778, align 8, !noalias !210
-  br label %v1998
-
-v1998:
-  %v2000 = phi double [ %v1999, %v1997 ], [ %v1949, %v1995 ]
-  %v2001 = fmul double %v2000, 5.000000e-01
-  %v2002 = icmp eq i64 %v2003, 45
-  br i1 %v2002, label %v2004, label %v1938
+v2003:
+  br i1 %v2004, label %v2005, label %v2006
 
 v2005:
-  %v2006 = getelementptr double, ptr %v795, i64 %v1935
-  store double 0.000000e+00, ptr %v2006, align 8, !noalias !210
-  br label %v2007
+  %v2007 = load double, ptr %v778, align 8, !noalias !210
+  br label %v2006
 
-v2008:
-  %v2009 = sub nsw i64 45, %v2010
-  %v2011 = load double, ptr %v781, align 8, !noalias !244
-  %v2012 = load double, ptr %v783, align 8, !noalias !244
-  br label %v2013
+v2006:
+  %v2008 = phi double [ %v2007, %v2005 ], [ %v1957, %v2003 ]
+  %v2009 = fmul double %v2008, 5.000000e-01
+  %v2010 = icmp eq i64 %v2011, 45
+  br i1 %v2010, label %v2012, label %v1946
 
 v2013:
-  %v2014 = phi double [ %v2015, %v2013 ], [ 1.000000e+00, %v2008 ]
-  %v2016 = phi double [ %v2017, %v2013 ], [ 2.000000e+00, %v2008 ]
-  %v2018 = phi i64 [ %v2019, %v2013 ], [ %v2009, %v2008 ]
-  %v2020 = and i64 %v2018, 1
-  %v2021 = icmp eq i64 %v2020, 0
-  %v2022 = fmul double %v2014, %v2016
-  %v2015 = select i1 %v2021, double %v2014, double %v2022
-  %v2019 = lshr i64 %v2018, 1
-  %v2017 = fmul double %v2016, %v2016
-  %v2023 = icmp eq i64 %v2019, 0
-  br i1 %v2023, label %v2024, label %v2013
+  %v2014 = getelementptr double, ptr %v795, i64 %v1943
+  store double 0.000000e+00, ptr %v2014, align 8, !noalias !210
+  br label %v2015
 
-v2025:
-  %v2026 = fcmp olt double %v2027, 0.000000e+00
-  %v2028 = select i1 %v2026, double 0.000000e+00, double %v2027
-  %v2029 = fmul double %v2030, %v2028
-  %v2031 = fsub double %v2032, %v2029
-  br label %v2033
+v2016:
+  %v2017 = sub nsw i64 45, %v2018
+  %v2019 = load double, ptr %v781, align 8, !noalias !244
+  %v2020 = load double, ptr %v783, align 8, !noalias !244
+  br label %v2021
 
-v2024:
-  %v2034 = fadd double %v2035, %v2036
-  %v2032 = fmul double %v2034, 5.000000e-01
-  %v2037 = fmul double %v2015, 0x3D06849B86A12B9B
-  %v2038 = fsub double %v2037, %v2039
-  %v2027 = fmul double %v2038, 5.000000e-01
-  %v2040 = fmul double %v2036, %v2012
-  %v2041 = fmul double %v2035, %v2011
-  %v2042 = fsub double %v2040, %v2041
-  %v2043 = fsub double %v2012, %v2011
-  %v2044 = fdiv double %v2042, %v2043
-  %v2045 = fcmp olt double %v2036, %v2044
-  %v2046 = fcmp olt double %v2044, %v2035
-  %v2047 = and i1 %v2045, %v2046
-  %v2048 = select i1 %v2047, double %v2044, double %v2032
-  %v2049 = fsub double %v2032, %v2048
-  %v2030 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2049)
-  %v2050 = fmul double %v2039, %v2039
-  %v2051 = tail call double @llvm.fabs.f64(double %v2049)
-  %v2052 = fcmp olt double %v2051, %v2050
-  %v2053 = select i1 %v2052, double %v2051, double %v2050
-  %v2054 = fmul double %v2030, %v2053
-  %v2055 = fadd double %v2048, %v2054
-  %v2056 = fsub double %v2055, %v2032
-  %v2057 = tail call double @llvm.fabs.f64(double %v2056)
-  %v2058 = fcmp ugt double %v2057, %v2027
-  br i1 %v2058, label %v2025, label %v2033
-
-v2059:
-  store double %v2060, ptr %v778, align 8, !noalias !250
-  store double %v2061, ptr %v783, align 8, !noalias !250
-  br label %v2062
-
-v2063:
-  store double %v2060, ptr %v770, align 8, !noalias !250
-  store double %v2061, ptr %v781, align 8, !noalias !250
-  br label %v2062
-
-v2062:
-  %v2064 = icmp eq i64 %v2065, 45
-  br i1 %v2064, label %v2066, label %v2007
-
-v2007:
-  %v2010 = phi i64 [ 0, %v2005 ], [ %v2065, %v2062 ]
-  %v2065 = add nsw i64 %v2010, 1
-  %v2035 = load double, ptr %v778, align 8, !noalias !250
-  %v2036 = load double, ptr %v770, align 8, !noalias !250
-  %v2039 = fsub double %v2035, %v2036
-  %v2067 = fcmp ugt double %v2039, 0x3D06849B86A12B9B
-  br i1 %v2067, label %v2008, label %v2066
+v2021:
+  %v2022 = phi double [ %v2023, %v2021 ], [ 1.000000e+00, %v2016 ]
+  %v2024 = phi double [ %v2025, %v2021 ], [ 2.000000e+00, %v2016 ]
+  %v2026 = phi i64 [ %v2027, %v2021 ], [ %v2017, %v2016 ]
+  %v2028 = and i64 %v2026, 1
+  %v2029 = icmp eq i64 %v2028, 0
+  %v2030 = fmul double %v2022, %v2024
+  %v2023 = select i1 %v2029, double %v2022, double %v2030
+  %v2027 = lshr i64 %v2026, 1
+  %v2025 = fmul double %v2024, %v2024
+  %v2031 = icmp eq i64 %v2027, 0
+  br i1 %v2031, label %v2032, label %v2021
 
 v2033:
-  %v2060 = phi double [ %v2055, %v2024 ], [ %v2031, %v2025 ]
-  %v2068 = load double, ptr %v134, align 8, !noalias !251
-  %v2069 = load double, ptr %v740, align 8, !noalias !251
-  %v2070 = fmul double %v2060, %v2069
-  %v2071 = fadd double %v2068, %v2070
-  store double %v2071, ptr %v742, align 8, !noalias !251
-  br i1 %v784, label %v2072, label %v2073
+  %v2034 = fcmp olt double %v2035, 0.000000e+00
+  %v2036 = select i1 %v2034, double 0.000000e+00, double %v2035
+  %v2037 = fmul double %v2038, %v2036
+  %v2039 = fsub double %v2040, %v2037
+  br label %v2041
 
-v2072:
-  %v2074 = fsub double 1.000000e+00, %v2060
-  br label %v2075
+v2032:
+  %v2042 = fadd double %v2043, %v2044
+  %v2040 = fmul double %v2042, 5.000000e-01
+  %v2045 = fmul double %v2023, 0x3D06849B86A12B9B
+  %v2046 = fsub double %v2045, %v2047
+  %v2035 = fmul double %v2046, 5.000000e-01
+  %v2048 = fmul double %v2044, %v2020
+  %v2049 = fmul double %v2043, %v2019
+  %v2050 = fsub double %v2048, %v2049
+  %v2051 = fsub double %v2020, %v2019
+  %v2052 = fdiv double %v2050, %v2051
+  %v2053 = fcmp olt double %v2044, %v2052
+  %v2054 = fcmp olt double %v2052, %v2043
+  %v2055 = and i1 %v2053, %v2054
+  %v2056 = select i1 %v2055, double %v2052, double %v2040
+  %v2057 = fsub double %v2040, %v2056
+  %v2038 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2057)
+  %v2058 = fmul double %v2047, %v2047
+  %v2059 = tail call double @llvm.fabs.f64(double %v2057)
+  %v2060 = fcmp olt double %v2059, %v2058
+  %v2061 = select i1 %v2060, double %v2059, double %v2058
+  %v2062 = fmul double %v2038, %v2061
+  %v2063 = fadd double %v2056, %v2062
+  %v2064 = fsub double %v2063, %v2040
+  %v2065 = tail call double @llvm.fabs.f64(double %v2064)
+  %v2066 = fcmp ugt double %v2065, %v2035
+  br i1 %v2066, label %v2033, label %v2041
 
-v2075:
-  %v2076 = phi i64 [ 0, %v2072 ], [ %v2077, %v2075 ]
-  %v2078 = mul i64 %v2076, %v197
-  %v2079 = getelementptr double, ptr %v194, i64 %v2078
-  %v2080 = getelementptr i8, ptr %v2079, i64 %v748
-  %v2081 = load double, ptr %v2080, align 8, !noalias !258
-  %v2082 = fadd double %v2081, 0.000000e+00
-  %v2083 = fmul double %v2060, %v2082
-  %v2084 = getelementptr i8, ptr %v2079, i64 %v749
-  %v2085 = load double, ptr %v2084, align 8, !noalias !258
-  %v2086 = fadd double %v2085, %v2083
-  %v2087 = fmul double %v2074, %v2086
-  %v2088 = getelementptr i8, ptr %v2079, i64 %v750
+v2067:
+  store double %v2068, ptr %v778, align 8, !noalias !250
+  store double %v2069, ptr %v783, align 8, !noalias !250
+  br label %v2070
+
+v2071:
+  store double %v2068, ptr %v770, align 8, !noalias !250
+  store double %v2069, ptr %v781, align 8, !noalias !250
+  br label %v2070
+
+v2070:
+  %v2072 = icmp eq i64 %v2073, 45
+  br i1 %v2072, label %v2074, label %v2015
+
+v2015:
+  %v2018 = phi i64 [ 0, %v2013 ], [ %v2073, %v2070 ]
+  %v2073 = add nsw i64 %v2018, 1
+  %v2043 = load double, ptr %v778, align 8, !noalias !250
+  %v2044 = load double, ptr %v770, align 8, !noalias !250
+  %v2047 = fsub double %v2043, %v2044
+  %v2075 = fcmp ugt double %v2047, 0x3D06849B86A12B9B
+  br i1 %v2075, label %v2016, label %v2074
+
+v2041:
+  %v2068 = phi double [ %v2063, %v2032 ], [ %v2039, %v2033 ]
+  %v2076 = load double, ptr %v134, align 8, !noalias !251
+  %v2077 = load double, ptr %v740, align 8, !noalias !251
+  %v2078 = fmul double %v2068, %v2077
+  %v2079 = fadd double %v2076, %v2078
+  store double %v2079, ptr %v742, align 8, !noalias !251
+  br i1 %v784, label %v2080, label %v2081
+
+v2080:
+  %v2082 = fsub double 1.000000e+00, %v2068
+  br label %v2083
+
+v2083:
+  %v2084 = phi i64 [ 0, %v2080 ], [ %v2085, %v2083 ]
+  %v2086 = mul i64 %v2084, %v197
+  %v2087 = getelementptr double, ptr %v194, i64 %v2086
+  %v2088 = getelementptr i8, ptr %v2087, i64 %v748
   %v2089 = load double, ptr %v2088, align 8, !noalias !258
-  %v2090 = fadd double %v2089, %v2087
-  %v2091 = fmul double %v2060, %v2090
-  %v2092 = getelementptr i8, ptr %v2079, i64 %v751
+  %v2090 = fadd double %v2089, 0.000000e+00
+  %v2091 = fmul double %v2068, %v2090
+  %v2092 = getelementptr i8, ptr %v2087, i64 %v749
   %v2093 = load double, ptr %v2092, align 8, !noalias !258
   %v2094 = fadd double %v2093, %v2091
-  %v2095 = fmul double %v2074, %v2094
-  %v2096 = getelementptr i8, ptr %v2079, i64 %v752
+  %v2095 = fmul double %v2082, %v2094
+  %v2096 = getelementptr i8, ptr %v2087, i64 %v750
   %v2097 = load double, ptr %v2096, align 8, !noalias !258
   %v2098 = fadd double %v2097, %v2095
-  %v2099 = fmul double %v2060, %v2098
-  %v2100 = getelementptr i8, ptr %v2079, i64 %v753
+  %v2099 = fmul double %v2068, %v2098
+  %v2100 = getelementptr i8, ptr %v2087, i64 %v751
   %v2101 = load double, ptr %v2100, align 8, !noalias !258
   %v2102 = fadd double %v2101, %v2099
-  %v2103 = fmul double %v2074, %v2102
-  %v2104 = getelementptr i8, ptr %v2079, i64 %v754
+  %v2103 = fmul double %v2082, %v2102
+  %v2104 = getelementptr i8, ptr %v2087, i64 %v752
   %v2105 = load double, ptr %v2104, align 8, !noalias !258
   %v2106 = fadd double %v2105, %v2103
-  %v2107 = fmul double %v2060, %v2106
-  %v2077 = add nsw i64 %v2076, 1
-  %v2108 = load double, ptr %v2079, align 8, !noalias !258
-  %v2109 = fadd double %v2108, %v2107
-  %v2110 = getelementptr double, ptr %v745, i64 %v2078
-  store double %v2109, ptr %v2110, align 8, !noalias !251
-  %v2111 = icmp eq i64 %v10, %v2077
-  br i1 %v2111, label %v2073, label %v2075
+  %v2107 = fmul double %v2068, %v2106
+  %v2108 = getelementptr i8, ptr %v2087, i64 %v753
+  %v2109 = load double, ptr %v2108, align 8, !noalias !258
+  %v2110 = fadd double %v2109, %v2107
+  %v2111 = fmul double %v2082, %v2110
+  %v2112 = getelementptr i8, ptr %v2087, i64 %v754
+  %v2113 = load double, ptr %v2112, align 8, !noalias !258
+  %v2114 = fadd double %v2113, %v2111
+  %v2115 = fmul double %v2068, %v2114
+  %v2085 = add nsw i64 %v2084, 1
+  %v2116 = load double, ptr %v2087, align 8, !noalias !258
+  %v2117 = fadd double %v2116, %v2115
+  %v2118 = getelementptr double, ptr %v745, i64 %v2086
+  store double %v2117, ptr %v2118, align 8, !noalias !251
+  %v2119 = icmp eq i64 %v10, %v2085
+  br i1 %v2119, label %v2081, label %v2083
 
-v2073:
-  %v2112 = load i64, ptr %v747, align 8, !noalias !262
-  %v2113 = inttoptr i64 %v2112 to ptr
-  tail call void %v2113(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !262
-  br i1 %v791, label %v2114, label %v2115
+v2081:
+  %v2120 = load i64, ptr %v747, align 8, !noalias !262
+  %v2121 = inttoptr i64 %v2120 to ptr
+  tail call void %v2121(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !262
+  br i1 %v791, label %v2122, label %v2123
 
-v2114:
-  %v2116 = phi i64 [ %v2117, %v2114 ], [ %v790, %v2073 ]
-  %v2118 = phi i64 [ %v2119, %v2114 ], [ %v19, %v2073 ]
-  %v2117 = add nsw i64 %v2116, -1
-  %v2119 = add i64 %v2118, 1
-  %v2120 = icmp slt i64 %v2118, 0
-  %v2121 = select i1 %v2120, i64 %v208, i64 0
-  %v2122 = add i64 %v2121, %v2118
-  %v2123 = getelementptr double, ptr %v795, i64 %v2122
-  %v2124 = load double, ptr %v2123, align 8, !noalias !265
-  %v2125 = getelementptr double, ptr %v798, i64 %v2122
-  store double %v2124, ptr %v2125, align 8, !noalias !265
-  %v2126 = icmp sgt i64 %v2116, 1
-  br i1 %v2126, label %v2114, label %v2115
+v2122:
+  %v2124 = phi i64 [ %v2125, %v2122 ], [ %v790, %v2081 ]
+  %v2126 = phi i64 [ %v2127, %v2122 ], [ %v19, %v2081 ]
+  %v2125 = add nsw i64 %v2124, -1
+  %v2127 = add i64 %v2126, 1
+  %v2128 = icmp slt i64 %v2126, 0
+  %v2129 = select i1 %v2128, i64 %v208, i64 0
+  %v2130 = add i64 %v2129, %v2126
+  %v2131 = getelementptr double, ptr %v795, i64 %v2130
+  %v2132 = load double, ptr %v2131, align 8, !noalias !265
+  %v2133 = getelementptr double, ptr %v798, i64 %v2130
+  store double %v2132, ptr %v2133, align 8, !noalias !265
+  %v2134 = icmp sgt i64 %v2124, 1
+  br i1 %v2134, label %v2122, label %v2123
 
-v2115:
-  br i1 %v799, label %v2127, label %v2128
+v2123:
+  br i1 %v799, label %v2135, label %v2136
 
-v2128:
-  %v2129 = phi double [ %v2130, %v2128 ], [ 0x7FF0000000000000, %v2115 ]
-  %v2131 = phi i64 [ %v2132, %v2128 ], [ 0, %v2115 ]
-  %v2132 = add nsw i64 %v2131, 1
-  %v2133 = getelementptr double, ptr %v800, i64 %v2131
-  %v2134 = load double, ptr %v2133, align 8, !noalias !266
-  %v2135 = getelementptr double, ptr %v798, i64 %v2131
-  %v2136 = load double, ptr %v2135, align 8, !noalias !266
-  %v2137 = fadd double %v2134, %v2136
-  %v2138 = fcmp olt double %v2137, %v2129
-  %v2130 = select i1 %v2138, double %v2137, double %v2129
-  %v2139 = icmp eq i64 %v208, %v2132
-  br i1 %v2139, label %v2127, label %v2128
+v2136:
+  %v2137 = phi double [ %v2138, %v2136 ], [ 0x7FF0000000000000, %v2123 ]
+  %v2139 = phi i64 [ %v2140, %v2136 ], [ 0, %v2123 ]
+  %v2140 = add nsw i64 %v2139, 1
+  %v2141 = getelementptr double, ptr %v800, i64 %v2139
+  %v2142 = load double, ptr %v2141, align 8, !noalias !266
+  %v2143 = getelementptr double, ptr %v798, i64 %v2139
+  %v2144 = load double, ptr %v2143, align 8, !noalias !266
+  %v2145 = fadd double %v2142, %v2144
+  %v2146 = fcmp olt double %v2145, %v2137
+  %v2138 = select i1 %v2146, double %v2145, double %v2137
+  %v2147 = icmp eq i64 %v208, %v2140
+  br i1 %v2147, label %v2135, label %v2136
 
-v2127:
-  %v2061 = phi double [ 0x7FF0000000000000, %v2115 ], [ %v2130, %v2128 ]
-  %v2140 = fcmp olt double %v2061, 0.000000e+00
-  br i1 %v2140, label %v2059, label %v2063
+v2135:
+  %v2069 = phi double [ 0x7FF0000000000000, %v2123 ], [ %v2138, %v2136 ]
+  %v2148 = fcmp olt double %v2069, 0.000000e+00
+  br i1 %v2148, label %v2067, label %v2071
 
-v2004:
+v2012:
   store double 0.000000e+00, ptr %v778, align 8, !noalias !210
-  br label %v2066
+  br label %v2074
 
-v2066:
-  store i64 %v1933, ptr %v833, align 8, !noalias !210
-  %v2141 = load i64, ptr %v143, align 8, !noalias !270
-  %v2142 = icmp sgt i64 %v2141, -1
-  br i1 %v2142, label %v2143, label %v2144
+v2074:
+  %v2149 = load double, ptr %v134, align 8, !noalias !210
+  %v2150 = load double, ptr %v778, align 8, !noalias !210
+  %v2151 = load double, ptr %v740, align 8, !noalias !210
+  %v2152 = fmul double %v2150, %v2151
+  %v2153 = fadd double %v2149, %v2152
+  %v2154 = load i64, ptr %v143, align 8, !noalias !270
+  %v2155 = load i64, ptr %v833, align 8, !noalias !270
+  %v2156 = icmp slt i64 %v2155, %v94
+  br i1 %v2156, label %v2157, label %v2158
 
-v2143:
-  %v2145 = getelementptr i64, ptr %v111, i64 %v2141
-  %v2146 = load i64, ptr %v2145, align 8, !noalias !270
-  %v2147 = icmp eq i64 %v2146, 0
-  br i1 %v2147, label %v2148, label %v2144
+v2157:
+  %v2159 = icmp slt i64 %v2155, 0
+  %v2160 = select i1 %v2159, i64 %v94, i64 0
+  %v2161 = getelementptr double, ptr %v93, i64 %v2155
+  %v2162 = getelementptr double, ptr %v2161, i64 %v2160
+  %v2163 = load double, ptr %v2162, align 8, !noalias !270
+  %v2164 = fcmp ugt double %v2163, %v2153
+  br i1 %v2164, label %v2158, label %v2165
 
-v2148:
-  store i64 4, ptr %v2145, align 8, !noalias !270
-  br label %v2144
+v2165:
+  %v2166 = icmp slt i64 %v2154, 0
+  %v2167 = select i1 %v2166, i64 %v101, i64 0
+  %v2168 = add i64 %v2167, %v2154
+  %v2169 = mul i64 %v836, %v2168
+  %v2170 = getelementptr double, ptr %v100, i64 %v2169
+  br label %v2171
 
-v2144:
-  store double 0.000000e+00, ptr %v835, align 8, !noalias !210
-  br label %v2149
-
-v1919:
-  %v2150 = phi i64 [ %v2151, %v2152 ], [ 0, %v1918 ]
-  %v2153 = phi i64 [ %v2154, %v2152 ], [ %v830, %v1918 ]
-  %v2155 = icmp sgt i64 %v2153, 0
-  br i1 %v2155, label %v2152, label %v2156
-
-v2152:
-  %v2154 = add nsw i64 %v2153, -1
-  %v2151 = add i64 %v2150, 1
-  %v2157 = getelementptr double, ptr %v800, i64 %v2150
-  %v2158 = load double, ptr %v2157, align 8, !noalias !273
-  %v2159 = getelementptr double, ptr %v798, i64 %v2150
-  %v2160 = load double, ptr %v2159, align 8, !noalias !273
-  %v2161 = fneg double %v2160
-  %v2162 = fcmp olt double %v2158, %v2161
-  br i1 %v2162, label %v2156, label %v1919
-
-v2156:
-  %v1933 = phi i64 [ %v2150, %v2152 ], [ -1, %v1919 ]
-  %v2163 = icmp slt i64 %v1933, %v19
-  br i1 %v2163, label %v2164, label %v1931
-
-v1938:
-  %v1949 = phi double [ %v1725, %v1931 ], [ %v2001, %v1998 ]
-  %v2165 = phi i64 [ 0, %v1931 ], [ %v2003, %v1998 ]
-  %v2003 = add nsw i64 %v2165, 1
-  %v1996 = icmp eq i64 %v2165, 0
-  %v2166 = load double, ptr %v134, align 8, !noalias !239
-  %v2167 = load double, ptr %v740, align 8, !noalias !239
-  %v2168 = fmul double %v1949, %v2167
-  %v2169 = fadd double %v2166, %v2168
-  store double %v2169, ptr %v742, align 8, !noalias !239
-  br i1 %v744, label %v1979, label %v1941
-
-v1941:
-  %v1954 = fsub double 1.000000e+00, %v1949
-  br label %v1939
-
-v1982:
-  store double %v1949, ptr %v770, align 8, !noalias !210
-  %v2170 = load double, ptr %v1936, align 8, !noalias !210
-  store double %v2170, ptr %v781, align 8, !noalias !210
-  %v2171 = fcmp ogt double %v2170, 0.000000e+00
-  br i1 %v2171, label %v2005, label %v1995
-
-v2172:
-  br i1 %v1734, label %v2164, label %v2173
-
-v2173:
-  call void @llvm.lifetime.start.p0(ptr nonnull %v287), !noalias !180
-  call void @llvm.lifetime.start.p0(ptr nonnull %v288), !noalias !180
-  store i8 0, ptr %v287, align 1, !noalias !277
-  store ptr null, ptr %v288, align 8, !noalias !277
-  %v2174 = load double, ptr %v770, align 8, !noalias !277
-  %v2175 = load double, ptr %v778, align 8, !noalias !277
-  br i1 %v292, label %v2176, label %v2177
-
-v2178:
-  %v2179 = phi i64 [ %v2180, %v2181 ], [ 0, %v2182 ]
-  %v2180 = add nsw i64 %v2179, 1
-  %v2183 = icmp ult i64 %v2179, 9
-  br i1 %v2183, label %v2184, label %v2185
-
-v2184:
-  %v2186 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2179
-  %v2187 = load double, ptr %v2186, align 8
-  %v2188 = load double, ptr %v134, align 8, !noalias !281
-  %v2189 = load double, ptr %v740, align 8, !noalias !281
-  %v2190 = fmul double %v2187, %v2189
-  %v2191 = fadd double %v2188, %v2190
-  store double %v2191, ptr %v742, align 8, !noalias !281
-  br i1 %v784, label %v2192, label %v2181
-
-v2192:
-  %v2193 = fsub double 1.000000e+00, %v2187
-  br label %v2194
-
-v2194:
-  %v2195 = phi i64 [ 0, %v2192 ], [ %v2196, %v2194 ]
-  %v2197 = mul i64 %v2195, %v197
-  %v2198 = getelementptr double, ptr %v194, i64 %v2197
-  %v2199 = getelementptr i8, ptr %v2198, i64 %v748
-  %v2200 = load double, ptr %v2199, align 8, !noalias !288
-  %v2201 = fadd double %v2200, 0.000000e+00
-  %v2202 = fmul double %v2187, %v2201
-  %v2203 = getelementptr i8, ptr %v2198, i64 %v749
-  %v2204 = load double, ptr %v2203, align 8, !noalias !288
-  %v2205 = fadd double %v2204, %v2202
-  %v2206 = fmul double %v2193, %v2205
-  %v2207 = getelementptr i8, ptr %v2198, i64 %v750
-  %v2208 = load double, ptr %v2207, align 8, !noalias !288
-  %v2209 = fadd double %v2208, %v2206
-  %v2210 = fmul double %v2187, %v2209
-  %v2211 = getelementptr i8, ptr %v2198, i64 %v751
-  %v2212 = load double, ptr %v2211, align 8, !noalias !288
-  %v2213 = fadd double %v2212, %v2210
-  %v2214 = fmul double %v2193, %v2213
-  %v2215 = getelementptr i8, ptr %v2198, i64 %v752
-  %v2216 = load double, ptr %v2215, align 8, !noalias !288
-  %v2217 = fadd double %v2216, %v2214
-  %v2218 = fmul double %v2187, %v2217
-  %v2219 = getelementptr i8, ptr %v2198, i64 %v753
-  %v2220 = load double, ptr %v2219, align 8, !noalias !288
-  %v2221 = fadd double %v2220, %v2218
-  %v2222 = fmul double %v2193, %v2221
-  %v2223 = getelementptr i8, ptr %v2198, i64 %v754
-  %v2224 = load double, ptr %v2223, align 8, !noalias !288
-  %v2225 = fadd double %v2224, %v2222
-  %v2226 = fmul double %v2187, %v2225
-  %v2196 = add nsw i64 %v2195, 1
-  %v2227 = load double, ptr %v2198, align 8, !noalias !288
-  %v2228 = fadd double %v2227, %v2226
-  %v2229 = getelementptr double, ptr %v745, i64 %v2197
-  store double %v2228, ptr %v2229, align 8, !noalias !281
-  %v2230 = icmp eq i64 %v10, %v2196
-  br i1 %v2230, label %v2181, label %v2194
-
-v2181:
-  %v2231 = icmp eq i64 %v2179, 8
-  %v2232 = select i1 %v2231, i64 17, i64 16
-  %v2233 = mul i64 %v2179, %v746
-  %v2234 = load i64, ptr %v747, align 8, !noalias !292
-  %v2235 = mul nsw i64 %v2232, %v10
-  %v2236 = getelementptr double, ptr %v159, i64 %v2235
-  %v2237 = getelementptr double, ptr %v187, i64 %v2233
-  %v2238 = inttoptr i64 %v2234 to ptr
-  tail call void %v2238(ptr nonnull %v742, ptr %v2236, ptr %v166, ptr %v173, ptr %v180, ptr %v2237), !noalias !292
-  %v2239 = icmp eq i64 %v2180, 9
-  br i1 %v2239, label %v2185, label %v2178
+v2171:
+  %v2172 = phi i64 [ %v2173, %v2174 ], [ %v2155, %v2165 ]
+  %v2175 = icmp slt i64 %v2172, 0
+  %v2176 = select i1 %v2175, i64 %v94, i64 0
+  %v2177 = getelementptr double, ptr %v93, i64 %v2172
+  %v2178 = getelementptr double, ptr %v2177, i64 %v2176
+  %v2179 = load double, ptr %v2178, align 8, !noalias !270
+  %v2180 = load double, ptr %v134, align 8, !noalias !270
+  %v2181 = fsub double %v2179, %v2180
+  %v2182 = load double, ptr %v740, align 8, !noalias !270
+  %v2183 = fdiv double %v2181, %v2182
+  br i1 %v744, label %v2184, label %v2185
 
 v2185:
-  %v2240 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2178 ], [ %v2241, %v2181 ]
-  %v2242 = phi i32 [ 1, %v2178 ], [ 0, %v2181 ]
-  br i1 %v2183, label %v2243, label %v2244, !prof !131
+  %v2186 = fsub double 1.000000e+00, %v2183
+  %v2187 = select i1 %v2175, i64 %v102, i64 0
+  %v2188 = add i64 %v2187, %v2172
+  %v2189 = mul i64 %v2188, %v103
+  %v2190 = getelementptr double, ptr %v2170, i64 %v2189
+  br label %v2191
 
-v2245:
-  %v2246 = load double, ptr %v820, align 8, !noalias !277
-  %v2247 = fcmp ogt double %v2246, 5.000000e-01
-  br i1 %v2247, label %v2248, label %v2249
+v2192:
+  %v2193 = getelementptr double, ptr %v838, i64 %v2194
+  %v2195 = load double, ptr %v2193, align 8, !noalias !270
+  br label %v2196
 
-v2248:
-  %v2250 = load i64, ptr %v6, align 8, !noalias !295
-  %v2251 = inttoptr i64 %v2250 to ptr
-  tail call void %v2251(ptr nonnull %v774, ptr %v825, ptr %v166, ptr %v173, ptr %v180, ptr %v827), !noalias !295
-  %v2252 = load double, ptr %v774, align 8, !noalias !277
-  store double %v2252, ptr %v776, align 8, !noalias !277
-  br label %v2253
+v2184:
+  store double 0x7FF0000000000000, ptr %v835, align 8, !noalias !270
+  %v2197 = icmp eq i64 %v2172, %v839
+  br i1 %v2197, label %v2158, label %v2174
 
-v2254:
-  %v2255 = sub nsw i64 45, %v2256
-  %v2257 = load double, ptr %v781, align 8, !noalias !298
-  %v2258 = load double, ptr %v783, align 8, !noalias !298
-  br label %v2259
+v2174:
+  %v2173 = add i64 %v2172, 1
+  %v2198 = icmp slt i64 %v2172, -1
+  %v2199 = select i1 %v2198, i64 %v94, i64 0
+  %v2200 = getelementptr double, ptr %v93, i64 %v2173
+  %v2201 = getelementptr double, ptr %v2200, i64 %v2199
+  %v2202 = load double, ptr %v2201, align 8, !noalias !270
+  %v2203 = fcmp ugt double %v2202, %v2153
+  br i1 %v2203, label %v2158, label %v2171
 
-v2259:
-  %v2260 = phi double [ %v2261, %v2259 ], [ 1.000000e+00, %v2254 ]
-  %v2262 = phi double [ %v2263, %v2259 ], [ 2.000000e+00, %v2254 ]
-  %v2264 = phi i64 [ %v2265, %v2259 ], [ %v2255, %v2254 ]
-  %v2266 = and i64 %v2264, 1
-  %v2267 = icmp eq i64 %v2266, 0
-  %v2268 = fmul double %v2260, %v2262
-  %v2261 = select i1 %v2267, double %v2260, double %v2268
-  %v2265 = lshr i64 %v2264, 1
-  %v2263 = fmul double %v2262, %v2262
-  %v2269 = icmp eq i64 %v2265, 0
-  br i1 %v2269, label %v2270, label %v2259
+v2158:
+  %v2204 = phi i64 [ %v2155, %v2157 ], [ %v2155, %v2074 ], [ %v94, %v2184 ], [ %v2173, %v2174 ]
+  store i64 %v2204, ptr %v833, align 8, !noalias !270
+  store i64 %v1941, ptr %v841, align 8, !noalias !210
+  %v2205 = load i64, ptr %v143, align 8, !noalias !274
+  %v2206 = icmp sgt i64 %v2205, -1
+  br i1 %v2206, label %v2207, label %v2208
 
-v2271:
-  %v2272 = fcmp olt double %v2273, 0.000000e+00
-  %v2274 = select i1 %v2272, double 0.000000e+00, double %v2273
-  %v2275 = fmul double %v2276, %v2274
-  %v2277 = fsub double %v2278, %v2275
-  br label %v2279
+v2196:
+  %v2209 = phi double [ %v2210, %v2211 ], [ %v2195, %v2192 ]
+  %v2212 = getelementptr double, ptr %v2190, i64 %v2213
+  store double %v2209, ptr %v2212, align 8, !noalias !270
+  %v2214 = icmp eq i64 %v10, %v2215
+  br i1 %v2214, label %v2184, label %v2191
 
-v2270:
-  %v2280 = fadd double %v2281, %v2282
-  %v2278 = fmul double %v2280, 5.000000e-01
-  %v2283 = fmul double %v2261, 1.000000e-13
-  %v2284 = fsub double %v2283, %v2285
-  %v2273 = fmul double %v2284, 5.000000e-01
-  %v2286 = fmul double %v2282, %v2258
-  %v2287 = fmul double %v2281, %v2257
-  %v2288 = fsub double %v2286, %v2287
-  %v2289 = fsub double %v2258, %v2257
-  %v2290 = fdiv double %v2288, %v2289
-  %v2291 = fcmp olt double %v2282, %v2290
-  %v2292 = fcmp olt double %v2290, %v2281
-  %v2293 = and i1 %v2291, %v2292
-  %v2294 = select i1 %v2293, double %v2290, double %v2278
-  %v2295 = fsub double %v2278, %v2294
-  %v2276 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2295)
-  %v2296 = fmul double %v2285, %v2285
-  %v2297 = tail call double @llvm.fabs.f64(double %v2295)
-  %v2298 = fcmp olt double %v2297, %v2296
-  %v2299 = select i1 %v2298, double %v2297, double %v2296
-  %v2300 = fmul double %v2276, %v2299
-  %v2301 = fadd double %v2294, %v2300
-  %v2302 = fsub double %v2301, %v2278
-  %v2303 = tail call double @llvm.fabs.f64(double %v2302)
-  %v2304 = fcmp ugt double %v2303, %v2273
-  br i1 %v2304, label %v2271, label %v2279
+v2191:
+  %v2213 = phi i64 [ 0, %v2185 ], [ %v2215, %v2196 ]
+  %v2215 = add nsw i64 %v2213, 1
+  %v2216 = load double, ptr %v2178, align 8, !noalias !270
+  %v2217 = load double, ptr %v774, align 8, !noalias !270
+  %v2218 = fcmp oeq double %v2216, %v2217
+  %v2194 = mul i64 %v2213, %v197
+  br i1 %v2218, label %v2192, label %v2211
 
-v2305:
-  store double %v2306, ptr %v778, align 8, !noalias !304
-  store double %v2307, ptr %v783, align 8, !noalias !304
-  br label %v2308
+v2211:
+  %v2219 = getelementptr double, ptr %v194, i64 %v2194
+  %v2220 = getelementptr i8, ptr %v2219, i64 %v748
+  %v2221 = load double, ptr %v2220, align 8, !noalias !277
+  %v2222 = fadd double %v2221, 0.000000e+00
+  %v2223 = fmul double %v2183, %v2222
+  %v2224 = getelementptr i8, ptr %v2219, i64 %v749
+  %v2225 = load double, ptr %v2224, align 8, !noalias !277
+  %v2226 = fadd double %v2225, %v2223
+  %v2227 = fmul double %v2186, %v2226
+  %v2228 = getelementptr i8, ptr %v2219, i64 %v750
+  %v2229 = load double, ptr %v2228, align 8, !noalias !277
+  %v2230 = fadd double %v2229, %v2227
+  %v2231 = fmul double %v2183, %v2230
+  %v2232 = getelementptr i8, ptr %v2219, i64 %v751
+  %v2233 = load double, ptr %v2232, align 8, !noalias !277
+  %v2234 = fadd double %v2233, %v2231
+  %v2235 = fmul double %v2186, %v2234
+  %v2236 = getelementptr i8, ptr %v2219, i64 %v752
+  %v2237 = load double, ptr %v2236, align 8, !noalias !277
+  %v2238 = fadd double %v2237, %v2235
+  %v2239 = fmul double %v2183, %v2238
+  %v2240 = getelementptr i8, ptr %v2219, i64 %v753
+  %v2241 = load double, ptr %v2240, align 8, !noalias !277
+  %v2242 = fadd double %v2241, %v2239
+  %v2243 = fmul double %v2186, %v2242
+  %v2244 = getelementptr i8, ptr %v2219, i64 %v754
+  %v2245 = load double, ptr %v2244, align 8, !noalias !277
+  %v2246 = fadd double %v2245, %v2243
+  %v2247 = fmul double %v2183, %v2246
+  %v2248 = load double, ptr %v2219, align 8, !noalias !277
+  %v2210 = fadd double %v2248, %v2247
+  br label %v2196
 
-v2309:
-  store double %v2306, ptr %v770, align 8, !noalias !304
-  store double %v2307, ptr %v781, align 8, !noalias !304
-  br label %v2308
+v1927:
+  %v2249 = phi i64 [ %v2250, %v2251 ], [ 0, %v1926 ]
+  %v2252 = phi i64 [ %v2253, %v2251 ], [ %v830, %v1926 ]
+  %v2254 = icmp sgt i64 %v2252, 0
+  br i1 %v2254, label %v2251, label %v2255
 
-v2308:
-  %v2310 = icmp eq i64 %v2311, 45
-  br i1 %v2310, label %v2312, label %v2313
+v2251:
+  %v2253 = add nsw i64 %v2252, -1
+  %v2250 = add i64 %v2249, 1
+  %v2256 = getelementptr double, ptr %v800, i64 %v2249
+  %v2257 = load double, ptr %v2256, align 8, !noalias !281
+  %v2258 = getelementptr double, ptr %v798, i64 %v2249
+  %v2259 = load double, ptr %v2258, align 8, !noalias !281
+  %v2260 = fneg double %v2259
+  %v2261 = fcmp olt double %v2257, %v2260
+  br i1 %v2261, label %v2255, label %v1927
 
-v2313:
-  %v2256 = phi i64 [ %v2311, %v2308 ], [ 0, %v2314 ]
-  %v2311 = add nsw i64 %v2256, 1
-  %v2281 = load double, ptr %v778, align 8, !noalias !304
-  %v2282 = load double, ptr %v770, align 8, !noalias !304
-  %v2285 = fsub double %v2281, %v2282
-  %v2315 = fcmp ugt double %v2285, 1.000000e-13
-  br i1 %v2315, label %v2254, label %v2312
+v2255:
+  %v1941 = phi i64 [ %v2249, %v2251 ], [ -1, %v1927 ]
+  %v2262 = icmp slt i64 %v1941, %v19
+  br i1 %v2262, label %v2263, label %v1939
 
-v2279:
-  %v2306 = phi double [ %v2301, %v2270 ], [ %v2277, %v2271 ]
-  %v2316 = load double, ptr %v134, align 8, !noalias !305
-  %v2317 = load double, ptr %v740, align 8, !noalias !305
-  %v2318 = fmul double %v2306, %v2317
-  %v2319 = fadd double %v2316, %v2318
-  store double %v2319, ptr %v742, align 8, !noalias !305
-  br i1 %v784, label %v2320, label %v2321
+v1946:
+  %v1957 = phi double [ %v1733, %v1939 ], [ %v2009, %v2006 ]
+  %v2264 = phi i64 [ 0, %v1939 ], [ %v2011, %v2006 ]
+  %v2011 = add nsw i64 %v2264, 1
+  %v2004 = icmp eq i64 %v2264, 0
+  %v2265 = load double, ptr %v134, align 8, !noalias !239
+  %v2266 = load double, ptr %v740, align 8, !noalias !239
+  %v2267 = fmul double %v1957, %v2266
+  %v2268 = fadd double %v2265, %v2267
+  store double %v2268, ptr %v742, align 8, !noalias !239
+  br i1 %v744, label %v1987, label %v1949
 
-v2320:
-  %v2322 = fsub double 1.000000e+00, %v2306
-  br label %v2323
+v1949:
+  %v1962 = fsub double 1.000000e+00, %v1957
+  br label %v1947
 
-v2323:
-  %v2324 = phi i64 [ 0, %v2320 ], [ %v2325, %v2323 ]
-  %v2326 = mul i64 %v2324, %v197
-  %v2327 = getelementptr double, ptr %v194, i64 %v2326
-  %v2328 = getelementptr i8, ptr %v2327, i64 %v748
-  %v2329 = load double, ptr %v2328, align 8, !noalias !312
-  %v2330 = fadd double %v2329, 0.000000e+00
-  %v2331 = fmul double %v2306, %v2330
-  %v2332 = getelementptr i8, ptr %v2327, i64 %v749
-  %v2333 = load double, ptr %v2332, align 8, !noalias !312
-  %v2334 = fadd double %v2333, %v2331
-  %v2335 = fmul double %v2322, %v2334
-  %v2336 = getelementptr i8, ptr %v2327, i64 %v750
-  %v2337 = load double, ptr %v2336, align 8, !noalias !312
-  %v2338 = fadd double %v2337, %v2335
-  %v2339 = fmul double %v2306, %v2338
-  %v2340 = getelementptr i8, ptr %v2327, i64 %v751
-  %v2341 = load double, ptr %v2340, align 8, !noalias !312
-  %v2342 = fadd double %v2341, %v2339
-  %v2343 = fmul double %v2322, %v2342
-  %v2344 = getelementptr i8, ptr %v2327, i64 %v752
-  %v2345 = load double, ptr %v2344, align 8, !noalias !312
-  %v2346 = fadd double %v2345, %v2343
-  %v2347 = fmul double %v2306, %v2346
-  %v2348 = getelementptr i8, ptr %v2327, i64 %v753
-  %v2349 = load double, ptr %v2348, align 8, !noalias !312
-  %v2350 = fadd double %v2349, %v2347
-  %v2351 = fmul double %v2322, %v2350
-  %v2352 = getelementptr i8, ptr %v2327, i64 %v754
-  %v2353 = load double, ptr %v2352, align 8, !noalias !312
-  %v2354 = fadd double %v2353, %v2351
-  %v2355 = fmul double %v2306, %v2354
-  %v2325 = add nsw i64 %v2324, 1
-  %v2356 = load double, ptr %v2327, align 8, !noalias !312
-  %v2357 = fadd double %v2356, %v2355
-  %v2358 = getelementptr double, ptr %v745, i64 %v2326
-  store double %v2357, ptr %v2358, align 8, !noalias !305
-  %v2359 = icmp eq i64 %v10, %v2325
-  br i1 %v2359, label %v2321, label %v2323
+v1990:
+  store double %v1957, ptr %v770, align 8, !noalias !210
+  %v2269 = load double, ptr %v1944, align 8, !noalias !210
+  store double %v2269, ptr %v781, align 8, !noalias !210
+  %v2270 = fcmp ogt double %v2269, 0.000000e+00
+  br i1 %v2270, label %v2013, label %v2003
 
-v2321:
-  %v2360 = load i64, ptr %v747, align 8, !noalias !316
-  %v2361 = inttoptr i64 %v2360 to ptr
-  tail call void %v2361(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !316
-  br i1 %v791, label %v2362, label %v2363
+v2207:
+  %v2271 = getelementptr i64, ptr %v111, i64 %v2205
+  %v2272 = load i64, ptr %v2271, align 8, !noalias !274
+  %v2273 = icmp eq i64 %v2272, 0
+  br i1 %v2273, label %v2274, label %v2208
 
-v2362:
-  %v2364 = phi i64 [ %v2365, %v2362 ], [ %v790, %v2321 ]
-  %v2366 = phi i64 [ %v2367, %v2362 ], [ %v19, %v2321 ]
-  %v2365 = add nsw i64 %v2364, -1
-  %v2367 = add i64 %v2366, 1
-  %v2368 = icmp slt i64 %v2366, 0
-  %v2369 = select i1 %v2368, i64 %v208, i64 0
-  %v2370 = add i64 %v2369, %v2366
-  %v2371 = getelementptr double, ptr %v795, i64 %v2370
-  %v2372 = load double, ptr %v2371, align 8, !noalias !319
-  %v2373 = getelementptr double, ptr %v798, i64 %v2370
-  store double %v2372, ptr %v2373, align 8, !noalias !319
-  %v2374 = icmp sgt i64 %v2364, 1
-  br i1 %v2374, label %v2362, label %v2363
+v2274:
+  store i64 4, ptr %v2271, align 8, !noalias !274
+  br label %v2208
+
+v2208:
+  store double 0.000000e+00, ptr %v843, align 8, !noalias !210
+  br label %v2275
+
+v2276:
+  br i1 %v1742, label %v2263, label %v2277
+
+v2277:
+  call void @llvm.lifetime.start.p0(ptr nonnull %v287), !noalias !180
+  call void @llvm.lifetime.start.p0(ptr nonnull %v288), !noalias !180
+  store i8 0, ptr %v287, align 1, !noalias !285
+  store ptr null, ptr %v288, align 8, !noalias !285
+  %v2278 = load double, ptr %v770, align 8, !noalias !285
+  %v2279 = load double, ptr %v778, align 8, !noalias !285
+  br i1 %v292, label %v2280, label %v2281
+
+v2282:
+  %v2283 = phi i64 [ %v2284, %v2285 ], [ 0, %v2286 ]
+  %v2284 = add nsw i64 %v2283, 1
+  %v2287 = icmp ult i64 %v2283, 9
+  br i1 %v2287, label %v2288, label %v2289
+
+v2288:
+  %v2290 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2283
+  %v2291 = load double, ptr %v2290, align 8
+  %v2292 = load double, ptr %v134, align 8, !noalias !289
+  %v2293 = load double, ptr %v740, align 8, !noalias !289
+  %v2294 = fmul double %v2291, %v2293
+  %v2295 = fadd double %v2292, %v2294
+  store double %v2295, ptr %v742, align 8, !noalias !289
+  br i1 %v784, label %v2296, label %v2285
+
+v2296:
+  %v2297 = fsub double 1.000000e+00, %v2291
+  br label %v2298
+
+v2298:
+  %v2299 = phi i64 [ 0, %v2296 ], [ %v2300, %v2298 ]
+  %v2301 = mul i64 %v2299, %v197
+  %v2302 = getelementptr double, ptr %v194, i64 %v2301
+  %v2303 = getelementptr i8, ptr %v2302, i64 %v748
+  %v2304 = load double, ptr %v2303, align 8, !noalias !296
+  %v2305 = fadd double %v2304, 0.000000e+00
+  %v2306 = fmul double %v2291, %v2305
+  %v2307 = getelementptr i8, ptr %v2302, i64 %v749
+  %v2308 = load double, ptr %v2307, align 8, !noalias !296
+  %v2309 = fadd double %v2308, %v2306
+  %v2310 = fmul double %v2297, %v2309
+  %v2311 = getelementptr i8, ptr %v2302, i64 %v750
+  %v2312 = load double, ptr %v2311, align 8, !noalias !296
+  %v2313 = fadd double %v2312, %v2310
+  %v2314 = fmul double %v2291, %v2313
+  %v2315 = getelementptr i8, ptr %v2302, i64 %v751
+  %v2316 = load double, ptr %v2315, align 8, !noalias !296
+  %v2317 = fadd double %v2316, %v2314
+  %v2318 = fmul double %v2297, %v2317
+  %v2319 = getelementptr i8, ptr %v2302, i64 %v752
+  %v2320 = load double, ptr %v2319, align 8, !noalias !296
+  %v2321 = fadd double %v2320, %v2318
+  %v2322 = fmul double %v2291, %v2321
+  %v2323 = getelementptr i8, ptr %v2302, i64 %v753
+  %v2324 = load double, ptr %v2323, align 8, !noalias !296
+  %v2325 = fadd double %v2324, %v2322
+  %v2326 = fmul double %v2297, %v2325
+  %v2327 = getelementptr i8, ptr %v2302, i64 %v754
+  %v2328 = load double, ptr %v2327, align 8, !noalias !296
+  %v2329 = fadd double %v2328, %v2326
+  %v2330 = fmul double %v2291, %v2329
+  %v2300 = add nsw i64 %v2299, 1
+  %v2331 = load double, ptr %v2302, align 8, !noalias !296
+  %v2332 = fadd double %v2331, %v2330
+  %v2333 = getelementptr double, ptr %v745, i64 %v2301
+  store double %v2332, ptr %v2333, align 8, !noalias !289
+  %v2334 = icmp eq i64 %v10, %v2300
+  br i1 %v2334, label %v2285, label %v2298
+
+v2285:
+  %v2335 = icmp eq i64 %v2283, 8
+  %v2336 = select i1 %v2335, i64 17, i64 16
+  %v2337 = mul i64 %v2283, %v746
+  %v2338 = load i64, ptr %v747, align 8, !noalias !300
+  %v2339 = mul nsw i64 %v2336, %v10
+  %v2340 = getelementptr double, ptr %v159, i64 %v2339
+  %v2341 = getelementptr double, ptr %v187, i64 %v2337
+  %v2342 = inttoptr i64 %v2338 to ptr
+  tail call void %v2342(ptr nonnull %v742, ptr %v2340, ptr %v166, ptr %v173, ptr %v180, ptr %v2341), !noalias !300
+  %v2343 = icmp eq i64 %v2284, 9
+  br i1 %v2343, label %v2289, label %v2282
+
+v2289:
+  %v2344 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2282 ], [ %v2345, %v2285 ]
+  %v2346 = phi i32 [ 1, %v2282 ], [ 0, %v2285 ]
+  br i1 %v2287, label %v2347, label %v2348, !prof !131
+
+v2349:
+  %v2350 = load double, ptr %v820, align 8, !noalias !285
+  %v2351 = fcmp ogt double %v2350, 5.000000e-01
+  br i1 %v2351, label %v2352, label %v2353
+
+v2352:
+  %v2354 = load i64, ptr %v6, align 8, !noalias !303
+  %v2355 = inttoptr i64 %v2354 to ptr
+  tail call void %v2355(ptr nonnull %v774, ptr %v825, ptr %v166, ptr %v173, ptr %v180, ptr %v827), !noalias !303
+  %v2356 = load double, ptr %v774, align 8, !noalias !285
+  store double %v2356, ptr %v776, align 8, !noalias !285
+  br label %v2357
+
+v2358:
+  %v2359 = sub nsw i64 45, %v2360
+  %v2361 = load double, ptr %v781, align 8, !noalias !306
+  %v2362 = load double, ptr %v783, align 8, !noalias !306
+  br label %v2363
 
 v2363:
-  br i1 %v799, label %v2375, label %v2376
-
-v2376:
-  %v2377 = phi double [ %v2378, %v2376 ], [ 0x7FF0000000000000, %v2363 ]
-  %v2379 = phi i64 [ %v2380, %v2376 ], [ 0, %v2363 ]
-  %v2380 = add nsw i64 %v2379, 1
-  %v2381 = getelementptr double, ptr %v800, i64 %v2379
-  %v2382 = load double, ptr %v2381, align 8, !noalias !320
-  %v2383 = getelementptr double, ptr %v798, i64 %v2379
-  %v2384 = load double, ptr %v2383, align 8, !noalias !320
-  %v2385 = fadd double %v2382, %v2384
-  %v2386 = fcmp olt double %v2385, %v2377
-  %v2378 = select i1 %v2386, double %v2385, double %v2377
-  %v2387 = icmp eq i64 %v208, %v2380
-  br i1 %v2387, label %v2375, label %v2376
+  %v2364 = phi double [ %v2365, %v2363 ], [ 1.000000e+00, %v2358 ]
+  %v2366 = phi double [ %v2367, %v2363 ], [ 2.000000e+00, %v2358 ]
+  %v2368 = phi i64 [ %v2369, %v2363 ], [ %v2359, %v2358 ]
+  %v2370 = and i64 %v2368, 1
+  %v2371 = icmp eq i64 %v2370, 0
+  %v2372 = fmul double %v2364, %v2366
+  %v2365 = select i1 %v2371, double %v2364, double %v2372
+  %v2369 = lshr i64 %v2368, 1
+  %v2367 = fmul double %v2366, %v2366
+  %v2373 = icmp eq i64 %v2369, 0
+  br i1 %v2373, label %v2374, label %v2363
 
 v2375:
-  %v2307 = phi double [ 0x7FF0000000000000, %v2363 ], [ %v2378, %v2376 ]
-  %v2388 = fcmp olt double %v2307, 0.000000e+00
-  br i1 %v2388, label %v2305, label %v2309
+  %v2376 = fcmp olt double %v2377, 0.000000e+00
+  %v2378 = select i1 %v2376, double 0.000000e+00, double %v2377
+  %v2379 = fmul double %v2380, %v2378
+  %v2381 = fsub double %v2382, %v2379
+  br label %v2383
 
-v2312:
-  %v2389 = icmp ugt i64 %v2390, 1
-  br i1 %v2389, label %v2391, label %v2249
+v2374:
+  %v2384 = fadd double %v2385, %v2386
+  %v2382 = fmul double %v2384, 5.000000e-01
+  %v2387 = fmul double %v2365, 1.000000e-13
+  %v2388 = fsub double %v2387, %v2389
+  %v2377 = fmul double %v2388, 5.000000e-01
+  %v2390 = fmul double %v2386, %v2362
+  %v2391 = fmul double %v2385, %v2361
+  %v2392 = fsub double %v2390, %v2391
+  %v2393 = fsub double %v2362, %v2361
+  %v2394 = fdiv double %v2392, %v2393
+  %v2395 = fcmp olt double %v2386, %v2394
+  %v2396 = fcmp olt double %v2394, %v2385
+  %v2397 = and i1 %v2395, %v2396
+  %v2398 = select i1 %v2397, double %v2394, double %v2382
+  %v2399 = fsub double %v2382, %v2398
+  %v2380 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2399)
+  %v2400 = fmul double %v2389, %v2389
+  %v2401 = tail call double @llvm.fabs.f64(double %v2399)
+  %v2402 = fcmp olt double %v2401, %v2400
+  %v2403 = select i1 %v2402, double %v2401, double %v2400
+  %v2404 = fmul double %v2380, %v2403
+  %v2405 = fadd double %v2398, %v2404
+  %v2406 = fsub double %v2405, %v2382
+  %v2407 = tail call double @llvm.fabs.f64(double %v2406)
+  %v2408 = fcmp ugt double %v2407, %v2377
+  br i1 %v2408, label %v2375, label %v2383
 
-v2249:
-  br i1 %v821, label %v2392, label %v2393
+v2409:
+  store double %v2410, ptr %v778, align 8, !noalias !312
+  store double %v2411, ptr %v783, align 8, !noalias !312
+  br label %v2412
 
-v2392:
-  %v2394 = load i64, ptr %v811, align 8, !noalias !324
-  %v2395 = inttoptr i64 %v2394 to ptr
-  tail call void %v2395(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !324
-  store double %v2174, ptr %v770, align 8, !noalias !277
-  store double %v2175, ptr %v778, align 8, !noalias !277
-  br label %v2253
+v2413:
+  store double %v2410, ptr %v770, align 8, !noalias !312
+  store double %v2411, ptr %v781, align 8, !noalias !312
+  br label %v2412
 
-v2393:
-  %v2396 = phi i64 [ %v2397, %v2393 ], [ 0, %v2249 ]
-  %v2397 = add nsw i64 %v2396, 1
-  %v2398 = add nsw i64 %v2396, %v18
-  %v2399 = icmp slt i64 %v2398, 0
-  %v2400 = select i1 %v2399, i64 %v167, i64 0
-  %v2401 = getelementptr double, ptr %v166, i64 %v2398
-  %v2402 = getelementptr double, ptr %v2401, i64 %v2400
-  %v2403 = load double, ptr %v2402, align 8, !noalias !330
-  %v2404 = getelementptr double, ptr %v823, i64 %v2396
-  %v2405 = load double, ptr %v2404, align 8, !noalias !330
-  store double %v2405, ptr %v2402, align 8, !noalias !330
-  store double %v2403, ptr %v2404, align 8, !noalias !330
-  %v2406 = icmp eq i64 %v19, %v2397
-  br i1 %v2406, label %v2392, label %v2393
+v2412:
+  %v2414 = icmp eq i64 %v2415, 45
+  br i1 %v2414, label %v2416, label %v2417
 
-v2176:
-  %v2407 = phi i64 [ %v2408, %v2176 ], [ 0, %v2173 ]
-  %v2408 = add nsw i64 %v2407, 1
-  %v2409 = add nsw i64 %v2407, %v18
-  %v2410 = icmp slt i64 %v2409, 0
-  %v2411 = select i1 %v2410, i64 %v167, i64 0
-  %v2412 = getelementptr double, ptr %v166, i64 %v2409
-  %v2413 = getelementptr double, ptr %v2412, i64 %v2411
-  %v2414 = load double, ptr %v2413, align 8, !noalias !277
-  %v2415 = getelementptr double, ptr %v802, i64 %v2407
-  store double %v2414, ptr %v2415, align 8, !noalias !277
-  %v2416 = icmp eq i64 %v19, %v2408
-  br i1 %v2416, label %v2177, label %v2176
+v2417:
+  %v2360 = phi i64 [ %v2415, %v2412 ], [ 0, %v2418 ]
+  %v2415 = add nsw i64 %v2360, 1
+  %v2385 = load double, ptr %v778, align 8, !noalias !312
+  %v2386 = load double, ptr %v770, align 8, !noalias !312
+  %v2389 = fsub double %v2385, %v2386
+  %v2419 = fcmp ugt double %v2389, 1.000000e-13
+  br i1 %v2419, label %v2358, label %v2416
 
-v2177:
-  br label %v2391
+v2383:
+  %v2410 = phi double [ %v2405, %v2374 ], [ %v2381, %v2375 ]
+  %v2420 = load double, ptr %v134, align 8, !noalias !313
+  %v2421 = load double, ptr %v740, align 8, !noalias !313
+  %v2422 = fmul double %v2410, %v2421
+  %v2423 = fadd double %v2420, %v2422
+  store double %v2423, ptr %v742, align 8, !noalias !313
+  br i1 %v784, label %v2424, label %v2425
 
-v2391:
-  %v2241 = phi ptr [ %v2240, %v2312 ], [ null, %v2177 ]
-  %v2417 = phi ptr [ %v2418, %v2312 ], [ null, %v2177 ]
-  %v2390 = phi i64 [ %v2419, %v2312 ], [ 32, %v2177 ]
-  %v2419 = add nsw i64 %v2390, -1
-  %v2420 = load double, ptr %v778, align 8, !noalias !331
-  %v2421 = load double, ptr %v134, align 8, !noalias !335
-  %v2422 = load double, ptr %v740, align 8, !noalias !335
-  %v2423 = fmul double %v2420, %v2422
-  %v2424 = fadd double %v2421, %v2423
-  store double %v2424, ptr %v742, align 8, !noalias !335
-  br i1 %v784, label %v2425, label %v2426
+v2424:
+  %v2426 = fsub double 1.000000e+00, %v2410
+  br label %v2427
+
+v2427:
+  %v2428 = phi i64 [ 0, %v2424 ], [ %v2429, %v2427 ]
+  %v2430 = mul i64 %v2428, %v197
+  %v2431 = getelementptr double, ptr %v194, i64 %v2430
+  %v2432 = getelementptr i8, ptr %v2431, i64 %v748
+  %v2433 = load double, ptr %v2432, align 8, !noalias !320
+  %v2434 = fadd double %v2433, 0.000000e+00
+  %v2435 = fmul double %v2410, %v2434
+  %v2436 = getelementptr i8, ptr %v2431, i64 %v749
+  %v2437 = load double, ptr %v2436, align 8, !noalias !320
+  %v2438 = fadd double %v2437, %v2435
+  %v2439 = fmul double %v2426, %v2438
+  %v2440 = getelementptr i8, ptr %v2431, i64 %v750
+  %v2441 = load double, ptr %v2440, align 8, !noalias !320
+  %v2442 = fadd double %v2441, %v2439
+  %v2443 = fmul double %v2410, %v2442
+  %v2444 = getelementptr i8, ptr %v2431, i64 %v751
+  %v2445 = load double, ptr %v2444, align 8, !noalias !320
+  %v2446 = fadd double %v2445, %v2443
+  %v2447 = fmul double %v2426, %v2446
+  %v2448 = getelementptr i8, ptr %v2431, i64 %v752
+  %v2449 = load double, ptr %v2448, align 8, !noalias !320
+  %v2450 = fadd double %v2449, %v2447
+  %v2451 = fmul double %v2410, %v2450
+  %v2452 = getelementptr i8, ptr %v2431, i64 %v753
+  %v2453 = load double, ptr %v2452, align 8, !noalias !320
+  %v2454 = fadd double %v2453, %v2451
+  %v2455 = fmul double %v2426, %v2454
+  %v2456 = getelementptr i8, ptr %v2431, i64 %v754
+  %v2457 = load double, ptr %v2456, align 8, !noalias !320
+  %v2458 = fadd double %v2457, %v2455
+  %v2459 = fmul double %v2410, %v2458
+  %v2429 = add nsw i64 %v2428, 1
+  %v2460 = load double, ptr %v2431, align 8, !noalias !320
+  %v2461 = fadd double %v2460, %v2459
+  %v2462 = getelementptr double, ptr %v745, i64 %v2430
+  store double %v2461, ptr %v2462, align 8, !noalias !313
+  %v2463 = icmp eq i64 %v10, %v2429
+  br i1 %v2463, label %v2425, label %v2427
 
 v2425:
-  %v2427 = fsub double 1.000000e+00, %v2420
-  br label %v2428
+  %v2464 = load i64, ptr %v747, align 8, !noalias !324
+  %v2465 = inttoptr i64 %v2464 to ptr
+  tail call void %v2465(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !324
+  br i1 %v791, label %v2466, label %v2467
 
-v2428:
-  %v2429 = phi i64 [ 0, %v2425 ], [ %v2430, %v2428 ]
-  %v2431 = mul i64 %v2429, %v197
-  %v2432 = getelementptr double, ptr %v194, i64 %v2431
-  %v2433 = getelementptr i8, ptr %v2432, i64 %v748
-  %v2434 = load double, ptr %v2433, align 8, !noalias !342
-  %v2435 = fadd double %v2434, 0.000000e+00
-  %v2436 = fmul double %v2420, %v2435
-  %v2437 = getelementptr i8, ptr %v2432, i64 %v749
-  %v2438 = load double, ptr %v2437, align 8, !noalias !342
-  %v2439 = fadd double %v2438, %v2436
-  %v2440 = fmul double %v2427, %v2439
-  %v2441 = getelementptr i8, ptr %v2432, i64 %v750
-  %v2442 = load double, ptr %v2441, align 8, !noalias !342
-  %v2443 = fadd double %v2442, %v2440
-  %v2444 = fmul double %v2420, %v2443
-  %v2445 = getelementptr i8, ptr %v2432, i64 %v751
-  %v2446 = load double, ptr %v2445, align 8, !noalias !342
-  %v2447 = fadd double %v2446, %v2444
-  %v2448 = fmul double %v2427, %v2447
-  %v2449 = getelementptr i8, ptr %v2432, i64 %v752
-  %v2450 = load double, ptr %v2449, align 8, !noalias !342
-  %v2451 = fadd double %v2450, %v2448
-  %v2452 = fmul double %v2420, %v2451
-  %v2453 = getelementptr i8, ptr %v2432, i64 %v753
-  %v2454 = load double, ptr %v2453, align 8, !noalias !342
-  %v2455 = fadd double %v2454, %v2452
-  %v2456 = fmul double %v2427, %v2455
-  %v2457 = getelementptr i8, ptr %v2432, i64 %v754
-  %v2458 = load double, ptr %v2457, align 8, !noalias !342
-  %v2459 = fadd double %v2458, %v2456
-  %v2460 = fmul double %v2420, %v2459
-  %v2430 = add nsw i64 %v2429, 1
-  %v2461 = load double, ptr %v2432, align 8, !noalias !342
-  %v2462 = fadd double %v2461, %v2460
-  %v2463 = getelementptr double, ptr %v805, i64 %v2431
-  store double %v2462, ptr %v2463, align 8, !noalias !335
-  %v2464 = icmp eq i64 %v10, %v2430
-  br i1 %v2464, label %v2426, label %v2428
-
-v2426:
-  %v2465 = load i64, ptr %v747, align 8, !noalias !346
-  %v2466 = inttoptr i64 %v2465 to ptr
-  tail call void %v2466(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !346
-  br i1 %v791, label %v2467, label %v2468
+v2466:
+  %v2468 = phi i64 [ %v2469, %v2466 ], [ %v790, %v2425 ]
+  %v2470 = phi i64 [ %v2471, %v2466 ], [ %v19, %v2425 ]
+  %v2469 = add nsw i64 %v2468, -1
+  %v2471 = add i64 %v2470, 1
+  %v2472 = icmp slt i64 %v2470, 0
+  %v2473 = select i1 %v2472, i64 %v208, i64 0
+  %v2474 = add i64 %v2473, %v2470
+  %v2475 = getelementptr double, ptr %v795, i64 %v2474
+  %v2476 = load double, ptr %v2475, align 8, !noalias !327
+  %v2477 = getelementptr double, ptr %v798, i64 %v2474
+  store double %v2476, ptr %v2477, align 8, !noalias !327
+  %v2478 = icmp sgt i64 %v2468, 1
+  br i1 %v2478, label %v2466, label %v2467
 
 v2467:
-  %v2469 = phi i64 [ %v2470, %v2467 ], [ %v789, %v2426 ]
-  %v2471 = phi i64 [ %v2472, %v2467 ], [ %v19, %v2426 ]
-  %v2470 = add nsw i64 %v2469, -1
-  %v2472 = add i64 %v2471, 1
-  %v2473 = icmp slt i64 %v2471, 0
-  %v2474 = select i1 %v2473, i64 %v208, i64 0
-  %v2475 = add i64 %v2474, %v2471
-  %v2476 = getelementptr double, ptr %v795, i64 %v2475
-  %v2477 = load double, ptr %v2476, align 8, !noalias !349
-  %v2478 = getelementptr double, ptr %v798, i64 %v2475
-  store double %v2477, ptr %v2478, align 8, !noalias !349
-  %v2479 = icmp sgt i64 %v2469, 1
-  br i1 %v2479, label %v2467, label %v2468
-
-v2468:
-  br label %v2480
-
-v2481:
-  br label %v2482
-
-v2482:
-  %v2483 = phi double [ %v2420, %v2480 ], [ 1.000000e+00, %v2484 ], [ 8.889000e-01, %v2485 ], [ 2.500000e-01, %v2486 ], [ 3.333000e-01, %v2487 ], [ 5.000000e-01, %v2488 ], [ 0x3FE50A3D70A3D70A, %v2489 ], [ 7.500000e-01, %v2490 ], [ 0x3FB48E8A71DE69AD, %v2481 ]
-  %v2491 = fcmp ult double %v2483, %v2420
-  br i1 %v2491, label %v2492, label %v2493
-
-v2493:
-  %v2494 = load double, ptr %v134, align 8, !noalias !350
-  %v2495 = load double, ptr %v740, align 8, !noalias !350
-  %v2496 = fmul double %v2483, %v2495
-  %v2497 = fadd double %v2494, %v2496
-  store double %v2497, ptr %v742, align 8, !noalias !350
-  br i1 %v784, label %v2498, label %v2499
-
-v2498:
-  %v2500 = fsub double 1.000000e+00, %v2483
-  br label %v2501
-
-v2501:
-  %v2502 = phi i64 [ 0, %v2498 ], [ %v2503, %v2501 ]
-  %v2504 = mul i64 %v2502, %v197
-  %v2505 = getelementptr double, ptr %v194, i64 %v2504
-  %v2506 = getelementptr i8, ptr %v2505, i64 %v748
-  %v2507 = load double, ptr %v2506, align 8, !noalias !354
-  %v2508 = fadd double %v2507, 0.000000e+00
-  %v2509 = fmul double %v2483, %v2508
-  %v2510 = getelementptr i8, ptr %v2505, i64 %v749
-  %v2511 = load double, ptr %v2510, align 8, !noalias !354
-  %v2512 = fadd double %v2511, %v2509
-  %v2513 = fmul double %v2500, %v2512
-  %v2514 = getelementptr i8, ptr %v2505, i64 %v750
-  %v2515 = load double, ptr %v2514, align 8, !noalias !354
-  %v2516 = fadd double %v2515, %v2513
-  %v2517 = fmul double %v2483, %v2516
-  %v2518 = getelementptr i8, ptr %v2505, i64 %v751
-  %v2519 = load double, ptr %v2518, align 8, !noalias !354
-  %v2520 = fadd double %v2519, %v2517
-  %v2521 = fmul double %v2500, %v2520
-  %v2522 = getelementptr i8, ptr %v2505, i64 %v752
-  %v2523 = load double, ptr %v2522, align 8, !noalias !354
-  %v2524 = fadd double %v2523, %v2521
-  %v2525 = fmul double %v2483, %v2524
-  %v2526 = getelementptr i8, ptr %v2505, i64 %v753
-  %v2527 = load double, ptr %v2526, align 8, !noalias !354
-  %v2528 = fadd double %v2527, %v2525
-  %v2529 = fmul double %v2500, %v2528
-  %v2530 = getelementptr i8, ptr %v2505, i64 %v754
-  %v2531 = load double, ptr %v2530, align 8, !noalias !354
-  %v2532 = fadd double %v2531, %v2529
-  %v2533 = fmul double %v2483, %v2532
-  %v2503 = add nsw i64 %v2502, 1
-  %v2534 = load double, ptr %v2505, align 8, !noalias !354
-  %v2535 = fadd double %v2534, %v2533
-  %v2536 = getelementptr double, ptr %v745, i64 %v2504
-  store double %v2535, ptr %v2536, align 8, !noalias !350
-  %v2537 = icmp eq i64 %v10, %v2503
-  br i1 %v2537, label %v2499, label %v2501
-
-v2538:
-  %v2539 = load i64, ptr %v811, align 8, !noalias !358
-  %v2540 = inttoptr i64 %v2539 to ptr
-  tail call void %v2540(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !358
-  br label %v2492
-
-v2541:
-  %v2542 = phi i64 [ %v2543, %v2541 ], [ 0, %v2544 ]
-  %v2543 = add nsw i64 %v2542, 1
-  %v2545 = add nsw i64 %v2542, %v18
-  %v2546 = icmp slt i64 %v2545, 0
-  %v2547 = select i1 %v2546, i64 %v167, i64 0
-  %v2548 = getelementptr double, ptr %v166, i64 %v2545
-  %v2549 = getelementptr double, ptr %v2548, i64 %v2547
-  %v2550 = load double, ptr %v2549, align 8, !noalias !364
-  %v2551 = getelementptr double, ptr %v797, i64 %v2542
-  %v2552 = load double, ptr %v2551, align 8, !noalias !364
-  store double %v2552, ptr %v2549, align 8, !noalias !364
-  store double %v2550, ptr %v2551, align 8, !noalias !364
-  %v2553 = icmp eq i64 %v19, %v2543
-  br i1 %v2553, label %v2538, label %v2541
-
-v2492:
-  %v2554 = icmp ugt i64 %v2555, 1
-  br i1 %v2554, label %v2480, label %v2556
-
-v2556:
-  br i1 %v292, label %v2557, label %v2558
-
-v2558:
-  %v2559 = load i64, ptr %v811, align 8, !noalias !365
-  %v2560 = inttoptr i64 %v2559 to ptr
-  tail call void %v2560(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !365
-  br label %v2561
-
-v2557:
-  %v2562 = phi i64 [ %v2563, %v2557 ], [ 0, %v2556 ]
-  %v2563 = add nsw i64 %v2562, 1
-  %v2564 = add nsw i64 %v2562, %v18
-  %v2565 = icmp slt i64 %v2564, 0
-  %v2566 = select i1 %v2565, i64 %v167, i64 0
-  %v2567 = getelementptr double, ptr %v166, i64 %v2564
-  %v2568 = getelementptr double, ptr %v2567, i64 %v2566
-  %v2569 = load double, ptr %v2568, align 8, !noalias !371
-  %v2570 = getelementptr double, ptr %v797, i64 %v2562
-  %v2571 = load double, ptr %v2570, align 8, !noalias !371
-  store double %v2571, ptr %v2568, align 8, !noalias !371
-  store double %v2569, ptr %v2570, align 8, !noalias !371
-  %v2572 = icmp eq i64 %v2563, %v19
-  br i1 %v2572, label %v2558, label %v2557
+  br i1 %v799, label %v2479, label %v2480
 
 v2480:
-  %v2555 = phi i64 [ %v2573, %v2492 ], [ 9, %v2468 ]
-  %v2574 = phi i64 [ %v2575, %v2492 ], [ 8, %v2468 ]
-  %v2573 = add nsw i64 %v2555, -1
-  %v2575 = add nsw i64 %v2574, -1
-  switch i64 %v2574, label %v2561 [
-    i64 0, label %v2482
-    i64 -1, label %v2484
-    i64 8, label %v2484
-    i64 1, label %v2481
-    i64 -8, label %v2481
-    i64 2, label %v2486
-    i64 -7, label %v2486
-    i64 3, label %v2487
-    i64 -6, label %v2487
-    i64 4, label %v2488
-    i64 -5, label %v2488
-    i64 5, label %v2489
-    i64 -4, label %v2489
-    i64 6, label %v2490
-    i64 -3, label %v2490
-    i64 7, label %v2485
-    i64 -2, label %v2485
-  ]
+  %v2481 = phi double [ %v2482, %v2480 ], [ 0x7FF0000000000000, %v2467 ]
+  %v2483 = phi i64 [ %v2484, %v2480 ], [ 0, %v2467 ]
+  %v2484 = add nsw i64 %v2483, 1
+  %v2485 = getelementptr double, ptr %v800, i64 %v2483
+  %v2486 = load double, ptr %v2485, align 8, !noalias !328
+  %v2487 = getelementptr double, ptr %v798, i64 %v2483
+  %v2488 = load double, ptr %v2487, align 8, !noalias !328
+  %v2489 = fadd double %v2486, %v2488
+  %v2490 = fcmp olt double %v2489, %v2481
+  %v2482 = select i1 %v2490, double %v2489, double %v2481
+  %v2491 = icmp eq i64 %v208, %v2484
+  br i1 %v2491, label %v2479, label %v2480
 
-v2486:
-  br label %v2482
+v2479:
+  %v2411 = phi double [ 0x7FF0000000000000, %v2467 ], [ %v2482, %v2480 ]
+  %v2492 = fcmp olt double %v2411, 0.000000e+00
+  br i1 %v2492, label %v2409, label %v2413
 
-v2487:
-  br label %v2482
+v2416:
+  %v2493 = icmp ugt i64 %v2494, 1
+  br i1 %v2493, label %v2495, label %v2353
 
-v2488:
-  br label %v2482
+v2353:
+  br i1 %v821, label %v2496, label %v2497
 
-v2489:
-  br label %v2482
+v2496:
+  %v2498 = load i64, ptr %v811, align 8, !noalias !332
+  %v2499 = inttoptr i64 %v2498 to ptr
+  tail call void %v2499(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !332
+  store double %v2278, ptr %v770, align 8, !noalias !285
+  store double %v2279, ptr %v778, align 8, !noalias !285
+  br label %v2357
 
-v2490:
-  br label %v2482
+v2497:
+  %v2500 = phi i64 [ %v2501, %v2497 ], [ 0, %v2353 ]
+  %v2501 = add nsw i64 %v2500, 1
+  %v2502 = add nsw i64 %v2500, %v18
+  %v2503 = icmp slt i64 %v2502, 0
+  %v2504 = select i1 %v2503, i64 %v167, i64 0
+  %v2505 = getelementptr double, ptr %v166, i64 %v2502
+  %v2506 = getelementptr double, ptr %v2505, i64 %v2504
+  %v2507 = load double, ptr %v2506, align 8, !noalias !338
+  %v2508 = getelementptr double, ptr %v823, i64 %v2500
+  %v2509 = load double, ptr %v2508, align 8, !noalias !338
+  store double %v2509, ptr %v2506, align 8, !noalias !338
+  store double %v2507, ptr %v2508, align 8, !noalias !338
+  %v2510 = icmp eq i64 %v19, %v2501
+  br i1 %v2510, label %v2496, label %v2497
 
-v2485:
-  br label %v2482
+v2280:
+  %v2511 = phi i64 [ %v2512, %v2280 ], [ 0, %v2277 ]
+  %v2512 = add nsw i64 %v2511, 1
+  %v2513 = add nsw i64 %v2511, %v18
+  %v2514 = icmp slt i64 %v2513, 0
+  %v2515 = select i1 %v2514, i64 %v167, i64 0
+  %v2516 = getelementptr double, ptr %v166, i64 %v2513
+  %v2517 = getelementptr double, ptr %v2516, i64 %v2515
+  %v2518 = load double, ptr %v2517, align 8, !noalias !285
+  %v2519 = getelementptr double, ptr %v802, i64 %v2511
+  store double %v2518, ptr %v2519, align 8, !noalias !285
+  %v2520 = icmp eq i64 %v19, %v2512
+  br i1 %v2520, label %v2281, label %v2280
 
-v2484:
-  br label %v2482
+v2281:
+  br label %v2495
 
-v2499:
-  %v2576 = load i64, ptr %v6, align 8, !noalias !372
-  %v2577 = inttoptr i64 %v2576 to ptr
-  tail call void %v2577(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v810), !noalias !372
-  br i1 %v292, label %v2578, label %v2579
+v2495:
+  %v2345 = phi ptr [ %v2344, %v2416 ], [ null, %v2281 ]
+  %v2521 = phi ptr [ %v2522, %v2416 ], [ null, %v2281 ]
+  %v2494 = phi i64 [ %v2523, %v2416 ], [ 32, %v2281 ]
+  %v2523 = add nsw i64 %v2494, -1
+  %v2524 = load double, ptr %v778, align 8, !noalias !339
+  %v2525 = load double, ptr %v134, align 8, !noalias !343
+  %v2526 = load double, ptr %v740, align 8, !noalias !343
+  %v2527 = fmul double %v2524, %v2526
+  %v2528 = fadd double %v2525, %v2527
+  store double %v2528, ptr %v742, align 8, !noalias !343
+  br i1 %v784, label %v2529, label %v2530
 
-v2579:
-  %v2580 = load i64, ptr %v811, align 8, !noalias !375
-  %v2581 = inttoptr i64 %v2580 to ptr
-  tail call void %v2581(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !375
-  %v2582 = load i64, ptr %v6, align 8, !noalias !381
-  %v2583 = inttoptr i64 %v2582 to ptr
-  tail call void %v2583(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v813), !noalias !381
-  %v2584 = load double, ptr %v24, align 8, !noalias !384
-  %v2585 = load double, ptr %v814, align 8, !noalias !384
+v2529:
+  %v2531 = fsub double 1.000000e+00, %v2524
+  br label %v2532
+
+v2532:
+  %v2533 = phi i64 [ 0, %v2529 ], [ %v2534, %v2532 ]
+  %v2535 = mul i64 %v2533, %v197
+  %v2536 = getelementptr double, ptr %v194, i64 %v2535
+  %v2537 = getelementptr i8, ptr %v2536, i64 %v748
+  %v2538 = load double, ptr %v2537, align 8, !noalias !350
+  %v2539 = fadd double %v2538, 0.000000e+00
+  %v2540 = fmul double %v2524, %v2539
+  %v2541 = getelementptr i8, ptr %v2536, i64 %v749
+  %v2542 = load double, ptr %v2541, align 8, !noalias !350
+  %v2543 = fadd double %v2542, %v2540
+  %v2544 = fmul double %v2531, %v2543
+  %v2545 = getelementptr i8, ptr %v2536, i64 %v750
+  %v2546 = load double, ptr %v2545, align 8, !noalias !350
+  %v2547 = fadd double %v2546, %v2544
+  %v2548 = fmul double %v2524, %v2547
+  %v2549 = getelementptr i8, ptr %v2536, i64 %v751
+  %v2550 = load double, ptr %v2549, align 8, !noalias !350
+  %v2551 = fadd double %v2550, %v2548
+  %v2552 = fmul double %v2531, %v2551
+  %v2553 = getelementptr i8, ptr %v2536, i64 %v752
+  %v2554 = load double, ptr %v2553, align 8, !noalias !350
+  %v2555 = fadd double %v2554, %v2552
+  %v2556 = fmul double %v2524, %v2555
+  %v2557 = getelementptr i8, ptr %v2536, i64 %v753
+  %v2558 = load double, ptr %v2557, align 8, !noalias !350
+  %v2559 = fadd double %v2558, %v2556
+  %v2560 = fmul double %v2531, %v2559
+  %v2561 = getelementptr i8, ptr %v2536, i64 %v754
+  %v2562 = load double, ptr %v2561, align 8, !noalias !350
+  %v2563 = fadd double %v2562, %v2560
+  %v2564 = fmul double %v2524, %v2563
+  %v2534 = add nsw i64 %v2533, 1
+  %v2565 = load double, ptr %v2536, align 8, !noalias !350
+  %v2566 = fadd double %v2565, %v2564
+  %v2567 = getelementptr double, ptr %v805, i64 %v2535
+  store double %v2566, ptr %v2567, align 8, !noalias !343
+  %v2568 = icmp eq i64 %v10, %v2534
+  br i1 %v2568, label %v2530, label %v2532
+
+v2530:
+  %v2569 = load i64, ptr %v747, align 8, !noalias !354
+  %v2570 = inttoptr i64 %v2569 to ptr
+  tail call void %v2570(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !354
+  br i1 %v791, label %v2571, label %v2572
+
+v2571:
+  %v2573 = phi i64 [ %v2574, %v2571 ], [ %v789, %v2530 ]
+  %v2575 = phi i64 [ %v2576, %v2571 ], [ %v19, %v2530 ]
+  %v2574 = add nsw i64 %v2573, -1
+  %v2576 = add i64 %v2575, 1
+  %v2577 = icmp slt i64 %v2575, 0
+  %v2578 = select i1 %v2577, i64 %v208, i64 0
+  %v2579 = add i64 %v2578, %v2575
+  %v2580 = getelementptr double, ptr %v795, i64 %v2579
+  %v2581 = load double, ptr %v2580, align 8, !noalias !357
+  %v2582 = getelementptr double, ptr %v798, i64 %v2579
+  store double %v2581, ptr %v2582, align 8, !noalias !357
+  %v2583 = icmp sgt i64 %v2573, 1
+  br i1 %v2583, label %v2571, label %v2572
+
+v2572:
+  br label %v2584
+
+v2585:
   br label %v2586
 
-v2578:
-  %v2587 = phi i64 [ %v2588, %v2578 ], [ 0, %v2499 ]
-  %v2588 = add nsw i64 %v2587, 1
-  %v2589 = add nsw i64 %v2587, %v18
-  %v2590 = icmp slt i64 %v2589, 0
-  %v2591 = select i1 %v2590, i64 %v167, i64 0
-  %v2592 = getelementptr double, ptr %v166, i64 %v2589
-  %v2593 = getelementptr double, ptr %v2592, i64 %v2591
-  %v2594 = load double, ptr %v2593, align 8, !noalias !388
-  %v2595 = getelementptr double, ptr %v797, i64 %v2587
-  %v2596 = load double, ptr %v2595, align 8, !noalias !388
-  store double %v2596, ptr %v2593, align 8, !noalias !388
-  store double %v2594, ptr %v2595, align 8, !noalias !388
-  %v2597 = icmp eq i64 %v19, %v2588
-  br i1 %v2597, label %v2579, label %v2578
-
 v2586:
-  %v2598 = phi i64 [ 0, %v2579 ], [ %v2599, %v2600 ]
-  %v2601 = icmp eq i64 %v2598, %v803
-  br i1 %v2601, label %v2544, label %v2600
+  %v2587 = phi double [ %v2524, %v2584 ], [ 1.000000e+00, %v2588 ], [ 8.889000e-01, %v2589 ], [ 2.500000e-01, %v2590 ], [ 3.333000e-01, %v2591 ], [ 5.000000e-01, %v2592 ], [ 0x3FE50A3D70A3D70A, %v2593 ], [ 7.500000e-01, %v2594 ], [ 0x3FB48E8A71DE69AD, %v2585 ]
+  %v2595 = fcmp ult double %v2587, %v2524
+  br i1 %v2595, label %v2596, label %v2597
 
-v2544:
-  br i1 %v292, label %v2541, label %v2538
+v2597:
+  %v2598 = load double, ptr %v134, align 8, !noalias !358
+  %v2599 = load double, ptr %v740, align 8, !noalias !358
+  %v2600 = fmul double %v2587, %v2599
+  %v2601 = fadd double %v2598, %v2600
+  store double %v2601, ptr %v742, align 8, !noalias !358
+  br i1 %v784, label %v2602, label %v2603
 
-v2600:
-  %v2599 = add i64 %v2598, 1
-  %v2602 = mul i64 %v2598, %v197
-  %v2603 = getelementptr double, ptr %v816, i64 %v2602
-  %v2604 = load double, ptr %v2603, align 8, !noalias !384
-  %v2605 = getelementptr double, ptr %v818, i64 %v2602
-  %v2606 = load double, ptr %v2605, align 8, !noalias !384
-  %v2607 = fsub double %v2604, %v2606
-  %v2608 = tail call double @llvm.fabs.f64(double %v2607)
-  %v2609 = getelementptr double, ptr %v194, i64 %v2602
-  %v2610 = load double, ptr %v2609, align 8, !noalias !384
-  %v2611 = tail call double @llvm.fabs.f64(double %v2610)
-  %v2612 = fmul double %v2584, %v2611
-  %v2613 = fadd double %v2585, %v2612
-  %v2614 = load double, ptr %v740, align 8, !noalias !384
-  %v2615 = fmul double %v2614, %v2608
-  %v2616 = fmul double %v2613, 1.000000e-01
-  %v2617 = fcmp ugt double %v2615, %v2616
-  br i1 %v2617, label %v2561, label %v2586
+v2602:
+  %v2604 = fsub double 1.000000e+00, %v2587
+  br label %v2605
 
-v2561:
-  %v2618 = phi i1 [ false, %v2600 ], [ true, %v2558 ], [ true, %v2480 ]
-  %v2418 = phi ptr [ %v2417, %v2600 ], [ %v2417, %v2558 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2480 ]
-  %v2619 = phi i1 [ true, %v2600 ], [ true, %v2558 ], [ false, %v2480 ]
-  %v2620 = phi i32 [ 0, %v2600 ], [ 0, %v2558 ], [ 1, %v2480 ]
-  br i1 %v2619, label %v2182, label %v2244, !prof !131
+v2605:
+  %v2606 = phi i64 [ 0, %v2602 ], [ %v2607, %v2605 ]
+  %v2608 = mul i64 %v2606, %v197
+  %v2609 = getelementptr double, ptr %v194, i64 %v2608
+  %v2610 = getelementptr i8, ptr %v2609, i64 %v748
+  %v2611 = load double, ptr %v2610, align 8, !noalias !362
+  %v2612 = fadd double %v2611, 0.000000e+00
+  %v2613 = fmul double %v2587, %v2612
+  %v2614 = getelementptr i8, ptr %v2609, i64 %v749
+  %v2615 = load double, ptr %v2614, align 8, !noalias !362
+  %v2616 = fadd double %v2615, %v2613
+  %v2617 = fmul double %v2604, %v2616
+  %v2618 = getelementptr i8, ptr %v2609, i64 %v750
+  %v2619 = load double, ptr %v2618, align 8, !noalias !362
+  %v2620 = fadd double %v2619, %v2617
+  %v2621 = fmul double %v2587, %v2620
+  %v2622 = getelementptr i8, ptr %v2609, i64 %v751
+  %v2623 = load double, ptr %v2622, align 8, !noalias !362
+  %v2624 = fadd double %v2623, %v2621
+  %v2625 = fmul double %v2604, %v2624
+  %v2626 = getelementptr i8, ptr %v2609, i64 %v752
+  %v2627 = load double, ptr %v2626, align 8, !noalias !362
+  %v2628 = fadd double %v2627, %v2625
+  %v2629 = fmul double %v2587, %v2628
+  %v2630 = getelementptr i8, ptr %v2609, i64 %v753
+  %v2631 = load double, ptr %v2630, align 8, !noalias !362
+  %v2632 = fadd double %v2631, %v2629
+  %v2633 = fmul double %v2604, %v2632
+  %v2634 = getelementptr i8, ptr %v2609, i64 %v754
+  %v2635 = load double, ptr %v2634, align 8, !noalias !362
+  %v2636 = fadd double %v2635, %v2633
+  %v2637 = fmul double %v2587, %v2636
+  %v2607 = add nsw i64 %v2606, 1
+  %v2638 = load double, ptr %v2609, align 8, !noalias !362
+  %v2639 = fadd double %v2638, %v2637
+  %v2640 = getelementptr double, ptr %v745, i64 %v2608
+  store double %v2639, ptr %v2640, align 8, !noalias !358
+  %v2641 = icmp eq i64 %v10, %v2607
+  br i1 %v2641, label %v2603, label %v2605
 
-v2182:
-  br i1 %v2618, label %v2178, label %v2249
+v2642:
+  %v2643 = load i64, ptr %v811, align 8, !noalias !366
+  %v2644 = inttoptr i64 %v2643 to ptr
+  tail call void %v2644(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !366
+  br label %v2596
 
-v2243:
-  %v2621 = load double, ptr %v778, align 8, !noalias !277
-  store i8 0, ptr %v287, align 1, !noalias !277
-  %v2622 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v287, ptr %v288, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double %v2621)
-  %v2623 = icmp eq i32 %v2622, 0
-  br i1 %v2623, label %v2314, label %v2624, !prof !131
+v2645:
+  %v2646 = phi i64 [ %v2647, %v2645 ], [ 0, %v2648 ]
+  %v2647 = add nsw i64 %v2646, 1
+  %v2649 = add nsw i64 %v2646, %v18
+  %v2650 = icmp slt i64 %v2649, 0
+  %v2651 = select i1 %v2650, i64 %v167, i64 0
+  %v2652 = getelementptr double, ptr %v166, i64 %v2649
+  %v2653 = getelementptr double, ptr %v2652, i64 %v2651
+  %v2654 = load double, ptr %v2653, align 8, !noalias !372
+  %v2655 = getelementptr double, ptr %v797, i64 %v2646
+  %v2656 = load double, ptr %v2655, align 8, !noalias !372
+  store double %v2656, ptr %v2653, align 8, !noalias !372
+  store double %v2654, ptr %v2655, align 8, !noalias !372
+  %v2657 = icmp eq i64 %v19, %v2647
+  br i1 %v2657, label %v2642, label %v2645
 
-v2624:
-  %v2625 = load ptr, ptr %v288, align 8, !noalias !277
-  br label %v2253
+v2596:
+  %v2658 = icmp ugt i64 %v2659, 1
+  br i1 %v2658, label %v2584, label %v2660
 
-v2314:
-  %v2626 = load i8, ptr %v287, align 1, !noalias !277
-  %v2627 = icmp eq i8 %v2626, 0
-  br i1 %v2627, label %v2245, label %v2313
+v2660:
+  br i1 %v292, label %v2661, label %v2662
 
-v2244:
-  %v2628 = phi ptr [ %v2240, %v2185 ], [ %v2418, %v2561 ]
-  %v2629 = phi i32 [ %v2242, %v2185 ], [ %v2620, %v2561 ]
-  %v2630 = icmp ne i32 %v2629, 0
-  br label %v2253
+v2662:
+  %v2663 = load i64, ptr %v811, align 8, !noalias !373
+  %v2664 = inttoptr i64 %v2663 to ptr
+  tail call void %v2664(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !373
+  br label %v2665
 
-v2253:
-  %v2631 = phi i1 [ true, %v2248 ], [ false, %v2392 ], [ true, %v2624 ], [ %v2630, %v2244 ]
-  %v2632 = phi ptr [ null, %v2248 ], [ null, %v2392 ], [ %v2625, %v2624 ], [ %v2628, %v2244 ]
-  %v2633 = phi i1 [ false, %v2248 ], [ false, %v2392 ], [ true, %v2624 ], [ %v2630, %v2244 ]
+v2661:
+  %v2666 = phi i64 [ %v2667, %v2661 ], [ 0, %v2660 ]
+  %v2667 = add nsw i64 %v2666, 1
+  %v2668 = add nsw i64 %v2666, %v18
+  %v2669 = icmp slt i64 %v2668, 0
+  %v2670 = select i1 %v2669, i64 %v167, i64 0
+  %v2671 = getelementptr double, ptr %v166, i64 %v2668
+  %v2672 = getelementptr double, ptr %v2671, i64 %v2670
+  %v2673 = load double, ptr %v2672, align 8, !noalias !379
+  %v2674 = getelementptr double, ptr %v797, i64 %v2666
+  %v2675 = load double, ptr %v2674, align 8, !noalias !379
+  store double %v2675, ptr %v2672, align 8, !noalias !379
+  store double %v2673, ptr %v2674, align 8, !noalias !379
+  %v2676 = icmp eq i64 %v2667, %v19
+  br i1 %v2676, label %v2662, label %v2661
+
+v2584:
+  %v2659 = phi i64 [ %v2677, %v2596 ], [ 9, %v2572 ]
+  %v2678 = phi i64 [ %v2679, %v2596 ], [ 8, %v2572 ]
+  %v2677 = add nsw i64 %v2659, -1
+  %v2679 = add nsw i64 %v2678, -1
+  switch i64 %v2678, label %v2665 [
+    i64 0, label %v2586
+    i64 -1, label %v2588
+    i64 8, label %v2588
+    i64 1, label %v2585
+    i64 -8, label %v2585
+    i64 2, label %v2590
+    i64 -7, label %v2590
+    i64 3, label %v2591
+    i64 -6, label %v2591
+    i64 4, label %v2592
+    i64 -5, label %v2592
+    i64 5, label %v2593
+    i64 -4, label %v2593
+    i64 6, label %v2594
+    i64 -3, label %v2594
+    i64 7, label %v2589
+    i64 -2, label %v2589
+  ]
+
+v2590:
+  br label %v2586
+
+v2591:
+  br label %v2586
+
+v2592:
+  br label %v2586
+
+v2593:
+  br label %v2586
+
+v2594:
+  br label %v2586
+
+v2589:
+  br label %v2586
+
+v2588:
+  br label %v2586
+
+v2603:
+  %v2680 = load i64, ptr %v6, align 8, !noalias !380
+  %v2681 = inttoptr i64 %v2680 to ptr
+  tail call void %v2681(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v810), !noalias !380
+  br i1 %v292, label %v2682, label %v2683
+
+v2683:
+  %v2684 = load i64, ptr %v811, align 8, !noalias !383
+  %v2685 = inttoptr i64 %v2684 to ptr
+  tail call void %v2685(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !383
+  %v2686 = load i64, ptr %v6, align 8, !noalias !389
+  %v2687 = inttoptr i64 %v2686 to ptr
+  tail call void %v2687(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v813), !noalias !389
+  %v2688 = load double, ptr %v24, align 8, !noalias !392
+  %v2689 = load double, ptr %v814, align 8, !noalias !392
+  br label %v2690
+
+v2682:
+  %v2691 = phi i64 [ %v2692, %v2682 ], [ 0, %v2603 ]
+  %v2692 = add nsw i64 %v2691, 1
+  %v2693 = add nsw i64 %v2691, %v18
+  %v2694 = icmp slt i64 %v2693, 0
+  %v2695 = select i1 %v2694, i64 %v167, i64 0
+  %v2696 = getelementptr double, ptr %v166, i64 %v2693
+  %v2697 = getelementptr double, ptr %v2696, i64 %v2695
+  %v2698 = load double, ptr %v2697, align 8, !noalias !396
+  %v2699 = getelementptr double, ptr %v797, i64 %v2691
+  %v2700 = load double, ptr %v2699, align 8, !noalias !396
+  store double %v2700, ptr %v2697, align 8, !noalias !396
+  store double %v2698, ptr %v2699, align 8, !noalias !396
+  %v2701 = icmp eq i64 %v19, %v2692
+  br i1 %v2701, label %v2683, label %v2682
+
+v2690:
+  %v2702 = phi i64 [ 0, %v2683 ], [ %v2703, %v2704 ]
+  %v2705 = icmp eq i64 %v2702, %v803
+  br i1 %v2705, label %v2648, label %v2704
+
+v2648:
+  br i1 %v292, label %v2645, label %v2642
+
+v2704:
+  %v2703 = add i64 %v2702, 1
+  %v2706 = mul i64 %v2702, %v197
+  %v2707 = getelementptr double, ptr %v816, i64 %v2706
+  %v2708 = load double, ptr %v2707, align 8, !noalias !392
+  %v2709 = getelementptr double, ptr %v818, i64 %v2706
+  %v2710 = load double, ptr %v2709, align 8, !noalias !392
+  %v2711 = fsub double %v2708, %v2710
+  %v2712 = tail call double @llvm.fabs.f64(double %v2711)
+  %v2713 = getelementptr double, ptr %v194, i64 %v2706
+  %v2714 = load double, ptr %v2713, align 8, !noalias !392
+  %v2715 = tail call double @llvm.fabs.f64(double %v2714)
+  %v2716 = fmul double %v2688, %v2715
+  %v2717 = fadd double %v2689, %v2716
+  %v2718 = load double, ptr %v740, align 8, !noalias !392
+  %v2719 = fmul double %v2718, %v2712
+  %v2720 = fmul double %v2717, 1.000000e-01
+  %v2721 = fcmp ugt double %v2719, %v2720
+  br i1 %v2721, label %v2665, label %v2690
+
+v2665:
+  %v2722 = phi i1 [ false, %v2704 ], [ true, %v2662 ], [ true, %v2584 ]
+  %v2522 = phi ptr [ %v2521, %v2704 ], [ %v2521, %v2662 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2584 ]
+  %v2723 = phi i1 [ true, %v2704 ], [ true, %v2662 ], [ false, %v2584 ]
+  %v2724 = phi i32 [ 0, %v2704 ], [ 0, %v2662 ], [ 1, %v2584 ]
+  br i1 %v2723, label %v2286, label %v2348, !prof !131
+
+v2286:
+  br i1 %v2722, label %v2282, label %v2353
+
+v2347:
+  %v2725 = load double, ptr %v778, align 8, !noalias !285
+  store i8 0, ptr %v287, align 1, !noalias !285
+  %v2726 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v287, ptr %v288, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double %v2725)
+  %v2727 = icmp eq i32 %v2726, 0
+  br i1 %v2727, label %v2418, label %v2728, !prof !131
+
+v2728:
+  %v2729 = load ptr, ptr %v288, align 8, !noalias !285
+  br label %v2357
+
+v2418:
+  %v2730 = load i8, ptr %v287, align 1, !noalias !285
+  %v2731 = icmp eq i8 %v2730, 0
+  br i1 %v2731, label %v2349, label %v2417
+
+v2348:
+  %v2732 = phi ptr [ %v2344, %v2289 ], [ %v2522, %v2665 ]
+  %v2733 = phi i32 [ %v2346, %v2289 ], [ %v2724, %v2665 ]
+  %v2734 = icmp ne i32 %v2733, 0
+  br label %v2357
+
+v2357:
+  %v2735 = phi i1 [ true, %v2352 ], [ false, %v2496 ], [ true, %v2728 ], [ %v2734, %v2348 ]
+  %v2736 = phi ptr [ null, %v2352 ], [ null, %v2496 ], [ %v2729, %v2728 ], [ %v2732, %v2348 ]
+  %v2737 = phi i1 [ false, %v2352 ], [ false, %v2496 ], [ true, %v2728 ], [ %v2734, %v2348 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v287), !noalias !180
   call void @llvm.lifetime.end.p0(ptr nonnull %v288), !noalias !180
-  %v2634 = select i1 %v2633, ptr %v2632, ptr null, !prof !389
-  %v2635 = xor i1 %v2633, true
-  br i1 %v2631, label %v2149, label %v2636, !prof !390
+  %v2738 = select i1 %v2737, ptr %v2736, ptr null, !prof !397
+  %v2739 = xor i1 %v2737, true
+  br i1 %v2735, label %v2275, label %v2740, !prof !398
 
-v2636:
-  %v2637 = load double, ptr %v829, align 8, !noalias !180
-  %v2638 = fcmp olt double %v2637, 5.000000e-01
-  br i1 %v2638, label %v2149, label %v2164
+v2740:
+  %v2741 = load double, ptr %v829, align 8, !noalias !180
+  %v2742 = fcmp olt double %v2741, 5.000000e-01
+  br i1 %v2742, label %v2275, label %v2263
 
-v2164:
-  store double 1.000000e+00, ptr %v837, align 8, !noalias !180
-  %v2639 = load double, ptr %v772, align 8, !noalias !391
-  %v2640 = load double, ptr %v93, align 8, !noalias !391
-  %v2641 = fsub double %v2639, %v2640
-  %v2642 = fmul double %v2641, 1.000000e-13
-  %v2643 = load double, ptr %v134, align 8, !noalias !391
-  %v2644 = tail call double @llvm.fabs.f64(double %v2643)
-  %v2645 = fmul double %v2644, 4.000000e-15
-  %v2646 = fcmp ogt double %v2645, %v2642
-  %v2647 = select i1 %v2646, double %v2645, double %v2642
-  %v2648 = load double, ptr %v778, align 8, !noalias !180
-  %v2649 = fdiv double %v2647, %v1726
-  %v2650 = fcmp ogt double %v2649, %v2648
-  %v2651 = select i1 %v2650, double %v2649, double %v2648
-  %v2652 = fcmp ult double %v2651, 1.000000e+00
-  br i1 %v2652, label %v2653, label %v2149
-
-v2653:
-  %v2654 = fsub double 1.000000e+00, %v2651
-  br i1 %v710, label %v2655, label %v2656
-
-v2655:
-  %v2657 = load double, ptr %v839, align 8, !noalias !180
-  %v2658 = fmul double %v2651, 4.000000e+00
-  %v2659 = fmul double %v2658, %v2654
-  %v2660 = fmul double %v2659, %v2657
-  %v2661 = fmul double %v2659, %v2660
-  %v2662 = fcmp olt double %v2661, 5.000000e-04
-  br i1 %v2662, label %v2663, label %v2656
-
-v2663:
-  %v2664 = load double, ptr %v740, align 8, !noalias !395
-  %v2665 = fmul double %v2651, %v2664
-  %v2666 = fadd double %v2643, %v2665
-  store double %v2666, ptr %v742, align 8, !noalias !395
-  br i1 %v744, label %v2667, label %v2668
-
-v2668:
-  %v2669 = phi i64 [ %v2670, %v2668 ], [ 0, %v2663 ]
-  %v2671 = mul i64 %v2669, %v197
-  %v2672 = getelementptr double, ptr %v194, i64 %v2671
-  %v2673 = getelementptr i8, ptr %v2672, i64 %v748
-  %v2674 = load double, ptr %v2673, align 8, !noalias !402
-  %v2675 = fadd double %v2674, 0.000000e+00
-  %v2676 = fmul double %v2651, %v2675
-  %v2677 = getelementptr i8, ptr %v2672, i64 %v749
-  %v2678 = load double, ptr %v2677, align 8, !noalias !402
-  %v2679 = fadd double %v2678, %v2676
-  %v2680 = fmul double %v2654, %v2679
-  %v2681 = getelementptr i8, ptr %v2672, i64 %v750
-  %v2682 = load double, ptr %v2681, align 8, !noalias !402
-  %v2683 = fadd double %v2682, %v2680
-  %v2684 = fmul double %v2651, %v2683
-  %v2685 = getelementptr i8, ptr %v2672, i64 %v751
-  %v2686 = load double, ptr %v2685, align 8, !noalias !402
-  %v2687 = fadd double %v2686, %v2684
-  %v2688 = fmul double %v2654, %v2687
-  %v2689 = getelementptr i8, ptr %v2672, i64 %v752
-  %v2690 = load double, ptr %v2689, align 8, !noalias !402
-  %v2691 = fadd double %v2690, %v2688
-  %v2692 = fmul double %v2651, %v2691
-  %v2693 = getelementptr i8, ptr %v2672, i64 %v753
-  %v2694 = load double, ptr %v2693, align 8, !noalias !402
-  %v2695 = fadd double %v2694, %v2692
-  %v2696 = fmul double %v2654, %v2695
-  %v2697 = getelementptr i8, ptr %v2672, i64 %v754
-  %v2698 = load double, ptr %v2697, align 8, !noalias !402
-  %v2699 = fadd double %v2698, %v2696
-  %v2700 = fmul double %v2651, %v2699
-  %v2670 = add nsw i64 %v2669, 1
-  %v2701 = load double, ptr %v2672, align 8, !noalias !402
-  %v2702 = fadd double %v2701, %v2700
-  %v2703 = getelementptr double, ptr %v745, i64 %v2671
-  store double %v2702, ptr %v2703, align 8, !noalias !395
-  %v2704 = icmp eq i64 %v10, %v2670
-  br i1 %v2704, label %v2705, label %v2668
-
-v2667:
-  %v2706 = load double, ptr %v742, align 8, !noalias !406
-  store double %v2706, ptr %v774, align 8, !noalias !406
-  br label %v2707
-
-v2707:
-  %v2708 = load i64, ptr %v6, align 8, !noalias !407
-  %v2709 = inttoptr i64 %v2708 to ptr
-  tail call void %v2709(ptr nonnull %v742, ptr %v849, ptr %v166, ptr %v173, ptr %v180, ptr %v851), !noalias !407
-  %v2710 = load i64, ptr %v747, align 8, !noalias !410
-  %v2711 = inttoptr i64 %v2710 to ptr
-  tail call void %v2711(ptr nonnull %v742, ptr %v853, ptr %v166, ptr %v173, ptr %v180, ptr %v855), !noalias !410
-  br label %v2149
-
-v2705:
-  %v2712 = load double, ptr %v742, align 8, !noalias !406
-  store double %v2712, ptr %v774, align 8, !noalias !406
-  br label %v2713
-
-v2713:
-  %v2714 = phi i64 [ 0, %v2705 ], [ %v2715, %v2713 ]
-  %v2715 = add nsw i64 %v2714, 1
-  %v2716 = mul i64 %v2714, %v197
-  %v2717 = getelementptr double, ptr %v745, i64 %v2716
-  %v2718 = load double, ptr %v2717, align 8, !noalias !406
-  %v2719 = getelementptr double, ptr %v846, i64 %v2716
-  store double %v2718, ptr %v2719, align 8, !noalias !406
-  %v2720 = icmp eq i64 %v10, %v2715
-  br i1 %v2720, label %v2707, label %v2713
-
-v2656:
-  %v2721 = fmul double %v2647, 2.000000e+00
-  %v2722 = fcmp ogt double %v1726, %v2721
-  br i1 %v2722, label %v2723, label %v2149
-
-v2723:
-  %v2724 = load double, ptr %v774, align 8, !noalias !180
-  %v2725 = tail call double @llvm.fabs.f64(double %v2724)
-  %v2726 = fmul double %v2725, 4.000000e-15
-  %v2727 = fmul double %v1726, 0x3D719799812DEA11
-  %v2728 = fcmp ogt double %v2726, %v2727
-  %v2729 = select i1 %v2728, double %v2726, double %v2727
-  %v2730 = load double, ptr %v770, align 8, !noalias !180
-  %v2731 = fsub double 1.000000e+00, %v2730
-  %v2732 = fmul double %v1726, %v2731
-  %v2733 = fcmp ogt double %v2732, %v2729
-  br i1 %v2733, label %v2734, label %v2149
-
-v2734:
-  %v2735 = fmul double %v1726, %v2651
-  store double 0.000000e+00, ptr %v841, align 8, !noalias !413
-  store double 0.000000e+00, ptr %v843, align 8, !noalias !413
-  store double %v2735, ptr %v844, align 8, !noalias !413
-  %v2736 = load i64, ptr %v143, align 8, !noalias !413
-  %v2737 = icmp slt i64 %v2736, 0
-  %v2738 = select i1 %v2737, i64 %v126, i64 0
-  %v2739 = add i64 %v2738, %v2736
-  %v2740 = mul i64 %v2739, %v127
-  %v2741 = getelementptr i64, ptr %v125, i64 %v2740
-  %v2742 = load i64, ptr %v2741, align 8, !noalias !413
-  %v2743 = add nsw i64 %v2742, -1
-  store i64 %v2743, ptr %v2741, align 8, !noalias !413
-  %v2744 = load i64, ptr %v143, align 8, !noalias !413
-  %v2745 = icmp slt i64 %v2744, 0
-  %v2746 = select i1 %v2745, i64 %v126, i64 0
-  %v2747 = add i64 %v2746, %v2744
-  %v2748 = mul i64 %v2747, %v127
-  %v2749 = getelementptr i64, ptr %v125, i64 %v2748
-  %v2750 = getelementptr i8, ptr %v2749, i64 24
-  %v2751 = load i64, ptr %v2750, align 8, !noalias !413
-  %v2752 = add nsw i64 %v2751, 1
-  store i64 %v2752, ptr %v2750, align 8, !noalias !413
-  br label %v2149
-
-v1794:
-  br i1 %v291, label %v1869, label %v2172
-
-v2149:
-  %v2753 = phi ptr [ null, %v2707 ], [ null, %v2734 ], [ null, %v2656 ], [ null, %v2164 ], [ null, %v2636 ], [ null, %v2144 ], [ null, %v2723 ], [ %v2634, %v2253 ]
-  %v2754 = phi i1 [ true, %v2707 ], [ true, %v2734 ], [ true, %v2656 ], [ true, %v2164 ], [ true, %v2636 ], [ true, %v2144 ], [ true, %v2723 ], [ %v2635, %v2253 ]
-  br i1 %v2754, label %v1566, label %v1479, !prof !131
-
-v1566:
-  %v2755 = select i1 %v1386, i1 true, i1 %v673
-  %v2756 = select i1 %v2755, i64 0, i64 %v12
-  br label %v1479
+v2263:
+  store double 1.000000e+00, ptr %v845, align 8, !noalias !180
+  %v2743 = load double, ptr %v772, align 8, !noalias !399
+  %v2744 = load double, ptr %v93, align 8, !noalias !399
+  %v2745 = fsub double %v2743, %v2744
+  %v2746 = fmul double %v2745, 1.000000e-13
+  %v2747 = load double, ptr %v134, align 8, !noalias !399
+  %v2748 = tail call double @llvm.fabs.f64(double %v2747)
+  %v2749 = fmul double %v2748, 4.000000e-15
+  %v2750 = fcmp ogt double %v2749, %v2746
+  %v2751 = select i1 %v2750, double %v2749, double %v2746
+  %v2752 = load double, ptr %v778, align 8, !noalias !180
+  %v2753 = fdiv double %v2751, %v1734
+  %v2754 = fcmp ogt double %v2753, %v2752
+  %v2755 = select i1 %v2754, double %v2753, double %v2752
+  %v2756 = fcmp ult double %v2755, 1.000000e+00
+  br i1 %v2756, label %v2757, label %v2275
 
 v2757:
-  %v2758 = phi i64 [ 0, %v1472 ], [ %v2759, %v2760 ]
-  %v2761 = phi i64 [ %v702, %v1472 ], [ %v2762, %v2760 ]
-  %v2763 = icmp sgt i64 %v2761, 0
-  br i1 %v2763, label %v2760, label %v1473
+  %v2758 = fsub double 1.000000e+00, %v2755
+  br i1 %v710, label %v2759, label %v2760
 
-v1472:
-  %v2764 = load double, ptr %v701, align 8, !noalias !416
-  store double %v2764, ptr %v687, align 8, !noalias !416
-  br label %v2757
+v2759:
+  %v2761 = load double, ptr %v847, align 8, !noalias !180
+  %v2762 = fmul double %v2755, 4.000000e+00
+  %v2763 = fmul double %v2762, %v2758
+  %v2764 = fmul double %v2763, %v2761
+  %v2765 = fmul double %v2763, %v2764
+  %v2766 = fcmp olt double %v2765, 5.000000e-04
+  br i1 %v2766, label %v2767, label %v2760
+
+v2767:
+  %v2768 = load double, ptr %v740, align 8, !noalias !403
+  %v2769 = fmul double %v2755, %v2768
+  %v2770 = fadd double %v2747, %v2769
+  store double %v2770, ptr %v742, align 8, !noalias !403
+  br i1 %v744, label %v2771, label %v2772
+
+v2772:
+  %v2773 = phi i64 [ %v2774, %v2772 ], [ 0, %v2767 ]
+  %v2775 = mul i64 %v2773, %v197
+  %v2776 = getelementptr double, ptr %v194, i64 %v2775
+  %v2777 = getelementptr i8, ptr %v2776, i64 %v748
+  %v2778 = load double, ptr %v2777, align 8, !noalias !410
+  %v2779 = fadd double %v2778, 0.000000e+00
+  %v2780 = fmul double %v2755, %v2779
+  %v2781 = getelementptr i8, ptr %v2776, i64 %v749
+  %v2782 = load double, ptr %v2781, align 8, !noalias !410
+  %v2783 = fadd double %v2782, %v2780
+  %v2784 = fmul double %v2758, %v2783
+  %v2785 = getelementptr i8, ptr %v2776, i64 %v750
+  %v2786 = load double, ptr %v2785, align 8, !noalias !410
+  %v2787 = fadd double %v2786, %v2784
+  %v2788 = fmul double %v2755, %v2787
+  %v2789 = getelementptr i8, ptr %v2776, i64 %v751
+  %v2790 = load double, ptr %v2789, align 8, !noalias !410
+  %v2791 = fadd double %v2790, %v2788
+  %v2792 = fmul double %v2758, %v2791
+  %v2793 = getelementptr i8, ptr %v2776, i64 %v752
+  %v2794 = load double, ptr %v2793, align 8, !noalias !410
+  %v2795 = fadd double %v2794, %v2792
+  %v2796 = fmul double %v2755, %v2795
+  %v2797 = getelementptr i8, ptr %v2776, i64 %v753
+  %v2798 = load double, ptr %v2797, align 8, !noalias !410
+  %v2799 = fadd double %v2798, %v2796
+  %v2800 = fmul double %v2758, %v2799
+  %v2801 = getelementptr i8, ptr %v2776, i64 %v754
+  %v2802 = load double, ptr %v2801, align 8, !noalias !410
+  %v2803 = fadd double %v2802, %v2800
+  %v2804 = fmul double %v2755, %v2803
+  %v2774 = add nsw i64 %v2773, 1
+  %v2805 = load double, ptr %v2776, align 8, !noalias !410
+  %v2806 = fadd double %v2805, %v2804
+  %v2807 = getelementptr double, ptr %v745, i64 %v2775
+  store double %v2806, ptr %v2807, align 8, !noalias !403
+  %v2808 = icmp eq i64 %v10, %v2774
+  br i1 %v2808, label %v2809, label %v2772
+
+v2771:
+  %v2810 = load double, ptr %v742, align 8, !noalias !414
+  store double %v2810, ptr %v774, align 8, !noalias !414
+  br label %v2811
+
+v2811:
+  %v2812 = load i64, ptr %v6, align 8, !noalias !415
+  %v2813 = inttoptr i64 %v2812 to ptr
+  tail call void %v2813(ptr nonnull %v742, ptr %v857, ptr %v166, ptr %v173, ptr %v180, ptr %v859), !noalias !415
+  %v2814 = load i64, ptr %v747, align 8, !noalias !418
+  %v2815 = inttoptr i64 %v2814 to ptr
+  tail call void %v2815(ptr nonnull %v742, ptr %v861, ptr %v166, ptr %v173, ptr %v180, ptr %v863), !noalias !418
+  br label %v2275
+
+v2809:
+  %v2816 = load double, ptr %v742, align 8, !noalias !414
+  store double %v2816, ptr %v774, align 8, !noalias !414
+  br label %v2817
+
+v2817:
+  %v2818 = phi i64 [ 0, %v2809 ], [ %v2819, %v2817 ]
+  %v2819 = add nsw i64 %v2818, 1
+  %v2820 = mul i64 %v2818, %v197
+  %v2821 = getelementptr double, ptr %v745, i64 %v2820
+  %v2822 = load double, ptr %v2821, align 8, !noalias !414
+  %v2823 = getelementptr double, ptr %v854, i64 %v2820
+  store double %v2822, ptr %v2823, align 8, !noalias !414
+  %v2824 = icmp eq i64 %v10, %v2819
+  br i1 %v2824, label %v2811, label %v2817
 
 v2760:
-  %v2762 = add nsw i64 %v2761, -1
-  %v2759 = add i64 %v2758, 1
-  %v2765 = getelementptr double, ptr %v704, i64 %v2758
-  %v2766 = icmp slt i64 %v2758, 0
-  %v2767 = select i1 %v2766, i64 %v208, i64 0
-  %v2768 = getelementptr double, ptr %v2765, i64 %v2767
-  %v2769 = load double, ptr %v2768, align 8, !noalias !416
-  %v2770 = fcmp olt double %v2769, 0x7FF0000000000000
-  %v2771 = select i1 %v2770, double %v2769, double 0x7FF0000000000000
-  %v2772 = fcmp ogt double %v2769, 0xFFF0000000000000
-  %v2773 = select i1 %v2772, double %v2769, double 0xFFF0000000000000
-  %v2774 = getelementptr double, ptr %v2768, i64 %v703
-  %v2775 = load double, ptr %v2774, align 8, !noalias !416
-  %v2776 = fcmp olt double %v2775, %v2771
-  %v2777 = select i1 %v2776, double %v2775, double %v2771
-  %v2778 = fcmp ogt double %v2775, %v2773
-  %v2779 = select i1 %v2778, double %v2775, double %v2773
-  %v2780 = getelementptr i8, ptr %v2768, i64 %v1027
-  %v2781 = load double, ptr %v2780, align 8, !noalias !416
-  %v2782 = fcmp olt double %v2781, %v2777
-  %v2783 = select i1 %v2782, double %v2781, double %v2777
-  %v2784 = fcmp ogt double %v2781, %v2779
-  %v2785 = select i1 %v2784, double %v2781, double %v2779
-  %v2786 = getelementptr i8, ptr %v2768, i64 %v1028
-  %v2787 = load double, ptr %v2786, align 8, !noalias !416
-  %v2788 = fcmp olt double %v2787, %v2783
-  %v2789 = select i1 %v2788, double %v2787, double %v2783
-  %v2790 = fcmp ogt double %v2787, %v2785
-  %v2791 = select i1 %v2790, double %v2787, double %v2785
-  %v2792 = getelementptr i8, ptr %v2768, i64 %v1029
-  %v2793 = load double, ptr %v2792, align 8, !noalias !416
-  %v2794 = fcmp olt double %v2793, %v2789
-  %v2795 = select i1 %v2794, double %v2793, double %v2789
-  %v2796 = fcmp ogt double %v2793, %v2791
-  %v2797 = select i1 %v2796, double %v2793, double %v2791
-  %v2798 = getelementptr i8, ptr %v2768, i64 %v1030
-  %v2799 = load double, ptr %v2798, align 8, !noalias !416
-  %v2800 = fcmp olt double %v2799, %v2795
-  %v2801 = select i1 %v2800, double %v2799, double %v2795
-  %v2802 = fcmp ogt double %v2799, %v2797
-  %v2803 = select i1 %v2802, double %v2799, double %v2797
-  %v2804 = getelementptr i8, ptr %v2768, i64 %v1031
-  %v2805 = load double, ptr %v2804, align 8, !noalias !416
-  %v2806 = fcmp olt double %v2805, %v2801
-  %v2807 = select i1 %v2806, double %v2805, double %v2801
-  %v2808 = fcmp ogt double %v2805, %v2803
-  %v2809 = select i1 %v2808, double %v2805, double %v2803
-  %v2810 = getelementptr i8, ptr %v2768, i64 %v1032
-  %v2811 = load double, ptr %v2810, align 8, !noalias !416
-  %v2812 = fcmp olt double %v2811, %v2807
-  %v2813 = select i1 %v2812, double %v2811, double %v2807
-  %v2814 = fcmp ogt double %v2811, %v2809
-  %v2815 = select i1 %v2814, double %v2811, double %v2809
-  %v2816 = getelementptr i8, ptr %v2768, i64 %v1033
-  %v2817 = load double, ptr %v2816, align 8, !noalias !416
-  %v2818 = fcmp olt double %v2817, %v2813
-  %v2819 = select i1 %v2818, double %v2817, double %v2813
-  %v2820 = fcmp ogt double %v2817, %v2815
-  %v2821 = select i1 %v2820, double %v2817, double %v2815
-  %v2822 = fsub double %v2821, %v2819
-  %v2823 = fmul double %v2822, 2.500000e-01
-  %v2824 = icmp slt i64 %v2758, 0
-  %v2825 = select i1 %v2824, i64 %v208, i64 0
-  %v2826 = add i64 %v2825, %v2758
-  %v2827 = getelementptr double, ptr %v706, i64 %v2826
-  %v2828 = getelementptr double, ptr %v707, i64 %v2826
-  %v2829 = getelementptr double, ptr %v2827, i64 %v705
-  %v2830 = load double, ptr %v2829, align 8, !noalias !417
-  %v2831 = load double, ptr %v2828, align 8, !noalias !417
-  %v2832 = fmul double %v2831, 0x3FDDF27AAAADCB3A
-  %v2833 = fsub double %v2830, %v2832
-  %v2834 = getelementptr i8, ptr %v2828, i64 %v1034
-  %v2835 = load double, ptr %v2834, align 8, !noalias !417
-  %v2836 = fmul double %v2835, 0x3FEC575F1EBC4F2F
-  %v2837 = fsub double %v2833, %v2836
-  %v2838 = getelementptr i8, ptr %v2828, i64 %v1035
-  %v2839 = load double, ptr %v2838, align 8, !noalias !417
-  %v2840 = fmul double %v2839, 0xBFE1306AA3D795F4
-  %v2841 = fsub double %v2837, %v2840
-  %v2842 = getelementptr i8, ptr %v2828, i64 %v1036
-  %v2843 = load double, ptr %v2842, align 8, !noalias !417
-  %v2844 = fmul double %v2843, 0x3FCCB9F574BDCC3A
-  %v2845 = fsub double %v2841, %v2844
-  %v2846 = getelementptr i8, ptr %v2828, i64 %v1037
-  %v2847 = load double, ptr %v2846, align 8, !noalias !417
-  %v2848 = fmul double %v2847, 0xBFA4EAF2D6B11E79
-  %v2849 = fsub double %v2845, %v2848
-  %v2850 = tail call double @llvm.fabs.f64(double %v2849)
-  %v2851 = fcmp ogt double %v2850, 0.000000e+00
-  %v2852 = select i1 %v2851, double %v2850, double 0.000000e+00
-  %v2853 = getelementptr i8, ptr %v2827, i64 %v1038
-  %v2854 = load double, ptr %v2853, align 8, !noalias !417
-  %v2855 = load double, ptr %v2828, align 8, !noalias !417
-  %v2856 = fmul double %v2855, 0xBFA5118805F8B876
-  %v2857 = fsub double %v2854, %v2856
-  %v2858 = getelementptr i8, ptr %v2828, i64 %v1039
-  %v2859 = load double, ptr %v2858, align 8, !noalias !417
-  %v2860 = fmul double %v2859, 0x3FE51326698BC5BD
-  %v2861 = fsub double %v2857, %v2860
-  %v2862 = getelementptr i8, ptr %v2828, i64 %v1040
-  %v2863 = load double, ptr %v2862, align 8, !noalias !417
-  %v2864 = fmul double %v2863, 0x3FDF97DED30D4572
-  %v2865 = fsub double %v2861, %v2864
-  %v2866 = getelementptr i8, ptr %v2828, i64 %v1041
-  %v2867 = load double, ptr %v2866, align 8, !noalias !417
-  %v2868 = fmul double %v2867, 0xBFC0DA0C684D1D67
-  %v2869 = fsub double %v2865, %v2868
-  %v2870 = getelementptr i8, ptr %v2828, i64 %v1042
-  %v2871 = load double, ptr %v2870, align 8, !noalias !417
-  %v2872 = fmul double %v2871, 0x3F9510B8EC0D4D92
-  %v2873 = fsub double %v2869, %v2872
-  %v2874 = tail call double @llvm.fabs.f64(double %v2873)
-  %v2875 = fcmp ogt double %v2874, %v2852
-  %v2876 = select i1 %v2875, double %v2874, double %v2852
-  %v2877 = getelementptr i8, ptr %v2827, i64 %v1043
-  %v2878 = load double, ptr %v2877, align 8, !noalias !417
-  %v2879 = load double, ptr %v2828, align 8, !noalias !417
-  %v2880 = fmul double %v2879, 0x3F9635A30F8F142F
-  %v2881 = fsub double %v2878, %v2880
-  %v2882 = getelementptr i8, ptr %v2828, i64 %v1044
-  %v2883 = load double, ptr %v2882, align 8, !noalias !417
-  %v2884 = fmul double %v2883, 0xBFC1EAE0FF33D241
-  %v2885 = fsub double %v2881, %v2884
-  %v2886 = getelementptr i8, ptr %v2828, i64 %v1045
-  %v2887 = load double, ptr %v2886, align 8, !noalias !417
-  %v2888 = fmul double %v2887, 0x3FE1625D59218460
-  %v2889 = fsub double %v2885, %v2888
-  %v2890 = getelementptr i8, ptr %v2828, i64 %v1046
-  %v2891 = load double, ptr %v2890, align 8, !noalias !417
-  %v2892 = fmul double %v2891, 0x3FE3BBC3E8A29641
-  %v2893 = fsub double %v2889, %v2892
-  %v2894 = getelementptr i8, ptr %v2828, i64 %v1047
-  %v2895 = load double, ptr %v2894, align 8, !noalias !417
-  %v2896 = fmul double %v2895, 0xBFA55161A739EB34
-  %v2897 = fsub double %v2893, %v2896
-  %v2898 = tail call double @llvm.fabs.f64(double %v2897)
-  %v2899 = fcmp ogt double %v2898, %v2876
-  %v2900 = select i1 %v2899, double %v2898, double %v2876
-  %v2901 = getelementptr i8, ptr %v2827, i64 %v1048
-  %v2902 = load double, ptr %v2901, align 8, !noalias !417
-  %v2903 = load double, ptr %v2828, align 8, !noalias !417
-  %v2904 = fmul double %v2903, 0xBFA4F0C0BB579409
-  %v2905 = fsub double %v2902, %v2904
-  %v2906 = getelementptr i8, ptr %v2828, i64 %v1049
-  %v2907 = load double, ptr %v2906, align 8, !noalias !417
-  %v2908 = fmul double %v2907, 0x3FCD2266FBC0D976
-  %v2909 = fsub double %v2905, %v2908
-  %v2910 = getelementptr i8, ptr %v2828, i64 %v1050
-  %v2911 = load double, ptr %v2910, align 8, !noalias !417
-  %v2912 = fmul double %v2911, 0xBFE1F2DB6FEE3151
-  %v2913 = fsub double %v2909, %v2912
-  %v2914 = getelementptr i8, ptr %v2828, i64 %v1051
-  %v2915 = load double, ptr %v2914, align 8, !noalias !417
-  %v2916 = fmul double %v2915, 0x3FF0C05015964CBE
-  %v2917 = fsub double %v2913, %v2916
-  %v2918 = getelementptr i8, ptr %v2828, i64 %v1052
-  %v2919 = load double, ptr %v2918, align 8, !noalias !417
-  %v2920 = fmul double %v2919, 0x3FD4F15B230DB570
-  %v2921 = fsub double %v2917, %v2920
-  %v2922 = tail call double @llvm.fabs.f64(double %v2921)
-  %v2923 = fcmp ogt double %v2922, %v2900
-  %v2924 = select i1 %v2923, double %v2922, double %v2900
-  %v2925 = fmul double %v2924, 1.000000e+01
-  %v2926 = fadd double %v2823, %v2925
-  %v2927 = icmp slt i64 %v2758, 0
-  %v2928 = select i1 %v2927, i64 %v208, i64 0
-  %v2929 = getelementptr double, ptr %v709, i64 %v2758
-  %v2930 = getelementptr double, ptr %v2929, i64 %v2928
-  %v2931 = load double, ptr %v2930, align 8, !noalias !416
-  %v2932 = fcmp ogt double %v2926, %v2931
-  %v2933 = fneg double %v2931
-  %v2934 = select i1 %v2932, double %v2926, double %v2933
-  %v2935 = fcmp olt double %v2819, %v2934
-  br i1 %v2935, label %v1473, label %v2757
+  %v2825 = fmul double %v2751, 2.000000e+00
+  %v2826 = fcmp ogt double %v1734, %v2825
+  br i1 %v2826, label %v2827, label %v2275
 
-v1473:
-  %v1475 = phi i1 [ false, %v1415 ], [ %v2763, %v2760 ], [ %v2763, %v2757 ]
-  %v2936 = phi ptr [ %v1470, %v1415 ], [ null, %v2760 ], [ null, %v2757 ]
-  %v2937 = phi i32 [ %v1471, %v1415 ], [ 0, %v2760 ], [ 0, %v2757 ]
-  %v2938 = icmp eq i32 %v2937, 0
-  br i1 %v2938, label %v1405, label %v1479, !prof !131
+v2827:
+  %v2828 = load double, ptr %v774, align 8, !noalias !180
+  %v2829 = tail call double @llvm.fabs.f64(double %v2828)
+  %v2830 = fmul double %v2829, 4.000000e-15
+  %v2831 = fmul double %v1734, 0x3D719799812DEA11
+  %v2832 = fcmp ogt double %v2830, %v2831
+  %v2833 = select i1 %v2832, double %v2830, double %v2831
+  %v2834 = load double, ptr %v770, align 8, !noalias !180
+  %v2835 = fsub double 1.000000e+00, %v2834
+  %v2836 = fmul double %v1734, %v2835
+  %v2837 = fcmp ogt double %v2836, %v2833
+  br i1 %v2837, label %v2838, label %v2275
 
-v1723:
-  br i1 %v1718, label %v1566, label %v1724
+v2838:
+  %v2839 = fmul double %v1734, %v2755
+  store double 0.000000e+00, ptr %v849, align 8, !noalias !421
+  store double 0.000000e+00, ptr %v851, align 8, !noalias !421
+  store double %v2839, ptr %v852, align 8, !noalias !421
+  %v2840 = load i64, ptr %v143, align 8, !noalias !421
+  %v2841 = icmp slt i64 %v2840, 0
+  %v2842 = select i1 %v2841, i64 %v126, i64 0
+  %v2843 = add i64 %v2842, %v2840
+  %v2844 = mul i64 %v2843, %v127
+  %v2845 = getelementptr i64, ptr %v125, i64 %v2844
+  %v2846 = load i64, ptr %v2845, align 8, !noalias !421
+  %v2847 = add nsw i64 %v2846, -1
+  store i64 %v2847, ptr %v2845, align 8, !noalias !421
+  %v2848 = load i64, ptr %v143, align 8, !noalias !421
+  %v2849 = icmp slt i64 %v2848, 0
+  %v2850 = select i1 %v2849, i64 %v126, i64 0
+  %v2851 = add i64 %v2850, %v2848
+  %v2852 = mul i64 %v2851, %v127
+  %v2853 = getelementptr i64, ptr %v125, i64 %v2852
+  %v2854 = getelementptr i8, ptr %v2853, i64 24
+  %v2855 = load i64, ptr %v2854, align 8, !noalias !421
+  %v2856 = add nsw i64 %v2855, 1
+  store i64 %v2856, ptr %v2854, align 8, !noalias !421
+  br label %v2275
 
-v1479:
-  %v2939 = phi i64 [ 0, %v1405 ], [ %v2756, %v1566 ], [ 0, %v1473 ], [ 0, %v1631 ], [ 0, %v2149 ]
-  %v2940 = phi i1 [ true, %v1405 ], [ true, %v1566 ], [ false, %v1473 ], [ false, %v1631 ], [ false, %v2149 ]
-  %v2941 = phi ptr [ undef, %v1405 ], [ undef, %v1566 ], [ %v2936, %v1473 ], [ %v1722, %v1631 ], [ %v2753, %v2149 ]
-  %v2942 = phi i32 [ 0, %v1405 ], [ 0, %v1566 ], [ 1, %v1473 ], [ 1, %v1631 ], [ 1, %v2149 ]
-  br i1 %v2940, label %v2943, label %v2944, !prof !131
+v1802:
+  br i1 %v291, label %v1877, label %v2276
 
-v2945:
-  %v2946 = getelementptr double, ptr %v861, i64 %v2947
-  %v2948 = load double, ptr %v2946, align 8, !noalias !421
-  %v2949 = fcmp olt double %v2948, 5.000000e-01
-  br i1 %v2949, label %v2950, label %v2951
+v2275:
+  %v2857 = phi ptr [ null, %v2811 ], [ null, %v2838 ], [ null, %v2760 ], [ null, %v2263 ], [ null, %v2740 ], [ null, %v2208 ], [ null, %v2827 ], [ %v2738, %v2357 ]
+  %v2858 = phi i1 [ true, %v2811 ], [ true, %v2838 ], [ true, %v2760 ], [ true, %v2263 ], [ true, %v2740 ], [ true, %v2208 ], [ true, %v2827 ], [ %v2739, %v2357 ]
+  br i1 %v2858, label %v1574, label %v1487, !prof !131
 
-v2951:
-  %v2952 = getelementptr i64, ptr %v111, i64 %v2953
-  %v2954 = load i64, ptr %v2952, align 8, !noalias !421
-  %v2955 = icmp eq i64 %v2954, 0
-  br i1 %v2955, label %v2956, label %v2950
+v1574:
+  %v2859 = select i1 %v1394, i1 true, i1 %v673
+  %v2860 = select i1 %v2859, i64 0, i64 %v12
+  br label %v1487
 
-v2956:
-  %v2957 = mul i64 %v2953, %v127
-  %v2958 = getelementptr i64, ptr %v125, i64 %v2957
-  %v2959 = getelementptr i8, ptr %v2958, i64 8
-  %v2960 = load i64, ptr %v2959, align 8, !noalias !421
-  %v2961 = add nsw i64 %v2960, %v2939
-  store i64 %v2961, ptr %v2959, align 8, !noalias !421
-  %v2962 = getelementptr double, ptr %v863, i64 %v2947
-  %v2963 = load double, ptr %v2962, align 8, !noalias !421
-  %v2964 = icmp slt i64 %v2965, %v94
-  br i1 %v2964, label %v2966, label %v2967
+v2861:
+  %v2862 = phi i64 [ 0, %v1480 ], [ %v2863, %v2864 ]
+  %v2865 = phi i64 [ %v702, %v1480 ], [ %v2866, %v2864 ]
+  %v2867 = icmp sgt i64 %v2865, 0
+  br i1 %v2867, label %v2864, label %v1481
 
-v2966:
-  %v2968 = icmp slt i64 %v2965, 0
-  %v2969 = select i1 %v2968, i64 %v94, i64 0
-  %v2970 = getelementptr double, ptr %v93, i64 %v2965
-  %v2971 = getelementptr double, ptr %v2970, i64 %v2969
-  %v2972 = load double, ptr %v2971, align 8, !noalias !421
-  %v2973 = fcmp ugt double %v2972, %v2963
-  br i1 %v2973, label %v2967, label %v2974
+v1480:
+  %v2868 = load double, ptr %v701, align 8, !noalias !424
+  store double %v2868, ptr %v687, align 8, !noalias !424
+  br label %v2861
 
-v2974:
-  %v2975 = getelementptr double, ptr %v134, i64 %v2947
-  %v2976 = getelementptr double, ptr %v865, i64 %v2947
-  %v2977 = getelementptr double, ptr %v194, i64 %v2947
-  %v2978 = mul i64 %v856, %v2953
-  %v2979 = getelementptr double, ptr %v869, i64 %v2947
-  %v2980 = getelementptr double, ptr %v100, i64 %v2978
-  %v2981 = getelementptr double, ptr %v870, i64 %v2947
-  br label %v2982
+v2864:
+  %v2866 = add nsw i64 %v2865, -1
+  %v2863 = add i64 %v2862, 1
+  %v2869 = getelementptr double, ptr %v704, i64 %v2862
+  %v2870 = icmp slt i64 %v2862, 0
+  %v2871 = select i1 %v2870, i64 %v208, i64 0
+  %v2872 = getelementptr double, ptr %v2869, i64 %v2871
+  %v2873 = load double, ptr %v2872, align 8, !noalias !424
+  %v2874 = fcmp olt double %v2873, 0x7FF0000000000000
+  %v2875 = select i1 %v2874, double %v2873, double 0x7FF0000000000000
+  %v2876 = fcmp ogt double %v2873, 0xFFF0000000000000
+  %v2877 = select i1 %v2876, double %v2873, double 0xFFF0000000000000
+  %v2878 = getelementptr double, ptr %v2872, i64 %v703
+  %v2879 = load double, ptr %v2878, align 8, !noalias !424
+  %v2880 = fcmp olt double %v2879, %v2875
+  %v2881 = select i1 %v2880, double %v2879, double %v2875
+  %v2882 = fcmp ogt double %v2879, %v2877
+  %v2883 = select i1 %v2882, double %v2879, double %v2877
+  %v2884 = getelementptr i8, ptr %v2872, i64 %v1035
+  %v2885 = load double, ptr %v2884, align 8, !noalias !424
+  %v2886 = fcmp olt double %v2885, %v2881
+  %v2887 = select i1 %v2886, double %v2885, double %v2881
+  %v2888 = fcmp ogt double %v2885, %v2883
+  %v2889 = select i1 %v2888, double %v2885, double %v2883
+  %v2890 = getelementptr i8, ptr %v2872, i64 %v1036
+  %v2891 = load double, ptr %v2890, align 8, !noalias !424
+  %v2892 = fcmp olt double %v2891, %v2887
+  %v2893 = select i1 %v2892, double %v2891, double %v2887
+  %v2894 = fcmp ogt double %v2891, %v2889
+  %v2895 = select i1 %v2894, double %v2891, double %v2889
+  %v2896 = getelementptr i8, ptr %v2872, i64 %v1037
+  %v2897 = load double, ptr %v2896, align 8, !noalias !424
+  %v2898 = fcmp olt double %v2897, %v2893
+  %v2899 = select i1 %v2898, double %v2897, double %v2893
+  %v2900 = fcmp ogt double %v2897, %v2895
+  %v2901 = select i1 %v2900, double %v2897, double %v2895
+  %v2902 = getelementptr i8, ptr %v2872, i64 %v1038
+  %v2903 = load double, ptr %v2902, align 8, !noalias !424
+  %v2904 = fcmp olt double %v2903, %v2899
+  %v2905 = select i1 %v2904, double %v2903, double %v2899
+  %v2906 = fcmp ogt double %v2903, %v2901
+  %v2907 = select i1 %v2906, double %v2903, double %v2901
+  %v2908 = getelementptr i8, ptr %v2872, i64 %v1039
+  %v2909 = load double, ptr %v2908, align 8, !noalias !424
+  %v2910 = fcmp olt double %v2909, %v2905
+  %v2911 = select i1 %v2910, double %v2909, double %v2905
+  %v2912 = fcmp ogt double %v2909, %v2907
+  %v2913 = select i1 %v2912, double %v2909, double %v2907
+  %v2914 = getelementptr i8, ptr %v2872, i64 %v1040
+  %v2915 = load double, ptr %v2914, align 8, !noalias !424
+  %v2916 = fcmp olt double %v2915, %v2911
+  %v2917 = select i1 %v2916, double %v2915, double %v2911
+  %v2918 = fcmp ogt double %v2915, %v2913
+  %v2919 = select i1 %v2918, double %v2915, double %v2913
+  %v2920 = getelementptr i8, ptr %v2872, i64 %v1041
+  %v2921 = load double, ptr %v2920, align 8, !noalias !424
+  %v2922 = fcmp olt double %v2921, %v2917
+  %v2923 = select i1 %v2922, double %v2921, double %v2917
+  %v2924 = fcmp ogt double %v2921, %v2919
+  %v2925 = select i1 %v2924, double %v2921, double %v2919
+  %v2926 = fsub double %v2925, %v2923
+  %v2927 = fmul double %v2926, 2.500000e-01
+  %v2928 = icmp slt i64 %v2862, 0
+  %v2929 = select i1 %v2928, i64 %v208, i64 0
+  %v2930 = add i64 %v2929, %v2862
+  %v2931 = getelementptr double, ptr %v706, i64 %v2930
+  %v2932 = getelementptr double, ptr %v707, i64 %v2930
+  %v2933 = getelementptr double, ptr %v2931, i64 %v705
+  %v2934 = load double, ptr %v2933, align 8, !noalias !425
+  %v2935 = load double, ptr %v2932, align 8, !noalias !425
+  %v2936 = fmul double %v2935, 0x3FDDF27AAAADCB3A
+  %v2937 = fsub double %v2934, %v2936
+  %v2938 = getelementptr i8, ptr %v2932, i64 %v1042
+  %v2939 = load double, ptr %v2938, align 8, !noalias !425
+  %v2940 = fmul double %v2939, 0x3FEC575F1EBC4F2F
+  %v2941 = fsub double %v2937, %v2940
+  %v2942 = getelementptr i8, ptr %v2932, i64 %v1043
+  %v2943 = load double, ptr %v2942, align 8, !noalias !425
+  %v2944 = fmul double %v2943, 0xBFE1306AA3D795F4
+  %v2945 = fsub double %v2941, %v2944
+  %v2946 = getelementptr i8, ptr %v2932, i64 %v1044
+  %v2947 = load double, ptr %v2946, align 8, !noalias !425
+  %v2948 = fmul double %v2947, 0x3FCCB9F574BDCC3A
+  %v2949 = fsub double %v2945, %v2948
+  %v2950 = getelementptr i8, ptr %v2932, i64 %v1045
+  %v2951 = load double, ptr %v2950, align 8, !noalias !425
+  %v2952 = fmul double %v2951, 0xBFA4EAF2D6B11E79
+  %v2953 = fsub double %v2949, %v2952
+  %v2954 = tail call double @llvm.fabs.f64(double %v2953)
+  %v2955 = fcmp ogt double %v2954, 0.000000e+00
+  %v2956 = select i1 %v2955, double %v2954, double 0.000000e+00
+  %v2957 = getelementptr i8, ptr %v2931, i64 %v1046
+  %v2958 = load double, ptr %v2957, align 8, !noalias !425
+  %v2959 = load double, ptr %v2932, align 8, !noalias !425
+  %v2960 = fmul double %v2959, 0xBFA5118805F8B876
+  %v2961 = fsub double %v2958, %v2960
+  %v2962 = getelementptr i8, ptr %v2932, i64 %v1047
+  %v2963 = load double, ptr %v2962, align 8, !noalias !425
+  %v2964 = fmul double %v2963, 0x3FE51326698BC5BD
+  %v2965 = fsub double %v2961, %v2964
+  %v2966 = getelementptr i8, ptr %v2932, i64 %v1048
+  %v2967 = load double, ptr %v2966, align 8, !noalias !425
+  %v2968 = fmul double %v2967, 0x3FDF97DED30D4572
+  %v2969 = fsub double %v2965, %v2968
+  %v2970 = getelementptr i8, ptr %v2932, i64 %v1049
+  %v2971 = load double, ptr %v2970, align 8, !noalias !425
+  %v2972 = fmul double %v2971, 0xBFC0DA0C684D1D67
+  %v2973 = fsub double %v2969, %v2972
+  %v2974 = getelementptr i8, ptr %v2932, i64 %v1050
+  %v2975 = load double, ptr %v2974, align 8, !noalias !425
+  %v2976 = fmul double %v2975, 0x3F9510B8EC0D4D92
+  %v2977 = fsub double %v2973, %v2976
+  %v2978 = tail call double @llvm.fabs.f64(double %v2977)
+  %v2979 = fcmp ogt double %v2978, %v2956
+  %v2980 = select i1 %v2979, double %v2978, double %v2956
+  %v2981 = getelementptr i8, ptr %v2931, i64 %v1051
+  %v2982 = load double, ptr %v2981, align 8, !noalias !425
+  %v2983 = load double, ptr %v2932, align 8, !noalias !425
+  %v2984 = fmul double %v2983, 0x3F9635A30F8F142F
+  %v2985 = fsub double %v2982, %v2984
+  %v2986 = getelementptr i8, ptr %v2932, i64 %v1052
+  %v2987 = load double, ptr %v2986, align 8, !noalias !425
+  %v2988 = fmul double %v2987, 0xBFC1EAE0FF33D241
+  %v2989 = fsub double %v2985, %v2988
+  %v2990 = getelementptr i8, ptr %v2932, i64 %v1053
+  %v2991 = load double, ptr %v2990, align 8, !noalias !425
+  %v2992 = fmul double %v2991, 0x3FE1625D59218460
+  %v2993 = fsub double %v2989, %v2992
+  %v2994 = getelementptr i8, ptr %v2932, i64 %v1054
+  %v2995 = load double, ptr %v2994, align 8, !noalias !425
+  %v2996 = fmul double %v2995, 0x3FE3BBC3E8A29641
+  %v2997 = fsub double %v2993, %v2996
+  %v2998 = getelementptr i8, ptr %v2932, i64 %v1055
+  %v2999 = load double, ptr %v2998, align 8, !noalias !425
+  %v3000 = fmul double %v2999, 0xBFA55161A739EB34
+  %v3001 = fsub double %v2997, %v3000
+  %v3002 = tail call double @llvm.fabs.f64(double %v3001)
+  %v3003 = fcmp ogt double %v3002, %v2980
+  %v3004 = select i1 %v3003, double %v3002, double %v2980
+  %v3005 = getelementptr i8, ptr %v2931, i64 %v1056
+  %v3006 = load double, ptr %v3005, align 8, !noalias !425
+  %v3007 = load double, ptr %v2932, align 8, !noalias !425
+  %v3008 = fmul double %v3007, 0xBFA4F0C0BB579409
+  %v3009 = fsub double %v3006, %v3008
+  %v3010 = getelementptr i8, ptr %v2932, i64 %v1057
+  %v3011 = load double, ptr %v3010, align 8, !noalias !425
+  %v3012 = fmul double %v3011, 0x3FCD2266FBC0D976
+  %v3013 = fsub double %v3009, %v3012
+  %v3014 = getelementptr i8, ptr %v2932, i64 %v1058
+  %v3015 = load double, ptr %v3014, align 8, !noalias !425
+  %v3016 = fmul double %v3015, 0xBFE1F2DB6FEE3151
+  %v3017 = fsub double %v3013, %v3016
+  %v3018 = getelementptr i8, ptr %v2932, i64 %v1059
+  %v3019 = load double, ptr %v3018, align 8, !noalias !425
+  %v3020 = fmul double %v3019, 0x3FF0C05015964CBE
+  %v3021 = fsub double %v3017, %v3020
+  %v3022 = getelementptr i8, ptr %v2932, i64 %v1060
+  %v3023 = load double, ptr %v3022, align 8, !noalias !425
+  %v3024 = fmul double %v3023, 0x3FD4F15B230DB570
+  %v3025 = fsub double %v3021, %v3024
+  %v3026 = tail call double @llvm.fabs.f64(double %v3025)
+  %v3027 = fcmp ogt double %v3026, %v3004
+  %v3028 = select i1 %v3027, double %v3026, double %v3004
+  %v3029 = fmul double %v3028, 1.000000e+01
+  %v3030 = fadd double %v2927, %v3029
+  %v3031 = icmp slt i64 %v2862, 0
+  %v3032 = select i1 %v3031, i64 %v208, i64 0
+  %v3033 = getelementptr double, ptr %v709, i64 %v2862
+  %v3034 = getelementptr double, ptr %v3033, i64 %v3032
+  %v3035 = load double, ptr %v3034, align 8, !noalias !424
+  %v3036 = fcmp ogt double %v3030, %v3035
+  %v3037 = fneg double %v3035
+  %v3038 = select i1 %v3036, double %v3030, double %v3037
+  %v3039 = fcmp olt double %v2923, %v3038
+  br i1 %v3039, label %v1481, label %v2861
 
-v2982:
-  %v2983 = phi i64 [ %v2984, %v2985 ], [ %v2965, %v2974 ]
-  %v2986 = icmp slt i64 %v2983, 0
-  %v2987 = select i1 %v2986, i64 %v94, i64 0
-  %v2988 = getelementptr double, ptr %v93, i64 %v2983
-  %v2989 = getelementptr double, ptr %v2988, i64 %v2987
-  %v2990 = load double, ptr %v2989, align 8, !noalias !421
-  %v2991 = load double, ptr %v2975, align 8, !noalias !421
-  %v2992 = fsub double %v2990, %v2991
-  %v2993 = load double, ptr %v2976, align 8, !noalias !421
-  %v2994 = fdiv double %v2992, %v2993
-  br i1 %v867, label %v2995, label %v2996
+v1481:
+  %v1483 = phi i1 [ false, %v1423 ], [ %v2867, %v2864 ], [ %v2867, %v2861 ]
+  %v3040 = phi ptr [ %v1478, %v1423 ], [ null, %v2864 ], [ null, %v2861 ]
+  %v3041 = phi i32 [ %v1479, %v1423 ], [ 0, %v2864 ], [ 0, %v2861 ]
+  %v3042 = icmp eq i32 %v3041, 0
+  br i1 %v3042, label %v1413, label %v1487, !prof !131
 
-v2996:
-  %v2997 = fsub double 1.000000e+00, %v2994
-  %v2998 = select i1 %v2986, i64 %v102, i64 0
-  %v2999 = add i64 %v2998, %v2983
-  %v3000 = mul i64 %v2999, %v103
-  %v3001 = getelementptr double, ptr %v2980, i64 %v3000
-  br label %v3002
+v1731:
+  br i1 %v1726, label %v1574, label %v1732
 
-v3003:
-  %v3004 = getelementptr double, ptr %v2981, i64 %v3005
-  %v3006 = load double, ptr %v3004, align 8, !noalias !421
-  br label %v3007
+v1487:
+  %v3043 = phi i64 [ 0, %v1413 ], [ %v2860, %v1574 ], [ 0, %v1481 ], [ 0, %v1639 ], [ 0, %v2275 ]
+  %v3044 = phi i1 [ true, %v1413 ], [ true, %v1574 ], [ false, %v1481 ], [ false, %v1639 ], [ false, %v2275 ]
+  %v3045 = phi ptr [ undef, %v1413 ], [ undef, %v1574 ], [ %v3040, %v1481 ], [ %v1730, %v1639 ], [ %v2857, %v2275 ]
+  %v3046 = phi i32 [ 0, %v1413 ], [ 0, %v1574 ], [ 1, %v1481 ], [ 1, %v1639 ], [ 1, %v2275 ]
+  br i1 %v3044, label %v3047, label %v3048, !prof !131
 
-v2995:
-  store double 0x7FF0000000000000, ptr %v2979, align 8, !noalias !421
-  %v3008 = icmp eq i64 %v2983, %v871
-  br i1 %v3008, label %v2967, label %v2985
+v3049:
+  %v3050 = getelementptr double, ptr %v866, i64 %v3051
+  %v3052 = load double, ptr %v3050, align 8, !noalias !429
+  %v3053 = fcmp olt double %v3052, 5.000000e-01
+  br i1 %v3053, label %v3054, label %v3055
 
-v2985:
-  %v2984 = add i64 %v2983, 1
-  %v3009 = icmp slt i64 %v2983, -1
-  %v3010 = select i1 %v3009, i64 %v94, i64 0
-  %v3011 = getelementptr double, ptr %v93, i64 %v2984
-  %v3012 = getelementptr double, ptr %v3011, i64 %v3010
-  %v3013 = load double, ptr %v3012, align 8, !noalias !421
-  %v3014 = fcmp ugt double %v3013, %v2963
-  br i1 %v3014, label %v2967, label %v2982
+v3055:
+  %v3056 = getelementptr i64, ptr %v111, i64 %v3057
+  %v3058 = load i64, ptr %v3056, align 8, !noalias !429
+  %v3059 = icmp eq i64 %v3058, 0
+  br i1 %v3059, label %v3060, label %v3054
 
-v2967:
-  %v3015 = phi i64 [ %v2965, %v2966 ], [ %v2965, %v2956 ], [ %v94, %v2995 ], [ %v2984, %v2985 ]
-  store i64 %v3015, ptr %v3016, align 8, !noalias !421
-  br label %v2950
-
-v2950:
-  %v3017 = icmp eq i64 %v3018, %v9
-  br i1 %v3017, label %v3019, label %v3020
-
-v3007:
-  %v3021 = phi double [ %v3022, %v3023 ], [ %v3006, %v3003 ]
-  %v3024 = getelementptr double, ptr %v3001, i64 %v3025
-  store double %v3021, ptr %v3024, align 8, !noalias !421
-  %v3026 = icmp eq i64 %v10, %v3027
-  br i1 %v3026, label %v2995, label %v3002
-
-v3020:
-  %v2947 = phi i64 [ %v3018, %v2950 ], [ 0, %v2943 ]
-  %v3018 = add nsw i64 %v2947, 1
-  %v3028 = getelementptr i64, ptr %v143, i64 %v2947
-  %v2953 = load i64, ptr %v3028, align 8, !noalias !421
-  %v3016 = getelementptr i64, ptr %v859, i64 %v2947
-  %v2965 = load i64, ptr %v3016, align 8, !noalias !421
-  %v3029 = icmp slt i64 %v2953, 0
-  br i1 %v3029, label %v2950, label %v2945
-
-v3002:
-  %v3025 = phi i64 [ 0, %v2996 ], [ %v3027, %v3007 ]
-  %v3027 = add nsw i64 %v3025, 1
-  %v3030 = load double, ptr %v2989, align 8, !noalias !421
-  %v3031 = fcmp oeq double %v3030, %v2963
-  %v3005 = mul i64 %v3025, %v197
-  br i1 %v3031, label %v3003, label %v3023
-
-v3023:
-  %v3032 = getelementptr double, ptr %v2977, i64 %v3005
-  %v3033 = getelementptr i8, ptr %v3032, i64 %v872
-  %v3034 = load double, ptr %v3033, align 8, !noalias !424
-  %v3035 = fadd double %v3034, 0.000000e+00
-  %v3036 = fmul double %v2994, %v3035
-  %v3037 = getelementptr i8, ptr %v3032, i64 %v873
-  %v3038 = load double, ptr %v3037, align 8, !noalias !424
-  %v3039 = fadd double %v3038, %v3036
-  %v3040 = fmul double %v2997, %v3039
-  %v3041 = getelementptr i8, ptr %v3032, i64 %v874
-  %v3042 = load double, ptr %v3041, align 8, !noalias !424
-  %v3043 = fadd double %v3042, %v3040
-  %v3044 = fmul double %v2994, %v3043
-  %v3045 = getelementptr i8, ptr %v3032, i64 %v875
-  %v3046 = load double, ptr %v3045, align 8, !noalias !424
-  %v3047 = fadd double %v3046, %v3044
-  %v3048 = fmul double %v2997, %v3047
-  %v3049 = getelementptr i8, ptr %v3032, i64 %v876
-  %v3050 = load double, ptr %v3049, align 8, !noalias !424
-  %v3051 = fadd double %v3050, %v3048
-  %v3052 = fmul double %v2994, %v3051
-  %v3053 = getelementptr i8, ptr %v3032, i64 %v877
-  %v3054 = load double, ptr %v3053, align 8, !noalias !424
-  %v3055 = fadd double %v3054, %v3052
-  %v3056 = fmul double %v2997, %v3055
-  %v3057 = getelementptr i8, ptr %v3032, i64 %v878
-  %v3058 = load double, ptr %v3057, align 8, !noalias !424
-  %v3059 = fadd double %v3058, %v3056
-  %v3060 = fmul double %v2994, %v3059
-  %v3061 = load double, ptr %v3032, align 8, !noalias !424
-  %v3022 = fadd double %v3061, %v3060
-  br label %v3007
-
-v3019:
-  br i1 %v879, label %v3062, label %v3063
-
-v3063:
-  %v3064 = load double, ptr %v881, align 8
-  %v3065 = fcmp ogt double %v3064, 5.000000e-01
-  br i1 %v3065, label %v3062, label %v3066
-
-v3062:
-  %v3067 = load i64, ptr %v882, align 8, !noalias !428
-  %v3068 = inttoptr i64 %v3067 to ptr
-  tail call void %v3068(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !428
-  br label %v3066
-
-v3066:
-  br i1 %v1401, label %v3069, label %v3070
-
-v3069:
-  %v3071 = load double, ptr %v884, align 8, !noalias !431
-  %v3072 = fcmp olt double %v3071, 5.000000e-01
-  br i1 %v3072, label %v3070, label %v3073
+v3060:
+  %v3061 = mul i64 %v3057, %v127
+  %v3062 = getelementptr i64, ptr %v125, i64 %v3061
+  %v3063 = getelementptr i8, ptr %v3062, i64 8
+  %v3064 = load i64, ptr %v3063, align 8, !noalias !429
+  %v3065 = add nsw i64 %v3064, %v3043
+  store i64 %v3065, ptr %v3063, align 8, !noalias !429
+  %v3066 = getelementptr double, ptr %v868, i64 %v3051
+  %v3067 = load double, ptr %v3066, align 8, !noalias !429
+  %v3068 = load i64, ptr %v3069, align 8, !noalias !432
+  %v3070 = getelementptr i64, ptr %v870, i64 %v3051
+  %v3071 = load i64, ptr %v3070, align 8, !noalias !432
+  %v3072 = icmp slt i64 %v3071, %v94
+  br i1 %v3072, label %v3073, label %v3074
 
 v3073:
-  br i1 %v886, label %v3074, label %v3075
+  %v3075 = icmp slt i64 %v3071, 0
+  %v3076 = select i1 %v3075, i64 %v94, i64 0
+  %v3077 = getelementptr double, ptr %v93, i64 %v3071
+  %v3078 = getelementptr double, ptr %v3077, i64 %v3076
+  %v3079 = load double, ptr %v3078, align 8, !noalias !432
+  %v3080 = fcmp ugt double %v3079, %v3067
+  br i1 %v3080, label %v3074, label %v3081
 
-v3076:
-  %v3077 = getelementptr double, ptr %v887, i64 %v3078
-  %v3079 = load double, ptr %v3077, align 8, !noalias !431
-  %v3080 = add nsw i64 %v3078, %v18
-  %v3081 = icmp slt i64 %v3080, 0
-  %v3082 = select i1 %v3081, i64 %v167, i64 0
-  %v3083 = getelementptr double, ptr %v166, i64 %v3080
-  %v3084 = getelementptr double, ptr %v3083, i64 %v3082
-  %v3085 = load double, ptr %v3084, align 8, !noalias !431
-  %v3086 = fcmp une double %v3079, %v3085
-  br label %v3087
+v3081:
+  %v3082 = getelementptr double, ptr %v134, i64 %v3051
+  %v3083 = getelementptr double, ptr %v872, i64 %v3051
+  %v3084 = getelementptr double, ptr %v194, i64 %v3051
+  %v3085 = getelementptr double, ptr %v876, i64 %v3051
+  %v3086 = icmp slt i64 %v3068, 0
+  %v3087 = select i1 %v3086, i64 %v101, i64 0
+  %v3088 = add i64 %v3087, %v3068
+  %v3089 = mul i64 %v877, %v3088
+  %v3090 = getelementptr double, ptr %v100, i64 %v3089
+  %v3091 = getelementptr double, ptr %v878, i64 %v3051
+  br label %v3092
 
-v3087:
-  %v3088 = phi i1 [ true, %v3074 ], [ %v3086, %v3076 ]
-  %v3089 = icmp eq i64 %v3090, %v19
-  br i1 %v3089, label %v3075, label %v3074
+v3092:
+  %v3093 = phi i64 [ %v3094, %v3095 ], [ %v3071, %v3081 ]
+  %v3096 = icmp slt i64 %v3093, 0
+  %v3097 = select i1 %v3096, i64 %v94, i64 0
+  %v3098 = getelementptr double, ptr %v93, i64 %v3093
+  %v3099 = getelementptr double, ptr %v3098, i64 %v3097
+  %v3100 = load double, ptr %v3099, align 8, !noalias !432
+  %v3101 = load double, ptr %v3082, align 8, !noalias !432
+  %v3102 = fsub double %v3100, %v3101
+  %v3103 = load double, ptr %v3083, align 8, !noalias !432
+  %v3104 = fdiv double %v3102, %v3103
+  br i1 %v874, label %v3105, label %v3106
 
-v3075:
-  %v3091 = phi i1 [ false, %v3073 ], [ %v3088, %v3087 ]
-  %v3092 = load double, ptr %v889, align 8, !noalias !431
-  %v3093 = fcmp oeq double %v3092, 1.000000e+00
-  %v3094 = select i1 %v3093, i1 %v3091, i1 false
-  br i1 %v3094, label %v3095, label %v3096
+v3106:
+  %v3107 = fsub double 1.000000e+00, %v3104
+  %v3108 = select i1 %v3096, i64 %v102, i64 0
+  %v3109 = add i64 %v3108, %v3093
+  %v3110 = mul i64 %v3109, %v103
+  %v3111 = getelementptr double, ptr %v3090, i64 %v3110
+  br label %v3112
+
+v3113:
+  %v3114 = getelementptr double, ptr %v3091, i64 %v3115
+  %v3116 = load double, ptr %v3114, align 8, !noalias !432
+  br label %v3117
+
+v3105:
+  store double 0x7FF0000000000000, ptr %v3085, align 8, !noalias !432
+  %v3118 = icmp eq i64 %v3093, %v879
+  br i1 %v3118, label %v3074, label %v3095
 
 v3095:
-  %v3097 = load double, ptr %v134, align 8, !noalias !431
-  %v3098 = load double, ptr %v891, align 8, !noalias !431
-  %v3099 = fsub double %v3097, %v3098
-  br i1 %v892, label %v3100, label %v3101
-
-v3102:
-  %v3103 = load double, ptr %v893, align 8, !noalias !431
-  %v3104 = load double, ptr %v24, align 8, !noalias !431
-  %v3105 = mul i64 %v3106, %v197
-  %v3107 = getelementptr double, ptr %v194, i64 %v3105
-  %v3108 = load double, ptr %v3107, align 8, !noalias !431
-  %v3109 = tail call double @llvm.fabs.f64(double %v3108)
-  %v3110 = fmul double %v3104, %v3109
-  %v3111 = fadd double %v3103, %v3110
-  %v3112 = add i64 %v3106, %v196
-  %v3113 = mul i64 %v3112, %v197
-  %v3114 = getelementptr double, ptr %v194, i64 %v3113
-  %v3115 = load double, ptr %v3114, align 8, !noalias !431
-  %v3116 = tail call double @llvm.fabs.f64(double %v3115)
-  %v3117 = fmul double %v3099, %v3116
-  %v3118 = fcmp ogt double %v3117, %v3111
-  br label %v3119
-
-v3119:
-  %v3120 = phi i1 [ true, %v3101 ], [ %v3118, %v3102 ]
-  %v3121 = icmp eq i64 %v10, %v3122
-  br i1 %v3121, label %v3123, label %v3101
-
-v3123:
-  %v3124 = select i1 %v3120, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v3100
-
-v3100:
-  %v3125 = phi double [ 5.000000e-06, %v3095 ], [ %v3124, %v3123 ]
-  %v3126 = load double, ptr %v895, align 8, !noalias !431
-  %v3127 = load double, ptr %v93, align 8, !noalias !431
-  %v3128 = fsub double %v3126, %v3127
-  %v3129 = fmul double %v3125, %v3128
-  %v3130 = fcmp olt double %v3099, %v3129
-  br i1 %v3130, label %v3131, label %v3132
-
-v3131:
-  %v3133 = load i64, ptr %v897, align 8, !noalias !431
-  %v3134 = add nsw i64 %v3133, 1
-  br label %v3132
-
-v3132:
-  %v3135 = phi i64 [ %v3134, %v3131 ], [ 0, %v3100 ]
-  store i64 %v3135, ptr %v899, align 8, !noalias !431
-  %v3136 = load double, ptr %v134, align 8, !noalias !431
-  store double %v3136, ptr %v891, align 8, !noalias !431
-  store double 1.000000e+00, ptr %v901, align 8, !noalias !431
-  store i64 2, ptr %v485, align 8, !noalias !431
-  %v3137 = load i64, ptr %v899, align 8, !noalias !431
-  %v3138 = icmp sgt i64 %v3137, 1000
-  br i1 %v3138, label %v3139, label %v3096
-
-v3139:
-  %v3140 = load i64, ptr %v143, align 8, !noalias !435
-  %v3141 = icmp sgt i64 %v3140, -1
-  br i1 %v3141, label %v3142, label %v3096
-
-v3142:
-  %v3143 = getelementptr i64, ptr %v111, i64 %v3140
-  %v3144 = load i64, ptr %v3143, align 8, !noalias !435
-  %v3145 = icmp eq i64 %v3144, 0
-  br i1 %v3145, label %v3146, label %v3096
-
-v3146:
-  store i64 6, ptr %v3143, align 8, !noalias !435
-  br label %v3096
-
-v3096:
-  store double 0.000000e+00, ptr %v889, align 8, !noalias !431
-  br label %v3070
+  %v3094 = add i64 %v3093, 1
+  %v3119 = icmp slt i64 %v3093, -1
+  %v3120 = select i1 %v3119, i64 %v94, i64 0
+  %v3121 = getelementptr double, ptr %v93, i64 %v3094
+  %v3122 = getelementptr double, ptr %v3121, i64 %v3120
+  %v3123 = load double, ptr %v3122, align 8, !noalias !432
+  %v3124 = fcmp ugt double %v3123, %v3067
+  br i1 %v3124, label %v3074, label %v3092
 
 v3074:
-  %v3147 = phi i1 [ %v3088, %v3087 ], [ false, %v3073 ]
-  %v3078 = phi i64 [ %v3090, %v3087 ], [ 0, %v3073 ]
-  %v3090 = add nsw i64 %v3078, 1
-  br i1 %v3147, label %v3087, label %v3076
+  %v3125 = phi i64 [ %v3071, %v3073 ], [ %v3071, %v3060 ], [ %v94, %v3105 ], [ %v3094, %v3095 ]
+  store i64 %v3125, ptr %v3070, align 8, !noalias !432
+  br label %v3054
 
-v3101:
-  %v3148 = phi i1 [ %v3120, %v3119 ], [ false, %v3095 ]
-  %v3106 = phi i64 [ %v3122, %v3119 ], [ 0, %v3095 ]
-  %v3122 = add nsw i64 %v3106, 1
-  br i1 %v3148, label %v3119, label %v3102
+v3117:
+  %v3126 = phi double [ %v3127, %v3128 ], [ %v3116, %v3113 ]
+  %v3129 = getelementptr double, ptr %v3111, i64 %v3130
+  store double %v3126, ptr %v3129, align 8, !noalias !432
+  %v3131 = icmp eq i64 %v10, %v3132
+  br i1 %v3131, label %v3105, label %v3112
 
-v3070:
-  %v3149 = and i1 %v902, %v1287
-  %v3150 = xor i1 %v3149, true
-  %v3151 = or i1 %v294, %v3150
-  br i1 %v3151, label %v3152, label %v3153
+v3112:
+  %v3130 = phi i64 [ 0, %v3106 ], [ %v3132, %v3117 ]
+  %v3132 = add nsw i64 %v3130, 1
+  %v3133 = load double, ptr %v3099, align 8, !noalias !432
+  %v3134 = load double, ptr %v3066, align 8, !noalias !432
+  %v3135 = fcmp oeq double %v3133, %v3134
+  %v3115 = mul i64 %v3130, %v197
+  br i1 %v3135, label %v3113, label %v3128
 
-v3154:
-  %v3155 = getelementptr i64, ptr %v111, i64 %v3156
-  %v3157 = load i64, ptr %v3155, align 8, !noalias !438
-  %v3158 = icmp eq i64 %v3157, 0
-  br i1 %v3158, label %v3159, label %v3160
+v3128:
+  %v3136 = getelementptr double, ptr %v3084, i64 %v3115
+  %v3137 = getelementptr i8, ptr %v3136, i64 %v880
+  %v3138 = load double, ptr %v3137, align 8, !noalias !436
+  %v3139 = fadd double %v3138, 0.000000e+00
+  %v3140 = fmul double %v3104, %v3139
+  %v3141 = getelementptr i8, ptr %v3136, i64 %v881
+  %v3142 = load double, ptr %v3141, align 8, !noalias !436
+  %v3143 = fadd double %v3142, %v3140
+  %v3144 = fmul double %v3107, %v3143
+  %v3145 = getelementptr i8, ptr %v3136, i64 %v882
+  %v3146 = load double, ptr %v3145, align 8, !noalias !436
+  %v3147 = fadd double %v3146, %v3144
+  %v3148 = fmul double %v3104, %v3147
+  %v3149 = getelementptr i8, ptr %v3136, i64 %v883
+  %v3150 = load double, ptr %v3149, align 8, !noalias !436
+  %v3151 = fadd double %v3150, %v3148
+  %v3152 = fmul double %v3107, %v3151
+  %v3153 = getelementptr i8, ptr %v3136, i64 %v884
+  %v3154 = load double, ptr %v3153, align 8, !noalias !436
+  %v3155 = fadd double %v3154, %v3152
+  %v3156 = fmul double %v3104, %v3155
+  %v3157 = getelementptr i8, ptr %v3136, i64 %v885
+  %v3158 = load double, ptr %v3157, align 8, !noalias !436
+  %v3159 = fadd double %v3158, %v3156
+  %v3160 = fmul double %v3107, %v3159
+  %v3161 = getelementptr i8, ptr %v3136, i64 %v886
+  %v3162 = load double, ptr %v3161, align 8, !noalias !436
+  %v3163 = fadd double %v3162, %v3160
+  %v3164 = fmul double %v3104, %v3163
+  %v3165 = load double, ptr %v3136, align 8, !noalias !436
+  %v3127 = fadd double %v3165, %v3164
+  br label %v3117
 
-v3159:
-  %v3161 = getelementptr double, ptr %v905, i64 %v3162
-  %v3163 = load double, ptr %v3161, align 8, !noalias !438
-  %v3164 = fcmp olt double %v3163, 5.000000e-01
-  br i1 %v3164, label %v3160, label %v3165
+v3054:
+  %v3166 = icmp eq i64 %v3167, %v9
+  br i1 %v3166, label %v3168, label %v3169
 
-v3165:
-  %v3166 = getelementptr double, ptr %v134, i64 %v3162
-  %v3167 = load double, ptr %v3166, align 8, !noalias !438
-  %v3168 = getelementptr double, ptr %v907, i64 %v3162
-  %v3169 = load double, ptr %v3168, align 8, !noalias !438
-  %v3170 = fcmp une double %v3167, %v3169
-  %v3171 = select i1 %v3170, i1 true, i1 %v909
-  %v3172 = xor i1 %v3170, true
-  %v3173 = select i1 %v3172, i1 true, i1 %v3174
-  br i1 %v3171, label %v3160, label %v3175
+v3169:
+  %v3051 = phi i64 [ %v3167, %v3054 ], [ 0, %v3047 ]
+  %v3167 = add nsw i64 %v3051, 1
+  %v3069 = getelementptr i64, ptr %v143, i64 %v3051
+  %v3057 = load i64, ptr %v3069, align 8, !noalias !429
+  %v3170 = icmp slt i64 %v3057, 0
+  br i1 %v3170, label %v3054, label %v3049
+
+v3168:
+  br i1 %v887, label %v3171, label %v3172
+
+v3172:
+  %v3173 = load double, ptr %v889, align 8
+  %v3174 = fcmp ogt double %v3173, 5.000000e-01
+  br i1 %v3174, label %v3171, label %v3175
+
+v3171:
+  %v3176 = load i64, ptr %v890, align 8, !noalias !440
+  %v3177 = inttoptr i64 %v3176 to ptr
+  tail call void %v3177(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !440
+  br label %v3175
 
 v3175:
-  %v3176 = getelementptr i64, ptr %v908, i64 %v3162
-  %v3177 = load i64, ptr %v3176, align 8, !noalias !443
-  %v3178 = add nsw i64 %v3177, 1
-  %v3179 = icmp slt i64 %v3177, -1
-  %v3180 = select i1 %v3179, i64 %v78, i64 0
-  %v3181 = add i64 %v3178, %v3180
-  %v3182 = mul i64 %v3181, %v79
-  %v3183 = getelementptr double, ptr %v77, i64 %v3182
-  br label %v3184
+  br i1 %v1409, label %v3178, label %v3179
+
+v3178:
+  %v3180 = load double, ptr %v892, align 8, !noalias !443
+  %v3181 = fcmp olt double %v3180, 5.000000e-01
+  br i1 %v3181, label %v3179, label %v3182
+
+v3182:
+  br i1 %v894, label %v3183, label %v3184
+
+v3185:
+  %v3186 = getelementptr double, ptr %v895, i64 %v3187
+  %v3188 = load double, ptr %v3186, align 8, !noalias !443
+  %v3189 = add nsw i64 %v3187, %v18
+  %v3190 = icmp slt i64 %v3189, 0
+  %v3191 = select i1 %v3190, i64 %v167, i64 0
+  %v3192 = getelementptr double, ptr %v166, i64 %v3189
+  %v3193 = getelementptr double, ptr %v3192, i64 %v3191
+  %v3194 = load double, ptr %v3193, align 8, !noalias !443
+  %v3195 = fcmp une double %v3188, %v3194
+  br label %v3196
+
+v3196:
+  %v3197 = phi i1 [ true, %v3183 ], [ %v3195, %v3185 ]
+  %v3198 = icmp eq i64 %v3199, %v19
+  br i1 %v3198, label %v3184, label %v3183
 
 v3184:
-  %v3185 = phi i64 [ 0, %v3175 ], [ %v3186, %v3184 ]
-  %v3186 = add nsw i64 %v3185, 1
-  %v3187 = getelementptr double, ptr %v3183, i64 %v3185
-  %v3188 = load double, ptr %v3187, align 8, !noalias !444
-  %v3189 = getelementptr i64, ptr %v63, i64 %v3185
-  %v3190 = load i64, ptr %v3189, align 8, !noalias !444
-  %v3191 = mul nsw i64 %v3190, %v9
-  %v3192 = add nsw i64 %v3191, %v3162
-  %v3193 = icmp slt i64 %v3192, 0
-  %v3194 = select i1 %v3193, i64 %v167, i64 0
-  %v3195 = getelementptr double, ptr %v166, i64 %v3192
-  %v3196 = getelementptr double, ptr %v3195, i64 %v3194
-  store double %v3188, ptr %v3196, align 8, !noalias !444
-  %v3197 = icmp eq i64 %v64, %v3186
-  br i1 %v3197, label %v3160, label %v3184
+  %v3200 = phi i1 [ false, %v3182 ], [ %v3197, %v3196 ]
+  %v3201 = load double, ptr %v897, align 8, !noalias !443
+  %v3202 = fcmp oeq double %v3201, 1.000000e+00
+  %v3203 = select i1 %v3202, i1 %v3200, i1 false
+  br i1 %v3203, label %v3204, label %v3205
 
-v3160:
-  %v3198 = phi i1 [ %v3173, %v3165 ], [ %v3174, %v3159 ], [ %v3174, %v3153 ], [ %v3174, %v3154 ], [ true, %v3184 ]
-  %v3199 = icmp eq i64 %v9, %v3200
-  br i1 %v3199, label %v3201, label %v3153
+v3204:
+  %v3206 = load double, ptr %v134, align 8, !noalias !443
+  %v3207 = load double, ptr %v899, align 8, !noalias !443
+  %v3208 = fsub double %v3206, %v3207
+  br i1 %v900, label %v3209, label %v3210
 
-v3201:
-  br i1 %v3198, label %v3202, label %v3152
+v3211:
+  %v3212 = load double, ptr %v901, align 8, !noalias !443
+  %v3213 = load double, ptr %v24, align 8, !noalias !443
+  %v3214 = mul i64 %v3215, %v197
+  %v3216 = getelementptr double, ptr %v194, i64 %v3214
+  %v3217 = load double, ptr %v3216, align 8, !noalias !443
+  %v3218 = tail call double @llvm.fabs.f64(double %v3217)
+  %v3219 = fmul double %v3213, %v3218
+  %v3220 = fadd double %v3212, %v3219
+  %v3221 = add i64 %v3215, %v196
+  %v3222 = mul i64 %v3221, %v197
+  %v3223 = getelementptr double, ptr %v194, i64 %v3222
+  %v3224 = load double, ptr %v3223, align 8, !noalias !443
+  %v3225 = tail call double @llvm.fabs.f64(double %v3224)
+  %v3226 = fmul double %v3208, %v3225
+  %v3227 = fcmp ogt double %v3226, %v3220
+  br label %v3228
 
-v3202:
-  %v3203 = load i64, ptr %v910, align 8, !noalias !448
-  %v3204 = inttoptr i64 %v3203 to ptr
-  tail call void %v3204(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !448
-  %v3205 = load i64, ptr %v912, align 8, !noalias !443
-  %v3206 = inttoptr i64 %v3205 to ptr
-  tail call void %v3206(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v914), !noalias !443
-  br label %v3207
+v3228:
+  %v3229 = phi i1 [ true, %v3210 ], [ %v3227, %v3211 ]
+  %v3230 = icmp eq i64 %v10, %v3231
+  br i1 %v3230, label %v3232, label %v3210
 
-v3207:
-  %v3208 = phi i64 [ 0, %v3202 ], [ %v3209, %v3210 ]
-  %v3211 = phi i64 [ %v916, %v3202 ], [ %v3212, %v3210 ]
-  %v3213 = phi i64 [ 1, %v3202 ], [ %v3214, %v3210 ]
-  %v3215 = icmp slt i64 %v3208, 0
-  %v3216 = select i1 %v3215, i64 %v145, i64 0
-  %v3217 = add i64 %v3216, %v3208
-  %v3218 = getelementptr i64, ptr %v143, i64 %v3217
-  %v3219 = load i64, ptr %v3218, align 8, !noalias !451
-  %v3220 = icmp slt i64 %v3219, 0
-  br i1 %v3220, label %v3210, label %v3221
+v3232:
+  %v3233 = select i1 %v3229, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3209
 
-v3221:
-  %v3222 = getelementptr i64, ptr %v111, i64 %v3219
-  %v3223 = load i64, ptr %v3222, align 8, !noalias !451
-  %v3224 = icmp eq i64 %v3223, 0
-  br i1 %v3224, label %v3225, label %v3210
+v3209:
+  %v3234 = phi double [ 5.000000e-06, %v3204 ], [ %v3233, %v3232 ]
+  %v3235 = load double, ptr %v903, align 8, !noalias !443
+  %v3236 = load double, ptr %v93, align 8, !noalias !443
+  %v3237 = fsub double %v3235, %v3236
+  %v3238 = fmul double %v3234, %v3237
+  %v3239 = fcmp olt double %v3208, %v3238
+  br i1 %v3239, label %v3240, label %v3241
 
-v3225:
-  %v3226 = select i1 %v3215, i64 %v136, i64 0
-  %v3227 = add i64 %v3226, %v3208
-  %v3228 = getelementptr double, ptr %v905, i64 %v3227
-  %v3229 = load double, ptr %v3228, align 8, !noalias !451
-  %v3230 = fcmp olt double %v3229, 5.000000e-01
-  br i1 %v3230, label %v3210, label %v3231
-
-v3231:
-  %v3232 = getelementptr double, ptr %v134, i64 %v3227
-  %v3233 = load double, ptr %v3232, align 8, !noalias !451
-  %v3234 = getelementptr double, ptr %v907, i64 %v3227
-  %v3235 = load double, ptr %v3234, align 8, !noalias !451
-  %v3236 = fcmp une double %v3233, %v3235
-  br i1 %v3236, label %v3210, label %v3237
-
-v3237:
-  %v3238 = getelementptr i64, ptr %v919, i64 %v3217
-  %v3239 = load i64, ptr %v3238, align 8, !noalias !454
-  %v3240 = icmp sgt i64 %v3239, 0
-  br i1 %v3240, label %v3241, label %v3242
+v3240:
+  %v3242 = load i64, ptr %v905, align 8, !noalias !443
+  %v3243 = add nsw i64 %v3242, 1
+  br label %v3241
 
 v3241:
-  %v3243 = getelementptr double, ptr %v93, i64 %v3239
-  %v3244 = getelementptr i8, ptr %v3243, i64 -8
-  %v3245 = load double, ptr %v3244, align 8, !noalias !454
-  %v3246 = getelementptr double, ptr %v134, i64 %v3208
-  %v3247 = getelementptr double, ptr %v3246, i64 %v3226
-  %v3248 = load double, ptr %v3247, align 8, !noalias !454
-  %v3249 = fcmp oeq double %v3245, %v3248
-  br label %v3242
+  %v3244 = phi i64 [ %v3243, %v3240 ], [ 0, %v3209 ]
+  store i64 %v3244, ptr %v907, align 8, !noalias !443
+  %v3245 = load double, ptr %v134, align 8, !noalias !443
+  store double %v3245, ptr %v899, align 8, !noalias !443
+  store double 1.000000e+00, ptr %v909, align 8, !noalias !443
+  store i64 2, ptr %v485, align 8, !noalias !443
+  %v3246 = load i64, ptr %v907, align 8, !noalias !443
+  %v3247 = icmp sgt i64 %v3246, 1000
+  br i1 %v3247, label %v3248, label %v3205
 
-v3242:
-  %v3250 = phi i1 [ %v3249, %v3241 ], [ false, %v3237 ]
-  br i1 %v921, label %v3251, label %v3252
-
-v3252:
-  %v3253 = mul i64 %v915, %v3219
-  %v3254 = select i1 %v3215, i64 %v197, i64 0
-  %v3255 = add i64 %v3254, %v3208
-  %v3256 = getelementptr double, ptr %v922, i64 %v3255
-  %v3257 = getelementptr double, ptr %v194, i64 %v3255
-  %v3258 = add nsw i64 %v3239, -1
-  %v3259 = select i1 %v3240, i64 0, i64 %v102
-  %v3260 = add i64 %v3258, %v3259
-  %v3261 = mul i64 %v3260, %v103
-  %v3262 = getelementptr double, ptr %v100, i64 %v3253
-  %v3263 = getelementptr double, ptr %v3262, i64 %v3261
-  br label %v3264
-
-v3265:
-  %v3266 = getelementptr double, ptr %v3263, i64 %v3267
-  store double %v3268, ptr %v3266, align 8, !noalias !454
-  br label %v3269
-
-v3269:
-  %v3270 = icmp eq i64 %v10, %v3271
-  br i1 %v3270, label %v3272, label %v3264
-
-v3272:
-  %v3273 = fcmp une double %v3274, 0.000000e+00
-  br i1 %v3273, label %v3275, label %v3251
-
-v3275:
-  %v3276 = load i64, ptr %v3218, align 8, !noalias !458
-  %v3277 = icmp sgt i64 %v3276, -1
-  br i1 %v3277, label %v3278, label %v3251
-
-v3278:
-  %v3279 = getelementptr i64, ptr %v111, i64 %v3276
-  %v3280 = load i64, ptr %v3279, align 8, !noalias !458
-  %v3281 = icmp eq i64 %v3280, 0
-  br i1 %v3281, label %v3282, label %v3251
-
-v3282:
-  store i64 3, ptr %v3279, align 8, !noalias !458
-  br label %v3251
+v3248:
+  %v3249 = load i64, ptr %v143, align 8, !noalias !447
+  %v3250 = icmp sgt i64 %v3249, -1
+  br i1 %v3250, label %v3251, label %v3205
 
 v3251:
-  br i1 %v291, label %v3283, label %v3210
+  %v3252 = getelementptr i64, ptr %v111, i64 %v3249
+  %v3253 = load i64, ptr %v3252, align 8, !noalias !447
+  %v3254 = icmp eq i64 %v3253, 0
+  br i1 %v3254, label %v3255, label %v3205
 
-v3283:
-  %v3284 = load double, ptr %v924, align 8, !noalias !461
-  %v3285 = load double, ptr %v93, align 8, !noalias !461
-  %v3286 = fsub double %v3284, %v3285
-  %v3287 = fmul double %v3286, 1.000000e-13
-  %v3288 = load double, ptr %v134, align 8, !noalias !461
-  %v3289 = tail call double @llvm.fabs.f64(double %v3288)
-  %v3290 = fmul double %v3289, 4.000000e-15
-  %v3291 = fcmp ogt double %v3290, %v3287
-  %v3292 = select i1 %v3291, double %v3290, double %v3287
-  %v3293 = fadd double %v3288, %v3292
-  store double %v3293, ptr %v926, align 8, !noalias !471
-  %v3294 = load i64, ptr %v6, align 8, !noalias !472
-  %v3295 = inttoptr i64 %v3294 to ptr
-  tail call void %v3295(ptr nonnull %v134, ptr %v914, ptr %v166, ptr %v173, ptr %v180, ptr %v928), !noalias !472
-  br i1 %v921, label %v3296, label %v3297
+v3255:
+  store i64 6, ptr %v3252, align 8, !noalias !447
+  br label %v3205
 
-v3296:
-  %v3298 = load i64, ptr %v933, align 8, !noalias !475
-  %v3299 = inttoptr i64 %v3298 to ptr
-  tail call void %v3299(ptr nonnull %v134, ptr %v935, ptr %v166, ptr %v173, ptr %v180, ptr %v937), !noalias !475
-  %v3300 = load i64, ptr %v933, align 8, !noalias !478
-  %v3301 = inttoptr i64 %v3300 to ptr
-  tail call void %v3301(ptr nonnull %v926, ptr %v939, ptr %v166, ptr %v173, ptr %v180, ptr %v941), !noalias !478
-  br label %v3302
+v3205:
+  store double 0.000000e+00, ptr %v897, align 8, !noalias !443
+  br label %v3179
 
-v3302:
-  %v3303 = phi i64 [ %v19, %v3296 ], [ %v3304, %v3305 ]
-  %v3306 = phi i64 [ %v943, %v3296 ], [ %v3307, %v3305 ]
-  %v3308 = icmp sgt i64 %v3306, 0
-  br i1 %v3308, label %v3305, label %v3309
-
-v3305:
-  %v3307 = add nsw i64 %v3306, -1
-  %v3304 = add i64 %v3303, 1
-  %v3310 = icmp slt i64 %v3303, 0
-  %v3311 = select i1 %v3310, i64 %v208, i64 0
-  %v3312 = add i64 %v3311, %v3303
-  %v3313 = getelementptr double, ptr %v947, i64 %v3312
-  %v3314 = load double, ptr %v3313, align 8, !noalias !471
-  %v3315 = getelementptr double, ptr %v950, i64 %v3312
-  %v3316 = load double, ptr %v3315, align 8, !noalias !471
-  %v3317 = fsub double %v3314, %v3316
-  %v3318 = tail call double @llvm.fabs.f64(double %v3317)
-  %v3319 = getelementptr double, ptr %v952, i64 %v3312
-  %v3320 = load double, ptr %v3319, align 8, !noalias !471
-  %v3321 = tail call i1 @llvm.is.fpclass.f64(double %v3320, i32 543)
-  %v3322 = select i1 %v3321, double 0.000000e+00, double %v3320
-  %v3323 = fcmp ueq double %v3318, 0x7FF0000000000000
-  %v3324 = select i1 %v3323, double -0.000000e+00, double %v3318
-  %v3325 = fadd double %v3322, %v3324
-  %v3326 = getelementptr double, ptr %v949, i64 %v3312
-  %v3327 = load double, ptr %v3326, align 8, !noalias !471
-  %v3328 = fneg double %v3325
-  %v3329 = fcmp olt double %v3327, %v3328
-  br i1 %v3329, label %v3309, label %v3302
-
-v3297:
-  %v3330 = phi i64 [ %v3331, %v3297 ], [ 0, %v3283 ]
-  %v3331 = add nsw i64 %v3330, 1
-  %v3332 = mul i64 %v3330, %v197
-  %v3333 = getelementptr double, ptr %v922, i64 %v3332
-  %v3334 = load double, ptr %v3333, align 8, !noalias !471
-  %v3335 = getelementptr double, ptr %v930, i64 %v3332
-  %v3336 = load double, ptr %v3335, align 8, !noalias !471
-  %v3337 = fmul double %v3292, %v3336
-  %v3338 = fadd double %v3334, %v3337
-  %v3339 = getelementptr double, ptr %v932, i64 %v3332
-  store double %v3338, ptr %v3339, align 8, !noalias !471
-  %v3340 = icmp eq i64 %v10, %v3331
-  br i1 %v3340, label %v3296, label %v3297
-
-v3341:
-  %v3342 = getelementptr i64, ptr %v954, i64 %v3217
-  store i64 %v3343, ptr %v3342, align 8, !noalias !481
-  %v3344 = load i64, ptr %v3218, align 8, !noalias !482
-  %v3345 = icmp sgt i64 %v3344, -1
-  br i1 %v3345, label %v3346, label %v3347
-
-v3346:
-  %v3348 = getelementptr i64, ptr %v111, i64 %v3344
-  %v3349 = load i64, ptr %v3348, align 8, !noalias !482
-  %v3350 = icmp eq i64 %v3349, 0
-  br i1 %v3350, label %v3351, label %v3347
-
-v3351:
-  store i64 4, ptr %v3348, align 8, !noalias !482
-  br label %v3347
-
-v3347:
-  %v3352 = load double, ptr %v3232, align 8, !noalias !481
-  store double %v3352, ptr %v3234, align 8, !noalias !481
-  %v3353 = getelementptr double, ptr %v956, i64 %v3227
-  store double 0.000000e+00, ptr %v3353, align 8, !noalias !481
-  br label %v3210
-
-v3309:
-  %v3343 = phi i64 [ %v3303, %v3305 ], [ -1, %v3302 ]
-  %v3354 = icmp sgt i64 %v3343, -1
-  br i1 %v3354, label %v3341, label %v3210
-
-v3264:
-  %v3355 = phi double [ 0.000000e+00, %v3252 ], [ %v3274, %v3269 ]
-  %v3267 = phi i64 [ 0, %v3252 ], [ %v3271, %v3269 ]
-  %v3271 = add nsw i64 %v3267, 1
-  %v3356 = mul i64 %v3267, %v197
-  %v3357 = getelementptr double, ptr %v3256, i64 %v3356
-  %v3268 = load double, ptr %v3357, align 8, !noalias !454
-  %v3358 = fmul double %v3268, 0.000000e+00
-  %v3274 = fadd double %v3355, %v3358
-  %v3359 = getelementptr double, ptr %v3257, i64 %v3356
-  store double %v3268, ptr %v3359, align 8, !noalias !454
-  br i1 %v3250, label %v3265, label %v3269
+v3183:
+  %v3256 = phi i1 [ %v3197, %v3196 ], [ false, %v3182 ]
+  %v3187 = phi i64 [ %v3199, %v3196 ], [ 0, %v3182 ]
+  %v3199 = add nsw i64 %v3187, 1
+  br i1 %v3256, label %v3196, label %v3185
 
 v3210:
-  %v3360 = icmp sgt i64 %v3211, 0
-  %v3361 = zext i1 %v3360 to i64
-  %v3214 = add i64 %v3213, %v3361
-  %v3362 = sext i1 %v3360 to i64
-  %v3212 = add nsw i64 %v3211, %v3362
-  %v3209 = select i1 %v3360, i64 %v3213, i64 0
-  br i1 %v3360, label %v3207, label %v3152
+  %v3257 = phi i1 [ %v3229, %v3228 ], [ false, %v3204 ]
+  %v3215 = phi i64 [ %v3231, %v3228 ], [ 0, %v3204 ]
+  %v3231 = add nsw i64 %v3215, 1
+  br i1 %v3257, label %v3228, label %v3211
 
-v3153:
-  %v3174 = phi i1 [ %v3198, %v3160 ], [ false, %v3070 ]
-  %v3162 = phi i64 [ %v3200, %v3160 ], [ 0, %v3070 ]
-  %v3200 = add nsw i64 %v3162, 1
-  %v3363 = getelementptr i64, ptr %v143, i64 %v3162
-  %v3156 = load i64, ptr %v3363, align 8, !noalias !438
-  %v3364 = icmp slt i64 %v3156, 0
-  br i1 %v3364, label %v3160, label %v3154
+v3179:
+  %v3258 = and i1 %v910, %v1295
+  %v3259 = xor i1 %v3258, true
+  %v3260 = or i1 %v294, %v3259
+  br i1 %v3260, label %v3261, label %v3262
 
-v3152:
-  %v3365 = xor i1 %v1287, true
-  %v3366 = or i1 %v294, %v3365
-  %v3367 = select i1 %v1287, i64 0, i64 %v1057
-  br i1 %v3366, label %v1056, label %v3368
+v3263:
+  %v3264 = getelementptr i64, ptr %v111, i64 %v3265
+  %v3266 = load i64, ptr %v3264, align 8, !noalias !450
+  %v3267 = icmp eq i64 %v3266, 0
+  br i1 %v3267, label %v3268, label %v3269
 
-v3369:
-  %v3370 = mul i64 %v3371, %v127
-  %v3372 = getelementptr i64, ptr %v125, i64 %v3370
-  %v3373 = load i64, ptr %v3372, align 8, !noalias !485
-  %v3374 = getelementptr i8, ptr %v3372, i64 24
-  %v3375 = load i64, ptr %v3374, align 8, !noalias !485
-  %v3376 = add i64 %v3373, %v3375
-  %v3377 = sub i64 %v285, %v3376
-  %v3378 = icmp slt i64 %v3377, 1
-  br i1 %v3378, label %v3379, label %v3380
+v3268:
+  %v3270 = getelementptr double, ptr %v913, i64 %v3271
+  %v3272 = load double, ptr %v3270, align 8, !noalias !450
+  %v3273 = fcmp olt double %v3272, 5.000000e-01
+  br i1 %v3273, label %v3269, label %v3274
 
-v3379:
-  %v3381 = getelementptr i64, ptr %v111, i64 %v3371
-  %v3382 = load i64, ptr %v3381, align 8, !noalias !489
-  %v3383 = icmp eq i64 %v3382, 0
-  br i1 %v3383, label %v3384, label %v3380
+v3274:
+  %v3275 = getelementptr double, ptr %v134, i64 %v3271
+  %v3276 = load double, ptr %v3275, align 8, !noalias !450
+  %v3277 = getelementptr double, ptr %v915, i64 %v3271
+  %v3278 = load double, ptr %v3277, align 8, !noalias !450
+  %v3279 = fcmp une double %v3276, %v3278
+  %v3280 = select i1 %v3279, i1 true, i1 %v917
+  %v3281 = xor i1 %v3279, true
+  %v3282 = select i1 %v3281, i1 true, i1 %v3283
+  br i1 %v3280, label %v3269, label %v3284
+
+v3284:
+  %v3285 = getelementptr i64, ptr %v916, i64 %v3271
+  %v3286 = load i64, ptr %v3285, align 8, !noalias !455
+  %v3287 = add nsw i64 %v3286, 1
+  %v3288 = icmp slt i64 %v3286, -1
+  %v3289 = select i1 %v3288, i64 %v78, i64 0
+  %v3290 = add i64 %v3287, %v3289
+  %v3291 = mul i64 %v3290, %v79
+  %v3292 = getelementptr double, ptr %v77, i64 %v3291
+  br label %v3293
+
+v3293:
+  %v3294 = phi i64 [ 0, %v3284 ], [ %v3295, %v3293 ]
+  %v3295 = add nsw i64 %v3294, 1
+  %v3296 = getelementptr double, ptr %v3292, i64 %v3294
+  %v3297 = load double, ptr %v3296, align 8, !noalias !456
+  %v3298 = getelementptr i64, ptr %v63, i64 %v3294
+  %v3299 = load i64, ptr %v3298, align 8, !noalias !456
+  %v3300 = mul nsw i64 %v3299, %v9
+  %v3301 = add nsw i64 %v3300, %v3271
+  %v3302 = icmp slt i64 %v3301, 0
+  %v3303 = select i1 %v3302, i64 %v167, i64 0
+  %v3304 = getelementptr double, ptr %v166, i64 %v3301
+  %v3305 = getelementptr double, ptr %v3304, i64 %v3303
+  store double %v3297, ptr %v3305, align 8, !noalias !456
+  %v3306 = icmp eq i64 %v64, %v3295
+  br i1 %v3306, label %v3269, label %v3293
+
+v3269:
+  %v3307 = phi i1 [ %v3282, %v3274 ], [ %v3283, %v3268 ], [ %v3283, %v3262 ], [ %v3283, %v3263 ], [ true, %v3293 ]
+  %v3308 = icmp eq i64 %v9, %v3309
+  br i1 %v3308, label %v3310, label %v3262
+
+v3310:
+  br i1 %v3307, label %v3311, label %v3261
+
+v3311:
+  %v3312 = load i64, ptr %v918, align 8, !noalias !460
+  %v3313 = inttoptr i64 %v3312 to ptr
+  tail call void %v3313(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !460
+  %v3314 = load i64, ptr %v920, align 8, !noalias !455
+  %v3315 = inttoptr i64 %v3314 to ptr
+  tail call void %v3315(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v922), !noalias !455
+  br label %v3316
+
+v3316:
+  %v3317 = phi i64 [ 0, %v3311 ], [ %v3318, %v3319 ]
+  %v3320 = phi i64 [ %v924, %v3311 ], [ %v3321, %v3319 ]
+  %v3322 = phi i64 [ 1, %v3311 ], [ %v3323, %v3319 ]
+  %v3324 = icmp slt i64 %v3317, 0
+  %v3325 = select i1 %v3324, i64 %v145, i64 0
+  %v3326 = add i64 %v3325, %v3317
+  %v3327 = getelementptr i64, ptr %v143, i64 %v3326
+  %v3328 = load i64, ptr %v3327, align 8, !noalias !463
+  %v3329 = icmp slt i64 %v3328, 0
+  br i1 %v3329, label %v3319, label %v3330
+
+v3330:
+  %v3331 = getelementptr i64, ptr %v111, i64 %v3328
+  %v3332 = load i64, ptr %v3331, align 8, !noalias !463
+  %v3333 = icmp eq i64 %v3332, 0
+  br i1 %v3333, label %v3334, label %v3319
+
+v3334:
+  %v3335 = select i1 %v3324, i64 %v136, i64 0
+  %v3336 = add i64 %v3335, %v3317
+  %v3337 = getelementptr double, ptr %v913, i64 %v3336
+  %v3338 = load double, ptr %v3337, align 8, !noalias !463
+  %v3339 = fcmp olt double %v3338, 5.000000e-01
+  br i1 %v3339, label %v3319, label %v3340
+
+v3340:
+  %v3341 = getelementptr double, ptr %v134, i64 %v3336
+  %v3342 = load double, ptr %v3341, align 8, !noalias !463
+  %v3343 = getelementptr double, ptr %v915, i64 %v3336
+  %v3344 = load double, ptr %v3343, align 8, !noalias !463
+  %v3345 = fcmp une double %v3342, %v3344
+  br i1 %v3345, label %v3319, label %v3346
+
+v3346:
+  %v3347 = getelementptr i64, ptr %v927, i64 %v3326
+  %v3348 = load i64, ptr %v3347, align 8, !noalias !466
+  %v3349 = icmp sgt i64 %v3348, 0
+  br i1 %v3349, label %v3350, label %v3351
+
+v3350:
+  %v3352 = getelementptr double, ptr %v93, i64 %v3348
+  %v3353 = getelementptr i8, ptr %v3352, i64 -8
+  %v3354 = load double, ptr %v3353, align 8, !noalias !466
+  %v3355 = getelementptr double, ptr %v134, i64 %v3317
+  %v3356 = getelementptr double, ptr %v3355, i64 %v3335
+  %v3357 = load double, ptr %v3356, align 8, !noalias !466
+  %v3358 = fcmp oeq double %v3354, %v3357
+  br label %v3351
+
+v3351:
+  %v3359 = phi i1 [ %v3358, %v3350 ], [ false, %v3346 ]
+  br i1 %v929, label %v3360, label %v3361
+
+v3361:
+  %v3362 = mul i64 %v923, %v3328
+  %v3363 = select i1 %v3324, i64 %v197, i64 0
+  %v3364 = add i64 %v3363, %v3317
+  %v3365 = getelementptr double, ptr %v930, i64 %v3364
+  %v3366 = getelementptr double, ptr %v194, i64 %v3364
+  %v3367 = add nsw i64 %v3348, -1
+  %v3368 = select i1 %v3349, i64 0, i64 %v102
+  %v3369 = add i64 %v3367, %v3368
+  %v3370 = mul i64 %v3369, %v103
+  %v3371 = getelementptr double, ptr %v100, i64 %v3362
+  %v3372 = getelementptr double, ptr %v3371, i64 %v3370
+  br label %v3373
+
+v3374:
+  %v3375 = getelementptr double, ptr %v3372, i64 %v3376
+  store double %v3377, ptr %v3375, align 8, !noalias !466
+  br label %v3378
+
+v3378:
+  %v3379 = icmp eq i64 %v10, %v3380
+  br i1 %v3379, label %v3381, label %v3373
+
+v3381:
+  %v3382 = fcmp une double %v3383, 0.000000e+00
+  br i1 %v3382, label %v3384, label %v3360
 
 v3384:
-  store i64 5, ptr %v3381, align 8, !noalias !489
-  br label %v3380
+  %v3385 = load i64, ptr %v3327, align 8, !noalias !470
+  %v3386 = icmp sgt i64 %v3385, -1
+  br i1 %v3386, label %v3387, label %v3360
 
-v3380:
-  %v3385 = getelementptr double, ptr %v958, i64 %v3386
-  %v3387 = load double, ptr %v3385, align 8, !noalias !485
-  %v3388 = fcmp ogt double %v3387, 5.000000e-01
-  br i1 %v3388, label %v3389, label %v3390
+v3387:
+  %v3388 = getelementptr i64, ptr %v111, i64 %v3385
+  %v3389 = load i64, ptr %v3388, align 8, !noalias !470
+  %v3390 = icmp eq i64 %v3389, 0
+  br i1 %v3390, label %v3391, label %v3360
 
-v3389:
-  %v3391 = getelementptr double, ptr %v134, i64 %v3386
-  %v3392 = load double, ptr %v3391, align 8, !noalias !485
-  %v3393 = getelementptr double, ptr %v960, i64 %v3386
-  %v3394 = load double, ptr %v3393, align 8, !noalias !485
-  %v3395 = fcmp oeq double %v3392, %v3394
-  br i1 %v3395, label %v3396, label %v3390
+v3391:
+  store i64 3, ptr %v3388, align 8, !noalias !470
+  br label %v3360
 
-v3396:
-  %v3397 = getelementptr i64, ptr %v961, i64 %v3386
-  %v3398 = load i64, ptr %v3397, align 8, !noalias !492
-  %v3399 = add nsw i64 %v3398, 1
-  store i64 %v3399, ptr %v3397, align 8, !noalias !492
-  %v3400 = icmp slt i64 %v3398, -1
-  %v3401 = select i1 %v3400, i64 %v71, i64 0
-  %v3402 = getelementptr double, ptr %v70, i64 %v3399
-  %v3403 = getelementptr double, ptr %v3402, i64 %v3401
-  %v3404 = load double, ptr %v3403, align 8, !noalias !492
-  %v3405 = fcmp oeq double %v3404, 0x7FF0000000000000
-  br i1 %v3405, label %v3406, label %v3407
+v3360:
+  br i1 %v291, label %v3392, label %v3319
+
+v3392:
+  %v3393 = load double, ptr %v932, align 8, !noalias !473
+  %v3394 = load double, ptr %v93, align 8, !noalias !473
+  %v3395 = fsub double %v3393, %v3394
+  %v3396 = fmul double %v3395, 1.000000e-13
+  %v3397 = load double, ptr %v134, align 8, !noalias !473
+  %v3398 = tail call double @llvm.fabs.f64(double %v3397)
+  %v3399 = fmul double %v3398, 4.000000e-15
+  %v3400 = fcmp ogt double %v3399, %v3396
+  %v3401 = select i1 %v3400, double %v3399, double %v3396
+  %v3402 = fadd double %v3397, %v3401
+  store double %v3402, ptr %v934, align 8, !noalias !483
+  %v3403 = load i64, ptr %v6, align 8, !noalias !484
+  %v3404 = inttoptr i64 %v3403 to ptr
+  tail call void %v3404(ptr nonnull %v134, ptr %v922, ptr %v166, ptr %v173, ptr %v180, ptr %v936), !noalias !484
+  br i1 %v929, label %v3405, label %v3406
+
+v3405:
+  %v3407 = load i64, ptr %v941, align 8, !noalias !487
+  %v3408 = inttoptr i64 %v3407 to ptr
+  tail call void %v3408(ptr nonnull %v134, ptr %v943, ptr %v166, ptr %v173, ptr %v180, ptr %v945), !noalias !487
+  %v3409 = load i64, ptr %v941, align 8, !noalias !490
+  %v3410 = inttoptr i64 %v3409 to ptr
+  tail call void %v3410(ptr nonnull %v934, ptr %v947, ptr %v166, ptr %v173, ptr %v180, ptr %v949), !noalias !490
+  br label %v3411
+
+v3411:
+  %v3412 = phi i64 [ %v19, %v3405 ], [ %v3413, %v3414 ]
+  %v3415 = phi i64 [ %v951, %v3405 ], [ %v3416, %v3414 ]
+  %v3417 = icmp sgt i64 %v3415, 0
+  br i1 %v3417, label %v3414, label %v3418
+
+v3414:
+  %v3416 = add nsw i64 %v3415, -1
+  %v3413 = add i64 %v3412, 1
+  %v3419 = icmp slt i64 %v3412, 0
+  %v3420 = select i1 %v3419, i64 %v208, i64 0
+  %v3421 = add i64 %v3420, %v3412
+  %v3422 = getelementptr double, ptr %v955, i64 %v3421
+  %v3423 = load double, ptr %v3422, align 8, !noalias !483
+  %v3424 = getelementptr double, ptr %v958, i64 %v3421
+  %v3425 = load double, ptr %v3424, align 8, !noalias !483
+  %v3426 = fsub double %v3423, %v3425
+  %v3427 = tail call double @llvm.fabs.f64(double %v3426)
+  %v3428 = getelementptr double, ptr %v960, i64 %v3421
+  %v3429 = load double, ptr %v3428, align 8, !noalias !483
+  %v3430 = tail call i1 @llvm.is.fpclass.f64(double %v3429, i32 543)
+  %v3431 = select i1 %v3430, double 0.000000e+00, double %v3429
+  %v3432 = fcmp ueq double %v3427, 0x7FF0000000000000
+  %v3433 = select i1 %v3432, double -0.000000e+00, double %v3427
+  %v3434 = fadd double %v3431, %v3433
+  %v3435 = getelementptr double, ptr %v957, i64 %v3421
+  %v3436 = load double, ptr %v3435, align 8, !noalias !483
+  %v3437 = fneg double %v3434
+  %v3438 = fcmp olt double %v3436, %v3437
+  br i1 %v3438, label %v3418, label %v3411
 
 v3406:
-  %v3408 = load i64, ptr %v3409, align 8, !noalias !492
-  %v3410 = icmp slt i64 %v3408, 0
-  %v3411 = select i1 %v3410, i64 %v112, i64 0
-  %v3412 = getelementptr i64, ptr %v111, i64 %v3408
-  %v3413 = getelementptr i64, ptr %v3412, i64 %v3411
-  %v3414 = load i64, ptr %v3413, align 8, !noalias !492
-  %v3415 = icmp eq i64 %v3414, 0
-  br i1 %v3415, label %v3416, label %v3390
-
-v3416:
-  store i64 1, ptr %v3413, align 8, !noalias !492
-  br label %v3390
-
-v3407:
-  store double %v3404, ptr %v3393, align 8, !noalias !492
-  %v3417 = select i1 %v3400, i64 %v87, i64 0
-  %v3418 = getelementptr i64, ptr %v86, i64 %v3399
-  %v3419 = getelementptr i64, ptr %v3418, i64 %v3417
-  %v3420 = load i64, ptr %v3419, align 8, !noalias !492
-  %v3421 = icmp eq i64 %v3420, 0
-  br i1 %v3421, label %v3422, label %v3423
-
-v3422:
-  %v3424 = getelementptr double, ptr %v965, i64 %v3386
-  store double 1.000000e+00, ptr %v3424, align 8, !noalias !492
-  br label %v3425
-
-v3423:
-  %v3426 = getelementptr double, ptr %v963, i64 %v3386
-  %v3427 = load double, ptr %v3426, align 8, !noalias !492
-  %v3428 = fcmp olt double %v3427, 2.500000e-01
-  %v3429 = select i1 %v3428, double 2.500000e-01, double %v3427
-  store double %v3429, ptr %v3426, align 8, !noalias !492
-  %v3430 = load i64, ptr %v485, align 8, !noalias !492
-  %v3431 = tail call i64 @llvm.smax.i64(i64 %v3430, i64 1)
-  br label %v3425
-
-v3425:
-  %v3432 = phi i64 [ %v3431, %v3423 ], [ 2, %v3422 ]
-  store i64 %v3432, ptr %v485, align 8, !noalias !492
-  br i1 %v966, label %v3390, label %v3433
-
-v3433:
-  %v3434 = select i1 %v3400, i64 %v78, i64 0
-  %v3435 = add i64 %v3434, %v3399
-  %v3436 = mul i64 %v3435, %v79
-  %v3437 = getelementptr double, ptr %v77, i64 %v3436
-  br label %v3438
-
-v3438:
-  %v3439 = phi i64 [ 0, %v3433 ], [ %v3440, %v3438 ]
+  %v3439 = phi i64 [ %v3440, %v3406 ], [ 0, %v3392 ]
   %v3440 = add nsw i64 %v3439, 1
-  %v3441 = getelementptr double, ptr %v3437, i64 %v3439
-  %v3442 = load double, ptr %v3441, align 8, !noalias !496
-  %v3443 = getelementptr i64, ptr %v63, i64 %v3439
-  %v3444 = load i64, ptr %v3443, align 8, !noalias !496
-  %v3445 = mul nsw i64 %v3444, %v9
-  %v3446 = add nsw i64 %v3445, %v3386
-  %v3447 = icmp slt i64 %v3446, 0
-  %v3448 = select i1 %v3447, i64 %v167, i64 0
-  %v3449 = getelementptr double, ptr %v166, i64 %v3446
-  %v3450 = getelementptr double, ptr %v3449, i64 %v3448
-  store double %v3442, ptr %v3450, align 8, !noalias !496
-  %v3451 = icmp eq i64 %v64, %v3440
-  br i1 %v3451, label %v3390, label %v3438
+  %v3441 = mul i64 %v3439, %v197
+  %v3442 = getelementptr double, ptr %v930, i64 %v3441
+  %v3443 = load double, ptr %v3442, align 8, !noalias !483
+  %v3444 = getelementptr double, ptr %v938, i64 %v3441
+  %v3445 = load double, ptr %v3444, align 8, !noalias !483
+  %v3446 = fmul double %v3401, %v3445
+  %v3447 = fadd double %v3443, %v3446
+  %v3448 = getelementptr double, ptr %v940, i64 %v3441
+  store double %v3447, ptr %v3448, align 8, !noalias !483
+  %v3449 = icmp eq i64 %v10, %v3440
+  br i1 %v3449, label %v3405, label %v3406
 
-v3390:
-  %v3452 = getelementptr i64, ptr %v111, i64 %v3371
-  %v3453 = load i64, ptr %v3452, align 8, !noalias !485
-  %v3454 = icmp eq i64 %v3453, 0
+v3450:
+  %v3451 = getelementptr i64, ptr %v962, i64 %v3326
+  store i64 %v3452, ptr %v3451, align 8, !noalias !493
+  %v3453 = load i64, ptr %v3327, align 8, !noalias !494
+  %v3454 = icmp sgt i64 %v3453, -1
   br i1 %v3454, label %v3455, label %v3456
 
+v3455:
+  %v3457 = getelementptr i64, ptr %v111, i64 %v3453
+  %v3458 = load i64, ptr %v3457, align 8, !noalias !494
+  %v3459 = icmp eq i64 %v3458, 0
+  br i1 %v3459, label %v3460, label %v3456
+
+v3460:
+  store i64 4, ptr %v3457, align 8, !noalias !494
+  br label %v3456
+
 v3456:
-  %v3457 = getelementptr i64, ptr %v968, i64 %v3386
-  %v3458 = load i64, ptr %v3457, align 8, !noalias !485
-  %v3459 = getelementptr i64, ptr %v118, i64 %v3371
-  store i64 %v3458, ptr %v3459, align 8, !noalias !485
-  store i64 -1, ptr %v3409, align 8, !noalias !485
-  %v3460 = getelementptr double, ptr %v970, i64 %v3386
-  store double 0.000000e+00, ptr %v3460, align 8, !noalias !500
-  %v3461 = load i64, ptr %v152, align 8, !noalias !500
-  %v3462 = load i64, ptr %v971, align 8, !noalias !500
-  %v3463 = icmp eq i64 %v3461, %v3462
-  br i1 %v3463, label %v3464, label %v3465
+  %v3461 = load double, ptr %v3341, align 8, !noalias !493
+  store double %v3461, ptr %v3343, align 8, !noalias !493
+  %v3462 = getelementptr double, ptr %v964, i64 %v3336
+  store double 0.000000e+00, ptr %v3462, align 8, !noalias !493
+  br label %v3319
 
-v3465:
-  %v3466 = add nsw i64 %v3461, 1
-  store i64 %v3466, ptr %v152, align 8, !noalias !500
-  store i64 2, ptr %v485, align 8, !noalias !500
-  store i64 %v3461, ptr %v3409, align 8, !noalias !500
-  %v3467 = icmp slt i64 %v3461, 0
-  %v3468 = select i1 %v3467, i64 %v50, i64 0
-  %v3469 = getelementptr i64, ptr %v49, i64 %v3461
-  %v3470 = getelementptr i64, ptr %v3469, i64 %v3468
-  %v3471 = load i64, ptr %v3470, align 8, !noalias !500
-  %v3472 = icmp slt i64 %v3471, 0
-  %v3473 = select i1 %v3472, i64 %v57, i64 0
-  %v3474 = getelementptr i64, ptr %v56, i64 %v3471
-  %v3475 = getelementptr i64, ptr %v3474, i64 %v3473
-  %v3476 = load i64, ptr %v3475, align 8, !noalias !500
-  %v3477 = getelementptr i64, ptr %v972, i64 %v3386
-  store i64 %v3476, ptr %v3477, align 8, !noalias !500
-  store i64 1, ptr %v3457, align 8, !noalias !500
-  %v3478 = getelementptr i64, ptr %v974, i64 %v3386
-  store i64 0, ptr %v3478, align 8, !noalias !500
-  br i1 %v975, label %v3479, label %v3480
+v3418:
+  %v3452 = phi i64 [ %v3412, %v3414 ], [ -1, %v3411 ]
+  %v3463 = icmp sgt i64 %v3452, -1
+  br i1 %v3463, label %v3450, label %v3319
 
-v3480:
-  %v3481 = select i1 %v3467, i64 %v41, i64 0
-  %v3482 = add i64 %v3481, %v3461
-  %v3483 = mul i64 %v3482, %v42
-  %v3484 = getelementptr double, ptr %v40, i64 %v3483
-  %v3485 = getelementptr double, ptr %v166, i64 %v3386
-  br label %v3486
+v3373:
+  %v3464 = phi double [ 0.000000e+00, %v3361 ], [ %v3383, %v3378 ]
+  %v3376 = phi i64 [ 0, %v3361 ], [ %v3380, %v3378 ]
+  %v3380 = add nsw i64 %v3376, 1
+  %v3465 = mul i64 %v3376, %v197
+  %v3466 = getelementptr double, ptr %v3365, i64 %v3465
+  %v3377 = load double, ptr %v3466, align 8, !noalias !466
+  %v3467 = fmul double %v3377, 0.000000e+00
+  %v3383 = fadd double %v3464, %v3467
+  %v3468 = getelementptr double, ptr %v3366, i64 %v3465
+  store double %v3377, ptr %v3468, align 8, !noalias !466
+  br i1 %v3359, label %v3374, label %v3378
 
-v3479:
-  br i1 %v976, label %v3487, label %v3488
+v3319:
+  %v3469 = icmp sgt i64 %v3320, 0
+  %v3470 = zext i1 %v3469 to i64
+  %v3323 = add i64 %v3322, %v3470
+  %v3471 = sext i1 %v3469 to i64
+  %v3321 = add nsw i64 %v3320, %v3471
+  %v3318 = select i1 %v3469, i64 %v3322, i64 0
+  br i1 %v3469, label %v3316, label %v3261
+
+v3262:
+  %v3283 = phi i1 [ %v3307, %v3269 ], [ false, %v3179 ]
+  %v3271 = phi i64 [ %v3309, %v3269 ], [ 0, %v3179 ]
+  %v3309 = add nsw i64 %v3271, 1
+  %v3472 = getelementptr i64, ptr %v143, i64 %v3271
+  %v3265 = load i64, ptr %v3472, align 8, !noalias !450
+  %v3473 = icmp slt i64 %v3265, 0
+  br i1 %v3473, label %v3269, label %v3263
+
+v3261:
+  %v3474 = xor i1 %v1295, true
+  %v3475 = or i1 %v294, %v3474
+  %v3476 = select i1 %v1295, i64 0, i64 %v1065
+  br i1 %v3475, label %v1064, label %v3477
+
+v3478:
+  %v3479 = mul i64 %v3480, %v127
+  %v3481 = getelementptr i64, ptr %v125, i64 %v3479
+  %v3482 = load i64, ptr %v3481, align 8, !noalias !497
+  %v3483 = getelementptr i8, ptr %v3481, i64 24
+  %v3484 = load i64, ptr %v3483, align 8, !noalias !497
+  %v3485 = add i64 %v3482, %v3484
+  %v3486 = sub i64 %v285, %v3485
+  %v3487 = icmp slt i64 %v3486, 1
+  br i1 %v3487, label %v3488, label %v3489
 
 v3488:
-  %v3489 = load i64, ptr %v3477, align 8, !noalias !500
-  %v3490 = icmp slt i64 %v3489, 0
-  %v3491 = select i1 %v3490, i64 %v78, i64 0
-  %v3492 = add i64 %v3491, %v3489
-  %v3493 = mul i64 %v3492, %v79
-  %v3494 = getelementptr double, ptr %v77, i64 %v3493
-  br label %v3495
+  %v3490 = getelementptr i64, ptr %v111, i64 %v3480
+  %v3491 = load i64, ptr %v3490, align 8, !noalias !501
+  %v3492 = icmp eq i64 %v3491, 0
+  br i1 %v3492, label %v3493, label %v3489
 
-v3495:
-  %v3496 = phi i64 [ 0, %v3488 ], [ %v3497, %v3495 ]
-  %v3497 = add nsw i64 %v3496, 1
-  %v3498 = getelementptr double, ptr %v3494, i64 %v3496
-  %v3499 = load double, ptr %v3498, align 8, !noalias !503
-  %v3500 = getelementptr i64, ptr %v63, i64 %v3496
-  %v3501 = load i64, ptr %v3500, align 8, !noalias !503
-  %v3502 = mul nsw i64 %v3501, %v9
-  %v3503 = add nsw i64 %v3502, %v3386
-  %v3504 = icmp slt i64 %v3503, 0
-  %v3505 = select i1 %v3504, i64 %v167, i64 0
-  %v3506 = getelementptr double, ptr %v166, i64 %v3503
-  %v3507 = getelementptr double, ptr %v3506, i64 %v3505
-  store double %v3499, ptr %v3507, align 8, !noalias !503
-  %v3508 = icmp eq i64 %v3497, %v64
-  br i1 %v3508, label %v3487, label %v3495
+v3493:
+  store i64 5, ptr %v3490, align 8, !noalias !501
+  br label %v3489
 
-v3509:
-  %v3510 = getelementptr double, ptr %v134, i64 %v3386
-  %v3511 = getelementptr double, ptr %v979, i64 %v3386
-  %v3512 = load double, ptr %v3511, align 8, !noalias !507
-  %v3513 = getelementptr double, ptr %v981, i64 %v3386
-  %v3514 = load double, ptr %v3513, align 8, !noalias !507
-  %v3515 = getelementptr double, ptr %v983, i64 %v3386
-  %v3516 = load double, ptr %v3515, align 8, !noalias !507
-  store double 0.000000e+00, ptr %v3510, align 8, !noalias !507
-  %v3517 = getelementptr double, ptr %v3510, i64 %v136
-  store double 0.000000e+00, ptr %v3517, align 8, !noalias !507
-  %v3518 = getelementptr i8, ptr %v3510, i64 %v984
-  store double 0.000000e+00, ptr %v3518, align 8, !noalias !507
-  %v3519 = getelementptr i8, ptr %v3510, i64 %v969
-  store double 0.000000e+00, ptr %v3519, align 8, !noalias !507
-  %v3520 = getelementptr i8, ptr %v3510, i64 %v985
-  store double 0.000000e+00, ptr %v3520, align 8, !noalias !507
-  %v3521 = getelementptr i8, ptr %v3510, i64 %v957
-  store double 0.000000e+00, ptr %v3521, align 8, !noalias !507
-  %v3522 = getelementptr i8, ptr %v3510, i64 %v986
-  store double 0.000000e+00, ptr %v3522, align 8, !noalias !507
-  %v3523 = getelementptr i8, ptr %v3510, i64 %v987
-  store double 0.000000e+00, ptr %v3523, align 8, !noalias !507
-  %v3524 = getelementptr i8, ptr %v3510, i64 %v988
-  store double 0.000000e+00, ptr %v3524, align 8, !noalias !507
-  %v3525 = getelementptr i8, ptr %v3510, i64 %v989
-  store double 0.000000e+00, ptr %v3525, align 8, !noalias !507
-  %v3526 = getelementptr i8, ptr %v3510, i64 %v990
-  store double 0.000000e+00, ptr %v3526, align 8, !noalias !507
-  %v3527 = getelementptr i8, ptr %v3510, i64 %v991
-  store double 0.000000e+00, ptr %v3527, align 8, !noalias !507
-  %v3528 = getelementptr i8, ptr %v3510, i64 %v992
-  store double 0.000000e+00, ptr %v3528, align 8, !noalias !507
-  %v3529 = getelementptr i8, ptr %v3510, i64 %v993
-  store double 0.000000e+00, ptr %v3529, align 8, !noalias !507
-  %v3530 = getelementptr i8, ptr %v3510, i64 %v994
-  store double 0.000000e+00, ptr %v3530, align 8, !noalias !507
-  %v3531 = getelementptr i8, ptr %v3510, i64 %v995
-  store double 0.000000e+00, ptr %v3531, align 8, !noalias !507
-  %v3532 = getelementptr i8, ptr %v3510, i64 %v996
-  store double 0.000000e+00, ptr %v3532, align 8, !noalias !507
-  %v3533 = getelementptr i8, ptr %v3510, i64 %v997
-  store double 0.000000e+00, ptr %v3533, align 8, !noalias !507
-  %v3534 = getelementptr i8, ptr %v3510, i64 %v998
-  store double 0.000000e+00, ptr %v3534, align 8, !noalias !507
-  %v3535 = getelementptr i8, ptr %v3510, i64 %v999
-  store double 0.000000e+00, ptr %v3535, align 8, !noalias !507
-  %v3536 = getelementptr i8, ptr %v3510, i64 %v1000
-  store double 0.000000e+00, ptr %v3536, align 8, !noalias !507
-  %v3537 = getelementptr i8, ptr %v3510, i64 %v1001
-  store double 0.000000e+00, ptr %v3537, align 8, !noalias !507
-  %v3538 = getelementptr i8, ptr %v3510, i64 %v1002
-  store double 0.000000e+00, ptr %v3538, align 8, !noalias !507
-  %v3539 = getelementptr i8, ptr %v3510, i64 %v1003
-  store double 0.000000e+00, ptr %v3539, align 8, !noalias !507
-  %v3540 = getelementptr i8, ptr %v3510, i64 %v1004
-  store double 0.000000e+00, ptr %v3540, align 8, !noalias !507
-  %v3541 = getelementptr i8, ptr %v3510, i64 %v1005
-  store double 0.000000e+00, ptr %v3541, align 8, !noalias !507
-  %v3542 = getelementptr i8, ptr %v3510, i64 %v1006
-  store double 0.000000e+00, ptr %v3542, align 8, !noalias !507
-  %v3543 = getelementptr i8, ptr %v3510, i64 %v1007
-  store double 0.000000e+00, ptr %v3543, align 8, !noalias !507
-  %v3544 = getelementptr i8, ptr %v3510, i64 %v1008
-  store double 0.000000e+00, ptr %v3544, align 8, !noalias !507
-  %v3545 = getelementptr i8, ptr %v3510, i64 %v982
-  store double 0.000000e+00, ptr %v3545, align 8, !noalias !507
-  %v3546 = getelementptr i8, ptr %v3510, i64 %v980
-  store double 0.000000e+00, ptr %v3546, align 8, !noalias !507
-  %v3547 = getelementptr i8, ptr %v3510, i64 %v978
-  store double 0.000000e+00, ptr %v3547, align 8, !noalias !507
-  %v3548 = fcmp oeq double %v3516, 0xFFF0000000000000
-  %v3549 = select i1 %v3548, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v3549, ptr %v3515, align 8, !noalias !507
-  store double %v3514, ptr %v3513, align 8, !noalias !507
-  store double %v3512, ptr %v3511, align 8, !noalias !507
-  store double 1.000000e+00, ptr %v3460, align 8, !noalias !507
-  %v3550 = getelementptr double, ptr %v1009, i64 %v3386
-  store double 0xFFF0000000000000, ptr %v3550, align 8, !noalias !507
-  %v3551 = getelementptr double, ptr %v1010, i64 %v3386
-  store double 0x7FF0000000000000, ptr %v3551, align 8, !noalias !507
-  %v3552 = load double, ptr %v93, align 8, !noalias !500
-  store double %v3552, ptr %v3510, align 8, !noalias !500
-  %v3553 = load i64, ptr %v3477, align 8, !noalias !500
-  %v3554 = icmp slt i64 %v3553, 0
-  %v3555 = select i1 %v3554, i64 %v71, i64 0
-  %v3556 = getelementptr double, ptr %v70, i64 %v3553
-  %v3557 = getelementptr double, ptr %v3556, i64 %v3555
-  %v3558 = load double, ptr %v3557, align 8, !noalias !500
-  %v3559 = getelementptr double, ptr %v1011, i64 %v3386
-  store double %v3558, ptr %v3559, align 8, !noalias !500
-  br label %v3464
+v3489:
+  %v3494 = getelementptr double, ptr %v966, i64 %v3495
+  %v3496 = load double, ptr %v3494, align 8, !noalias !497
+  %v3497 = fcmp ogt double %v3496, 5.000000e-01
+  br i1 %v3497, label %v3498, label %v3499
 
-v3486:
-  %v3560 = phi i64 [ 0, %v3480 ], [ %v3561, %v3486 ]
-  %v3561 = add nsw i64 %v3560, 1
-  %v3562 = getelementptr double, ptr %v3484, i64 %v3560
-  %v3563 = load double, ptr %v3562, align 8, !noalias !500
-  %v3564 = mul nsw i64 %v3560, %v9
-  %v3565 = getelementptr double, ptr %v3485, i64 %v3564
-  store double %v3563, ptr %v3565, align 8, !noalias !500
-  %v3566 = icmp eq i64 %v3561, %v42
-  br i1 %v3566, label %v3479, label %v3486
+v3498:
+  %v3500 = getelementptr double, ptr %v134, i64 %v3495
+  %v3501 = load double, ptr %v3500, align 8, !noalias !497
+  %v3502 = getelementptr double, ptr %v968, i64 %v3495
+  %v3503 = load double, ptr %v3502, align 8, !noalias !497
+  %v3504 = fcmp oeq double %v3501, %v3503
+  br i1 %v3504, label %v3505, label %v3499
 
-v3487:
-  br i1 %v977, label %v3509, label %v3567
+v3505:
+  %v3506 = getelementptr i64, ptr %v969, i64 %v3495
+  %v3507 = load i64, ptr %v3506, align 8, !noalias !504
+  %v3508 = add nsw i64 %v3507, 1
+  store i64 %v3508, ptr %v3506, align 8, !noalias !504
+  %v3509 = icmp slt i64 %v3507, -1
+  %v3510 = select i1 %v3509, i64 %v71, i64 0
+  %v3511 = getelementptr double, ptr %v70, i64 %v3508
+  %v3512 = getelementptr double, ptr %v3511, i64 %v3510
+  %v3513 = load double, ptr %v3512, align 8, !noalias !504
+  %v3514 = fcmp oeq double %v3513, 0x7FF0000000000000
+  br i1 %v3514, label %v3515, label %v3516
 
-v3567:
-  %v3568 = getelementptr double, ptr %v194, i64 %v3386
-  %v3569 = select i1 %v3467, i64 %v32, i64 0
-  %v3570 = add i64 %v3569, %v3461
-  %v3571 = mul i64 %v3570, %v33
-  %v3572 = getelementptr double, ptr %v31, i64 %v3571
+v3515:
+  %v3517 = load i64, ptr %v3518, align 8, !noalias !504
+  %v3519 = icmp slt i64 %v3517, 0
+  %v3520 = select i1 %v3519, i64 %v112, i64 0
+  %v3521 = getelementptr i64, ptr %v111, i64 %v3517
+  %v3522 = getelementptr i64, ptr %v3521, i64 %v3520
+  %v3523 = load i64, ptr %v3522, align 8, !noalias !504
+  %v3524 = icmp eq i64 %v3523, 0
+  br i1 %v3524, label %v3525, label %v3499
+
+v3525:
+  store i64 1, ptr %v3522, align 8, !noalias !504
+  br label %v3499
+
+v3516:
+  store double %v3513, ptr %v3502, align 8, !noalias !504
+  %v3526 = select i1 %v3509, i64 %v87, i64 0
+  %v3527 = getelementptr i64, ptr %v86, i64 %v3508
+  %v3528 = getelementptr i64, ptr %v3527, i64 %v3526
+  %v3529 = load i64, ptr %v3528, align 8, !noalias !504
+  %v3530 = icmp eq i64 %v3529, 0
+  br i1 %v3530, label %v3531, label %v3532
+
+v3531:
+  %v3533 = getelementptr double, ptr %v973, i64 %v3495
+  store double 1.000000e+00, ptr %v3533, align 8, !noalias !504
+  br label %v3534
+
+v3532:
+  %v3535 = getelementptr double, ptr %v971, i64 %v3495
+  %v3536 = load double, ptr %v3535, align 8, !noalias !504
+  %v3537 = fcmp olt double %v3536, 2.500000e-01
+  %v3538 = select i1 %v3537, double 2.500000e-01, double %v3536
+  store double %v3538, ptr %v3535, align 8, !noalias !504
+  %v3539 = load i64, ptr %v485, align 8, !noalias !504
+  %v3540 = tail call i64 @llvm.smax.i64(i64 %v3539, i64 1)
+  br label %v3534
+
+v3534:
+  %v3541 = phi i64 [ %v3540, %v3532 ], [ 2, %v3531 ]
+  store i64 %v3541, ptr %v485, align 8, !noalias !504
+  br i1 %v974, label %v3499, label %v3542
+
+v3542:
+  %v3543 = select i1 %v3509, i64 %v78, i64 0
+  %v3544 = add i64 %v3543, %v3508
+  %v3545 = mul i64 %v3544, %v79
+  %v3546 = getelementptr double, ptr %v77, i64 %v3545
+  br label %v3547
+
+v3547:
+  %v3548 = phi i64 [ 0, %v3542 ], [ %v3549, %v3547 ]
+  %v3549 = add nsw i64 %v3548, 1
+  %v3550 = getelementptr double, ptr %v3546, i64 %v3548
+  %v3551 = load double, ptr %v3550, align 8, !noalias !508
+  %v3552 = getelementptr i64, ptr %v63, i64 %v3548
+  %v3553 = load i64, ptr %v3552, align 8, !noalias !508
+  %v3554 = mul nsw i64 %v3553, %v9
+  %v3555 = add nsw i64 %v3554, %v3495
+  %v3556 = icmp slt i64 %v3555, 0
+  %v3557 = select i1 %v3556, i64 %v167, i64 0
+  %v3558 = getelementptr double, ptr %v166, i64 %v3555
+  %v3559 = getelementptr double, ptr %v3558, i64 %v3557
+  store double %v3551, ptr %v3559, align 8, !noalias !508
+  %v3560 = icmp eq i64 %v64, %v3549
+  br i1 %v3560, label %v3499, label %v3547
+
+v3499:
+  %v3561 = getelementptr i64, ptr %v111, i64 %v3480
+  %v3562 = load i64, ptr %v3561, align 8, !noalias !497
+  %v3563 = icmp eq i64 %v3562, 0
+  br i1 %v3563, label %v3564, label %v3565
+
+v3565:
+  %v3566 = getelementptr i64, ptr %v976, i64 %v3495
+  %v3567 = load i64, ptr %v3566, align 8, !noalias !497
+  %v3568 = getelementptr i64, ptr %v118, i64 %v3480
+  store i64 %v3567, ptr %v3568, align 8, !noalias !497
+  store i64 -1, ptr %v3518, align 8, !noalias !497
+  %v3569 = getelementptr double, ptr %v978, i64 %v3495
+  store double 0.000000e+00, ptr %v3569, align 8, !noalias !512
+  %v3570 = load i64, ptr %v152, align 8, !noalias !512
+  %v3571 = load i64, ptr %v979, align 8, !noalias !512
+  %v3572 = icmp eq i64 %v3570, %v3571
+  br i1 %v3572, label %v3573, label %v3574
+
+v3574:
+  %v3575 = add nsw i64 %v3570, 1
+  store i64 %v3575, ptr %v152, align 8, !noalias !512
+  store i64 2, ptr %v485, align 8, !noalias !512
+  store i64 %v3570, ptr %v3518, align 8, !noalias !512
+  %v3576 = icmp slt i64 %v3570, 0
+  %v3577 = select i1 %v3576, i64 %v50, i64 0
+  %v3578 = getelementptr i64, ptr %v49, i64 %v3570
+  %v3579 = getelementptr i64, ptr %v3578, i64 %v3577
+  %v3580 = load i64, ptr %v3579, align 8, !noalias !512
+  %v3581 = icmp slt i64 %v3580, 0
+  %v3582 = select i1 %v3581, i64 %v57, i64 0
+  %v3583 = getelementptr i64, ptr %v56, i64 %v3580
+  %v3584 = getelementptr i64, ptr %v3583, i64 %v3582
+  %v3585 = load i64, ptr %v3584, align 8, !noalias !512
+  %v3586 = getelementptr i64, ptr %v980, i64 %v3495
+  store i64 %v3585, ptr %v3586, align 8, !noalias !512
+  store i64 1, ptr %v3566, align 8, !noalias !512
+  %v3587 = getelementptr i64, ptr %v982, i64 %v3495
+  store i64 0, ptr %v3587, align 8, !noalias !512
+  br i1 %v983, label %v3588, label %v3589
+
+v3589:
+  %v3590 = select i1 %v3576, i64 %v41, i64 0
+  %v3591 = add i64 %v3590, %v3570
+  %v3592 = mul i64 %v3591, %v42
+  %v3593 = getelementptr double, ptr %v40, i64 %v3592
+  %v3594 = getelementptr double, ptr %v166, i64 %v3495
+  br label %v3595
+
+v3588:
+  br i1 %v984, label %v3596, label %v3597
+
+v3597:
+  %v3598 = load i64, ptr %v3586, align 8, !noalias !512
+  %v3599 = icmp slt i64 %v3598, 0
+  %v3600 = select i1 %v3599, i64 %v78, i64 0
+  %v3601 = add i64 %v3600, %v3598
+  %v3602 = mul i64 %v3601, %v79
+  %v3603 = getelementptr double, ptr %v77, i64 %v3602
+  br label %v3604
+
+v3604:
+  %v3605 = phi i64 [ 0, %v3597 ], [ %v3606, %v3604 ]
+  %v3606 = add nsw i64 %v3605, 1
+  %v3607 = getelementptr double, ptr %v3603, i64 %v3605
+  %v3608 = load double, ptr %v3607, align 8, !noalias !515
+  %v3609 = getelementptr i64, ptr %v63, i64 %v3605
+  %v3610 = load i64, ptr %v3609, align 8, !noalias !515
+  %v3611 = mul nsw i64 %v3610, %v9
+  %v3612 = add nsw i64 %v3611, %v3495
+  %v3613 = icmp slt i64 %v3612, 0
+  %v3614 = select i1 %v3613, i64 %v167, i64 0
+  %v3615 = getelementptr double, ptr %v166, i64 %v3612
+  %v3616 = getelementptr double, ptr %v3615, i64 %v3614
+  store double %v3608, ptr %v3616, align 8, !noalias !515
+  %v3617 = icmp eq i64 %v3606, %v64
+  br i1 %v3617, label %v3596, label %v3604
+
+v3618:
+  %v3619 = getelementptr double, ptr %v134, i64 %v3495
+  %v3620 = getelementptr double, ptr %v987, i64 %v3495
+  %v3621 = load double, ptr %v3620, align 8, !noalias !519
+  %v3622 = getelementptr double, ptr %v989, i64 %v3495
+  %v3623 = load double, ptr %v3622, align 8, !noalias !519
+  %v3624 = getelementptr double, ptr %v991, i64 %v3495
+  %v3625 = load double, ptr %v3624, align 8, !noalias !519
+  store double 0.000000e+00, ptr %v3619, align 8, !noalias !519
+  %v3626 = getelementptr double, ptr %v3619, i64 %v136
+  store double 0.000000e+00, ptr %v3626, align 8, !noalias !519
+  %v3627 = getelementptr i8, ptr %v3619, i64 %v992
+  store double 0.000000e+00, ptr %v3627, align 8, !noalias !519
+  %v3628 = getelementptr i8, ptr %v3619, i64 %v977
+  store double 0.000000e+00, ptr %v3628, align 8, !noalias !519
+  %v3629 = getelementptr i8, ptr %v3619, i64 %v993
+  store double 0.000000e+00, ptr %v3629, align 8, !noalias !519
+  %v3630 = getelementptr i8, ptr %v3619, i64 %v965
+  store double 0.000000e+00, ptr %v3630, align 8, !noalias !519
+  %v3631 = getelementptr i8, ptr %v3619, i64 %v994
+  store double 0.000000e+00, ptr %v3631, align 8, !noalias !519
+  %v3632 = getelementptr i8, ptr %v3619, i64 %v995
+  store double 0.000000e+00, ptr %v3632, align 8, !noalias !519
+  %v3633 = getelementptr i8, ptr %v3619, i64 %v996
+  store double 0.000000e+00, ptr %v3633, align 8, !noalias !519
+  %v3634 = getelementptr i8, ptr %v3619, i64 %v997
+  store double 0.000000e+00, ptr %v3634, align 8, !noalias !519
+  %v3635 = getelementptr i8, ptr %v3619, i64 %v998
+  store double 0.000000e+00, ptr %v3635, align 8, !noalias !519
+  %v3636 = getelementptr i8, ptr %v3619, i64 %v999
+  store double 0.000000e+00, ptr %v3636, align 8, !noalias !519
+  %v3637 = getelementptr i8, ptr %v3619, i64 %v1000
+  store double 0.000000e+00, ptr %v3637, align 8, !noalias !519
+  %v3638 = getelementptr i8, ptr %v3619, i64 %v1001
+  store double 0.000000e+00, ptr %v3638, align 8, !noalias !519
+  %v3639 = getelementptr i8, ptr %v3619, i64 %v1002
+  store double 0.000000e+00, ptr %v3639, align 8, !noalias !519
+  %v3640 = getelementptr i8, ptr %v3619, i64 %v1003
+  store double 0.000000e+00, ptr %v3640, align 8, !noalias !519
+  %v3641 = getelementptr i8, ptr %v3619, i64 %v1004
+  store double 0.000000e+00, ptr %v3641, align 8, !noalias !519
+  %v3642 = getelementptr i8, ptr %v3619, i64 %v1005
+  store double 0.000000e+00, ptr %v3642, align 8, !noalias !519
+  %v3643 = getelementptr i8, ptr %v3619, i64 %v1006
+  store double 0.000000e+00, ptr %v3643, align 8, !noalias !519
+  %v3644 = getelementptr i8, ptr %v3619, i64 %v1007
+  store double 0.000000e+00, ptr %v3644, align 8, !noalias !519
+  %v3645 = getelementptr i8, ptr %v3619, i64 %v1008
+  store double 0.000000e+00, ptr %v3645, align 8, !noalias !519
+  %v3646 = getelementptr i8, ptr %v3619, i64 %v1009
+  store double 0.000000e+00, ptr %v3646, align 8, !noalias !519
+  %v3647 = getelementptr i8, ptr %v3619, i64 %v1010
+  store double 0.000000e+00, ptr %v3647, align 8, !noalias !519
+  %v3648 = getelementptr i8, ptr %v3619, i64 %v1011
+  store double 0.000000e+00, ptr %v3648, align 8, !noalias !519
+  %v3649 = getelementptr i8, ptr %v3619, i64 %v1012
+  store double 0.000000e+00, ptr %v3649, align 8, !noalias !519
+  %v3650 = getelementptr i8, ptr %v3619, i64 %v1013
+  store double 0.000000e+00, ptr %v3650, align 8, !noalias !519
+  %v3651 = getelementptr i8, ptr %v3619, i64 %v1014
+  store double 0.000000e+00, ptr %v3651, align 8, !noalias !519
+  %v3652 = getelementptr i8, ptr %v3619, i64 %v1015
+  store double 0.000000e+00, ptr %v3652, align 8, !noalias !519
+  %v3653 = getelementptr i8, ptr %v3619, i64 %v1016
+  store double 0.000000e+00, ptr %v3653, align 8, !noalias !519
+  %v3654 = getelementptr i8, ptr %v3619, i64 %v990
+  store double 0.000000e+00, ptr %v3654, align 8, !noalias !519
+  %v3655 = getelementptr i8, ptr %v3619, i64 %v988
+  store double 0.000000e+00, ptr %v3655, align 8, !noalias !519
+  %v3656 = getelementptr i8, ptr %v3619, i64 %v986
+  store double 0.000000e+00, ptr %v3656, align 8, !noalias !519
+  %v3657 = fcmp oeq double %v3625, 0xFFF0000000000000
+  %v3658 = select i1 %v3657, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v3658, ptr %v3624, align 8, !noalias !519
+  store double %v3623, ptr %v3622, align 8, !noalias !519
+  store double %v3621, ptr %v3620, align 8, !noalias !519
+  store double 1.000000e+00, ptr %v3569, align 8, !noalias !519
+  %v3659 = getelementptr double, ptr %v1017, i64 %v3495
+  store double 0xFFF0000000000000, ptr %v3659, align 8, !noalias !519
+  %v3660 = getelementptr double, ptr %v1018, i64 %v3495
+  store double 0x7FF0000000000000, ptr %v3660, align 8, !noalias !519
+  %v3661 = load double, ptr %v93, align 8, !noalias !512
+  store double %v3661, ptr %v3619, align 8, !noalias !512
+  %v3662 = load i64, ptr %v3586, align 8, !noalias !512
+  %v3663 = icmp slt i64 %v3662, 0
+  %v3664 = select i1 %v3663, i64 %v71, i64 0
+  %v3665 = getelementptr double, ptr %v70, i64 %v3662
+  %v3666 = getelementptr double, ptr %v3665, i64 %v3664
+  %v3667 = load double, ptr %v3666, align 8, !noalias !512
+  %v3668 = getelementptr double, ptr %v1019, i64 %v3495
+  store double %v3667, ptr %v3668, align 8, !noalias !512
+  br label %v3573
+
+v3595:
+  %v3669 = phi i64 [ 0, %v3589 ], [ %v3670, %v3595 ]
+  %v3670 = add nsw i64 %v3669, 1
+  %v3671 = getelementptr double, ptr %v3593, i64 %v3669
+  %v3672 = load double, ptr %v3671, align 8, !noalias !512
+  %v3673 = mul nsw i64 %v3669, %v9
+  %v3674 = getelementptr double, ptr %v3594, i64 %v3673
+  store double %v3672, ptr %v3674, align 8, !noalias !512
+  %v3675 = icmp eq i64 %v3670, %v42
+  br i1 %v3675, label %v3588, label %v3595
+
+v3596:
+  br i1 %v985, label %v3618, label %v3676
+
+v3676:
+  %v3677 = getelementptr double, ptr %v194, i64 %v3495
+  %v3678 = select i1 %v3576, i64 %v32, i64 0
+  %v3679 = add i64 %v3678, %v3570
+  %v3680 = mul i64 %v3679, %v33
+  %v3681 = getelementptr double, ptr %v31, i64 %v3680
+  br label %v3682
+
+v3682:
+  %v3683 = phi i64 [ 0, %v3676 ], [ %v3684, %v3682 ]
+  %v3684 = add nsw i64 %v3683, 1
+  %v3685 = getelementptr double, ptr %v3681, i64 %v3683
+  %v3686 = load double, ptr %v3685, align 8, !noalias !512
+  %v3687 = mul i64 %v3683, %v197
+  %v3688 = getelementptr double, ptr %v3677, i64 %v3687
+  store double %v3686, ptr %v3688, align 8, !noalias !512
+  %v3689 = icmp eq i64 %v3684, %v10
+  br i1 %v3689, label %v3618, label %v3682
+
+v3564:
+  %v3690 = getelementptr double, ptr %v1021, i64 %v3495
+  %v3691 = load double, ptr %v3690, align 8, !noalias !497
+  %v3692 = fcmp ult double %v3691, 1.500000e+01
+  br i1 %v3692, label %v3573, label %v3693
+
+v3693:
+  %v3694 = load double, ptr %v1023, align 8, !noalias !497
+  %v3695 = getelementptr double, ptr %v134, i64 %v3495
+  %v3696 = load double, ptr %v3695, align 8, !noalias !497
+  %v3697 = fsub double %v3694, %v3696
+  %v3698 = getelementptr double, ptr %v1024, i64 %v3495
+  %v3699 = load double, ptr %v3698, align 8, !noalias !497
+  %v3700 = fmul double %v3699, 2.500000e+02
+  %v3701 = fcmp ogt double %v3697, %v3700
+  br i1 %v3701, label %v3573, label %v3702
+
+v3702:
+  store double 0.000000e+00, ptr %v3690, align 8, !noalias !497
   br label %v3573
 
 v3573:
-  %v3574 = phi i64 [ 0, %v3567 ], [ %v3575, %v3573 ]
-  %v3575 = add nsw i64 %v3574, 1
-  %v3576 = getelementptr double, ptr %v3572, i64 %v3574
-  %v3577 = load double, ptr %v3576, align 8, !noalias !500
-  %v3578 = mul i64 %v3574, %v197
-  %v3579 = getelementptr double, ptr %v3568, i64 %v3578
-  store double %v3577, ptr %v3579, align 8, !noalias !500
-  %v3580 = icmp eq i64 %v3575, %v10
-  br i1 %v3580, label %v3509, label %v3573
+  %v3703 = phi i1 [ %v3704, %v3564 ], [ true, %v3693 ], [ %v3704, %v3702 ], [ %v3704, %v3565 ], [ %v3704, %v3618 ]
+  %v3705 = load i64, ptr %v3518, align 8, !noalias !497
+  %v3706 = icmp sgt i64 %v3705, -1
+  br i1 %v3706, label %v3707, label %v3708
 
-v3455:
-  %v3581 = getelementptr double, ptr %v1013, i64 %v3386
-  %v3582 = load double, ptr %v3581, align 8, !noalias !485
-  %v3583 = fcmp ult double %v3582, 1.500000e+01
-  br i1 %v3583, label %v3464, label %v3584
+v3707:
+  %v3709 = add nsw i64 %v3710, 1
+  %v3711 = getelementptr double, ptr %v1026, i64 %v3495
+  %v3712 = load double, ptr %v3711, align 8, !noalias !497
+  %v3713 = fcmp ogt double %v3712, 0.000000e+00
+  br i1 %v3713, label %v3714, label %v3715
 
-v3584:
-  %v3585 = load double, ptr %v1015, align 8, !noalias !485
-  %v3586 = getelementptr double, ptr %v134, i64 %v3386
-  %v3587 = load double, ptr %v3586, align 8, !noalias !485
-  %v3588 = fsub double %v3585, %v3587
-  %v3589 = getelementptr double, ptr %v1016, i64 %v3386
-  %v3590 = load double, ptr %v3589, align 8, !noalias !485
-  %v3591 = fmul double %v3590, 2.500000e+02
-  %v3592 = fcmp ogt double %v3588, %v3591
-  br i1 %v3592, label %v3464, label %v3593
+v3715:
+  %v3716 = mul i64 %v3705, %v127
+  %v3717 = getelementptr i64, ptr %v125, i64 %v3716
+  %v3718 = load i64, ptr %v3717, align 8, !noalias !497
+  %v3719 = and i64 %v3718, 127
+  %v3720 = sub nsw i64 128, %v3719
+  %v3721 = tail call i64 @llvm.smin.i64(i64 %v3720, i64 %v3486)
+  %v3722 = sitofp i64 %v3721 to double
+  br label %v3714
 
-v3593:
-  store double 0.000000e+00, ptr %v3581, align 8, !noalias !485
-  br label %v3464
+v3714:
+  %v3723 = phi double [ %v3722, %v3715 ], [ 1.000000e+00, %v3707 ]
+  %v3724 = getelementptr double, ptr %v1028, i64 %v3495
+  store double %v3723, ptr %v3724, align 8, !noalias !497
+  %v3725 = getelementptr double, ptr %v1030, i64 %v3495
+  %v3726 = load double, ptr %v3725, align 8, !noalias !523
+  %v3727 = getelementptr double, ptr %v1032, i64 %v3495
+  store double %v3726, ptr %v3727, align 8, !noalias !523
+  %v3728 = getelementptr i64, ptr %v1034, i64 %v3495
+  %v3729 = load i64, ptr %v3728, align 8, !noalias !523
+  %v3730 = icmp slt i64 %v3729, %v94
+  br i1 %v3730, label %v3731, label %v3708
 
-v3464:
-  %v3594 = phi i1 [ %v3595, %v3455 ], [ true, %v3584 ], [ %v3595, %v3593 ], [ %v3595, %v3456 ], [ %v3595, %v3509 ]
-  %v3596 = load i64, ptr %v3409, align 8, !noalias !485
-  %v3597 = icmp sgt i64 %v3596, -1
-  br i1 %v3597, label %v3598, label %v3599
+v3731:
+  %v3732 = icmp slt i64 %v3729, 0
+  %v3733 = select i1 %v3732, i64 %v94, i64 0
+  %v3734 = getelementptr double, ptr %v93, i64 %v3729
+  %v3735 = getelementptr double, ptr %v3734, i64 %v3733
+  %v3736 = load double, ptr %v3735, align 8, !noalias !523
+  %v3737 = load double, ptr %v3725, align 8, !noalias !523
+  %v3738 = fcmp olt double %v3737, %v3736
+  %v3739 = select i1 %v3738, double %v3737, double %v3736
+  store double %v3739, ptr %v3727, align 8, !noalias !523
+  br label %v3708
 
-v3598:
-  %v3600 = add nsw i64 %v3601, 1
-  %v3602 = getelementptr double, ptr %v1018, i64 %v3386
-  %v3603 = load double, ptr %v3602, align 8, !noalias !485
-  %v3604 = fcmp ogt double %v3603, 0.000000e+00
-  br i1 %v3604, label %v3605, label %v3606
+v3708:
+  %v3740 = phi i64 [ %v3710, %v3477 ], [ %v3710, %v3573 ], [ %v3709, %v3714 ], [ %v3709, %v3731 ]
+  %v3741 = phi i1 [ %v3704, %v3477 ], [ %v3703, %v3573 ], [ %v3703, %v3714 ], [ %v3703, %v3731 ]
+  %v3742 = icmp sgt i64 %v3743, 1
+  br i1 %v3742, label %v3477, label %v3744
 
-v3606:
-  %v3607 = mul i64 %v3596, %v127
-  %v3608 = getelementptr i64, ptr %v125, i64 %v3607
-  %v3609 = load i64, ptr %v3608, align 8, !noalias !485
-  %v3610 = and i64 %v3609, 127
-  %v3611 = sub nsw i64 128, %v3610
-  %v3612 = tail call i64 @llvm.smin.i64(i64 %v3611, i64 %v3377)
-  %v3613 = sitofp i64 %v3612 to double
-  br label %v3605
+v3477:
+  %v3704 = phi i1 [ %v3741, %v3708 ], [ false, %v3261 ]
+  %v3710 = phi i64 [ %v3740, %v3708 ], [ 0, %v3261 ]
+  %v3495 = phi i64 [ %v3745, %v3708 ], [ 0, %v3261 ]
+  %v3743 = phi i64 [ %v3746, %v3708 ], [ %v295, %v3261 ]
+  %v3746 = add nsw i64 %v3743, -1
+  %v3745 = add nsw i64 %v3495, 1
+  %v3518 = getelementptr i64, ptr %v143, i64 %v3495
+  %v3480 = load i64, ptr %v3518, align 8, !noalias !497
+  %v3747 = icmp slt i64 %v3480, 0
+  br i1 %v3747, label %v3708, label %v3478
 
-v3605:
-  %v3614 = phi double [ %v3613, %v3606 ], [ 1.000000e+00, %v3598 ]
-  %v3615 = getelementptr double, ptr %v1020, i64 %v3386
-  store double %v3614, ptr %v3615, align 8, !noalias !485
-  %v3616 = getelementptr double, ptr %v1022, i64 %v3386
-  %v3617 = load double, ptr %v3616, align 8, !noalias !511
-  %v3618 = getelementptr double, ptr %v1024, i64 %v3386
-  store double %v3617, ptr %v3618, align 8, !noalias !511
-  %v3619 = getelementptr i64, ptr %v1026, i64 %v3386
-  %v3620 = load i64, ptr %v3619, align 8, !noalias !511
-  %v3621 = icmp slt i64 %v3620, %v94
-  br i1 %v3621, label %v3622, label %v3599
-
-v3622:
-  %v3623 = icmp slt i64 %v3620, 0
-  %v3624 = select i1 %v3623, i64 %v94, i64 0
-  %v3625 = getelementptr double, ptr %v93, i64 %v3620
-  %v3626 = getelementptr double, ptr %v3625, i64 %v3624
-  %v3627 = load double, ptr %v3626, align 8, !noalias !511
-  %v3628 = load double, ptr %v3616, align 8, !noalias !511
-  %v3629 = fcmp olt double %v3628, %v3627
-  %v3630 = select i1 %v3629, double %v3628, double %v3627
-  store double %v3630, ptr %v3618, align 8, !noalias !511
-  br label %v3599
-
-v3599:
-  %v3631 = phi i64 [ %v3601, %v3368 ], [ %v3601, %v3464 ], [ %v3600, %v3605 ], [ %v3600, %v3622 ]
-  %v3632 = phi i1 [ %v3595, %v3368 ], [ %v3594, %v3464 ], [ %v3594, %v3605 ], [ %v3594, %v3622 ]
-  %v3633 = icmp sgt i64 %v3634, 1
-  br i1 %v3633, label %v3368, label %v3635
-
-v3368:
-  %v3595 = phi i1 [ %v3632, %v3599 ], [ false, %v3152 ]
-  %v3601 = phi i64 [ %v3631, %v3599 ], [ 0, %v3152 ]
-  %v3386 = phi i64 [ %v3636, %v3599 ], [ 0, %v3152 ]
-  %v3634 = phi i64 [ %v3637, %v3599 ], [ %v295, %v3152 ]
-  %v3637 = add nsw i64 %v3634, -1
-  %v3636 = add nsw i64 %v3386, 1
-  %v3409 = getelementptr i64, ptr %v143, i64 %v3386
-  %v3371 = load i64, ptr %v3409, align 8, !noalias !485
-  %v3638 = icmp slt i64 %v3371, 0
-  br i1 %v3638, label %v3599, label %v3369
-
-v1056:
-  %v1055 = phi i64 [ %v1059, %v3152 ], [ %v3639, %v3635 ]
-  %v1058 = phi i64 [ %v3367, %v3152 ], [ %v3631, %v3635 ]
-  %v3640 = icmp sgt i64 %v1058, 0
-  %v3641 = icmp sgt i64 %v1055, 0
-  %v3642 = select i1 %v3640, i1 %v3641, i1 false
-  br i1 %v3642, label %v1053, label %v484
+v1064:
+  %v1063 = phi i64 [ %v1067, %v3261 ], [ %v3748, %v3744 ]
+  %v1066 = phi i64 [ %v3476, %v3261 ], [ %v3740, %v3744 ]
+  %v3749 = icmp sgt i64 %v1066, 0
+  %v3750 = icmp sgt i64 %v1063, 0
+  %v3751 = select i1 %v3749, i1 %v3750, i1 false
+  br i1 %v3751, label %v1061, label %v484
 
 v484:
-  %v3643 = phi i64 [ %v479, %v296 ], [ %v1058, %v1056 ]
-  br i1 %v294, label %v3644, label %v3645
+  %v3752 = phi i64 [ %v479, %v296 ], [ %v1066, %v1064 ]
+  br i1 %v294, label %v3753, label %v3754
 
-v3645:
-  %v3646 = mul i64 %v136, 192
-  %v3647 = getelementptr i8, ptr %v134, i64 %v3646
-  %v3648 = mul i64 %v136, 200
-  %v3649 = getelementptr i8, ptr %v134, i64 %v3648
-  %v3650 = add nsw i64 %v11, -1
-  %v3651 = mul i64 %v136, 176
-  %v3652 = getelementptr i8, ptr %v134, i64 %v3651
-  br label %v3653
+v3754:
+  %v3755 = mul i64 %v136, 192
+  %v3756 = getelementptr i8, ptr %v134, i64 %v3755
+  %v3757 = mul i64 %v136, 200
+  %v3758 = getelementptr i8, ptr %v134, i64 %v3757
+  %v3759 = add nsw i64 %v11, -1
+  %v3760 = mul i64 %v136, 176
+  %v3761 = getelementptr i8, ptr %v134, i64 %v3760
+  br label %v3762
 
-v3654:
-  %v3655 = getelementptr double, ptr %v3647, i64 %v3656
-  %v3657 = load double, ptr %v3655, align 8, !noalias !515
-  %v3658 = fptosi double %v3657 to i64
-  %v3659 = getelementptr double, ptr %v3649, i64 %v3656
-  %v3660 = load double, ptr %v3659, align 8, !noalias !515
-  %v3661 = fptosi double %v3660 to i64
-  %v3662 = mul i64 %v3663, %v127
-  %v3664 = getelementptr i64, ptr %v125, i64 %v3662
-  %v3665 = load i64, ptr %v3664, align 8, !noalias !515
-  %v3666 = add nsw i64 %v3665, %v3658
-  store i64 %v3666, ptr %v3664, align 8, !noalias !515
-  %v3667 = getelementptr i8, ptr %v3664, i64 24
-  %v3668 = load i64, ptr %v3667, align 8, !noalias !515
-  %v3669 = add nsw i64 %v3668, %v3661
-  store i64 %v3669, ptr %v3667, align 8, !noalias !515
-  %v3670 = getelementptr i8, ptr %v3664, i64 8
-  %v3671 = load i64, ptr %v3670, align 8, !noalias !515
-  %v3672 = add nsw i64 %v3661, %v3658
-  %v3673 = mul nsw i64 %v3672, %v3650
-  %v3674 = add nsw i64 %v3673, %v3658
-  %v3675 = add nsw i64 %v3674, %v3671
-  store i64 %v3675, ptr %v3670, align 8, !noalias !515
-  store double 0.000000e+00, ptr %v3655, align 8, !noalias !515
-  store double 0.000000e+00, ptr %v3659, align 8, !noalias !515
-  %v3676 = getelementptr double, ptr %v3652, i64 %v3656
-  %v3677 = load double, ptr %v3676, align 8, !noalias !515
-  %v3678 = sitofp i64 %v3672 to double
-  %v3679 = fsub double %v3677, %v3678
-  store double %v3679, ptr %v3676, align 8, !noalias !515
-  br label %v3680
+v3763:
+  %v3764 = getelementptr double, ptr %v3756, i64 %v3765
+  %v3766 = load double, ptr %v3764, align 8, !noalias !527
+  %v3767 = fptosi double %v3766 to i64
+  %v3768 = getelementptr double, ptr %v3758, i64 %v3765
+  %v3769 = load double, ptr %v3768, align 8, !noalias !527
+  %v3770 = fptosi double %v3769 to i64
+  %v3771 = mul i64 %v3772, %v127
+  %v3773 = getelementptr i64, ptr %v125, i64 %v3771
+  %v3774 = load i64, ptr %v3773, align 8, !noalias !527
+  %v3775 = add nsw i64 %v3774, %v3767
+  store i64 %v3775, ptr %v3773, align 8, !noalias !527
+  %v3776 = getelementptr i8, ptr %v3773, i64 24
+  %v3777 = load i64, ptr %v3776, align 8, !noalias !527
+  %v3778 = add nsw i64 %v3777, %v3770
+  store i64 %v3778, ptr %v3776, align 8, !noalias !527
+  %v3779 = getelementptr i8, ptr %v3773, i64 8
+  %v3780 = load i64, ptr %v3779, align 8, !noalias !527
+  %v3781 = add nsw i64 %v3770, %v3767
+  %v3782 = mul nsw i64 %v3781, %v3759
+  %v3783 = add nsw i64 %v3782, %v3767
+  %v3784 = add nsw i64 %v3783, %v3780
+  store i64 %v3784, ptr %v3779, align 8, !noalias !527
+  store double 0.000000e+00, ptr %v3764, align 8, !noalias !527
+  store double 0.000000e+00, ptr %v3768, align 8, !noalias !527
+  %v3785 = getelementptr double, ptr %v3761, i64 %v3765
+  %v3786 = load double, ptr %v3785, align 8, !noalias !527
+  %v3787 = sitofp i64 %v3781 to double
+  %v3788 = fsub double %v3786, %v3787
+  store double %v3788, ptr %v3785, align 8, !noalias !527
+  br label %v3789
 
-v3680:
-  %v3681 = icmp sgt i64 %v3682, 1
-  br i1 %v3681, label %v3653, label %v3644
+v3789:
+  %v3790 = icmp sgt i64 %v3791, 1
+  br i1 %v3790, label %v3762, label %v3753
 
-v3653:
-  %v3656 = phi i64 [ 0, %v3645 ], [ %v3683, %v3680 ]
-  %v3682 = phi i64 [ %v295, %v3645 ], [ %v3684, %v3680 ]
-  %v3684 = add nsw i64 %v3682, -1
-  %v3683 = add nsw i64 %v3656, 1
-  %v3685 = getelementptr i64, ptr %v143, i64 %v3656
-  %v3663 = load i64, ptr %v3685, align 8, !noalias !515
-  %v3686 = icmp sgt i64 %v3663, -1
-  br i1 %v3686, label %v3654, label %v3680
+v3762:
+  %v3765 = phi i64 [ 0, %v3754 ], [ %v3792, %v3789 ]
+  %v3791 = phi i64 [ %v295, %v3754 ], [ %v3793, %v3789 ]
+  %v3793 = add nsw i64 %v3791, -1
+  %v3792 = add nsw i64 %v3765, 1
+  %v3794 = getelementptr i64, ptr %v143, i64 %v3765
+  %v3772 = load i64, ptr %v3794, align 8, !noalias !527
+  %v3795 = icmp sgt i64 %v3772, -1
+  br i1 %v3795, label %v3763, label %v3789
 
-v3687:
-  %v3688 = phi i32 [ 0, %v3644 ], [ %v2942, %v2944 ]
-  ret i32 %v3688
+v3796:
+  %v3797 = phi i32 [ 0, %v3753 ], [ %v3046, %v3048 ]
+  ret i32 %v3797
 
 v345:
   %v476 = phi i64 [ 0, %v297 ], [ %v475, %v352 ]
-  %v478 = phi i64 [ %v295, %v297 ], [ %v3689, %v352 ]
-  %v348 = phi i64 [ 0, %v297 ], [ %v3690, %v352 ]
-  %v3689 = add nsw i64 %v478, -1
-  %v3690 = add nsw i64 %v348, 1
+  %v478 = phi i64 [ %v295, %v297 ], [ %v3798, %v352 ]
+  %v348 = phi i64 [ 0, %v297 ], [ %v3799, %v352 ]
+  %v3798 = add nsw i64 %v478, -1
+  %v3799 = add nsw i64 %v348, 1
   %v472 = getelementptr i64, ptr %v143, i64 %v348
-  %v3691 = load i64, ptr %v472, align 8
-  %v3692 = icmp slt i64 %v3691, 0
-  br i1 %v3692, label %v346, label %v352
+  %v3800 = load i64, ptr %v472, align 8
+  %v3801 = icmp slt i64 %v3800, 0
+  br i1 %v3801, label %v346, label %v352
 
-v1265:
-  %v3693 = load i64, ptr %v6, align 8, !noalias !519
-  %v3694 = inttoptr i64 %v3693 to ptr
-  tail call void %v3694(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v567), !noalias !519
-  br label %v1266
+v1273:
+  %v3802 = load i64, ptr %v6, align 8, !noalias !531
+  %v3803 = inttoptr i64 %v3802 to ptr
+  tail call void %v3803(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v567), !noalias !531
+  br label %v1274
 
-v1266:
-  br i1 %v568, label %v3695, label %v3696
-
-v3695:
-  %v3697 = load double, ptr %v570, align 8, !noalias !522
-  %v3698 = fcmp olt double %v3697, 5.000000e-01
-  br i1 %v3698, label %v3699, label %v3700
-
-v3699:
-  br i1 %v571, label %v3701, label %v3702
-
-v3701:
-  br i1 %v583, label %v3703, label %v3704, !prof !389
-
-v3705:
-  %v3706 = icmp eq i64 %v3707, %v616
-  br i1 %v3706, label %v3700, label %v3708
-
-v3709:
-  %v3710 = load i64, ptr %v593, align 8, !noalias !526
-  %v3711 = icmp eq i64 %v3710, %v3707
-  br i1 %v3711, label %v3712, label %v3713
-
-v3712:
-  %v3714 = load double, ptr %v595, align 8, !noalias !526
-  %v3715 = fmul double %v3714, 1.000000e-03
-  br label %v3713
-
-v3713:
-  %v3716 = phi double [ %v3715, %v3712 ], [ 0.000000e+00, %v3709 ]
-  store double %v3716, ptr %v3717, align 8, !noalias !526
-  br i1 %v571, label %v3718, label %v3719
-
-v3720:
-  %v3721 = phi i64 [ %v3722, %v3720 ], [ 0, %v3708 ]
-  %v3722 = add nsw i64 %v3721, 1
-  %v3723 = mul i64 %v3721, %v197
-  %v3724 = getelementptr double, ptr %v194, i64 %v3723
-  %v3725 = load double, ptr %v3724, align 8, !noalias !526
-  %v3726 = tail call double @llvm.fabs.f64(double %v3725)
-  %v3727 = fcmp ogt double %v3728, %v3726
-  %v3729 = select i1 %v3727, double %v3728, double %v3726
-  %v3730 = fcmp ogt double %v3729, 0.000000e+00
-  %v3731 = fmul double %v3729, 1.200000e-05
-  %v3732 = select i1 %v3730, double %v3731, double 1.200000e-05
-  %v3733 = getelementptr i64, ptr %v253, i64 %v3721
-  %v3734 = load i64, ptr %v3733, align 8, !noalias !526
-  %v3735 = icmp eq i64 %v3734, %v3707
-  %v3736 = select i1 %v3735, double %v3732, double 0.000000e+00
-  %v3737 = getelementptr double, ptr %v3738, i64 %v3721
-  store double %v3736, ptr %v3737, align 8, !noalias !526
-  %v3739 = icmp eq i64 %v10, %v3722
-  br i1 %v3739, label %v3709, label %v3720
-
-v3740:
-  %v3741 = getelementptr double, ptr %v609, i64 %v3742
-  store double %v3743, ptr %v3741, align 8, !noalias !532
-  br label %v3744
-
-v3745:
-  %v3746 = select i1 %v3747, i64 %v282, i64 0
-  %v3748 = getelementptr i64, ptr %v281, i64 %v3749
-  %v3750 = getelementptr i64, ptr %v3748, i64 %v3746
-  %v3751 = load i64, ptr %v3750, align 8, !noalias !532
-  %v3752 = icmp slt i64 %v3751, 0
-  %v3753 = select i1 %v3752, i64 %v224, i64 0
-  %v3754 = getelementptr double, ptr %v223, i64 %v3751
-  %v3755 = getelementptr double, ptr %v3754, i64 %v3753
-  store double %v3743, ptr %v3755, align 8, !noalias !532
-  br label %v3744
-
-v3744:
-  %v3756 = icmp sgt i64 %v3757, 1
-  br i1 %v3756, label %v3758, label %v3705
-
-v3702:
-  %v3759 = phi i64 [ %v3760, %v3702 ], [ 0, %v3699 ]
-  %v3760 = add nsw i64 %v3759, 1
-  %v3761 = mul i64 %v3759, %v197
-  %v3762 = getelementptr double, ptr %v194, i64 %v3761
-  %v3763 = load double, ptr %v3762, align 8, !noalias !532
-  %v3764 = getelementptr double, ptr %v574, i64 %v3761
-  store double %v3763, ptr %v3764, align 8, !noalias !532
-  %v3765 = getelementptr double, ptr %v576, i64 %v3761
-  store double 0.000000e+00, ptr %v3765, align 8, !noalias !532
-  %v3766 = icmp eq i64 %v10, %v3760
-  br i1 %v3766, label %v3701, label %v3702
-
-v3767:
-  %v3768 = phi i64 [ %v160, %v3769 ], [ %v3770, %v3771 ]
-  %v3772 = sub i64 %v3768, %v3773
-  %v3774 = tail call i64 @llvm.smax.i64(i64 %v3772, i64 0)
-  %v3738 = getelementptr double, ptr %v159, i64 %v3773
-  br i1 %v588, label %v3775, label %v3700
-
-v3775:
-  %v3776 = select i1 %v580, i64 %v3774, i64 0
-  %v3777 = getelementptr double, ptr %v3738, i64 %v10
-  %v3717 = getelementptr double, ptr %v3777, i64 %v3776
-  br label %v3708
-
-v3703:
-  br label %v3704
-
-v3704:
-  %v3778 = phi i64 [ 0, %v3703 ], [ %v582, %v3701 ]
-  br i1 %v584, label %v3779, label %v3780, !prof !131
-
-v3780:
-  br label %v3779
-
-v3779:
-  %v3773 = phi i64 [ %v160, %v3780 ], [ %v3778, %v3704 ]
-  br i1 %v586, label %v3781, label %v3771, !prof !389
-
-v3781:
-  br label %v3771
-
-v3771:
-  %v3770 = phi i64 [ 0, %v3781 ], [ %v585, %v3779 ]
-  br i1 %v587, label %v3767, label %v3769, !prof !131
-
-v3769:
-  br label %v3767
-
-v3708:
-  %v3707 = phi i64 [ 0, %v3775 ], [ %v3782, %v3705 ]
-  %v3782 = add nsw i64 %v3707, 1
-  %v3783 = load double, ptr %v590, align 8, !noalias !526
-  %v3784 = load double, ptr %v24, align 8, !noalias !526
-  %v3728 = fdiv double %v3783, %v3784
-  br i1 %v571, label %v3709, label %v3720
-
-v3785:
-  %v3786 = load double, ptr %v134, align 8, !noalias !533
-  %v3787 = load double, ptr %v3717, align 8, !noalias !533
-  %v3788 = fmul double %v3787, 5.000000e-01
-  %v3789 = fadd double %v3786, %v3788
-  store double %v3789, ptr %v598, align 8, !noalias !533
-  %v3790 = load i64, ptr %v6, align 8, !noalias !537
-  %v3791 = inttoptr i64 %v3790 to ptr
-  tail call void %v3791(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v611), !noalias !537
-  br label %v3792
-
-v3792:
-  %v3793 = phi i64 [ %v3794, %v3792 ], [ 0, %v3785 ]
-  %v3794 = add nsw i64 %v3793, 1
-  %v3795 = mul i64 %v3793, %v197
-  %v3796 = getelementptr double, ptr %v194, i64 %v3795
-  %v3797 = load double, ptr %v3796, align 8, !noalias !533
-  %v3798 = getelementptr double, ptr %v3738, i64 %v3793
-  %v3799 = load double, ptr %v3798, align 8, !noalias !533
-  %v3800 = fmul double %v3799, 5.000000e-01
-  %v3801 = fsub double %v3797, %v3800
-  %v3802 = getelementptr double, ptr %v602, i64 %v3795
-  store double %v3801, ptr %v3802, align 8, !noalias !533
-  %v3803 = icmp eq i64 %v10, %v3794
-  br i1 %v3803, label %v3804, label %v3792
-
-v3718:
-  %v3805 = load double, ptr %v134, align 8, !noalias !533
-  %v3806 = fmul double %v3716, 5.000000e-01
-  %v3807 = fadd double %v3806, %v3805
-  store double %v3807, ptr %v598, align 8, !noalias !533
-  %v3808 = load i64, ptr %v6, align 8, !noalias !537
-  %v3809 = inttoptr i64 %v3808 to ptr
-  tail call void %v3809(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v613), !noalias !537
-  br label %v3804
+v1274:
+  br i1 %v568, label %v3804, label %v3805
 
 v3804:
-  %v3810 = load double, ptr %v134, align 8, !noalias !533
-  %v3811 = load double, ptr %v3717, align 8, !noalias !533
-  %v3812 = fmul double %v3811, 5.000000e-01
-  %v3813 = fsub double %v3810, %v3812
-  store double %v3813, ptr %v598, align 8, !noalias !533
-  %v3814 = load i64, ptr %v6, align 8, !noalias !537
-  %v3815 = inttoptr i64 %v3814 to ptr
-  tail call void %v3815(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v615), !noalias !537
-  br i1 %v571, label %v3816, label %v3817
+  %v3806 = load double, ptr %v570, align 8, !noalias !534
+  %v3807 = fcmp olt double %v3806, 5.000000e-01
+  br i1 %v3807, label %v3808, label %v3809
+
+v3808:
+  br i1 %v571, label %v3810, label %v3811
+
+v3810:
+  br i1 %v583, label %v3812, label %v3813, !prof !397
+
+v3814:
+  %v3815 = icmp eq i64 %v3816, %v616
+  br i1 %v3815, label %v3809, label %v3817
 
 v3818:
-  %v3819 = fsub double %v3820, %v3821
-  br label %v3822
+  %v3819 = load i64, ptr %v593, align 8, !noalias !538
+  %v3820 = icmp eq i64 %v3819, %v3816
+  br i1 %v3820, label %v3821, label %v3822
 
-v3823:
-  %v3824 = getelementptr double, ptr %v607, i64 %v3825
-  %v3826 = load double, ptr %v3824, align 8, !noalias !533
-  %v3827 = fsub double %v3820, %v3826
-  %v3828 = fmul double %v3827, 2.000000e+00
+v3821:
+  %v3823 = load double, ptr %v595, align 8, !noalias !538
+  %v3824 = fmul double %v3823, 1.000000e-03
   br label %v3822
 
 v3822:
-  %v3829 = phi double [ %v3828, %v3823 ], [ %v3819, %v3818 ]
-  store double %v3829, ptr %v3830, align 8, !noalias !533
-  %v3831 = icmp eq i64 %v10, %v3832
-  br i1 %v3831, label %v3816, label %v3817
+  %v3825 = phi double [ %v3824, %v3821 ], [ 0.000000e+00, %v3818 ]
+  store double %v3825, ptr %v3826, align 8, !noalias !538
+  br i1 %v571, label %v3827, label %v3828
 
-v3719:
-  %v3833 = phi i64 [ %v3834, %v3719 ], [ 0, %v3713 ]
-  %v3834 = add nsw i64 %v3833, 1
-  %v3835 = mul i64 %v3833, %v197
-  %v3836 = getelementptr double, ptr %v194, i64 %v3835
-  %v3837 = load double, ptr %v3836, align 8, !noalias !533
-  %v3838 = getelementptr double, ptr %v3738, i64 %v3833
-  %v3839 = load double, ptr %v3838, align 8, !noalias !533
-  %v3840 = fmul double %v3839, 5.000000e-01
-  %v3841 = fadd double %v3837, %v3840
-  %v3842 = getelementptr double, ptr %v602, i64 %v3835
-  store double %v3841, ptr %v3842, align 8, !noalias !533
-  %v3843 = icmp eq i64 %v10, %v3834
-  br i1 %v3843, label %v3785, label %v3719
+v3829:
+  %v3830 = phi i64 [ %v3831, %v3829 ], [ 0, %v3817 ]
+  %v3831 = add nsw i64 %v3830, 1
+  %v3832 = mul i64 %v3830, %v197
+  %v3833 = getelementptr double, ptr %v194, i64 %v3832
+  %v3834 = load double, ptr %v3833, align 8, !noalias !538
+  %v3835 = tail call double @llvm.fabs.f64(double %v3834)
+  %v3836 = fcmp ogt double %v3837, %v3835
+  %v3838 = select i1 %v3836, double %v3837, double %v3835
+  %v3839 = fcmp ogt double %v3838, 0.000000e+00
+  %v3840 = fmul double %v3838, 1.200000e-05
+  %v3841 = select i1 %v3839, double %v3840, double 1.200000e-05
+  %v3842 = getelementptr i64, ptr %v253, i64 %v3830
+  %v3843 = load i64, ptr %v3842, align 8, !noalias !538
+  %v3844 = icmp eq i64 %v3843, %v3816
+  %v3845 = select i1 %v3844, double %v3841, double 0.000000e+00
+  %v3846 = getelementptr double, ptr %v3847, i64 %v3830
+  store double %v3845, ptr %v3846, align 8, !noalias !538
+  %v3848 = icmp eq i64 %v10, %v3831
+  br i1 %v3848, label %v3818, label %v3829
+
+v3849:
+  %v3850 = getelementptr double, ptr %v609, i64 %v3851
+  store double %v3852, ptr %v3850, align 8, !noalias !544
+  br label %v3853
+
+v3854:
+  %v3855 = select i1 %v3856, i64 %v282, i64 0
+  %v3857 = getelementptr i64, ptr %v281, i64 %v3858
+  %v3859 = getelementptr i64, ptr %v3857, i64 %v3855
+  %v3860 = load i64, ptr %v3859, align 8, !noalias !544
+  %v3861 = icmp slt i64 %v3860, 0
+  %v3862 = select i1 %v3861, i64 %v224, i64 0
+  %v3863 = getelementptr double, ptr %v223, i64 %v3860
+  %v3864 = getelementptr double, ptr %v3863, i64 %v3862
+  store double %v3852, ptr %v3864, align 8, !noalias !544
+  br label %v3853
+
+v3853:
+  %v3865 = icmp sgt i64 %v3866, 1
+  br i1 %v3865, label %v3867, label %v3814
+
+v3811:
+  %v3868 = phi i64 [ %v3869, %v3811 ], [ 0, %v3808 ]
+  %v3869 = add nsw i64 %v3868, 1
+  %v3870 = mul i64 %v3868, %v197
+  %v3871 = getelementptr double, ptr %v194, i64 %v3870
+  %v3872 = load double, ptr %v3871, align 8, !noalias !544
+  %v3873 = getelementptr double, ptr %v574, i64 %v3870
+  store double %v3872, ptr %v3873, align 8, !noalias !544
+  %v3874 = getelementptr double, ptr %v576, i64 %v3870
+  store double 0.000000e+00, ptr %v3874, align 8, !noalias !544
+  %v3875 = icmp eq i64 %v10, %v3869
+  br i1 %v3875, label %v3810, label %v3811
+
+v3876:
+  %v3877 = phi i64 [ %v160, %v3878 ], [ %v3879, %v3880 ]
+  %v3881 = sub i64 %v3877, %v3882
+  %v3883 = tail call i64 @llvm.smax.i64(i64 %v3881, i64 0)
+  %v3847 = getelementptr double, ptr %v159, i64 %v3882
+  br i1 %v588, label %v3884, label %v3809
+
+v3884:
+  %v3885 = select i1 %v580, i64 %v3883, i64 0
+  %v3886 = getelementptr double, ptr %v3847, i64 %v10
+  %v3826 = getelementptr double, ptr %v3886, i64 %v3885
+  br label %v3817
+
+v3812:
+  br label %v3813
+
+v3813:
+  %v3887 = phi i64 [ 0, %v3812 ], [ %v582, %v3810 ]
+  br i1 %v584, label %v3888, label %v3889, !prof !131
+
+v3889:
+  br label %v3888
+
+v3888:
+  %v3882 = phi i64 [ %v160, %v3889 ], [ %v3887, %v3813 ]
+  br i1 %v586, label %v3890, label %v3880, !prof !397
+
+v3890:
+  br label %v3880
+
+v3880:
+  %v3879 = phi i64 [ 0, %v3890 ], [ %v585, %v3888 ]
+  br i1 %v587, label %v3876, label %v3878, !prof !131
+
+v3878:
+  br label %v3876
 
 v3817:
-  %v3844 = phi i64 [ %v3832, %v3822 ], [ 0, %v3804 ]
-  %v3832 = add nsw i64 %v3844, 1
-  %v3825 = mul i64 %v3844, %v197
-  %v3845 = getelementptr double, ptr %v194, i64 %v3825
-  %v3846 = load double, ptr %v3845, align 8, !noalias !533
-  %v3847 = getelementptr double, ptr %v602, i64 %v3825
-  store double %v3846, ptr %v3847, align 8, !noalias !533
-  %v3830 = getelementptr double, ptr %v604, i64 %v3825
-  %v3820 = load double, ptr %v3830, align 8, !noalias !533
-  %v3848 = getelementptr double, ptr %v606, i64 %v3825
-  %v3821 = load double, ptr %v3848, align 8, !noalias !533
-  %v3849 = fsub double %v3821, %v3821
-  %v3850 = fcmp oeq double %v3849, 0.000000e+00
-  br i1 %v3850, label %v3818, label %v3823
-
-v3816:
-  %v3851 = getelementptr i64, ptr %v260, i64 %v3707
-  %v3852 = load i64, ptr %v3851, align 8, !noalias !532
-  %v3853 = getelementptr i8, ptr %v3851, i64 8
-  %v3854 = load i64, ptr %v3853, align 8, !noalias !532
-  %v3855 = sub i64 %v3854, %v3852
-  %v3856 = icmp slt i64 %v3855, 1
-  br i1 %v3856, label %v3705, label %v3758
-
-v3758:
-  %v3757 = phi i64 [ %v3857, %v3744 ], [ %v3855, %v3816 ]
-  %v3749 = phi i64 [ %v3858, %v3744 ], [ %v3852, %v3816 ]
-  %v3857 = add nsw i64 %v3757, -1
-  %v3858 = add i64 %v3749, 1
-  %v3747 = icmp slt i64 %v3749, 0
-  %v3859 = select i1 %v3747, i64 %v268, i64 0
-  %v3860 = getelementptr i64, ptr %v267, i64 %v3749
-  %v3861 = getelementptr i64, ptr %v3860, i64 %v3859
-  %v3862 = load i64, ptr %v3861, align 8, !noalias !532
-  %v3863 = select i1 %v3747, i64 %v275, i64 0
-  %v3864 = getelementptr i64, ptr %v274, i64 %v3749
-  %v3865 = getelementptr i64, ptr %v3864, i64 %v3863
-  %v3866 = load i64, ptr %v3865, align 8, !noalias !532
-  %v3867 = icmp slt i64 %v3862, 0
-  %v3868 = select i1 %v3867, i64 %v196, i64 0
-  %v3869 = add i64 %v3868, %v3862
-  %v3742 = mul i64 %v3869, %v197
-  %v3870 = getelementptr double, ptr %v604, i64 %v3742
-  %v3871 = load double, ptr %v3870, align 8, !noalias !532
-  %v3872 = icmp slt i64 %v3866, 0
-  %v3873 = select i1 %v3872, i64 %v3774, i64 0
-  %v3874 = getelementptr double, ptr %v3738, i64 %v3866
-  %v3875 = getelementptr double, ptr %v3874, i64 %v3873
-  %v3876 = load double, ptr %v3875, align 8, !noalias !532
-  %v3877 = fdiv double %v3871, %v3876
-  %v3878 = fsub double %v3877, %v3877
-  %v3879 = fcmp oeq double %v3878, 0.000000e+00
-  %v3743 = select i1 %v3879, double %v3877, double 0.000000e+00
-  %v3880 = icmp eq i64 %v3866, %v10
-  br i1 %v3880, label %v3740, label %v3745
-
-v3700:
-  br i1 %v617, label %v3881, label %v3696
-
-v3882:
-  %v3883 = mul i64 %v3884, %v620
-  %v3885 = icmp slt i64 %v3883, 0
-  %v3886 = select i1 %v3885, i64 %v231, i64 0
-  %v3887 = getelementptr double, ptr %v230, i64 %v3883
-  %v3888 = getelementptr double, ptr %v3887, i64 %v3886
-  %v3889 = load double, ptr %v3888, align 8, !noalias !522
-  %v3890 = load double, ptr %v622, align 8, !noalias !522
-  %v3891 = fadd double %v3889, %v3890
-  store double %v3891, ptr %v3888, align 8, !noalias !522
-  %v3892 = icmp eq i64 %v10, %v3893
-  br i1 %v3892, label %v3894, label %v3881
-
-v3895:
-  %v3896 = icmp eq i64 %v3897, %v10
-  br i1 %v3896, label %v3696, label %v3894
-
-v3898:
-  %v3899 = phi i64 [ %v3900, %v3894 ], [ %v3901, %v3902 ]
-  %v3903 = getelementptr i64, ptr %v237, i64 %v3900
-  store i64 %v3899, ptr %v3903, align 8, !noalias !540
-  %v3904 = add nsw i64 %v3899, %v3905
-  %v3906 = icmp slt i64 %v3904, 0
-  %v3907 = select i1 %v3906, i64 %v231, i64 0
-  %v3908 = getelementptr double, ptr %v230, i64 %v3904
-  %v3909 = getelementptr double, ptr %v3908, i64 %v3907
-  %v3910 = load double, ptr %v3909, align 8, !noalias !540
-  %v3911 = load double, ptr %v3912, align 8, !noalias !540
-  store double %v3910, ptr %v3912, align 8, !noalias !540
-  store double %v3911, ptr %v3909, align 8, !noalias !540
-  br i1 %v3913, label %v3914, label %v3915
-
-v3914:
-  %v3916 = sub i64 %v3917, %v3897
-  %v3918 = icmp slt i64 %v3916, 1
-  br i1 %v3918, label %v3895, label %v3919
-
-v3920:
-  %v3921 = icmp sgt i64 %v3922, 1
-  br i1 %v3921, label %v3919, label %v3895
+  %v3816 = phi i64 [ 0, %v3884 ], [ %v3891, %v3814 ]
+  %v3891 = add nsw i64 %v3816, 1
+  %v3892 = load double, ptr %v590, align 8, !noalias !538
+  %v3893 = load double, ptr %v24, align 8, !noalias !538
+  %v3837 = fdiv double %v3892, %v3893
+  br i1 %v571, label %v3818, label %v3829
 
 v3894:
-  %v3900 = phi i64 [ %v3897, %v3895 ], [ 0, %v3882 ]
-  %v3897 = add nsw i64 %v3900, 1
-  %v3905 = mul nsw i64 %v3900, %v10
-  %v3923 = add nsw i64 %v3900, %v240
-  %v3924 = add nsw i64 %v3923, 1
-  %v3925 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v3924, i64 %v10)
-  %v3926 = add i64 %v623, %v3923
-  %v3917 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v3926, i64 %v10)
-  %v3927 = getelementptr double, ptr %v230, i64 %v3905
-  %v3912 = getelementptr double, ptr %v3927, i64 %v3900
-  %v3928 = sub i64 %v3925, %v3897
-  %v3929 = tail call i64 @llvm.smax.i64(i64 %v3928, i64 0)
-  %v3913 = icmp slt i64 %v3928, 1
-  br i1 %v3913, label %v3898, label %v3930
+  %v3895 = load double, ptr %v134, align 8, !noalias !545
+  %v3896 = load double, ptr %v3826, align 8, !noalias !545
+  %v3897 = fmul double %v3896, 5.000000e-01
+  %v3898 = fadd double %v3895, %v3897
+  store double %v3898, ptr %v598, align 8, !noalias !545
+  %v3899 = load i64, ptr %v6, align 8, !noalias !549
+  %v3900 = inttoptr i64 %v3899 to ptr
+  tail call void %v3900(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v611), !noalias !549
+  br label %v3901
 
-v3930:
-  %v3931 = load double, ptr %v3912, align 8, !noalias !540
-  %v3932 = tail call double @llvm.fabs.f64(double %v3931)
-  br label %v3902
+v3901:
+  %v3902 = phi i64 [ %v3903, %v3901 ], [ 0, %v3894 ]
+  %v3903 = add nsw i64 %v3902, 1
+  %v3904 = mul i64 %v3902, %v197
+  %v3905 = getelementptr double, ptr %v194, i64 %v3904
+  %v3906 = load double, ptr %v3905, align 8, !noalias !545
+  %v3907 = getelementptr double, ptr %v3847, i64 %v3902
+  %v3908 = load double, ptr %v3907, align 8, !noalias !545
+  %v3909 = fmul double %v3908, 5.000000e-01
+  %v3910 = fsub double %v3906, %v3909
+  %v3911 = getelementptr double, ptr %v602, i64 %v3904
+  store double %v3910, ptr %v3911, align 8, !noalias !545
+  %v3912 = icmp eq i64 %v10, %v3903
+  br i1 %v3912, label %v3913, label %v3901
 
-v3902:
-  %v3933 = phi i64 [ %v3901, %v3902 ], [ %v3900, %v3930 ]
-  %v3934 = phi double [ %v3935, %v3902 ], [ %v3932, %v3930 ]
-  %v3936 = phi i64 [ %v3937, %v3902 ], [ %v3929, %v3930 ]
-  %v3938 = phi i64 [ %v3939, %v3902 ], [ %v3897, %v3930 ]
-  %v3937 = add nsw i64 %v3936, -1
-  %v3939 = add i64 %v3938, 1
-  %v3940 = add nsw i64 %v3938, %v3905
-  %v3941 = icmp slt i64 %v3940, 0
-  %v3942 = select i1 %v3941, i64 %v231, i64 0
-  %v3943 = getelementptr double, ptr %v230, i64 %v3940
-  %v3944 = getelementptr double, ptr %v3943, i64 %v3942
-  %v3945 = load double, ptr %v3944, align 8, !noalias !540
-  %v3946 = tail call double @llvm.fabs.f64(double %v3945)
-  %v3947 = fcmp ogt double %v3946, %v3934
-  %v3935 = select i1 %v3947, double %v3946, double %v3934
-  %v3901 = select i1 %v3947, i64 %v3938, i64 %v3933
-  %v3948 = icmp sgt i64 %v3936, 1
-  br i1 %v3948, label %v3902, label %v3898
+v3827:
+  %v3914 = load double, ptr %v134, align 8, !noalias !545
+  %v3915 = fmul double %v3825, 5.000000e-01
+  %v3916 = fadd double %v3915, %v3914
+  store double %v3916, ptr %v598, align 8, !noalias !545
+  %v3917 = load i64, ptr %v6, align 8, !noalias !549
+  %v3918 = inttoptr i64 %v3917 to ptr
+  tail call void %v3918(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v613), !noalias !549
+  br label %v3913
 
-v3915:
-  %v3949 = phi i64 [ %v3950, %v3915 ], [ %v3929, %v3898 ]
-  %v3951 = phi i64 [ %v3952, %v3915 ], [ %v3897, %v3898 ]
-  %v3950 = add nsw i64 %v3949, -1
-  %v3952 = add i64 %v3951, 1
-  %v3953 = add nsw i64 %v3951, %v3905
-  %v3954 = icmp slt i64 %v3953, 0
-  %v3955 = select i1 %v3954, i64 %v231, i64 0
-  %v3956 = getelementptr double, ptr %v230, i64 %v3953
-  %v3957 = getelementptr double, ptr %v3956, i64 %v3955
-  %v3958 = load double, ptr %v3957, align 8, !noalias !540
-  %v3959 = load double, ptr %v3912, align 8, !noalias !540
-  %v3960 = fdiv double %v3958, %v3959
-  store double %v3960, ptr %v3957, align 8, !noalias !540
-  %v3961 = icmp sgt i64 %v3949, 1
-  br i1 %v3961, label %v3915, label %v3914
+v3913:
+  %v3919 = load double, ptr %v134, align 8, !noalias !545
+  %v3920 = load double, ptr %v3826, align 8, !noalias !545
+  %v3921 = fmul double %v3920, 5.000000e-01
+  %v3922 = fsub double %v3919, %v3921
+  store double %v3922, ptr %v598, align 8, !noalias !545
+  %v3923 = load i64, ptr %v6, align 8, !noalias !549
+  %v3924 = inttoptr i64 %v3923 to ptr
+  tail call void %v3924(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v615), !noalias !549
+  br i1 %v571, label %v3925, label %v3926
 
-v3919:
-  %v3922 = phi i64 [ %v3962, %v3920 ], [ %v3916, %v3914 ]
-  %v3963 = phi i64 [ %v3964, %v3920 ], [ %v3897, %v3914 ]
-  %v3962 = add nsw i64 %v3922, -1
-  %v3964 = add i64 %v3963, 1
-  %v3965 = mul nsw i64 %v3963, %v10
-  %v3966 = add nsw i64 %v3965, %v3899
-  %v3967 = icmp slt i64 %v3966, 0
-  %v3968 = select i1 %v3967, i64 %v231, i64 0
-  %v3969 = getelementptr double, ptr %v230, i64 %v3966
-  %v3970 = getelementptr double, ptr %v3969, i64 %v3968
-  %v3971 = load double, ptr %v3970, align 8, !noalias !540
-  %v3972 = add nsw i64 %v3965, %v3900
-  %v3973 = icmp slt i64 %v3972, 0
-  %v3974 = select i1 %v3973, i64 %v231, i64 0
-  %v3975 = getelementptr double, ptr %v230, i64 %v3972
-  %v3976 = getelementptr double, ptr %v3975, i64 %v3974
-  %v3977 = load double, ptr %v3976, align 8, !noalias !540
-  store double %v3977, ptr %v3970, align 8, !noalias !540
-  store double %v3971, ptr %v3976, align 8, !noalias !540
-  %v3978 = fcmp oeq double %v3971, 0.000000e+00
-  %v3979 = or i1 %v3913, %v3978
-  br i1 %v3979, label %v3920, label %v3980
+v3927:
+  %v3928 = fsub double %v3929, %v3930
+  br label %v3931
 
-v3980:
-  %v3981 = phi i64 [ %v3982, %v3980 ], [ %v3929, %v3919 ]
-  %v3983 = phi i64 [ %v3984, %v3980 ], [ %v3897, %v3919 ]
-  %v3982 = add nsw i64 %v3981, -1
-  %v3984 = add i64 %v3983, 1
-  %v3985 = add nsw i64 %v3983, %v3965
-  %v3986 = icmp slt i64 %v3985, 0
-  %v3987 = select i1 %v3986, i64 %v231, i64 0
-  %v3988 = getelementptr double, ptr %v230, i64 %v3985
-  %v3989 = getelementptr double, ptr %v3988, i64 %v3987
-  %v3990 = load double, ptr %v3989, align 8, !noalias !540
-  %v3991 = add nsw i64 %v3983, %v3905
-  %v3992 = icmp slt i64 %v3991, 0
-  %v3993 = select i1 %v3992, i64 %v231, i64 0
-  %v3994 = getelementptr double, ptr %v230, i64 %v3991
-  %v3995 = getelementptr double, ptr %v3994, i64 %v3993
-  %v3996 = load double, ptr %v3995, align 8, !noalias !540
-  %v3997 = fmul double %v3971, %v3996
-  %v3998 = fsub double %v3990, %v3997
-  store double %v3998, ptr %v3989, align 8, !noalias !540
-  %v3999 = icmp sgt i64 %v3981, 1
-  br i1 %v3999, label %v3980, label %v3920
+v3932:
+  %v3933 = getelementptr double, ptr %v607, i64 %v3934
+  %v3935 = load double, ptr %v3933, align 8, !noalias !545
+  %v3936 = fsub double %v3929, %v3935
+  %v3937 = fmul double %v3936, 2.000000e+00
+  br label %v3931
 
-v3881:
-  %v3884 = phi i64 [ %v3893, %v3882 ], [ 0, %v3700 ]
-  %v3893 = add nsw i64 %v3884, 1
-  %v4000 = sub i64 %v3884, %v618
-  %v4001 = tail call i64 @llvm.smax.i64(i64 %v4000, i64 0)
-  %v4002 = add i64 %v619, %v3884
-  %v4003 = tail call i64 @llvm.smin.i64(i64 %v4002, i64 %v10)
-  %v4004 = sub i64 %v4003, %v4001
-  %v4005 = icmp slt i64 %v4004, 1
-  br i1 %v4005, label %v3882, label %v4006
+v3931:
+  %v3938 = phi double [ %v3937, %v3932 ], [ %v3928, %v3927 ]
+  store double %v3938, ptr %v3939, align 8, !noalias !545
+  %v3940 = icmp eq i64 %v10, %v3941
+  br i1 %v3940, label %v3925, label %v3926
 
-v4006:
-  %v4007 = mul nsw i64 %v3884, %v10
-  br label %v4008
+v3828:
+  %v3942 = phi i64 [ %v3943, %v3828 ], [ 0, %v3822 ]
+  %v3943 = add nsw i64 %v3942, 1
+  %v3944 = mul i64 %v3942, %v197
+  %v3945 = getelementptr double, ptr %v194, i64 %v3944
+  %v3946 = load double, ptr %v3945, align 8, !noalias !545
+  %v3947 = getelementptr double, ptr %v3847, i64 %v3942
+  %v3948 = load double, ptr %v3947, align 8, !noalias !545
+  %v3949 = fmul double %v3948, 5.000000e-01
+  %v3950 = fadd double %v3946, %v3949
+  %v3951 = getelementptr double, ptr %v602, i64 %v3944
+  store double %v3950, ptr %v3951, align 8, !noalias !545
+  %v3952 = icmp eq i64 %v10, %v3943
+  br i1 %v3952, label %v3894, label %v3828
 
-v4008:
-  %v4009 = phi i64 [ %v4004, %v4006 ], [ %v4010, %v4008 ]
-  %v4011 = phi i64 [ %v4001, %v4006 ], [ %v4012, %v4008 ]
-  %v4010 = add nsw i64 %v4009, -1
-  %v4012 = add i64 %v4011, 1
-  %v4013 = add nsw i64 %v4011, %v4007
-  %v4014 = icmp slt i64 %v4013, 0
-  %v4015 = select i1 %v4014, i64 %v224, i64 0
-  %v4016 = getelementptr double, ptr %v223, i64 %v4013
-  %v4017 = getelementptr double, ptr %v4016, i64 %v4015
-  %v4018 = load double, ptr %v4017, align 8, !noalias !522
-  %v4019 = fneg double %v4018
-  %v4020 = select i1 %v4014, i64 %v231, i64 0
-  %v4021 = getelementptr double, ptr %v230, i64 %v4013
-  %v4022 = getelementptr double, ptr %v4021, i64 %v4020
-  store double %v4019, ptr %v4022, align 8, !noalias !522
-  %v4023 = icmp sgt i64 %v4009, 1
-  br i1 %v4023, label %v4008, label %v3882
+v3926:
+  %v3953 = phi i64 [ %v3941, %v3931 ], [ 0, %v3913 ]
+  %v3941 = add nsw i64 %v3953, 1
+  %v3934 = mul i64 %v3953, %v197
+  %v3954 = getelementptr double, ptr %v194, i64 %v3934
+  %v3955 = load double, ptr %v3954, align 8, !noalias !545
+  %v3956 = getelementptr double, ptr %v602, i64 %v3934
+  store double %v3955, ptr %v3956, align 8, !noalias !545
+  %v3939 = getelementptr double, ptr %v604, i64 %v3934
+  %v3929 = load double, ptr %v3939, align 8, !noalias !545
+  %v3957 = getelementptr double, ptr %v606, i64 %v3934
+  %v3930 = load double, ptr %v3957, align 8, !noalias !545
+  %v3958 = fsub double %v3930, %v3930
+  %v3959 = fcmp oeq double %v3958, 0.000000e+00
+  br i1 %v3959, label %v3927, label %v3932
 
-v3696:
-  br i1 %v626, label %v1286, label %v4024
+v3925:
+  %v3960 = getelementptr i64, ptr %v260, i64 %v3816
+  %v3961 = load i64, ptr %v3960, align 8, !noalias !544
+  %v3962 = getelementptr i8, ptr %v3960, i64 8
+  %v3963 = load i64, ptr %v3962, align 8, !noalias !544
+  %v3964 = sub i64 %v3963, %v3961
+  %v3965 = icmp slt i64 %v3964, 1
+  br i1 %v3965, label %v3814, label %v3867
 
-v4025:
-  %v4026 = mul i64 %v4027, %v634
-  %v4028 = getelementptr double, ptr %v194, i64 %v4026
-  br label %v4029
+v3867:
+  %v3866 = phi i64 [ %v3966, %v3853 ], [ %v3964, %v3925 ]
+  %v3858 = phi i64 [ %v3967, %v3853 ], [ %v3961, %v3925 ]
+  %v3966 = add nsw i64 %v3866, -1
+  %v3967 = add i64 %v3858, 1
+  %v3856 = icmp slt i64 %v3858, 0
+  %v3968 = select i1 %v3856, i64 %v268, i64 0
+  %v3969 = getelementptr i64, ptr %v267, i64 %v3858
+  %v3970 = getelementptr i64, ptr %v3969, i64 %v3968
+  %v3971 = load i64, ptr %v3970, align 8, !noalias !544
+  %v3972 = select i1 %v3856, i64 %v275, i64 0
+  %v3973 = getelementptr i64, ptr %v274, i64 %v3858
+  %v3974 = getelementptr i64, ptr %v3973, i64 %v3972
+  %v3975 = load i64, ptr %v3974, align 8, !noalias !544
+  %v3976 = icmp slt i64 %v3971, 0
+  %v3977 = select i1 %v3976, i64 %v196, i64 0
+  %v3978 = add i64 %v3977, %v3971
+  %v3851 = mul i64 %v3978, %v197
+  %v3979 = getelementptr double, ptr %v604, i64 %v3851
+  %v3980 = load double, ptr %v3979, align 8, !noalias !544
+  %v3981 = icmp slt i64 %v3975, 0
+  %v3982 = select i1 %v3981, i64 %v3883, i64 0
+  %v3983 = getelementptr double, ptr %v3847, i64 %v3975
+  %v3984 = getelementptr double, ptr %v3983, i64 %v3982
+  %v3985 = load double, ptr %v3984, align 8, !noalias !544
+  %v3986 = fdiv double %v3980, %v3985
+  %v3987 = fsub double %v3986, %v3986
+  %v3988 = fcmp oeq double %v3987, 0.000000e+00
+  %v3852 = select i1 %v3988, double %v3986, double 0.000000e+00
+  %v3989 = icmp eq i64 %v3975, %v10
+  br i1 %v3989, label %v3849, label %v3854
 
-v4030:
-  %v4031 = icmp eq i64 %v10, %v4032
-  br i1 %v4031, label %v4033, label %v4034
+v3809:
+  br i1 %v617, label %v3990, label %v3805
 
-v4035:
-  %v4036 = icmp sgt i64 %v4037, 1
-  br i1 %v4036, label %v4033, label %v4038
+v3991:
+  %v3992 = mul i64 %v3993, %v620
+  %v3994 = icmp slt i64 %v3992, 0
+  %v3995 = select i1 %v3994, i64 %v231, i64 0
+  %v3996 = getelementptr double, ptr %v230, i64 %v3992
+  %v3997 = getelementptr double, ptr %v3996, i64 %v3995
+  %v3998 = load double, ptr %v3997, align 8, !noalias !534
+  %v3999 = load double, ptr %v622, align 8, !noalias !534
+  %v4000 = fadd double %v3998, %v3999
+  store double %v4000, ptr %v3997, align 8, !noalias !534
+  %v4001 = icmp eq i64 %v10, %v4002
+  br i1 %v4001, label %v4003, label %v3990
 
-v4038:
-  %v4039 = mul i64 %v4027, %v643
-  %v4040 = getelementptr double, ptr %v194, i64 %v4039
-  br label %v4041
+v4004:
+  %v4005 = icmp eq i64 %v4006, %v10
+  br i1 %v4005, label %v3805, label %v4003
 
-v4034:
-  %v4042 = phi i64 [ %v4032, %v4030 ], [ 0, %v4029 ]
-  %v4032 = add nsw i64 %v4042, 1
-  %v4043 = getelementptr i64, ptr %v237, i64 %v4042
-  %v4044 = load i64, ptr %v4043, align 8, !noalias !543
-  %v4045 = add nsw i64 %v4044, %v639
-  %v4046 = icmp slt i64 %v4045, 0
-  %v4047 = select i1 %v4046, i64 %v160, i64 0
-  %v4048 = getelementptr double, ptr %v159, i64 %v4045
-  %v4049 = getelementptr double, ptr %v4048, i64 %v4047
-  %v4050 = load double, ptr %v4049, align 8, !noalias !543
-  %v4051 = getelementptr double, ptr %v641, i64 %v4042
-  %v4052 = load double, ptr %v4051, align 8, !noalias !543
-  store double %v4052, ptr %v4049, align 8, !noalias !543
-  store double %v4050, ptr %v4051, align 8, !noalias !543
-  %v4053 = add i64 %v640, %v4042
-  %v4054 = tail call i64 @llvm.smin.i64(i64 %v4053, i64 %v10)
-  %v4055 = sub i64 %v4054, %v4032
-  %v4056 = icmp slt i64 %v4055, 1
-  br i1 %v4056, label %v4030, label %v4057
+v4007:
+  %v4008 = phi i64 [ %v4009, %v4003 ], [ %v4010, %v4011 ]
+  %v4012 = getelementptr i64, ptr %v237, i64 %v4009
+  store i64 %v4008, ptr %v4012, align 8, !noalias !552
+  %v4013 = add nsw i64 %v4008, %v4014
+  %v4015 = icmp slt i64 %v4013, 0
+  %v4016 = select i1 %v4015, i64 %v231, i64 0
+  %v4017 = getelementptr double, ptr %v230, i64 %v4013
+  %v4018 = getelementptr double, ptr %v4017, i64 %v4016
+  %v4019 = load double, ptr %v4018, align 8, !noalias !552
+  %v4020 = load double, ptr %v4021, align 8, !noalias !552
+  store double %v4019, ptr %v4021, align 8, !noalias !552
+  store double %v4020, ptr %v4018, align 8, !noalias !552
+  br i1 %v4022, label %v4023, label %v4024
 
-v4057:
-  %v4058 = mul nsw i64 %v4042, %v10
-  br label %v4059
-
-v4059:
-  %v4060 = phi i64 [ %v4055, %v4057 ], [ %v4061, %v4059 ]
-  %v4062 = phi i64 [ %v4032, %v4057 ], [ %v4063, %v4059 ]
-  %v4061 = add nsw i64 %v4060, -1
-  %v4063 = add i64 %v4062, 1
-  %v4064 = add nsw i64 %v4062, %v639
-  %v4065 = icmp slt i64 %v4064, 0
-  %v4066 = select i1 %v4065, i64 %v160, i64 0
-  %v4067 = getelementptr double, ptr %v159, i64 %v4064
-  %v4068 = getelementptr double, ptr %v4067, i64 %v4066
-  %v4069 = load double, ptr %v4068, align 8, !noalias !543
-  %v4070 = add nsw i64 %v4062, %v4058
-  %v4071 = icmp slt i64 %v4070, 0
-  %v4072 = select i1 %v4071, i64 %v231, i64 0
-  %v4073 = getelementptr double, ptr %v230, i64 %v4070
-  %v4074 = getelementptr double, ptr %v4073, i64 %v4072
-  %v4075 = load double, ptr %v4074, align 8, !noalias !543
-  %v4076 = fmul double %v4050, %v4075
-  %v4077 = fsub double %v4069, %v4076
-  store double %v4077, ptr %v4068, align 8, !noalias !543
-  %v4078 = icmp sgt i64 %v4060, 1
-  br i1 %v4078, label %v4059, label %v4030
-
-v4033:
-  %v4037 = phi i64 [ %v4079, %v4035 ], [ %v10, %v4030 ]
-  %v4079 = add nsw i64 %v4037, -1
-  %v4080 = add nsw i64 %v4079, %v639
-  %v4081 = icmp slt i64 %v4080, 0
-  %v4082 = select i1 %v4081, i64 %v160, i64 0
-  %v4083 = getelementptr double, ptr %v159, i64 %v4080
-  %v4084 = getelementptr double, ptr %v4083, i64 %v4082
-  %v4085 = load double, ptr %v4084, align 8, !noalias !543
-  %v4086 = mul nsw i64 %v4079, %v10
-  %v4087 = add nsw i64 %v4086, %v4079
-  %v4088 = icmp slt i64 %v4087, 0
-  %v4089 = select i1 %v4088, i64 %v231, i64 0
-  %v4090 = getelementptr double, ptr %v230, i64 %v4087
-  %v4091 = getelementptr double, ptr %v4090, i64 %v4089
-  %v4092 = load double, ptr %v4091, align 8, !noalias !543
-  %v4093 = fdiv double %v4085, %v4092
-  store double %v4093, ptr %v4084, align 8, !noalias !543
-  %v4094 = sub i64 %v4079, %v642
-  %v4095 = tail call i64 @llvm.smax.i64(i64 %v4094, i64 0)
-  %v4096 = sub i64 %v4079, %v4095
-  %v4097 = icmp slt i64 %v4096, 1
-  br i1 %v4097, label %v4035, label %v4098
-
-v4098:
-  %v4099 = phi i64 [ %v4100, %v4098 ], [ %v4096, %v4033 ]
-  %v4101 = phi i64 [ %v4102, %v4098 ], [ %v4095, %v4033 ]
-  %v4100 = add nsw i64 %v4099, -1
-  %v4102 = add i64 %v4101, 1
-  %v4103 = add nsw i64 %v4101, %v639
-  %v4104 = icmp slt i64 %v4103, 0
-  %v4105 = select i1 %v4104, i64 %v160, i64 0
-  %v4106 = getelementptr double, ptr %v159, i64 %v4103
-  %v4107 = getelementptr double, ptr %v4106, i64 %v4105
-  %v4108 = load double, ptr %v4107, align 8, !noalias !543
-  %v4109 = add nsw i64 %v4101, %v4086
-  %v4110 = icmp slt i64 %v4109, 0
-  %v4111 = select i1 %v4110, i64 %v231, i64 0
-  %v4112 = getelementptr double, ptr %v230, i64 %v4109
-  %v4113 = getelementptr double, ptr %v4112, i64 %v4111
-  %v4114 = load double, ptr %v4113, align 8, !noalias !543
-  %v4115 = fmul double %v4093, %v4114
-  %v4116 = fsub double %v4108, %v4115
-  store double %v4116, ptr %v4107, align 8, !noalias !543
-  %v4117 = icmp sgt i64 %v4099, 1
-  br i1 %v4117, label %v4098, label %v4035
+v4023:
+  %v4025 = sub i64 %v4026, %v4006
+  %v4027 = icmp slt i64 %v4025, 1
+  br i1 %v4027, label %v4004, label %v4028
 
 v4029:
-  %v4118 = phi i64 [ 0, %v4025 ], [ %v4119, %v4029 ]
-  %v4119 = add nsw i64 %v4118, 1
-  %v4120 = mul i64 %v4118, %v197
-  %v4121 = getelementptr double, ptr %v4028, i64 %v4120
-  %v4122 = load double, ptr %v4121, align 8, !noalias !549
-  %v4123 = getelementptr double, ptr %v636, i64 %v4120
-  %v4124 = load double, ptr %v4123, align 8, !noalias !549
-  %v4125 = fadd double %v4122, %v4124
-  %v4126 = getelementptr i64, ptr %v246, i64 %v4118
-  %v4127 = load i64, ptr %v4126, align 8, !noalias !549
-  %v4128 = icmp slt i64 %v4127, 0
-  %v4129 = select i1 %v4128, i64 %v196, i64 0
-  %v4130 = add i64 %v4129, %v4127
-  %v4131 = mul i64 %v4130, %v197
-  %v4132 = getelementptr double, ptr %v638, i64 %v4131
-  store double %v4125, ptr %v4132, align 8, !noalias !549
-  %v4133 = icmp eq i64 %v10, %v4119
-  br i1 %v4133, label %v4034, label %v4029
+  %v4030 = icmp sgt i64 %v4031, 1
+  br i1 %v4030, label %v4028, label %v4004
 
-v4041:
-  %v4134 = phi i64 [ 0, %v4038 ], [ %v4135, %v4041 ]
-  %v4135 = add nsw i64 %v4134, 1
-  %v4136 = getelementptr i64, ptr %v246, i64 %v4134
-  %v4137 = load i64, ptr %v4136, align 8, !noalias !549
-  %v4138 = icmp slt i64 %v4137, 0
-  %v4139 = select i1 %v4138, i64 %v196, i64 0
-  %v4140 = add i64 %v4139, %v4137
-  %v4141 = mul i64 %v4140, %v197
-  %v4142 = getelementptr double, ptr %v645, i64 %v4141
-  %v4143 = load double, ptr %v4142, align 8, !noalias !549
-  %v4144 = mul i64 %v4134, %v197
-  %v4145 = getelementptr double, ptr %v4040, i64 %v4144
-  store double %v4143, ptr %v4145, align 8, !noalias !549
-  %v4146 = icmp eq i64 %v10, %v4135
-  br i1 %v4146, label %v4147, label %v4041
+v4003:
+  %v4009 = phi i64 [ %v4006, %v4004 ], [ 0, %v3991 ]
+  %v4006 = add nsw i64 %v4009, 1
+  %v4014 = mul nsw i64 %v4009, %v10
+  %v4032 = add nsw i64 %v4009, %v240
+  %v4033 = add nsw i64 %v4032, 1
+  %v4034 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4033, i64 %v10)
+  %v4035 = add i64 %v623, %v4032
+  %v4026 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4035, i64 %v10)
+  %v4036 = getelementptr double, ptr %v230, i64 %v4014
+  %v4021 = getelementptr double, ptr %v4036, i64 %v4009
+  %v4037 = sub i64 %v4034, %v4006
+  %v4038 = tail call i64 @llvm.smax.i64(i64 %v4037, i64 0)
+  %v4022 = icmp slt i64 %v4037, 1
+  br i1 %v4022, label %v4007, label %v4039
 
-v4147:
-  %v4148 = icmp eq i64 %v4149, %v625
-  br i1 %v4148, label %v1286, label %v4024
+v4039:
+  %v4040 = load double, ptr %v4021, align 8, !noalias !552
+  %v4041 = tail call double @llvm.fabs.f64(double %v4040)
+  br label %v4011
 
-v1286:
-  %v4150 = load i64, ptr %v646, align 8, !noalias !550
-  %v4151 = inttoptr i64 %v4150 to ptr
-  tail call void %v4151(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !550
-  br i1 %v294, label %v1284, label %v1274
+v4011:
+  %v4042 = phi i64 [ %v4010, %v4011 ], [ %v4009, %v4039 ]
+  %v4043 = phi double [ %v4044, %v4011 ], [ %v4041, %v4039 ]
+  %v4045 = phi i64 [ %v4046, %v4011 ], [ %v4038, %v4039 ]
+  %v4047 = phi i64 [ %v4048, %v4011 ], [ %v4006, %v4039 ]
+  %v4046 = add nsw i64 %v4045, -1
+  %v4048 = add i64 %v4047, 1
+  %v4049 = add nsw i64 %v4047, %v4014
+  %v4050 = icmp slt i64 %v4049, 0
+  %v4051 = select i1 %v4050, i64 %v231, i64 0
+  %v4052 = getelementptr double, ptr %v230, i64 %v4049
+  %v4053 = getelementptr double, ptr %v4052, i64 %v4051
+  %v4054 = load double, ptr %v4053, align 8, !noalias !552
+  %v4055 = tail call double @llvm.fabs.f64(double %v4054)
+  %v4056 = fcmp ogt double %v4055, %v4043
+  %v4044 = select i1 %v4056, double %v4055, double %v4043
+  %v4010 = select i1 %v4056, i64 %v4047, i64 %v4042
+  %v4057 = icmp sgt i64 %v4045, 1
+  br i1 %v4057, label %v4011, label %v4007
 
 v4024:
-  %v4149 = phi i64 [ %v4027, %v4147 ], [ 1, %v3696 ]
-  %v4027 = add i64 %v4149, 1
-  %v4152 = getelementptr i64, ptr %v6, i64 %v4149
-  %v4153 = getelementptr i8, ptr %v4152, i64 104
-  %v4154 = load i64, ptr %v4153, align 8, !noalias !553
-  %v4155 = inttoptr i64 %v4154 to ptr
-  tail call void %v4155(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !553
-  %v4156 = load i64, ptr %v6, align 8, !noalias !556
-  %v4157 = mul nsw i64 %v4027, %v629
-  %v4158 = getelementptr double, ptr %v159, i64 %v4157
-  %v4159 = inttoptr i64 %v4156 to ptr
-  tail call void %v4159(ptr %v628, ptr %v631, ptr %v166, ptr %v173, ptr %v180, ptr %v4158), !noalias !556
-  br i1 %v633, label %v4025, label %v4147
+  %v4058 = phi i64 [ %v4059, %v4024 ], [ %v4038, %v4007 ]
+  %v4060 = phi i64 [ %v4061, %v4024 ], [ %v4006, %v4007 ]
+  %v4059 = add nsw i64 %v4058, -1
+  %v4061 = add i64 %v4060, 1
+  %v4062 = add nsw i64 %v4060, %v4014
+  %v4063 = icmp slt i64 %v4062, 0
+  %v4064 = select i1 %v4063, i64 %v231, i64 0
+  %v4065 = getelementptr double, ptr %v230, i64 %v4062
+  %v4066 = getelementptr double, ptr %v4065, i64 %v4064
+  %v4067 = load double, ptr %v4066, align 8, !noalias !552
+  %v4068 = load double, ptr %v4021, align 8, !noalias !552
+  %v4069 = fdiv double %v4067, %v4068
+  store double %v4069, ptr %v4066, align 8, !noalias !552
+  %v4070 = icmp sgt i64 %v4058, 1
+  br i1 %v4070, label %v4024, label %v4023
 
-v1274:
-  %v1275 = phi i1 [ %v1281, %v1276 ], [ %v1262, %v1286 ]
-  %v4160 = phi i1 [ %v1273, %v1276 ], [ false, %v1286 ]
-  %v1283 = phi i64 [ %v4161, %v1276 ], [ %v295, %v1286 ]
-  %v1269 = phi i64 [ %v4162, %v1276 ], [ 0, %v1286 ]
-  %v4161 = add nsw i64 %v1283, -1
-  %v4162 = add nsw i64 %v1269, 1
-  br i1 %v4160, label %v1272, label %v1267
+v4028:
+  %v4031 = phi i64 [ %v4071, %v4029 ], [ %v4025, %v4023 ]
+  %v4072 = phi i64 [ %v4073, %v4029 ], [ %v4006, %v4023 ]
+  %v4071 = add nsw i64 %v4031, -1
+  %v4073 = add i64 %v4072, 1
+  %v4074 = mul nsw i64 %v4072, %v10
+  %v4075 = add nsw i64 %v4074, %v4008
+  %v4076 = icmp slt i64 %v4075, 0
+  %v4077 = select i1 %v4076, i64 %v231, i64 0
+  %v4078 = getelementptr double, ptr %v230, i64 %v4075
+  %v4079 = getelementptr double, ptr %v4078, i64 %v4077
+  %v4080 = load double, ptr %v4079, align 8, !noalias !552
+  %v4081 = add nsw i64 %v4074, %v4009
+  %v4082 = icmp slt i64 %v4081, 0
+  %v4083 = select i1 %v4082, i64 %v231, i64 0
+  %v4084 = getelementptr double, ptr %v230, i64 %v4081
+  %v4085 = getelementptr double, ptr %v4084, i64 %v4083
+  %v4086 = load double, ptr %v4085, align 8, !noalias !552
+  store double %v4086, ptr %v4079, align 8, !noalias !552
+  store double %v4080, ptr %v4085, align 8, !noalias !552
+  %v4087 = fcmp oeq double %v4080, 0.000000e+00
+  %v4088 = or i1 %v4022, %v4087
+  br i1 %v4088, label %v4029, label %v4089
 
-v1377:
-  %v1387 = xor i1 %v1372, true
-  %v4163 = xor i1 %v1373, true
-  %v1389 = select i1 %v4163, i1 true, i1 %v673
-  br label %v1290
+v4089:
+  %v4090 = phi i64 [ %v4091, %v4089 ], [ %v4038, %v4028 ]
+  %v4092 = phi i64 [ %v4093, %v4089 ], [ %v4006, %v4028 ]
+  %v4091 = add nsw i64 %v4090, -1
+  %v4093 = add i64 %v4092, 1
+  %v4094 = add nsw i64 %v4092, %v4074
+  %v4095 = icmp slt i64 %v4094, 0
+  %v4096 = select i1 %v4095, i64 %v231, i64 0
+  %v4097 = getelementptr double, ptr %v230, i64 %v4094
+  %v4098 = getelementptr double, ptr %v4097, i64 %v4096
+  %v4099 = load double, ptr %v4098, align 8, !noalias !552
+  %v4100 = add nsw i64 %v4092, %v4014
+  %v4101 = icmp slt i64 %v4100, 0
+  %v4102 = select i1 %v4101, i64 %v231, i64 0
+  %v4103 = getelementptr double, ptr %v230, i64 %v4100
+  %v4104 = getelementptr double, ptr %v4103, i64 %v4102
+  %v4105 = load double, ptr %v4104, align 8, !noalias !552
+  %v4106 = fmul double %v4080, %v4105
+  %v4107 = fsub double %v4099, %v4106
+  store double %v4107, ptr %v4098, align 8, !noalias !552
+  %v4108 = icmp sgt i64 %v4090, 1
+  br i1 %v4108, label %v4089, label %v4029
 
-v2944:
-  store ptr %v2941, ptr %v1, align 8
-  br label %v3687
+v3990:
+  %v3993 = phi i64 [ %v4002, %v3991 ], [ 0, %v3809 ]
+  %v4002 = add nsw i64 %v3993, 1
+  %v4109 = sub i64 %v3993, %v618
+  %v4110 = tail call i64 @llvm.smax.i64(i64 %v4109, i64 0)
+  %v4111 = add i64 %v619, %v3993
+  %v4112 = tail call i64 @llvm.smin.i64(i64 %v4111, i64 %v10)
+  %v4113 = sub i64 %v4112, %v4110
+  %v4114 = icmp slt i64 %v4113, 1
+  br i1 %v4114, label %v3991, label %v4115
 
-v2943:
-  %v4164 = select i1 %v1287, i1 %v1285, i1 false
-  %v4165 = xor i1 %v4164, true
-  %v4166 = or i1 %v294, %v4165
-  br i1 %v4166, label %v3019, label %v3020
+v4115:
+  %v4116 = mul nsw i64 %v3993, %v10
+  br label %v4117
 
-v3635:
-  %v3639 = select i1 %v3632, i64 0, i64 %v1059
-  br label %v1056
+v4117:
+  %v4118 = phi i64 [ %v4113, %v4115 ], [ %v4119, %v4117 ]
+  %v4120 = phi i64 [ %v4110, %v4115 ], [ %v4121, %v4117 ]
+  %v4119 = add nsw i64 %v4118, -1
+  %v4121 = add i64 %v4120, 1
+  %v4122 = add nsw i64 %v4120, %v4116
+  %v4123 = icmp slt i64 %v4122, 0
+  %v4124 = select i1 %v4123, i64 %v224, i64 0
+  %v4125 = getelementptr double, ptr %v223, i64 %v4122
+  %v4126 = getelementptr double, ptr %v4125, i64 %v4124
+  %v4127 = load double, ptr %v4126, align 8, !noalias !534
+  %v4128 = fneg double %v4127
+  %v4129 = select i1 %v4123, i64 %v231, i64 0
+  %v4130 = getelementptr double, ptr %v230, i64 %v4122
+  %v4131 = getelementptr double, ptr %v4130, i64 %v4129
+  store double %v4128, ptr %v4131, align 8, !noalias !534
+  %v4132 = icmp sgt i64 %v4118, 1
+  br i1 %v4132, label %v4117, label %v3991
 
-v3644:
-  store i64 %v3643, ptr %v0, align 8
-  br label %v3687
+v3805:
+  br i1 %v626, label %v1294, label %v4133
+
+v4134:
+  %v4135 = mul i64 %v4136, %v634
+  %v4137 = getelementptr double, ptr %v194, i64 %v4135
+  br label %v4138
+
+v4139:
+  %v4140 = icmp eq i64 %v10, %v4141
+  br i1 %v4140, label %v4142, label %v4143
+
+v4144:
+  %v4145 = icmp sgt i64 %v4146, 1
+  br i1 %v4145, label %v4142, label %v4147
+
+v4147:
+  %v4148 = mul i64 %v4136, %v643
+  %v4149 = getelementptr double, ptr %v194, i64 %v4148
+  br label %v4150
+
+v4143:
+  %v4151 = phi i64 [ %v4141, %v4139 ], [ 0, %v4138 ]
+  %v4141 = add nsw i64 %v4151, 1
+  %v4152 = getelementptr i64, ptr %v237, i64 %v4151
+  %v4153 = load i64, ptr %v4152, align 8, !noalias !555
+  %v4154 = add nsw i64 %v4153, %v639
+  %v4155 = icmp slt i64 %v4154, 0
+  %v4156 = select i1 %v4155, i64 %v160, i64 0
+  %v4157 = getelementptr double, ptr %v159, i64 %v4154
+  %v4158 = getelementptr double, ptr %v4157, i64 %v4156
+  %v4159 = load double, ptr %v4158, align 8, !noalias !555
+  %v4160 = getelementptr double, ptr %v641, i64 %v4151
+  %v4161 = load double, ptr %v4160, align 8, !noalias !555
+  store double %v4161, ptr %v4158, align 8, !noalias !555
+  store double %v4159, ptr %v4160, align 8, !noalias !555
+  %v4162 = add i64 %v640, %v4151
+  %v4163 = tail call i64 @llvm.smin.i64(i64 %v4162, i64 %v10)
+  %v4164 = sub i64 %v4163, %v4141
+  %v4165 = icmp slt i64 %v4164, 1
+  br i1 %v4165, label %v4139, label %v4166
+
+v4166:
+  %v4167 = mul nsw i64 %v4151, %v10
+  br label %v4168
+
+v4168:
+  %v4169 = phi i64 [ %v4164, %v4166 ], [ %v4170, %v4168 ]
+  %v4171 = phi i64 [ %v4141, %v4166 ], [ %v4172, %v4168 ]
+  %v4170 = add nsw i64 %v4169, -1
+  %v4172 = add i64 %v4171, 1
+  %v4173 = add nsw i64 %v4171, %v639
+  %v4174 = icmp slt i64 %v4173, 0
+  %v4175 = select i1 %v4174, i64 %v160, i64 0
+  %v4176 = getelementptr double, ptr %v159, i64 %v4173
+  %v4177 = getelementptr double, ptr %v4176, i64 %v4175
+  %v4178 = load double, ptr %v4177, align 8, !noalias !555
+  %v4179 = add nsw i64 %v4171, %v4167
+  %v4180 = icmp slt i64 %v4179, 0
+  %v4181 = select i1 %v4180, i64 %v231, i64 0
+  %v4182 = getelementptr double, ptr %v230, i64 %v4179
+  %v4183 = getelementptr double, ptr %v4182, i64 %v4181
+  %v4184 = load double, ptr %v4183, align 8, !noalias !555
+  %v4185 = fmul double %v4159, %v4184
+  %v4186 = fsub double %v4178, %v4185
+  store double %v4186, ptr %v4177, align 8, !noalias !555
+  %v4187 = icmp sgt i64 %v4169, 1
+  br i1 %v4187, label %v4168, label %v4139
+
+v4142:
+  %v4146 = phi i64 [ %v4188, %v4144 ], [ %v10, %v4139 ]
+  %v4188 = add nsw i64 %v4146, -1
+  %v4189 = add nsw i64 %v4188, %v639
+  %v4190 = icmp slt i64 %v4189, 0
+  %v4191 = select i1 %v4190, i64 %v160, i64 0
+  %v4192 = getelementptr double, ptr %v159, i64 %v4189
+  %v4193 = getelementptr double, ptr %v4192, i64 %v4191
+  %v4194 = load double, ptr %v4193, align 8, !noalias !555
+  %v4195 = mul nsw i64 %v4188, %v10
+  %v4196 = add nsw i64 %v4195, %v4188
+  %v4197 = icmp slt i64 %v4196, 0
+  %v4198 = select i1 %v4197, i64 %v231, i64 0
+  %v4199 = getelementptr double, ptr %v230, i64 %v4196
+  %v4200 = getelementptr double, ptr %v4199, i64 %v4198
+  %v4201 = load double, ptr %v4200, align 8, !noalias !555
+  %v4202 = fdiv double %v4194, %v4201
+  store double %v4202, ptr %v4193, align 8, !noalias !555
+  %v4203 = sub i64 %v4188, %v642
+  %v4204 = tail call i64 @llvm.smax.i64(i64 %v4203, i64 0)
+  %v4205 = sub i64 %v4188, %v4204
+  %v4206 = icmp slt i64 %v4205, 1
+  br i1 %v4206, label %v4144, label %v4207
+
+v4207:
+  %v4208 = phi i64 [ %v4209, %v4207 ], [ %v4205, %v4142 ]
+  %v4210 = phi i64 [ %v4211, %v4207 ], [ %v4204, %v4142 ]
+  %v4209 = add nsw i64 %v4208, -1
+  %v4211 = add i64 %v4210, 1
+  %v4212 = add nsw i64 %v4210, %v639
+  %v4213 = icmp slt i64 %v4212, 0
+  %v4214 = select i1 %v4213, i64 %v160, i64 0
+  %v4215 = getelementptr double, ptr %v159, i64 %v4212
+  %v4216 = getelementptr double, ptr %v4215, i64 %v4214
+  %v4217 = load double, ptr %v4216, align 8, !noalias !555
+  %v4218 = add nsw i64 %v4210, %v4195
+  %v4219 = icmp slt i64 %v4218, 0
+  %v4220 = select i1 %v4219, i64 %v231, i64 0
+  %v4221 = getelementptr double, ptr %v230, i64 %v4218
+  %v4222 = getelementptr double, ptr %v4221, i64 %v4220
+  %v4223 = load double, ptr %v4222, align 8, !noalias !555
+  %v4224 = fmul double %v4202, %v4223
+  %v4225 = fsub double %v4217, %v4224
+  store double %v4225, ptr %v4216, align 8, !noalias !555
+  %v4226 = icmp sgt i64 %v4208, 1
+  br i1 %v4226, label %v4207, label %v4144
+
+v4138:
+  %v4227 = phi i64 [ 0, %v4134 ], [ %v4228, %v4138 ]
+  %v4228 = add nsw i64 %v4227, 1
+  %v4229 = mul i64 %v4227, %v197
+  %v4230 = getelementptr double, ptr %v4137, i64 %v4229
+  %v4231 = load double, ptr %v4230, align 8, !noalias !561
+  %v4232 = getelementptr double, ptr %v636, i64 %v4229
+  %v4233 = load double, ptr %v4232, align 8, !noalias !561
+  %v4234 = fadd double %v4231, %v4233
+  %v4235 = getelementptr i64, ptr %v246, i64 %v4227
+  %v4236 = load i64, ptr %v4235, align 8, !noalias !561
+  %v4237 = icmp slt i64 %v4236, 0
+  %v4238 = select i1 %v4237, i64 %v196, i64 0
+  %v4239 = add i64 %v4238, %v4236
+  %v4240 = mul i64 %v4239, %v197
+  %v4241 = getelementptr double, ptr %v638, i64 %v4240
+  store double %v4234, ptr %v4241, align 8, !noalias !561
+  %v4242 = icmp eq i64 %v10, %v4228
+  br i1 %v4242, label %v4143, label %v4138
+
+v4150:
+  %v4243 = phi i64 [ 0, %v4147 ], [ %v4244, %v4150 ]
+  %v4244 = add nsw i64 %v4243, 1
+  %v4245 = getelementptr i64, ptr %v246, i64 %v4243
+  %v4246 = load i64, ptr %v4245, align 8, !noalias !561
+  %v4247 = icmp slt i64 %v4246, 0
+  %v4248 = select i1 %v4247, i64 %v196, i64 0
+  %v4249 = add i64 %v4248, %v4246
+  %v4250 = mul i64 %v4249, %v197
+  %v4251 = getelementptr double, ptr %v645, i64 %v4250
+  %v4252 = load double, ptr %v4251, align 8, !noalias !561
+  %v4253 = mul i64 %v4243, %v197
+  %v4254 = getelementptr double, ptr %v4149, i64 %v4253
+  store double %v4252, ptr %v4254, align 8, !noalias !561
+  %v4255 = icmp eq i64 %v10, %v4244
+  br i1 %v4255, label %v4256, label %v4150
+
+v4256:
+  %v4257 = icmp eq i64 %v4258, %v625
+  br i1 %v4257, label %v1294, label %v4133
+
+v1294:
+  %v4259 = load i64, ptr %v646, align 8, !noalias !562
+  %v4260 = inttoptr i64 %v4259 to ptr
+  tail call void %v4260(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !562
+  br i1 %v294, label %v1292, label %v1282
+
+v4133:
+  %v4258 = phi i64 [ %v4136, %v4256 ], [ 1, %v3805 ]
+  %v4136 = add i64 %v4258, 1
+  %v4261 = getelementptr i64, ptr %v6, i64 %v4258
+  %v4262 = getelementptr i8, ptr %v4261, i64 104
+  %v4263 = load i64, ptr %v4262, align 8, !noalias !565
+  %v4264 = inttoptr i64 %v4263 to ptr
+  tail call void %v4264(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !565
+  %v4265 = load i64, ptr %v6, align 8, !noalias !568
+  %v4266 = mul nsw i64 %v4136, %v629
+  %v4267 = getelementptr double, ptr %v159, i64 %v4266
+  %v4268 = inttoptr i64 %v4265 to ptr
+  tail call void %v4268(ptr %v628, ptr %v631, ptr %v166, ptr %v173, ptr %v180, ptr %v4267), !noalias !568
+  br i1 %v633, label %v4134, label %v4256
+
+v1282:
+  %v1283 = phi i1 [ %v1289, %v1284 ], [ %v1270, %v1294 ]
+  %v4269 = phi i1 [ %v1281, %v1284 ], [ false, %v1294 ]
+  %v1291 = phi i64 [ %v4270, %v1284 ], [ %v295, %v1294 ]
+  %v1277 = phi i64 [ %v4271, %v1284 ], [ 0, %v1294 ]
+  %v4270 = add nsw i64 %v1291, -1
+  %v4271 = add nsw i64 %v1277, 1
+  br i1 %v4269, label %v1280, label %v1275
+
+v1385:
+  %v1395 = xor i1 %v1380, true
+  %v4272 = xor i1 %v1381, true
+  %v1397 = select i1 %v4272, i1 true, i1 %v673
+  br label %v1298
+
+v3048:
+  store ptr %v3045, ptr %v1, align 8
+  br label %v3796
+
+v3047:
+  %v4273 = select i1 %v1295, i1 %v1293, i1 false
+  %v4274 = xor i1 %v4273, true
+  %v4275 = or i1 %v294, %v4274
+  br i1 %v4275, label %v3168, label %v3169
+
+v3744:
+  %v3748 = select i1 %v3741, i64 0, i64 %v1067
+  br label %v1064
+
+v3753:
+  store i64 %v3752, ptr %v0, align 8
+  br label %v3796
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -5242,9 +5376,9 @@ v65:
 v68:
   %v67 = add i64 %v66, 1
   %v71 = getelementptr double, ptr %v63, i64 %v66
-  %v72 = load double, ptr %v71, align 8, !noalias !559
+  %v72 = load double, ptr %v71, align 8, !noalias !571
   %v73 = getelementptr double, ptr %v64, i64 %v66
-  %v74 = load double, ptr %v73, align 8, !noalias !559
+  %v74 = load double, ptr %v73, align 8, !noalias !571
   %v75 = fneg double %v74
   %v76 = fcmp olt double %v72, %v75
   br i1 %v76, label %v70, label %v65
@@ -5320,31 +5454,31 @@ v137:
   %v141 = add i64 %v140, %v127
   %v142 = getelementptr double, ptr %v105, i64 %v141
   %v143 = getelementptr double, ptr %v142, i64 %v104
-  %v144 = load double, ptr %v143, align 8, !noalias !563
-  %v145 = load double, ptr %v142, align 8, !noalias !563
+  %v144 = load double, ptr %v143, align 8, !noalias !575
+  %v145 = load double, ptr %v142, align 8, !noalias !575
   %v146 = fmul double %v145, 0x3FDDF27AAAADCB3A
   %v147 = fsub double %v144, %v146
   %v148 = getelementptr i8, ptr %v142, i64 %v119
-  %v149 = load double, ptr %v148, align 8, !noalias !563
+  %v149 = load double, ptr %v148, align 8, !noalias !575
   %v150 = fmul double %v149, 0x3FEC575F1EBC4F2F
   %v151 = fsub double %v147, %v150
   %v152 = getelementptr i8, ptr %v142, i64 %v120
-  %v153 = load double, ptr %v152, align 8, !noalias !563
+  %v153 = load double, ptr %v152, align 8, !noalias !575
   %v154 = fmul double %v153, 0x3FE1306AA3D795F4
   %v155 = fadd double %v151, %v154
   %v156 = getelementptr i8, ptr %v142, i64 %v121
-  %v157 = load double, ptr %v156, align 8, !noalias !563
+  %v157 = load double, ptr %v156, align 8, !noalias !575
   %v158 = fmul double %v157, 0x3FCCB9F574BDCC3A
   %v159 = fsub double %v155, %v158
   %v160 = getelementptr i8, ptr %v142, i64 %v122
-  %v161 = load double, ptr %v160, align 8, !noalias !563
+  %v161 = load double, ptr %v160, align 8, !noalias !575
   %v162 = fmul double %v161, 0x3FA4EAF2D6B11E79
   %v163 = fadd double %v159, %v162
   %v164 = tail call double @llvm.fabs.f64(double %v163)
   %v165 = fcmp ogt double %v164, 0.000000e+00
   %v166 = select i1 %v165, double %v164, double 0.000000e+00
   %v167 = getelementptr i8, ptr %v142, i64 %v123
-  %v168 = load double, ptr %v167, align 8, !noalias !563
+  %v168 = load double, ptr %v167, align 8, !noalias !575
   %v169 = fmul double %v145, 0x3FA5118805F8B876
   %v170 = fadd double %v168, %v169
   %v171 = fmul double %v149, 0x3FE51326698BC5BD
@@ -5359,7 +5493,7 @@ v137:
   %v180 = fcmp ogt double %v179, %v166
   %v181 = select i1 %v180, double %v179, double %v166
   %v182 = getelementptr i8, ptr %v142, i64 %v124
-  %v183 = load double, ptr %v182, align 8, !noalias !563
+  %v183 = load double, ptr %v182, align 8, !noalias !575
   %v184 = fmul double %v145, 0x3F9635A30F8F142F
   %v185 = fsub double %v183, %v184
   %v186 = fmul double %v149, 0x3FC1EAE0FF33D241
@@ -5374,7 +5508,7 @@ v137:
   %v195 = fcmp ogt double %v194, %v181
   %v196 = select i1 %v195, double %v194, double %v181
   %v197 = getelementptr i8, ptr %v142, i64 %v125
-  %v198 = load double, ptr %v197, align 8, !noalias !563
+  %v198 = load double, ptr %v197, align 8, !noalias !575
   %v199 = fmul double %v145, 0x3FA4F0C0BB579409
   %v200 = fadd double %v198, %v199
   %v201 = fmul double %v149, 0x3FCD2266FBC0D976
@@ -5389,7 +5523,7 @@ v137:
   %v210 = fcmp ogt double %v209, %v196
   %v211 = select i1 %v210, double %v209, double %v196
   %v212 = getelementptr double, ptr %v107, i64 %v141
-  %v213 = load double, ptr %v212, align 8, !noalias !570
+  %v213 = load double, ptr %v212, align 8, !noalias !582
   %v214 = tail call double @llvm.fabs.f64(double %v213)
   %v215 = fsub double %v144, %v145
   %v216 = tail call double @llvm.fabs.f64(double %v215)
@@ -5440,13 +5574,13 @@ v250:
   %v263 = add i64 %v260, %v262
   %v264 = mul i64 %v263, %v104
   %v265 = getelementptr double, ptr %v142, i64 %v264
-  %v266 = load double, ptr %v265, align 8, !noalias !571
+  %v266 = load double, ptr %v265, align 8, !noalias !583
   %v267 = icmp slt i64 %v251, 0
   %v268 = select i1 %v267, i64 %v13, i64 0
   %v269 = add i64 %v268, %v251
   %v270 = mul i64 %v269, %v104
   %v271 = getelementptr double, ptr %v142, i64 %v270
-  %v272 = load double, ptr %v271, align 8, !noalias !571
+  %v272 = load double, ptr %v271, align 8, !noalias !583
   %v273 = fcmp olt double %v272, %v258
   %v274 = select i1 %v273, double %v272, double %v258
   %v275 = icmp slt i64 %v251, %v109
@@ -5459,7 +5593,7 @@ v276:
   %v280 = add i64 %v277, %v279
   %v281 = mul i64 %v280, %v104
   %v282 = getelementptr double, ptr %v142, i64 %v281
-  %v283 = load double, ptr %v282, align 8, !noalias !571
+  %v283 = load double, ptr %v282, align 8, !noalias !583
   %v284 = fsub double %v266, %v272
   %v285 = tail call double @llvm.fabs.f64(double %v284)
   %v286 = fsub double %v283, %v272
@@ -5545,7 +5679,7 @@ v248:
   %v342 = phi double [ 0x7FF0000000000000, %v137 ], [ %v259, %v253 ], [ 0.000000e+00, %v292 ], [ 0.000000e+00, %v295 ], [ 0.000000e+00, %v320 ], [ 0.000000e+00, %v327 ]
   %v133 = phi ptr [ %v132, %v137 ], [ %v132, %v253 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9, %v292 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9, %v295 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9, %v320 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9, %v327 ]
   %v343 = phi i32 [ 0, %v137 ], [ 0, %v253 ], [ 1, %v292 ], [ 1, %v295 ], [ 1, %v320 ], [ 1, %v327 ]
-  br i1 %v341, label %v138, label %v344, !prof !389
+  br i1 %v341, label %v138, label %v344, !prof !397
 
 v129:
   %v345 = fcmp ule double %v211, %v246
@@ -5568,31 +5702,31 @@ v138:
 
 v356:
   %v357 = fmul double %v102, 5.000000e-01
-  store double 0.000000e+00, ptr %v31, align 8, !noalias !575
+  store double 0.000000e+00, ptr %v31, align 8, !noalias !587
   %v358 = shl i64 %v9, 5
   %v359 = getelementptr i8, ptr %v8, i64 %v358
-  store double 0.000000e+00, ptr %v359, align 8, !noalias !575
+  store double 0.000000e+00, ptr %v359, align 8, !noalias !587
   %v360 = getelementptr double, ptr %v8, i64 %v9
-  store double %v357, ptr %v360, align 8, !noalias !575
-  %v361 = load i64, ptr %v10, align 8, !noalias !575
+  store double %v357, ptr %v360, align 8, !noalias !587
+  %v361 = load i64, ptr %v10, align 8, !noalias !587
   %v362 = icmp slt i64 %v361, 0
   %v363 = select i1 %v362, i64 %v6, i64 0
   %v364 = add i64 %v363, %v361
   %v365 = mul i64 %v364, %v7
   %v366 = getelementptr i64, ptr %v5, i64 %v365
-  %v367 = load i64, ptr %v366, align 8, !noalias !575
+  %v367 = load i64, ptr %v366, align 8, !noalias !587
   %v368 = add nsw i64 %v367, -1
-  store i64 %v368, ptr %v366, align 8, !noalias !575
-  %v369 = load i64, ptr %v10, align 8, !noalias !575
+  store i64 %v368, ptr %v366, align 8, !noalias !587
+  %v369 = load i64, ptr %v10, align 8, !noalias !587
   %v370 = icmp slt i64 %v369, 0
   %v371 = select i1 %v370, i64 %v6, i64 0
   %v372 = add i64 %v371, %v369
   %v373 = mul i64 %v372, %v7
   %v374 = getelementptr i64, ptr %v5, i64 %v373
   %v375 = getelementptr i8, ptr %v374, i64 24
-  %v376 = load i64, ptr %v375, align 8, !noalias !575
+  %v376 = load i64, ptr %v375, align 8, !noalias !587
   %v377 = add nsw i64 %v376, 1
-  store i64 %v377, ptr %v375, align 8, !noalias !575
+  store i64 %v377, ptr %v375, align 8, !noalias !587
   store i64 -1, ptr %v20, align 8
   br label %v37
 
@@ -5657,9 +5791,9 @@ v398:
   %v401 = phi i64 [ 0, %v96 ], [ %v402, %v398 ]
   %v402 = add nsw i64 %v401, 1
   %v403 = getelementptr double, ptr %v395, i64 %v401
-  %v404 = load double, ptr %v403, align 8, !noalias !578
+  %v404 = load double, ptr %v403, align 8, !noalias !590
   %v405 = getelementptr double, ptr %v397, i64 %v401
-  %v406 = load double, ptr %v405, align 8, !noalias !578
+  %v406 = load double, ptr %v405, align 8, !noalias !590
   %v407 = fadd double %v404, %v406
   %v408 = fcmp olt double %v407, %v399
   %v400 = select i1 %v408, double %v407, double %v399
@@ -5690,9 +5824,9 @@ v424:
   %v427 = phi i64 [ 0, %v417 ], [ %v428, %v424 ]
   %v428 = add nsw i64 %v427, 1
   %v429 = getelementptr double, ptr %v421, i64 %v427
-  %v430 = load double, ptr %v429, align 8, !noalias !582
+  %v430 = load double, ptr %v429, align 8, !noalias !594
   %v431 = getelementptr double, ptr %v423, i64 %v427
-  %v432 = load double, ptr %v431, align 8, !noalias !582
+  %v432 = load double, ptr %v431, align 8, !noalias !594
   %v433 = fadd double %v430, %v432
   %v434 = fcmp olt double %v433, %v425
   %v426 = select i1 %v434, double %v433, double %v425
@@ -5710,13 +5844,13 @@ v416:
   br i1 %v18, label %v37, label %v441
 
 v441:
-  %v442 = load double, ptr %v8, align 8, !noalias !586
+  %v442 = load double, ptr %v8, align 8, !noalias !598
   %v443 = tail call double @llvm.fabs.f64(double %v442)
   %v444 = fmul double %v443, 4.000000e-15
   %v445 = getelementptr double, ptr %v3, i64 %v4
   %v446 = getelementptr i8, ptr %v445, i64 -8
-  %v447 = load double, ptr %v446, align 8, !noalias !586
-  %v448 = load double, ptr %v3, align 8, !noalias !586
+  %v447 = load double, ptr %v446, align 8, !noalias !598
+  %v448 = load double, ptr %v3, align 8, !noalias !598
   %v449 = fsub double %v447, %v448
   %v450 = fmul double %v449, 1.000000e-13
   %v451 = fcmp ogt double %v444, %v450
@@ -5992,9 +6126,9 @@ v151:
 !102 = !{!103, !105, !107}
 !103 = distinct !{!103, !104, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
 !104 = distinct !{!104, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
-!105 = distinct !{!105, !106, !"_ZN5pages12time_stepper13handle_eventsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %retptr"}
-!106 = distinct !{!106, !"_ZN5pages12time_stepper13handle_eventsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb"}
-!107 = distinct !{!107, !106, !"_ZN5pages12time_stepper13handle_eventsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %excinfo"}
+!105 = distinct !{!105, !106, !"_ZN5pages12time_stepper13handle_eventsB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %retptr"}
+!106 = distinct !{!106, !"_ZN5pages12time_stepper13handle_eventsB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb"}
+!107 = distinct !{!107, !106, !"_ZN5pages12time_stepper13handle_eventsB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %excinfo"}
 !108 = !{!109, !105, !107}
 !109 = distinct !{!109, !110, !"_ZN5pages13solver_layout7formulaB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2813_29: %retptr"}
 !110 = distinct !{!110, !"_ZN5pages13solver_layout7formulaB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2813_29"}
@@ -6157,326 +6291,338 @@ v151:
 !267 = distinct !{!267, !268, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %retptr"}
 !268 = distinct !{!268, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29"}
 !269 = distinct !{!269, !268, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %excinfo"}
-!270 = !{!271, !211, !213, !181, !183, !105, !107}
-!271 = distinct !{!271, !272, !"_ZN5pages13solver_layout4failB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29: %retptr"}
-!272 = distinct !{!272, !"_ZN5pages13solver_layout4failB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29"}
-!273 = !{!274, !276, !211, !213, !181, !183, !105, !107}
-!274 = distinct !{!274, !275, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %retptr"}
-!275 = distinct !{!275, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29"}
-!276 = distinct !{!276, !275, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %excinfo"}
-!277 = !{!278, !280, !181, !183, !105, !107}
-!278 = distinct !{!278, !279, !"_ZN5pages14event_location11pass_eventsB3v80B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!279 = distinct !{!279, !"_ZN5pages14event_location11pass_eventsB3v80B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!280 = distinct !{!280, !279, !"_ZN5pages14event_location11pass_eventsB3v80B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!281 = !{!282, !284, !285, !287, !278, !280, !181, !183, !105, !107}
-!282 = distinct !{!282, !283, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!283 = distinct !{!283, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!284 = distinct !{!284, !283, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!285 = distinct !{!285, !286, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!286 = distinct !{!286, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!287 = distinct !{!287, !286, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!288 = !{!289, !291, !282, !284, !285, !287, !278, !280, !181, !183, !105, !107}
-!289 = distinct !{!289, !290, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!290 = distinct !{!290, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!291 = distinct !{!291, !290, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!292 = !{!293, !285, !287, !278, !280, !181, !183, !105, !107}
-!293 = distinct !{!293, !294, !"_ZN5pages13solver_layout6decideB3v55B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
-!294 = distinct !{!294, !"_ZN5pages13solver_layout6decideB3v55B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedExx"}
-!295 = !{!296, !278, !280, !181, !183, !105, !107}
-!296 = distinct !{!296, !297, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
-!297 = distinct !{!297, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
-!298 = !{!299, !301, !302, !278, !280, !181, !183, !105, !107}
-!299 = distinct !{!299, !300, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx: %retptr"}
-!300 = distinct !{!300, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx"}
-!301 = distinct !{!301, !300, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx: %excinfo"}
-!302 = distinct !{!302, !303, !"_ZN5pages14event_location6narrowB3v71B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!303 = distinct !{!303, !"_ZN5pages14event_location6narrowB3v71B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!304 = !{!302, !278, !280, !181, !183, !105, !107}
-!305 = !{!306, !308, !309, !311, !302, !278, !280, !181, !183, !105, !107}
-!306 = distinct !{!306, !307, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!307 = distinct !{!307, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!308 = distinct !{!308, !307, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!309 = distinct !{!309, !310, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!310 = distinct !{!310, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!311 = distinct !{!311, !310, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!312 = !{!313, !315, !306, !308, !309, !311, !302, !278, !280, !181, !183, !105, !107}
-!313 = distinct !{!313, !314, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!314 = distinct !{!314, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!315 = distinct !{!315, !314, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!316 = !{!317, !309, !311, !302, !278, !280, !181, !183, !105, !107}
-!317 = distinct !{!317, !318, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %retptr"}
-!318 = distinct !{!318, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29"}
-!319 = !{!309, !311, !302, !278, !280, !181, !183, !105, !107}
-!320 = !{!321, !323, !302, !278, !280, !181, !183, !105, !107}
-!321 = distinct !{!321, !322, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %retptr"}
-!322 = distinct !{!322, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29"}
-!323 = distinct !{!323, !322, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %excinfo"}
-!324 = !{!325, !327, !329, !278, !280, !181, !183, !105, !107}
-!325 = distinct !{!325, !326, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!326 = distinct !{!326, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!327 = distinct !{!327, !328, !"_ZN5pages14event_location18exchange_decisionsB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %retptr"}
-!328 = distinct !{!328, !"_ZN5pages14event_location18exchange_decisionsB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29"}
-!329 = distinct !{!329, !328, !"_ZN5pages14event_location18exchange_decisionsB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %excinfo"}
-!330 = !{!327, !329, !278, !280, !181, !183, !105, !107}
-!331 = !{!332, !334, !278, !280, !181, !183, !105, !107}
-!332 = distinct !{!332, !333, !"_ZN5pages14event_location12rates_changeB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!333 = distinct !{!333, !"_ZN5pages14event_location12rates_changeB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!334 = distinct !{!334, !333, !"_ZN5pages14event_location12rates_changeB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!335 = !{!336, !338, !339, !341, !332, !334, !278, !280, !181, !183, !105, !107}
-!336 = distinct !{!336, !337, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!337 = distinct !{!337, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!338 = distinct !{!338, !337, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!339 = distinct !{!339, !340, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!340 = distinct !{!340, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!341 = distinct !{!341, !340, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!342 = !{!343, !345, !336, !338, !339, !341, !332, !334, !278, !280, !181, !183, !105, !107}
-!343 = distinct !{!343, !344, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!344 = distinct !{!344, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!345 = distinct !{!345, !344, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!346 = !{!347, !339, !341, !332, !334, !278, !280, !181, !183, !105, !107}
-!347 = distinct !{!347, !348, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %retptr"}
-!348 = distinct !{!348, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29"}
-!349 = !{!339, !341, !332, !334, !278, !280, !181, !183, !105, !107}
-!350 = !{!351, !353, !332, !334, !278, !280, !181, !183, !105, !107}
-!351 = distinct !{!351, !352, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!352 = distinct !{!352, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!353 = distinct !{!353, !352, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!354 = !{!355, !357, !351, !353, !332, !334, !278, !280, !181, !183, !105, !107}
-!355 = distinct !{!355, !356, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!356 = distinct !{!356, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!357 = distinct !{!357, !356, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!358 = !{!359, !361, !363, !332, !334, !278, !280, !181, !183, !105, !107}
-!359 = distinct !{!359, !360, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!360 = distinct !{!360, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!361 = distinct !{!361, !362, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
-!362 = distinct !{!362, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
-!363 = distinct !{!363, !362, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
-!364 = !{!361, !363, !332, !334, !278, !280, !181, !183, !105, !107}
-!365 = !{!366, !368, !370, !332, !334, !278, !280, !181, !183, !105, !107}
-!366 = distinct !{!366, !367, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!367 = distinct !{!367, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!368 = distinct !{!368, !369, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
-!369 = distinct !{!369, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
-!370 = distinct !{!370, !369, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
-!371 = !{!368, !370, !332, !334, !278, !280, !181, !183, !105, !107}
-!372 = !{!373, !332, !334, !278, !280, !181, !183, !105, !107}
-!373 = distinct !{!373, !374, !"_ZN5pages13solver_layout10derivativeB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2814_29: %retptr"}
-!374 = distinct !{!374, !"_ZN5pages13solver_layout10derivativeB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2814_29"}
-!375 = !{!376, !378, !380, !332, !334, !278, !280, !181, !183, !105, !107}
-!376 = distinct !{!376, !377, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!377 = distinct !{!377, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!378 = distinct !{!378, !379, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
-!379 = distinct !{!379, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
-!380 = distinct !{!380, !379, !"_ZN5pages14event_location18exchange_decisionsB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
-!381 = !{!382, !332, !334, !278, !280, !181, !183, !105, !107}
-!382 = distinct !{!382, !383, !"_ZN5pages13solver_layout10derivativeB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2815_29: %retptr"}
-!383 = distinct !{!383, !"_ZN5pages13solver_layout10derivativeB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2815_29"}
-!384 = !{!385, !387, !332, !334, !278, !280, !181, !183, !105, !107}
-!385 = distinct !{!385, !386, !"_ZN5pages14event_location12rates_differB3v85B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!386 = distinct !{!386, !"_ZN5pages14event_location12rates_differB3v85B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!387 = distinct !{!387, !386, !"_ZN5pages14event_location12rates_differB3v85B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!388 = !{!378, !380, !332, !334, !278, !280, !181, !183, !105, !107}
-!389 = !{!"branch_weights", i32 1, i32 99}
-!390 = !{!"branch_weights", i32 101, i32 99}
-!391 = !{!392, !394, !181, !183, !105, !107}
-!392 = distinct !{!392, !393, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!393 = distinct !{!393, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!394 = distinct !{!394, !393, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!395 = !{!396, !398, !399, !401, !181, !183, !105, !107}
-!396 = distinct !{!396, !397, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!397 = distinct !{!397, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!398 = distinct !{!398, !397, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!399 = distinct !{!399, !400, !"_ZN5pages14event_location8end_stepB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!400 = distinct !{!400, !"_ZN5pages14event_location8end_stepB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!401 = distinct !{!401, !400, !"_ZN5pages14event_location8end_stepB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!402 = !{!403, !405, !396, !398, !399, !401, !181, !183, !105, !107}
-!403 = distinct !{!403, !404, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!404 = distinct !{!404, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!405 = distinct !{!405, !404, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!406 = !{!399, !401, !181, !183, !105, !107}
-!407 = !{!408, !399, !401, !181, !183, !105, !107}
-!408 = distinct !{!408, !409, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
-!409 = distinct !{!409, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
-!410 = !{!411, !399, !401, !181, !183, !105, !107}
-!411 = distinct !{!411, !412, !"_ZN5pages13solver_layout6decideB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_288_29: %retptr"}
-!412 = distinct !{!412, !"_ZN5pages13solver_layout6decideB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_288_29"}
-!413 = !{!414, !181, !183, !105, !107}
-!414 = distinct !{!414, !415, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
-!415 = distinct !{!415, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
-!416 = !{!121, !123, !105, !107}
-!417 = !{!418, !420, !121, !123, !105, !107}
-!418 = distinct !{!418, !419, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!419 = distinct !{!419, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!420 = distinct !{!420, !419, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!421 = !{!422}
-!422 = distinct !{!422, !423, !"_ZN5pages12time_stepper13write_samplesB3v89B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29b: %retptr"}
-!423 = distinct !{!423, !"_ZN5pages12time_stepper13write_samplesB3v89B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29b"}
-!424 = !{!425, !427, !422}
-!425 = distinct !{!425, !426, !"_ZN5pages13solver_layout11interpolateB3v90B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd: %retptr"}
-!426 = distinct !{!426, !"_ZN5pages13solver_layout11interpolateB3v90B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd"}
-!427 = distinct !{!427, !426, !"_ZN5pages13solver_layout11interpolateB3v90B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd: %excinfo"}
-!428 = !{!429}
-!429 = distinct !{!429, !430, !"_ZN5pages13solver_layout7formulaB3v91B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %retptr"}
-!430 = distinct !{!430, !"_ZN5pages13solver_layout7formulaB3v91B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29"}
-!431 = !{!432, !434}
-!432 = distinct !{!432, !433, !"_ZN5pages14event_location20restart_behind_eventB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!433 = distinct !{!433, !"_ZN5pages14event_location20restart_behind_eventB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!434 = distinct !{!434, !433, !"_ZN5pages14event_location20restart_behind_eventB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!435 = !{!436, !432, !434}
-!436 = distinct !{!436, !437, !"_ZN5pages13solver_layout4failB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29: %retptr"}
-!437 = distinct !{!437, !"_ZN5pages13solver_layout4failB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29"}
-!438 = !{!439, !441}
-!439 = distinct !{!439, !440, !"_ZN5pages8segments14at_segment_endB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!440 = distinct !{!440, !"_ZN5pages8segments14at_segment_endB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!441 = distinct !{!441, !442, !"_ZN5pages8segments11jump_statesB3v93B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!442 = distinct !{!442, !"_ZN5pages8segments11jump_statesB3v93B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!443 = !{!441}
-!444 = !{!445, !447, !441}
-!445 = distinct !{!445, !446, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!446 = distinct !{!446, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!447 = distinct !{!447, !446, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!448 = !{!449, !441}
-!449 = distinct !{!449, !450, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!450 = distinct !{!450, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!451 = !{!452, !441}
-!452 = distinct !{!452, !453, !"_ZN5pages8segments14at_segment_endB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!453 = distinct !{!453, !"_ZN5pages8segments14at_segment_endB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!454 = !{!455, !457, !441}
-!455 = distinct !{!455, !456, !"_ZN5pages8segments11accept_jumpB3v95B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!456 = distinct !{!456, !"_ZN5pages8segments11accept_jumpB3v95B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!457 = distinct !{!457, !456, !"_ZN5pages8segments11accept_jumpB3v95B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!458 = !{!459, !455, !457, !441}
-!459 = distinct !{!459, !460, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
-!460 = distinct !{!460, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
-!461 = !{!462, !464, !465, !467, !468, !470, !455, !457, !441}
-!462 = distinct !{!462, !463, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!463 = distinct !{!463, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!464 = distinct !{!464, !463, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!465 = distinct !{!465, !466, !"_ZN5pages8segments13first_outsideB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29: %retptr"}
-!466 = distinct !{!466, !"_ZN5pages8segments13first_outsideB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29"}
-!467 = distinct !{!467, !466, !"_ZN5pages8segments13first_outsideB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29: %excinfo"}
-!468 = distinct !{!468, !469, !"_ZN5pages8segments12stop_outsideB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29: %retptr"}
-!469 = distinct !{!469, !"_ZN5pages8segments12stop_outsideB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29"}
-!470 = distinct !{!470, !469, !"_ZN5pages8segments12stop_outsideB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29: %excinfo"}
-!471 = !{!465, !467, !468, !470, !455, !457, !441}
-!472 = !{!473, !465, !467, !468, !470, !455, !457, !441}
-!473 = distinct !{!473, !474, !"_ZN5pages13solver_layout10derivativeB3v98B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2814_29: %retptr"}
-!474 = distinct !{!474, !"_ZN5pages13solver_layout10derivativeB3v98B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2814_29"}
-!475 = !{!476, !465, !467, !468, !470, !455, !457, !441}
-!476 = distinct !{!476, !477, !"_ZN5pages13solver_layout6decideB3v99B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_289_29: %retptr"}
-!477 = distinct !{!477, !"_ZN5pages13solver_layout6decideB3v99B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_289_29"}
-!478 = !{!479, !465, !467, !468, !470, !455, !457, !441}
-!479 = distinct !{!479, !480, !"_ZN5pages13solver_layout6decideB3v23B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2810_29: %retptr"}
-!480 = distinct !{!480, !"_ZN5pages13solver_layout6decideB3v23B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2810_29"}
-!481 = !{!468, !470, !455, !457, !441}
-!482 = !{!483, !468, !470, !455, !457, !441}
-!483 = distinct !{!483, !484, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
-!484 = distinct !{!484, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
-!485 = !{!486, !488}
-!486 = distinct !{!486, !487, !"_ZN5pages12time_stepper12end_segmentsB4v100B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!487 = distinct !{!487, !"_ZN5pages12time_stepper12end_segmentsB4v100B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!488 = distinct !{!488, !487, !"_ZN5pages12time_stepper12end_segmentsB4v100B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!489 = !{!490, !486, !488}
-!490 = distinct !{!490, !491, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
-!491 = distinct !{!491, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
-!492 = !{!493, !495, !486, !488}
-!493 = distinct !{!493, !494, !"_ZN5pages8segments13enter_segmentB4v101B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!494 = distinct !{!494, !"_ZN5pages8segments13enter_segmentB4v101B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!495 = distinct !{!495, !494, !"_ZN5pages8segments13enter_segmentB4v101B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!496 = !{!497, !499, !493, !495, !486, !488}
-!497 = distinct !{!497, !498, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!498 = distinct !{!498, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!499 = distinct !{!499, !498, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!500 = !{!501, !486, !488}
-!501 = distinct !{!501, !502, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!502 = distinct !{!502, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!503 = !{!504, !506, !501, !486, !488}
-!504 = distinct !{!504, !505, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!505 = distinct !{!505, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!506 = distinct !{!506, !505, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!507 = !{!508, !510, !501, !486, !488}
-!508 = distinct !{!508, !509, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!509 = distinct !{!509, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!510 = distinct !{!510, !509, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!511 = !{!512, !514, !486, !488}
-!512 = distinct !{!512, !513, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!513 = distinct !{!513, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!514 = distinct !{!514, !513, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!515 = !{!516, !518}
-!516 = distinct !{!516, !517, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!517 = distinct !{!517, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!518 = distinct !{!518, !517, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!519 = !{!520, !88, !90}
-!520 = distinct !{!520, !521, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
-!521 = distinct !{!521, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
-!522 = !{!523, !525, !88, !90}
-!523 = distinct !{!523, !524, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!524 = distinct !{!524, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!525 = distinct !{!525, !524, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!526 = !{!527, !529, !530, !523, !525, !88, !90}
-!527 = distinct !{!527, !528, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!528 = distinct !{!528, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!529 = distinct !{!529, !528, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!530 = distinct !{!530, !531, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!531 = distinct !{!531, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!532 = !{!530, !523, !525, !88, !90}
-!533 = !{!534, !536, !530, !523, !525, !88, !90}
-!534 = distinct !{!534, !535, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!535 = distinct !{!535, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!536 = distinct !{!536, !535, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!537 = !{!538, !534, !536, !530, !523, !525, !88, !90}
-!538 = distinct !{!538, !539, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!539 = distinct !{!539, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!540 = !{!541, !523, !525, !88, !90}
-!541 = distinct !{!541, !542, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!542 = distinct !{!542, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
-!543 = !{!544, !546, !547, !88, !90}
-!544 = distinct !{!544, !545, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!545 = distinct !{!545, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
-!546 = distinct !{!546, !545, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
-!547 = distinct !{!547, !548, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!548 = distinct !{!548, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!549 = !{!547, !88, !90}
-!550 = !{!551, !88, !90}
-!551 = distinct !{!551, !552, !"_ZN5pages13solver_layout7formulaB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
-!552 = distinct !{!552, !"_ZN5pages13solver_layout7formulaB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
-!553 = !{!554, !88, !90}
-!554 = distinct !{!554, !555, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!555 = distinct !{!555, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!556 = !{!557, !88, !90}
-!557 = distinct !{!557, !558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!558 = distinct !{!558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!559 = !{!560, !562}
-!560 = distinct !{!560, !561, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!561 = distinct !{!561, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!562 = distinct !{!562, !561, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!563 = !{!564, !566, !567, !569}
-!564 = distinct !{!564, !565, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!565 = distinct !{!565, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!566 = distinct !{!566, !565, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!567 = distinct !{!567, !568, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
-!568 = distinct !{!568, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
-!569 = distinct !{!569, !568, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
-!570 = !{!567, !569}
-!571 = !{!572, !574, !567, !569}
-!572 = distinct !{!572, !573, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
-!573 = distinct !{!573, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
-!574 = distinct !{!574, !573, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
-!575 = !{!576}
-!576 = distinct !{!576, !577, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
-!577 = distinct !{!577, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
-!578 = !{!579, !581}
-!579 = distinct !{!579, !580, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!580 = distinct !{!580, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!581 = distinct !{!581, !580, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!582 = !{!583, !585}
-!583 = distinct !{!583, !584, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!584 = distinct !{!584, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!585 = distinct !{!585, !584, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!586 = !{!587, !589}
-!587 = distinct !{!587, !588, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!588 = distinct !{!588, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!589 = distinct !{!589, !588, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!270 = !{!271, !273, !211, !213, !181, !183, !105, !107}
+!271 = distinct !{!271, !272, !"_ZN5pages8segments19write_samples_untilB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
+!272 = distinct !{!272, !"_ZN5pages8segments19write_samples_untilB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
+!273 = distinct !{!273, !272, !"_ZN5pages8segments19write_samples_untilB3v79B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %excinfo"}
+!274 = !{!275, !211, !213, !181, !183, !105, !107}
+!275 = distinct !{!275, !276, !"_ZN5pages13solver_layout4failB3v80B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29: %retptr"}
+!276 = distinct !{!276, !"_ZN5pages13solver_layout4failB3v80B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29"}
+!277 = !{!278, !280, !271, !273, !211, !213, !181, !183, !105, !107}
+!278 = distinct !{!278, !279, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!279 = distinct !{!279, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!280 = distinct !{!280, !279, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!281 = !{!282, !284, !211, !213, !181, !183, !105, !107}
+!282 = distinct !{!282, !283, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %retptr"}
+!283 = distinct !{!283, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29"}
+!284 = distinct !{!284, !283, !"_ZN5pages12event_checks13first_crossedB3v78B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %excinfo"}
+!285 = !{!286, !288, !181, !183, !105, !107}
+!286 = distinct !{!286, !287, !"_ZN5pages14event_location11pass_eventsB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!287 = distinct !{!287, !"_ZN5pages14event_location11pass_eventsB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!288 = distinct !{!288, !287, !"_ZN5pages14event_location11pass_eventsB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!289 = !{!290, !292, !293, !295, !286, !288, !181, !183, !105, !107}
+!290 = distinct !{!290, !291, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!291 = distinct !{!291, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!292 = distinct !{!292, !291, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!293 = distinct !{!293, !294, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!294 = distinct !{!294, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!295 = distinct !{!295, !294, !"_ZN5pages12event_checks15evaluate_pointsB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!296 = !{!297, !299, !290, !292, !293, !295, !286, !288, !181, !183, !105, !107}
+!297 = distinct !{!297, !298, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!298 = distinct !{!298, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!299 = distinct !{!299, !298, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!300 = !{!301, !293, !295, !286, !288, !181, !183, !105, !107}
+!301 = distinct !{!301, !302, !"_ZN5pages13solver_layout6decideB3v55B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedExx: %retptr"}
+!302 = distinct !{!302, !"_ZN5pages13solver_layout6decideB3v55B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedExx"}
+!303 = !{!304, !286, !288, !181, !183, !105, !107}
+!304 = distinct !{!304, !305, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
+!305 = distinct !{!305, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
+!306 = !{!307, !309, !310, !286, !288, !181, !183, !105, !107}
+!307 = distinct !{!307, !308, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx: %retptr"}
+!308 = distinct !{!308, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx"}
+!309 = distinct !{!309, !308, !"_ZN5pages14event_location10next_shareB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29dx: %excinfo"}
+!310 = distinct !{!310, !311, !"_ZN5pages14event_location6narrowB3v71B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!311 = distinct !{!311, !"_ZN5pages14event_location6narrowB3v71B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!312 = !{!310, !286, !288, !181, !183, !105, !107}
+!313 = !{!314, !316, !317, !319, !310, !286, !288, !181, !183, !105, !107}
+!314 = distinct !{!314, !315, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!315 = distinct !{!315, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!316 = distinct !{!316, !315, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!317 = distinct !{!317, !318, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!318 = distinct !{!318, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!319 = distinct !{!319, !318, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!320 = !{!321, !323, !314, !316, !317, !319, !310, !286, !288, !181, !183, !105, !107}
+!321 = distinct !{!321, !322, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!322 = distinct !{!322, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!323 = distinct !{!323, !322, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!324 = !{!325, !317, !319, !310, !286, !288, !181, !183, !105, !107}
+!325 = distinct !{!325, !326, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %retptr"}
+!326 = distinct !{!326, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29"}
+!327 = !{!317, !319, !310, !286, !288, !181, !183, !105, !107}
+!328 = !{!329, !331, !310, !286, !288, !181, !183, !105, !107}
+!329 = distinct !{!329, !330, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %retptr"}
+!330 = distinct !{!330, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29"}
+!331 = distinct !{!331, !330, !"_ZN5pages12event_checks14least_distanceB3v76B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_289_29: %excinfo"}
+!332 = !{!333, !335, !337, !286, !288, !181, !183, !105, !107}
+!333 = distinct !{!333, !334, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!334 = distinct !{!334, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!335 = distinct !{!335, !336, !"_ZN5pages14event_location18exchange_decisionsB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %retptr"}
+!336 = distinct !{!336, !"_ZN5pages14event_location18exchange_decisionsB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29"}
+!337 = distinct !{!337, !336, !"_ZN5pages14event_location18exchange_decisionsB3v87B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %excinfo"}
+!338 = !{!335, !337, !286, !288, !181, !183, !105, !107}
+!339 = !{!340, !342, !286, !288, !181, !183, !105, !107}
+!340 = distinct !{!340, !341, !"_ZN5pages14event_location12rates_changeB3v82B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!341 = distinct !{!341, !"_ZN5pages14event_location12rates_changeB3v82B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!342 = distinct !{!342, !341, !"_ZN5pages14event_location12rates_changeB3v82B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!343 = !{!344, !346, !347, !349, !340, !342, !286, !288, !181, !183, !105, !107}
+!344 = distinct !{!344, !345, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!345 = distinct !{!345, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!346 = distinct !{!346, !345, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!347 = distinct !{!347, !348, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!348 = distinct !{!348, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!349 = distinct !{!349, !348, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!350 = !{!351, !353, !344, !346, !347, !349, !340, !342, !286, !288, !181, !183, !105, !107}
+!351 = distinct !{!351, !352, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!352 = distinct !{!352, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!353 = distinct !{!353, !352, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!354 = !{!355, !347, !349, !340, !342, !286, !288, !181, !183, !105, !107}
+!355 = distinct !{!355, !356, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %retptr"}
+!356 = distinct !{!356, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29"}
+!357 = !{!347, !349, !340, !342, !286, !288, !181, !183, !105, !107}
+!358 = !{!359, !361, !340, !342, !286, !288, !181, !183, !105, !107}
+!359 = distinct !{!359, !360, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!360 = distinct !{!360, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!361 = distinct !{!361, !360, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!362 = !{!363, !365, !359, !361, !340, !342, !286, !288, !181, !183, !105, !107}
+!363 = distinct !{!363, !364, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!364 = distinct !{!364, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!365 = distinct !{!365, !364, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!366 = !{!367, !369, !371, !340, !342, !286, !288, !181, !183, !105, !107}
+!367 = distinct !{!367, !368, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!368 = distinct !{!368, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!369 = distinct !{!369, !370, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
+!370 = distinct !{!370, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
+!371 = distinct !{!371, !370, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
+!372 = !{!369, !371, !340, !342, !286, !288, !181, !183, !105, !107}
+!373 = !{!374, !376, !378, !340, !342, !286, !288, !181, !183, !105, !107}
+!374 = distinct !{!374, !375, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!375 = distinct !{!375, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!376 = distinct !{!376, !377, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
+!377 = distinct !{!377, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
+!378 = distinct !{!378, !377, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
+!379 = !{!376, !378, !340, !342, !286, !288, !181, !183, !105, !107}
+!380 = !{!381, !340, !342, !286, !288, !181, !183, !105, !107}
+!381 = distinct !{!381, !382, !"_ZN5pages13solver_layout10derivativeB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2814_29: %retptr"}
+!382 = distinct !{!382, !"_ZN5pages13solver_layout10derivativeB3v83B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2814_29"}
+!383 = !{!384, !386, !388, !340, !342, !286, !288, !181, !183, !105, !107}
+!384 = distinct !{!384, !385, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!385 = distinct !{!385, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!386 = distinct !{!386, !387, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %retptr"}
+!387 = distinct !{!387, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29"}
+!388 = distinct !{!388, !387, !"_ZN5pages14event_location18exchange_decisionsB3v84B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_289_29: %excinfo"}
+!389 = !{!390, !340, !342, !286, !288, !181, !183, !105, !107}
+!390 = distinct !{!390, !391, !"_ZN5pages13solver_layout10derivativeB3v85B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2815_29: %retptr"}
+!391 = distinct !{!391, !"_ZN5pages13solver_layout10derivativeB3v85B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2815_29"}
+!392 = !{!393, !395, !340, !342, !286, !288, !181, !183, !105, !107}
+!393 = distinct !{!393, !394, !"_ZN5pages14event_location12rates_differB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!394 = distinct !{!394, !"_ZN5pages14event_location12rates_differB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!395 = distinct !{!395, !394, !"_ZN5pages14event_location12rates_differB3v86B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!396 = !{!386, !388, !340, !342, !286, !288, !181, !183, !105, !107}
+!397 = !{!"branch_weights", i32 1, i32 99}
+!398 = !{!"branch_weights", i32 101, i32 99}
+!399 = !{!400, !402, !181, !183, !105, !107}
+!400 = distinct !{!400, !401, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!401 = distinct !{!401, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!402 = distinct !{!402, !401, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!403 = !{!404, !406, !407, !409, !181, !183, !105, !107}
+!404 = distinct !{!404, !405, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!405 = distinct !{!405, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!406 = distinct !{!406, !405, !"_ZN5pages13solver_layout16put_state_withinB3v52B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!407 = distinct !{!407, !408, !"_ZN5pages14event_location8end_stepB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!408 = distinct !{!408, !"_ZN5pages14event_location8end_stepB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!409 = distinct !{!409, !408, !"_ZN5pages14event_location8end_stepB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!410 = !{!411, !413, !404, !406, !407, !409, !181, !183, !105, !107}
+!411 = distinct !{!411, !412, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!412 = distinct !{!412, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!413 = distinct !{!413, !412, !"_ZN5pages13solver_layout11interpolateB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!414 = !{!407, !409, !181, !183, !105, !107}
+!415 = !{!416, !407, !409, !181, !183, !105, !107}
+!416 = distinct !{!416, !417, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
+!417 = distinct !{!417, !"_ZN5pages13solver_layout10derivativeB3v47B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
+!418 = !{!419, !407, !409, !181, !183, !105, !107}
+!419 = distinct !{!419, !420, !"_ZN5pages13solver_layout6decideB3v89B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_288_29: %retptr"}
+!420 = distinct !{!420, !"_ZN5pages13solver_layout6decideB3v89B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_288_29"}
+!421 = !{!422, !181, !183, !105, !107}
+!422 = distinct !{!422, !423, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
+!423 = distinct !{!423, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
+!424 = !{!121, !123, !105, !107}
+!425 = !{!426, !428, !121, !123, !105, !107}
+!426 = distinct !{!426, !427, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!427 = distinct !{!427, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!428 = distinct !{!428, !427, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!429 = !{!430}
+!430 = distinct !{!430, !431, !"_ZN5pages12time_stepper13write_samplesB3v90B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29b: %retptr"}
+!431 = distinct !{!431, !"_ZN5pages12time_stepper13write_samplesB3v90B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29b"}
+!432 = !{!433, !435, !430}
+!433 = distinct !{!433, !434, !"_ZN5pages8segments19write_samples_untilB3v91B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xd: %retptr"}
+!434 = distinct !{!434, !"_ZN5pages8segments19write_samples_untilB3v91B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xd"}
+!435 = distinct !{!435, !434, !"_ZN5pages8segments19write_samples_untilB3v91B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xd: %excinfo"}
+!436 = !{!437, !439, !433, !435, !430}
+!437 = distinct !{!437, !438, !"_ZN5pages13solver_layout11interpolateB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd: %retptr"}
+!438 = distinct !{!438, !"_ZN5pages13solver_layout11interpolateB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd"}
+!439 = distinct !{!439, !438, !"_ZN5pages13solver_layout11interpolateB3v92B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxd: %excinfo"}
+!440 = !{!441}
+!441 = distinct !{!441, !442, !"_ZN5pages13solver_layout7formulaB3v93B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29: %retptr"}
+!442 = distinct !{!442, !"_ZN5pages13solver_layout7formulaB3v93B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2810_29"}
+!443 = !{!444, !446}
+!444 = distinct !{!444, !445, !"_ZN5pages14event_location20restart_behind_eventB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!445 = distinct !{!445, !"_ZN5pages14event_location20restart_behind_eventB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!446 = distinct !{!446, !445, !"_ZN5pages14event_location20restart_behind_eventB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!447 = !{!448, !444, !446}
+!448 = distinct !{!448, !449, !"_ZN5pages13solver_layout4failB3v80B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29: %retptr"}
+!449 = distinct !{!449, !"_ZN5pages13solver_layout4failB3v80B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_2930IntEnum_3cint64_3e_28Status_29"}
+!450 = !{!451, !453}
+!451 = distinct !{!451, !452, !"_ZN5pages8segments14at_segment_endB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!452 = distinct !{!452, !"_ZN5pages8segments14at_segment_endB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!453 = distinct !{!453, !454, !"_ZN5pages8segments11jump_statesB3v95B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!454 = distinct !{!454, !"_ZN5pages8segments11jump_statesB3v95B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!455 = !{!453}
+!456 = !{!457, !459, !453}
+!457 = distinct !{!457, !458, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!458 = distinct !{!458, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!459 = distinct !{!459, !458, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!460 = !{!461, !453}
+!461 = distinct !{!461, !462, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!462 = distinct !{!462, !"_ZN5pages13solver_layout7prepareB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!463 = !{!464, !453}
+!464 = distinct !{!464, !465, !"_ZN5pages8segments14at_segment_endB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!465 = distinct !{!465, !"_ZN5pages8segments14at_segment_endB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!466 = !{!467, !469, !453}
+!467 = distinct !{!467, !468, !"_ZN5pages8segments11accept_jumpB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!468 = distinct !{!468, !"_ZN5pages8segments11accept_jumpB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!469 = distinct !{!469, !468, !"_ZN5pages8segments11accept_jumpB3v97B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!470 = !{!471, !467, !469, !453}
+!471 = distinct !{!471, !472, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
+!472 = distinct !{!472, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
+!473 = !{!474, !476, !477, !479, !480, !482, !467, !469, !453}
+!474 = distinct !{!474, !475, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!475 = distinct !{!475, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!476 = distinct !{!476, !475, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!477 = distinct !{!477, !478, !"_ZN5pages8segments13first_outsideB3v99B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29: %retptr"}
+!478 = distinct !{!478, !"_ZN5pages8segments13first_outsideB3v99B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29"}
+!479 = distinct !{!479, !478, !"_ZN5pages8segments13first_outsideB3v99B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2817_29: %excinfo"}
+!480 = distinct !{!480, !481, !"_ZN5pages8segments12stop_outsideB3v98B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29: %retptr"}
+!481 = distinct !{!481, !"_ZN5pages8segments12stop_outsideB3v98B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29"}
+!482 = distinct !{!482, !481, !"_ZN5pages8segments12stop_outsideB3v98B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x24Literal_5bint_5d_2817_29: %excinfo"}
+!483 = !{!477, !479, !480, !482, !467, !469, !453}
+!484 = !{!485, !477, !479, !480, !482, !467, !469, !453}
+!485 = distinct !{!485, !486, !"_ZN5pages13solver_layout10derivativeB4v100B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2814_29: %retptr"}
+!486 = distinct !{!486, !"_ZN5pages13solver_layout10derivativeB4v100B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2814_29"}
+!487 = !{!488, !477, !479, !480, !482, !467, !469, !453}
+!488 = distinct !{!488, !489, !"_ZN5pages13solver_layout6decideB4v101B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_289_29: %retptr"}
+!489 = distinct !{!489, !"_ZN5pages13solver_layout6decideB4v101B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2923Literal_5bint_5d_289_29"}
+!490 = !{!491, !477, !479, !480, !482, !467, !469, !453}
+!491 = distinct !{!491, !492, !"_ZN5pages13solver_layout6decideB3v23B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2810_29: %retptr"}
+!492 = distinct !{!492, !"_ZN5pages13solver_layout6decideB3v23B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2924Literal_5bint_5d_2810_29"}
+!493 = !{!480, !482, !467, !469, !453}
+!494 = !{!495, !480, !482, !467, !469, !453}
+!495 = distinct !{!495, !496, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
+!496 = distinct !{!496, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
+!497 = !{!498, !500}
+!498 = distinct !{!498, !499, !"_ZN5pages12time_stepper12end_segmentsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!499 = distinct !{!499, !"_ZN5pages12time_stepper12end_segmentsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!500 = distinct !{!500, !499, !"_ZN5pages12time_stepper12end_segmentsB4v102B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!501 = !{!502, !498, !500}
+!502 = distinct !{!502, !503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
+!503 = distinct !{!503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
+!504 = !{!505, !507, !498, !500}
+!505 = distinct !{!505, !506, !"_ZN5pages8segments13enter_segmentB4v103B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!506 = distinct !{!506, !"_ZN5pages8segments13enter_segmentB4v103B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!507 = distinct !{!507, !506, !"_ZN5pages8segments13enter_segmentB4v103B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!508 = !{!509, !511, !505, !507, !498, !500}
+!509 = distinct !{!509, !510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!510 = distinct !{!510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!511 = distinct !{!511, !510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!512 = !{!513, !498, !500}
+!513 = distinct !{!513, !514, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!514 = distinct !{!514, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!515 = !{!516, !518, !513, !498, !500}
+!516 = distinct !{!516, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!517 = distinct !{!517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!518 = distinct !{!518, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!519 = !{!520, !522, !513, !498, !500}
+!520 = distinct !{!520, !521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!521 = distinct !{!521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!522 = distinct !{!522, !521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!523 = !{!524, !526, !498, !500}
+!524 = distinct !{!524, !525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!525 = distinct !{!525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!526 = distinct !{!526, !525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!527 = !{!528, !530}
+!528 = distinct !{!528, !529, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!529 = distinct !{!529, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!530 = distinct !{!530, !529, !"_ZN5pages12time_stepper11count_stepsB3v43B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!531 = !{!532, !88, !90}
+!532 = distinct !{!532, !533, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
+!533 = distinct !{!533, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
+!534 = !{!535, !537, !88, !90}
+!535 = distinct !{!535, !536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!536 = distinct !{!536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!537 = distinct !{!537, !536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!538 = !{!539, !541, !542, !535, !537, !88, !90}
+!539 = distinct !{!539, !540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!540 = distinct !{!540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!541 = distinct !{!541, !540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!542 = distinct !{!542, !543, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!543 = distinct !{!543, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!544 = !{!542, !535, !537, !88, !90}
+!545 = !{!546, !548, !542, !535, !537, !88, !90}
+!546 = distinct !{!546, !547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!547 = distinct !{!547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!548 = distinct !{!548, !547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!549 = !{!550, !546, !548, !542, !535, !537, !88, !90}
+!550 = distinct !{!550, !551, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!551 = distinct !{!551, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!552 = !{!553, !535, !537, !88, !90}
+!553 = distinct !{!553, !554, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!554 = distinct !{!554, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
+!555 = !{!556, !558, !559, !88, !90}
+!556 = distinct !{!556, !557, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!557 = distinct !{!557, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!558 = distinct !{!558, !557, !"_ZN5pages8implicit5solveB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
+!559 = distinct !{!559, !560, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!560 = distinct !{!560, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!561 = !{!559, !88, !90}
+!562 = !{!563, !88, !90}
+!563 = distinct !{!563, !564, !"_ZN5pages13solver_layout7formulaB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
+!564 = distinct !{!564, !"_ZN5pages13solver_layout7formulaB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
+!565 = !{!566, !88, !90}
+!566 = distinct !{!566, !567, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!567 = distinct !{!567, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!568 = !{!569, !88, !90}
+!569 = distinct !{!569, !570, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!570 = distinct !{!570, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!571 = !{!572, !574}
+!572 = distinct !{!572, !573, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!573 = distinct !{!573, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!574 = distinct !{!574, !573, !"_ZN5pages12event_checks13first_crossedB3v64B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!575 = !{!576, !578, !579, !581}
+!576 = distinct !{!576, !577, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!577 = distinct !{!577, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!578 = distinct !{!578, !577, !"_ZN5pages12event_checks13error_betweenB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!579 = distinct !{!579, !580, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
+!580 = distinct !{!580, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
+!581 = distinct !{!581, !580, !"_ZN5pages12event_checks8may_hideB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
+!582 = !{!579, !581}
+!583 = !{!584, !586, !579, !581}
+!584 = distinct !{!584, !585, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
+!585 = distinct !{!585, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
+!586 = distinct !{!586, !585, !"_ZN5pages12event_checks17least_distance_ofB3v68B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
+!587 = !{!588}
+!588 = distinct !{!588, !589, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
+!589 = distinct !{!589, !"_ZN5pages13solver_layout5retryB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
+!590 = !{!591, !593}
+!591 = distinct !{!591, !592, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!592 = distinct !{!592, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!593 = distinct !{!593, !592, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!594 = !{!595, !597}
+!595 = distinct !{!595, !596, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!596 = distinct !{!596, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!597 = distinct !{!597, !596, !"_ZN5pages12event_checks14least_distanceB3v66B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!598 = !{!599, !601}
+!599 = distinct !{!599, !600, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!600 = distinct !{!600, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!601 = distinct !{!601, !600, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
 
 define i64 @advance(ptr %v0) {
   %v1 = alloca i64

@@ -82,8 +82,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         return solution
     if status == Status.GUARD_LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
-        reached = int(batch.reached[0])
-        times, states = _until(last, solution, t, x, reached)
+        times, states = _until(solution, t, x)
         return stopped(solution, policy, sentence, times, states)
     reason = Status(status).sentence
     if status == Status.ACCUMULATING:
@@ -271,21 +270,13 @@ def _crossing(
     return t, state, policy, sentence
 
 
-def _until(
-    batch: Batch, solution: Solution, t: float, x: ndarray, reached: int
-) -> tuple[ndarray, ndarray]:
+def _until(solution: Solution, t: float, x: ndarray) -> tuple[ndarray, ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
-    start = batch.now
-    h = float(batch.lane[TRIAL_SIZE, 0])
     near = rounding(t, solution.t[-1] - solution.t[0])
     times = solution.t[solution.t < t - near]
     at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end
     end = at_end[0] if len(at_end) else t
-    stored = solution.x[: min(reached, len(times))]
-    shares = (times[reached:] - start) / h
-    interpolated = [state_within(batch, share) for share in shares]
-    states = np.array([*stored, *interpolated, x])
-    return np.append(times, end), states
+    return np.append(times, end), np.array([*solution.x[: len(times)], x])
 
 
 def sampled_start(

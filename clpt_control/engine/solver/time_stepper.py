@@ -16,8 +16,6 @@ any others.  One pass of `advance`:
 All numbers are computed by the diagram's functions and the formulas of the method (`methods`).
 """
 
-import math
-
 from .event_checks import check_events, comes_near, decisions_changed, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
@@ -27,6 +25,7 @@ from .segments import (
     jump_states,
     note_next_stop,
     take_run,
+    write_samples_until,
 )
 from .solver_layout import (
     ACCEPT,
@@ -76,7 +75,6 @@ from .solver_layout import (
     derivative,
     fail,
     formula,
-    interpolate,
     prepare,
     retry,
 )
@@ -290,26 +288,15 @@ def count_steps(solver):
 
 def write_samples(solver, interpolated):
     """Write the states at times within the step, for which further evaluations were made."""
-    lane, integers = solver.lane, solver.integers
-    results, times, states = solver.results, solver.times, solver.states
+    lane, results = solver.lane, solver.results
     for k in range(solver.shape.lanes):
-        m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+        m = solver.integers[RUN_INDEX, k]
         if m < 0 or lane[ACCEPTED, k] < 0.5 or results.status[m] != Status.RUNNING:
             continue
         results.counts[m, EVALUATIONS] += (
             solver.shape.dense_stages if interpolated else 0
         )
-        end = lane[TRIAL_END, k]
-        while done < len(times) and times[done] <= end:
-            share = (times[done] - lane[TIME, k]) / lane[TRIAL_SIZE, k]
-            for i in range(solver.shape.states):
-                if times[done] == end:
-                    results.states[m, done, i] = states[ARGUMENT, i, k]
-                else:
-                    results.states[m, done, i] = interpolate(states, i, k, share)
-            done += 1
-            lane[STOP_AT, k] = math.inf
-        integers[SAMPLES_DONE, k] = done
+        write_samples_until(solver, k, lane[TRIAL_END, k])
 
 
 def check_interpolant(solver):
