@@ -106,3 +106,20 @@ class Direction:
 
     def _refused(self, kind: str) -> Any:
         raise Unread(f"the derivative of `{kind}`, which jumps or is not known")
+
+
+class OverflowingDirection(Direction):
+    """Direction along which a / b has the derivative 0, not 0 inf, where b overflows.
+
+    So has a steep logistic function, 1 / (1 + exp(3000)).
+    """
+
+    def _slope(self, k: int) -> Any:
+        slope = super()._slope(k)
+        kind, arguments, *_ = self.tape.operations[k]
+        if slope is None or kind != "div":
+            return slope
+        divisor = self.tape.value(arguments[1])
+        overflows = (np.fabs(divisor) == np.inf) & (self.tape.value(k) == 0.0)
+        undefined = overflows & (slope != slope)
+        return elementwise("where", undefined, 0.0, slope)

@@ -182,6 +182,16 @@ def test_a_slope_without_end_is_refused_by_the_name_of_what_has_none():
         )
 
 
+@pytest.mark.parametrize("at", [-2.0, 0.9, 1.0, 1.1, 4.0])
+def test_a_steep_logistic_function_has_its_slope_where_exp_overflows(at):
+    def rate(t, x, u, p):
+        return [1.0 / (1.0 + np.exp(-1000.0 * (x[0] - 1.0)))]
+
+    made = clpt.linearize(control.nlsys(rate, states=1, inputs=0), [at])
+    wanted = 250.0 / math.cosh(500.0 * (at - 1.0)) ** 2 if abs(at - 1.0) < 1 else 0.0
+    assert made.A[0, 0] == pytest.approx(wanted, rel=1e-9, abs=1e-30)
+
+
 def test_a_distance_has_a_slope_where_one_coordinate_is_equal():
     rates = lambda t, x, u, p: [-math.dist(x, [0.0, 3.0]), -math.hypot(x[0], x[1])]  # noqa: E731
     made = clpt.linearize(control.nlsys(rates, states=2, inputs=0), [0.0, 1.0])
