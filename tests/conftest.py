@@ -21,12 +21,18 @@ gc.disable()  # a seventh of the time is taken by looking for garbage, of which 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Leave two of three cases of each test of damaged files to `make test-slow`."""
-    damaged = [item for item in items if item.path.name.startswith("test_damaged_")]
-    for item in damaged:
+    """Leave two of three cases of some tests to others than `make test`.
+
+    Those of damaged files are `slow`, those of tests that are marked `thirds` are `long`.
+    """
+    for item in items:
         case = getattr(item, "callspec", None)
-        if case and sum(case.indices.values()) % 3:
+        if not case or sum(case.indices.values()) % 3 == 0:
+            continue
+        if item.path.name.startswith("test_damaged_"):
             item.add_marker(pytest.mark.slow)
+        elif item.get_closest_marker("thirds"):
+            item.add_marker(pytest.mark.long)
 
 
 class Outcome(NamedTuple):

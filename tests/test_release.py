@@ -196,6 +196,7 @@ def said(tmp_path_factory):
     return json.loads((folder / "told.json").read_text())
 
 
+@pytest.mark.long
 def test_the_ten_lines_a_proof_a_law_a_page_and_commands_need_no_extra(said):
     assert said["init mine.toml"][0] == said["laws"][0] == 0
 

@@ -94,6 +94,7 @@ def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_pat
     assert names(tmp_path) == {*kept, "replay.nc", "replay.zarr"}
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -64,6 +64,7 @@ run_ensemble(
 """
 
 
+@pytest.mark.long
 def test_killed_and_started_again(quick, tmp_path):
     members, file = 120, tmp_path / "scenario.toml"
     clpt.save_scenario(quick, file)
@@ -125,6 +126,7 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
     assert compared
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "seed",
     [
@@ -251,6 +253,7 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
     assert_identical(data, run_ensemble(scenario, VARY, **given))
 
 
+@pytest.mark.long
 @LINUX
 @DASK
 def test_processes_of_this_machine_take_no_connections(quick, tmp_path):

@@ -50,6 +50,7 @@ NOISY = {  # noise of the flow and of the position begin with one seed, and chan
 SEEDS = ["flow.disturbance.seed", "localization.seed"]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     ("values", "keys", "range_"),
     [
@@ -74,6 +75,7 @@ BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient
 BESIDE |= {"least-squares", "composite-least-squares"}
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "name",
     [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS],
@@ -130,6 +132,7 @@ def slow(tau):
     return {"insert": {("v_x", "vehicle"): control.tf(1, [tau, 1], name="lag")}}
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     ("changes", "values", "vary"),
     [
@@ -152,6 +155,7 @@ def test_members_with_parts_of_ones_own_are_runs_with_them(
     assert_members_are_runs(data, scenario, vary.split("=")[0].split("~")[0], **changes)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("own", "others"),
     [

@@ -71,6 +71,7 @@ VARIED = {  # what is not as in the paper's scenario, and what differs from memb
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("lanes", [False, True])
 @pytest.mark.parametrize("case", VARIED)
 def test_members_equal_single_runs(case, lanes):
@@ -98,6 +99,7 @@ def test_members_equal_single_runs(case, lanes):
         assert found.counts[m, 0] == run.attrs["solver_steps"]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("lanes", [False, True])
 def test_a_member_has_the_same_bits_in_any_company(lanes):
     values = members_of(21)
@@ -131,6 +133,7 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
 SHARE = "share_in_faster_flow (1)"
 
 
+@pytest.mark.long
 def test_a_flow_faster_than_a_member_is_told(tmp_path, printed):
     scenario = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 200})
     data = clpt.run_ensemble(scenario, "vehicle.max_speed=[0.9, 1.5, 9.0]", 3)

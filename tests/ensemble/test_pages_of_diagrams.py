@@ -59,6 +59,7 @@ def test_without_trajectories_the_rms_is_drawn_over_what_varied():
     plt.close("all")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("stored", [True, False])
 def test_an_ensemble_of_a_diagram_has_a_page(tmp_path, stored):
     data = ensemble(trajectories=stored, out=tmp_path / "many.zarr")

@@ -32,6 +32,7 @@ def test_a_latin_hypercube_draws_once_from_each_part(scenario):
     assert np.abs(np.corrcoef(position)[0, 1]) < 0.5
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("design", ["lhs", "random"])
 def test_normal_has_an_absolute_deviation_about_the_scenario(scenario, design):
     values = draw(scenario, "flow.parameters~normal:0.1", 4000, design)[
@@ -44,6 +45,7 @@ def test_normal_has_an_absolute_deviation_about_the_scenario(scenario, design):
     assert np.abs(np.mean(np.abs(centred) < 0.1) - 0.6827) < 0.01
 
 
+@pytest.mark.long
 def test_a_grid_has_every_combination(scenario):
     vary = [
         "learning.gain=[0.5, 1, 2]",
@@ -126,6 +128,7 @@ def test_mistakes_are_one_sentence(quick, tmp_path, vary, more, sentence):
 # --- what members are, and show ------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_every_key_that_may_vary_can(quick):
     square = {"kind": "square", "amplitude": [0.05, 0.0], "period": 1.8}
     disturbed = quick.with_values({"flow.disturbance": square})
@@ -187,6 +190,7 @@ def test_reference_numbers(reference, name):
         assert abs(got - wanted[t]) < 1e-6
 
 
+@pytest.mark.long
 def test_the_command(clpt, printed, refused, quick, tmp_path):
     file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
     clpt_control.save_scenario(quick, file)

@@ -129,6 +129,7 @@ CHUNKS = [
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("name", "damage"), CHUNKS)
 def test_a_damaged_chunk_is_run_again(whole, out, name, damage):
     damage(out / name)

@@ -57,6 +57,7 @@ def test_CLPE_of_members_does_not_hang_on_their_samples(paper):
     assert data.clpe_rms.values[0, -1] == pytest.approx(rms, rel=1e-4)
 
 
+@pytest.mark.long
 def test_the_answer_is_not_seen_and_runs_are_by_the_scenarios_method(short):
     flow = {"flow.parameters": [[5, 6, 7], [8, 9, 10]]}
     usual, other, stiff = (
@@ -126,6 +127,7 @@ def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason(paper):
     )
 
 
+@pytest.mark.long
 def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
     tuned = tune_law(
         paper, members=4, laws=["learned-flow", "composite-memory"], seed=1
@@ -181,6 +183,7 @@ def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
     says(ScenarioError, said, tune_law, paper, **arguments)
 
 
+@pytest.mark.long
 def test_the_command_writes_the_choice(clpt, printed, short, tmp_path):
     clpt_control.save_scenario(short, tmp_path / "mine.toml")
     file, laws = tmp_path / "mine.toml", ("--law", "sigma", "--law", "dead-zone")

@@ -207,6 +207,7 @@ def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
         assert axes.get_xlim()[1] > max(abs(one.position).max() for one in runs)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
 def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(
     plot, of_scenarios

@@ -84,6 +84,7 @@ def test_a_parameter_in_place_of_a_key_is_answered_with_the_key(block):
             scenario.with_values({f"{block}.{name}": 1.0})
 
 
+@pytest.mark.long
 def test_each_signal_with_a_unit_has_it_in_a_run():
     loops = {tuple(block.name for block in blocks): one for one, blocks in LOOPS}
     for scenario in loops.values():

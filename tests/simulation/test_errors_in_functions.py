@@ -211,6 +211,7 @@ def test_an_ensemble(model, role, end):
     assert np.all(data.status == 3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_what_is_infinite_is_named(engine):
     x0 = clpt.initial_state(PAPER)
@@ -299,6 +300,7 @@ def test_out_and_back_within_a_step_is_found(drift, farthest):
     assert run.x[-1, 0] == pytest.approx(2.0, abs=1e-8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"]
 )

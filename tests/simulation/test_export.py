@@ -83,6 +83,7 @@ class InC:
         return np.array(found)
 
 
+@pytest.mark.thirds
 @needs_cc
 @pytest.mark.parametrize("name", [name for name in MODELS if name != "stiff"])
 def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
@@ -139,6 +140,7 @@ def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):
     np.testing.assert_allclose(at_samples[:, 1], y, atol=1e-5)
 
 
+@pytest.mark.long
 @needs_cc
 def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
     h = 0.001
@@ -230,6 +232,7 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     assert "_np = 6" in clpt.export(clpt.connect(lags, external="u"))
 
 
+@pytest.mark.long
 @needs_cc
 def test_a_gridded_field_is_a_table(tmp_path):
     random = np.random.default_rng(5)
@@ -297,6 +300,7 @@ def system_with_states(seed):
             return system
 
 
+@pytest.mark.thirds
 @needs_cc
 @pytest.mark.parametrize("start", STARTS)
 def test_random_programs_in_c_compute_what_python_computes(start, tmp_path):

@@ -104,6 +104,7 @@ def end_of(name):
 EVENTS = "papers-loop", "mrac", "sampled-tank", "teeth"
 
 
+@pytest.mark.thirds
 @needs_cc
 @pytest.mark.parametrize("name", EVENTS)
 def test_an_importer_gets_the_run(name, tmp_path):
@@ -114,6 +115,7 @@ def test_an_importer_gets_the_run(name, tmp_path):
     assert np.allclose(found.run(until, following, 5e-3), end, rtol=1e-7, atol=1e-9)
 
 
+@pytest.mark.long
 @needs_cc
 def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
     def importer(system, **given):

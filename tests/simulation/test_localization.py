@@ -35,6 +35,7 @@ def estimates(run):
     return run.flow_parameters_estimate.values[..., 0]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("latency", [0.0, 2.0])
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_in_a_uniform_current_the_estimate_is_that_of_ridge_regression(latency, engine):

@@ -417,6 +417,7 @@ def test_the_paper_is_the_scenario_that_ships():
     np.testing.assert_array_equal(clpt.initial_state(ours), clpt.initial_state(theirs))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("dwell", "end"), [(5.0, 15.0), pytest.param(20.0, 2000.0, marks=pytest.mark.slow)]
 )

@@ -104,6 +104,7 @@ def compared(scenario, folder, duration, h, **export):
     return np.abs(in_c - in_python).max() / max(1.0, np.abs(in_python).max())
 
 
+@pytest.mark.thirds
 @needs_cc
 @pytest.mark.parametrize(
     "name", [n for n in clpt.laws() if n not in ("fix-regression", "concurrent")]
@@ -112,6 +113,7 @@ def test_each_law_has_the_numbers_of_its_blocks(name, tmp_path):
     assert compared(of_law(name), tmp_path, 2.0, 0.02) <= 1e-12
 
 
+@pytest.mark.long
 @needs_cc
 def test_a_limited_speed_gives_the_commanded_velocity_as_an_input(tmp_path):
     limited = of_law("composite-memory", **{"vehicle.max_speed": 1.2})
@@ -148,6 +150,7 @@ def held_track(h):
     )
 
 
+@pytest.mark.long
 @needs_cc
 @pytest.mark.parametrize(
     ("law", "values"),
@@ -259,6 +262,7 @@ def labels(learner, letter):
 # --- altered signs, and what is refused -------------------------------------------------------
 
 
+@pytest.mark.long
 @needs_cc
 def test_altered_signs_are_found(tmp_path):
     """A minus of the rates, made a plus, changes the numbers; phi(z) cancels in Eq. (8)."""

@@ -141,6 +141,7 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
         )
 
 
+@pytest.mark.long
 def test_names_of_a_file_are_neither_markup_nor_formulas(saved, tmp_path):
     """Ports and units of a stranger's file, on its page."""
     run = given_much()

@@ -246,6 +246,7 @@ assert run.clpt.kind == "diagram"
 """
 
 
+@pytest.mark.long
 def test_the_run_of_a_diagram_imports_no_scenario():
     done = subprocess.run([sys.executable, "-c", DIAGRAM], capture_output=True)
     assert (done.stdout.strip(), done.stderr) == (b"", b"")
@@ -278,6 +279,7 @@ def test_a_global_of_a_law_counts_at_the_next_run(law, monkeypatch, sample):
         np.testing.assert_allclose(found.alpha, expected.alpha, rtol=1e-6, atol=1e-8)
 
 
+@pytest.mark.long
 def test_a_global_of_a_law_counts_in_an_ensemble_and_a_proof(law, monkeypatch):
     def asked():
         data = clpt.run_ensemble(

@@ -147,6 +147,7 @@ def test_a_law_that_is_sampled_is_the_sampled_block(period):
     assert run.attrs["engine"] == "native"
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "law", ["known-flow", "kalman-flow", "composite-memory", "drem"]
 )

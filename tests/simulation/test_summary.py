@@ -58,6 +58,7 @@ SELDOM = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", SELDOM)
 def test_a_peak_of_CLPE_is_seen_however_rarely_a_waypoint_comes(case, reported):
     """Of a learner that is true but for z(0), in calm water: e = e(0) exp(-KD t)."""

@@ -24,6 +24,7 @@ LAG = control.tf(1, [0.5, 1], name="lag")
 ENGINES = ("native", "python")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_lag_of_one_line_is_its_closed_form(engine):
     times = np.linspace(0, 5, 11)
@@ -227,6 +228,7 @@ TOLD = {  # what a page and a film's last picture say of a run: its true flow an
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("part", TOLD)
 def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     part, tmp_path, undrawn
@@ -301,6 +303,7 @@ def test_the_state_is_in_the_order_of_the_diagram():
     says(DataError, "has no states.", run.drop_vars("states").clpt.state, 7)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     ("name", "key", "value"),
     [

@@ -40,6 +40,7 @@ def cached(folder):
     return file
 
 
+@pytest.mark.long
 def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, judged):
     first = clpt(*WORDS)
     assert first.status == 0
@@ -53,6 +54,7 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, judge
     assert judged(*WORDS, "--again")[1:] == (False, laws)
 
 
+@pytest.mark.long
 def test_each_statement_is_cached_by_itself(judged):
     assert not judged()[1]
     assert not judged("prove", "dead-zone")[1]
@@ -60,6 +62,7 @@ def test_each_statement_is_cached_by_itself(judged):
     assert judged("prove", "dead-zone")[1]
 
 
+@pytest.mark.long
 def test_what_fails_is_named_and_not_cached(clpt, judged, folder):
     """Of one sign of Eqs. (22), (23)."""
     code = altered(RATES.__globals__["adapt_gains"], 0)
@@ -71,6 +74,7 @@ def test_what_fails_is_named_and_not_cached(clpt, judged, folder):
     assert judged("prove", "learned-flow")[1]
 
 
+@pytest.mark.long
 def test_the_engine_is_part_of_the_name(judged, folder, monkeypatch):
     assert not judged()[1]
     monkeypatch.setenv("CLPT_CONTROL_ENGINE", "python")
@@ -78,6 +82,7 @@ def test_the_engine_is_part_of_the_name(judged, folder, monkeypatch):
     assert len([*folder.rglob("verdicts-*.json")]) == 2
 
 
+@pytest.mark.long
 def test_what_another_file_has_is_not_read(judged, folder):
     assert not judged()[1]
     file = cached(folder)
@@ -85,6 +90,7 @@ def test_what_another_file_has_is_not_read(judged, folder):
     assert not judged()[1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "damage",
     [lambda text: text[:-5], lambda text: "{}", lambda text: '[{"part": ["laws"]}]'],

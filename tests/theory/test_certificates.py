@@ -282,6 +282,7 @@ STARTS = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("values", "R", "starts"), STARTS)
 def test_no_start_within_r_leaves_the_bounds(values, R, starts):
     """V, CLPE and errors at every sample of three cycles; the closest comes near."""
@@ -355,6 +356,7 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
     assert np.all(np.floor(times / 20) == np.floor(times[:, :1] / 20))
 
 
+@pytest.mark.long
 def test_a_window_that_cannot_be_followed_is_said_so(paper):
     far = paper.with_values({"run.duration": 20, "reference.radius": 1e4})
     report = clpt.gramian(far, 20.0, 0.0).report
@@ -372,6 +374,7 @@ STIFF = {
 
 
 # a stiff vehicle has pieces of its own, short enough at once
+@pytest.mark.long
 @pytest.mark.parametrize("members", [DIFFERENT, STIFF])
 def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(members):
     of = team(0.0, ROW, **members)  # uncoupled, each as its own scenario runs

@@ -137,6 +137,7 @@ def pulsed(beyond, **parameters):
     return law, level
 
 
+@pytest.mark.long
 def test_narrower_pulses_leave_an_integral():
     """CLPE of a run comes back to 2 m in each 12 s, `shared/cases/theory/t1_barbalat`."""
     found = prove(*pulsed(lambda e, p: e), points=POINTS)
@@ -147,6 +148,7 @@ def test_narrower_pulses_leave_an_integral():
     assert "it holds t, not known to be bounded" in step.detail
 
 
+@pytest.mark.long
 def test_narrower_pulses_come_to_no_zone():
     """The same with a dead zone of 0.1."""
     zone = np.array([0.1, 0.1])
@@ -215,6 +217,7 @@ def marks_of(name):
     return [*marks, *[missing(reason)] * (name == "composite-least-squares")]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=marks_of(name)) for name in clpt.laws()]
 )

@@ -71,6 +71,7 @@ def comments_removed(text):
     return re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
 
 
+@pytest.mark.long
 def test_files_are_written_without_coqc(written):
     found, folder = written
     assert (found["checked"], found["theorems"]) == (False, [])

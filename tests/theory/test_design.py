@@ -73,6 +73,7 @@ def per_amplitude(dwells):
     return dwells * np.linalg.eigvalsh([[own, both], [both, DWELL]])[0], c
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "limit", ["area", "length", pytest.param("max_speed", marks=SLOW)]
 )
@@ -93,6 +94,7 @@ def test_the_best_track_between_two_places(two_places, limit):
     assert first == pytest.approx(second, rel=0.02)
 
 
+@pytest.mark.long
 def test_limits_are_kept_over_the_whole_run(paper):
     """Speed through the water is that of the diagram itself."""
     area = (-4.0, 4.5, -3.5, 4.5)
@@ -120,6 +122,7 @@ def test_limits_are_kept_over_the_whole_run(paper):
     )
 
 
+@pytest.mark.long
 def test_the_eigenvalue_is_that_of_the_learner_started_true(three, short):
     """Where the learner is true from the start, e = 0 and z = x."""
     window, start = short.report["window"], short.report["start"]
@@ -132,6 +135,7 @@ def test_the_eigenvalue_is_that_of_the_learner_started_true(three, short):
             assert short.report[key][name] == pytest.approx(least, rel=1e-4)
 
 
+@pytest.mark.long
 def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(three, short):
     same, other = (design_track(three, seed=s, window=30.0) for s in (0, 1))
     assert all(one.report["ratio"] >= 1 for one in (short, same, other))
@@ -215,6 +219,7 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
     assert found["after"]["closed_length"] <= found["limits"]["length"] * (1 + 1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("law", "count", "window"),
     [
@@ -242,6 +247,7 @@ KNOWN = {
 ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("change", [{}, HELD, ONE_EACH, KNOWN], ids=str)
 def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     """Against the transition of the error system, piece by piece, with a gain each."""

@@ -132,6 +132,7 @@ def judged(text):
     return plant, clpt.lyapunov(plant, V, points=20, **dict(*rest))
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("text", "strongest", "rest"), [*rows(BROKEN)])
 def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
     plant, found = judged(text)
@@ -142,6 +143,7 @@ def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
         assert np.abs(plant.dynamics(t, np.array(rest, float), u)).max() == 0.0
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("text", "conclusion"), [*rows(HELD)])
 def test_a_premise_that_holds_is_used(text, conclusion):
     _, found = judged(text)

@@ -33,6 +33,7 @@ def sizes_of(verdict):
     return [condition.of for condition in verdict.conditions if condition.name == "N"]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("added", ADDED)
 def test_what_is_added_is_zero_for_every_N_or_for_two(added):
     verdict = prove(changed(f"K' = dK + ({added})")(), points=POINTS)
@@ -41,6 +42,7 @@ def test_what_is_added_is_zero_for_every_N_or_for_two(added):
     assert sizes_of(verdict) == ["every N" if ADDED[added] else "N = 2"]
 
 
+@pytest.mark.long
 def test_a_sum_over_two_indices_of_a_matrix_is_read_for_every_N():
     cancels = "phi_x @ P @ tanh(phi_x) - tanh(phi_x) @ P.T @ phi_x"
     rates = f"P' = outer(phi_x, phi_x) - P; K' = dK + ({cancels})"
@@ -53,6 +55,7 @@ NOT_DECIDED = pytest.mark.xfail(
 )
 
 
+@pytest.mark.long
 @NOT_DECIDED
 def test_a_choice_by_the_number_of_the_function_is_decided():
     """For N = 2 no function is the fifth."""
@@ -79,6 +82,7 @@ WRONG = [  # not zero for N = 2
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("added", WRONG)
 def test_what_is_not_zero_is_not_proved(added):
     verdict = prove(changed(f"K' = dK + ({added})")(), points=POINTS)
@@ -100,6 +104,7 @@ READ = {  # m' of a state that nothing reads -> whether it is alike for all func
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("rate", READ)
 def test_what_is_not_alike_for_all_functions_is_proved_for_two(rate):
     verdict = prove(beside(f"m' = {rate}", {"m": 1})(), points=POINTS)
@@ -111,6 +116,7 @@ def test_what_is_not_alike_for_all_functions_is_proved_for_two(rate):
     assert READ[rate] or "is not read for every N" in step.detail
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("N", [1, 2, 5])
 def test_a_law_is_proved_for_every_N_from_each(N):
     verdict = prove(
@@ -119,6 +125,7 @@ def test_a_law_is_proved_for_every_N_from_each(N):
     assert (verdict.status, sizes_of(verdict)) == ("proved", ["every N"])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "law",
     [

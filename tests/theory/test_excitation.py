@@ -157,6 +157,7 @@ def test_the_sliding_window_agrees_with_single_windows(paper):
             )
 
 
+@pytest.mark.long
 def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
     scenario = true_paper.with_values(
         {"basis.kernel": "gaussian-sigma", "run.duration": 100}
@@ -183,6 +184,7 @@ def test_places_on_a_circle_excite_both_axes_alike(paper):
     assert np.linalg.matrix_rank(two, tol=1e-9) == 1
 
 
+@pytest.mark.long
 def test_the_command_prints_the_report(printed, tmp_path, true_paper):
     clpt_package.save_scenario(true_paper, tmp_path / "true.toml")
     words = (tmp_path / "true.toml", "--window", "200", "--start", "200")

@@ -57,6 +57,7 @@ def test_a_point_that_refutes_is_not_near_the_equilibrium():
     assert found.value == pytest.approx(-v * (x + v / 5))
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=MARKS.get(name, ())) for name in CASES]
 )
@@ -216,6 +217,7 @@ def test_a_result_says_itself():
     assert "sampled" in found._repr_html_()
 
 
+@pytest.mark.long
 def test_a_limit_at_infinity_is_none():
     loop = clpt.connect([clpt.parts.pid(1, 0.1), clpt.parts.lag(10.0)], external="r")
     assert not any(

@@ -18,6 +18,7 @@ def of_law(name, **changes):
     return LAWS[name].promises[0]._replace(**changes)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_keeps_its_promises_along_runs(name):
     """Each promise is asked in one run at least; with seed 37 one has a uniform flow."""
@@ -51,6 +52,7 @@ NEEDED = [
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("name", "claim", "condition"), NEEDED)
 def test_a_promise_is_asked_only_where_its_conditions_hold(name, claim, condition):
     (promise,) = (one for one in LAWS[name].promises if one.claim == claim)
@@ -97,6 +99,7 @@ BREAKS = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", WRONG)
 def test_a_law_that_breaks_its_promise_is_found_out(name, printed):
     with replaced(name, **WRONG[name]):

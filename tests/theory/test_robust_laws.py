@@ -66,6 +66,7 @@ SAID = {  # conclusion, and a condition of its own
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", LAWS)
 @pytest.mark.parametrize("N", [1, pytest.param(3, marks=pytest.mark.slow)])
 def test_a_robust_law_is_bounded(name, N):
@@ -108,6 +109,7 @@ def burst(law, faint, quiet, cycles=2, theta=0.5):
     return peak
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("faint", "quiet"),
     [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)],
@@ -124,6 +126,7 @@ def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint,
             assert largest <= np.sqrt(2 * reached)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", LAWS)
 def test_a_run_stays_in_the_set(name):
     """Against runs of the whole diagram with one function under Delta, started off the truth."""
@@ -152,6 +155,7 @@ def test_a_run_stays_in_the_set(name):
         assert np.all(max(V[0], level(name, *truth, [0.05, 0.0])) + 1e-9 >= V)
 
 
+@pytest.mark.long
 def test_a_zone_that_V_does_not_share_is_not_bounded():
     own = law_of("dead-zone")
     own.parameters = own.parameters._replace(zone=0.3)

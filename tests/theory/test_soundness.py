@@ -224,6 +224,7 @@ def test_an_invariant_that_repels_proves_nothing(rate, status):
 # --- laws that were refused by an error -----------------------------------------------------
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("functions", [1, 2, 7])
 def test_a_whole_number_among_the_parameters_changes_no_verdict(functions):
     given = user_laws.MATRIX | {"functions": functions}
@@ -338,6 +339,7 @@ def test_where_no_V_is_found_none_is_shown():
     assert "with u = 0" in verdict.claim
 
 
+@pytest.mark.long
 def test_a_wrong_law_is_refuted_by_both():
     law = clpt.laws()["learned-flow"].of(1, gain=0.5)
     rates = law.update_function

@@ -120,6 +120,7 @@ def test_prove_prints_json(printed, monkeypatch, tmp_path):
         assert laws[name]["for_every_N"]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", ["learned-flow", "sigma", "dead-zone", "known-flow"])
 def test_prove_one_law(printed, name):
     """By the command as by the function."""
@@ -135,6 +136,7 @@ def test_prove_one_law(printed, name):
     assert (one["level"] is None) == (law.level is None)
 
 
+@pytest.mark.long
 def test_prove_one_theorem_and_refuse_another(clpt, refused):
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 0
@@ -172,6 +174,7 @@ def test_a_law_that_turns_at_the_papers_gain_is_not_proved(turned, said):
     assert said in proof.failed[0].detail
 
 
+@pytest.mark.long
 def test_the_page(proofs):
     text = page(proofs, misprints())
     assert text.count("## Theorem") == 4

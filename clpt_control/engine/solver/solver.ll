@@ -1,4 +1,4 @@
-; sha256 200dddc164c2017a5391379aa8e56568c6828a7a3a714f9139eb677dd7e1d3a7 4976746b3152dfc16fce72d36c3ff81d8eb20e1cf51a5ecb29a4de4ae4606cdc, Python 3.11, numba 0.68.1
+; sha256 b3b1f2e848c2d211fb50d2cf333a0cdab5a7a125c5bdaa33f8aefc765d69b17b 4976746b3152dfc16fce72d36c3ff81d8eb20e1cf51a5ecb29a4de4ae4606cdc, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("

@@ -118,6 +118,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
 
 
+@pytest.mark.long
 def test_interrupt_ends_cleanly():
     write({"run.duration": 2e7, "run.output_step": 1e4})
     with started(
@@ -203,6 +204,7 @@ assert seen == ["pickle.find_class", "socket.bind"]  # they are heard
 """
 
 
+@pytest.mark.long
 def test_no_connection_is_opened_and_nothing_is_unpickled():
     write({"run.duration": 20})
     vary = "--members 4 --vary learning.gain=1:2 --out e.zarr"

@@ -171,6 +171,7 @@ def interrupted_after(seconds, words, folder):
     return process.returncode, without_progress(err)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
 @pytest.mark.parametrize("part", seldom(range(60)))
 def test_interrupts_at_random_from_the_first_import_on(files, part):
@@ -218,6 +219,7 @@ def given(tmp_path_factory):
     return folder
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("words", seldom(SAME))
 def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
     found = []

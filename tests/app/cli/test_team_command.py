@@ -65,6 +65,7 @@ def paper():
     clpt_control.save_scenario(scenario, "paper.toml")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("paper")
 def test_excitation_finds_the_eigenvalue_of_the_design(printed):
     report = printed(
@@ -115,6 +116,7 @@ def run(tmp_path_factory):
     return file
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", ["kalman", "tomography"])
 def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
     found = printed(
@@ -163,6 +165,7 @@ def test_mistakes_are_one_sentence(refused_for, run):
     assert run.read_bytes() == before
 
 
+@pytest.mark.long
 def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run):
     for words in (("--prior", "30"), ("--noise", "1e-6")):
         found = printed("estimate", run, *words)

@@ -50,6 +50,7 @@ def plot_of(made, kind, name):
     return partial(data.clpt.plot, name)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("kind", "name", "count"), [*PLOTS, *METHODS])
 def test_on_given_axes(kind, name, count, made):
     """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""
@@ -71,6 +72,7 @@ def test_on_given_axes(kind, name, count, made):
     assert plt.get_fignums() == [figure.number]
 
 
+@pytest.mark.long
 def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(
     made, monkeypatch, tmp_path
 ):
@@ -96,6 +98,7 @@ def test_what_is_no_run_is_one_sentence(made):
     says(clpt.DataError, said, lacking.clpt.plot)
 
 
+@pytest.mark.long
 def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
     with plt.rc_context({"text.usetex": True}):
         clpt.report(made["run"], tmp_path / "run.html")

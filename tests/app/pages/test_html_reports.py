@@ -78,6 +78,7 @@ def checked(text, *said):
     return read
 
 
+@pytest.mark.long
 def test_a_run_has_its_page(run, page_of):
     page = page_of(run)
     read = checked(page)
@@ -121,6 +122,7 @@ def test_a_number_that_is_none_is_refused(run, page_of):
     page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
 
 
+@pytest.mark.long
 def test_one_sample_is_said_and_two_of_a_vehicle_at_rest_in_still_water_are_drawn(
     run, page_of
 ):
@@ -238,6 +240,7 @@ def test_part_of_a_run_has_no_first_round(words):
     assert re.search(f"(?s){said}", words(run.isel(time=[7])))
 
 
+@pytest.mark.long
 def test_damaged_figures_of_a_run_are_not_believed(found, words):
     _, run = found
     right = json.loads(run.attrs["summary"])
@@ -251,6 +254,7 @@ def test_damaged_figures_of_a_run_are_not_believed(found, words):
         )
 
 
+@pytest.mark.long
 def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
     out, page, folder = tmp_path / "e.zarr", tmp_path / "r.html", tmp_path / "f"
     clpt.run_ensemble(SHORT, VARY, 6, out=out)
@@ -281,6 +285,7 @@ def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, done):
     checked((tmp_path / "e.html").read_text("utf-8"), told)
 
 
+@pytest.mark.long
 def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
     page, team = (
         tmp_path / "t.html",
@@ -328,6 +333,7 @@ ADVICE = [  # CLPE of each cycle, shares learned on the track and in the box, ad
 ]
 
 
+@pytest.mark.long
 def test_faults_of_learning_have_a_sentence_and_a_remedy(found, words):
     for rms, track, box, said in ADVICE:
         shares = {"track": track, "box": box, "window": [10.0, 20.0]}
@@ -390,6 +396,7 @@ def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls(page_of):
     checked(text)
 
 
+@pytest.mark.long
 def test_threads_write_the_same_page_and_leave_matplotlibs_settings(tmp_path):
     run = clpt.simulate(SHORT)
     clpt.report(run, tmp_path / "alone.html")

@@ -152,6 +152,7 @@ def test_a_large_matrix_is_a_loop():
     np.testing.assert_allclose(found, [system.A @ x + 0.5] * 2, rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.long
 def test_products_of_small_matrices_are_loops_where_they_are_many():
     """exp(S), its series: as straight code it would take more than 60,000 operations."""
     n = 16

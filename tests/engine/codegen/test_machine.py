@@ -155,6 +155,7 @@ def test_the_text_of_the_solver_is_of_its_source():
     assert not re.search(r"target|\bx86|/home|/work|/root", text)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "triple",
     ["x86_64-pc-windows-msvc", "arm64-apple-darwin", "aarch64-unknown-linux-gnu"],
@@ -206,6 +207,7 @@ def test_each_thread_runs_a_shared_block_with_its_own_params():
     np.testing.assert_allclose(found, np.exp(-np.outer(rates, times)), atol=1e-5)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(
     not Path("/proc/self/fd").is_dir(), reason="folders are asked by name there"
 )

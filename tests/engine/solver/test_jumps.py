@@ -285,6 +285,7 @@ def close(found, wanted, tolerance, said):
     assert np.abs((found - wanted) / size).max() < tolerance, said
 
 
+@pytest.mark.long
 @settings(max_examples=5, deadline=None, derandomize=True, database=None)
 @given(st.integers(0, 2**32 - 1))
 def test_every_engine_follows_matrix_exponentials(seed):

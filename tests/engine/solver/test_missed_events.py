@@ -501,6 +501,7 @@ def test_an_unsuitable_result_of_a_function_is_told():
         clpt.simulate(system, [0.0, 1.0], None, [0.0, 1.0])
 
 
+@pytest.mark.long
 def test_a_controller_that_keeps_its_last_call_is_named_where_a_run_fails():
     class Pid:
         def __init__(self):

@@ -154,6 +154,7 @@ SLOPES = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", SLOPES)
 def test_slopes_are_those_of_small_differences(case):
     diagram, form = SLOPES[case]
@@ -287,6 +288,7 @@ def test_the_first_step_is_the_one_asked_for():
 # --- ensembles ----------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_stiff_members_are_run_one_by_one_and_change_no_other():
     values = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
     scenario = clpt.paper_scenario().with_values(values)

@@ -235,6 +235,7 @@ def test_a_state_or_chance_that_hides_is_seen_and_all_is_left_as_it_was(function
     assert type(MACHINE.drag) is interp1d
 
 
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 @pytest.mark.filterwarnings("ignore:.*hidden state")
 def test_what_hides_in_params_runs_as_python_control_runs_it():

@@ -276,6 +276,7 @@ def test_ways_of_helpers_add_up():
     assert run.attrs["engine"] == "native"
 
 
+@pytest.mark.long
 def test_helpers_of_helpers_of_helpers_end_in_a_sentence():
     def gears(v):
         return gear(v) + gear(v + 3) * gear(v - 3)

@@ -71,6 +71,7 @@ def folder(path, **parts):
     return path
 
 
+@pytest.mark.long
 def test_u_and_v_in_files_of_their_own_are_joined(tmp_path):
     data = current()
     u, v = data[["u"]], data[["v"]]
@@ -142,6 +143,7 @@ def test_levels_below_the_sea_floor_are_left_out_of_the_mean():
     np.testing.assert_allclose(found.u[:, :3], (0.5 * 0.25 + 0.46 * 0.5) / 0.75)
 
 
+@pytest.mark.long
 def test_the_command_notes_the_level_and_takes_a_depth(tmp_path, printed, clpt):
     levels(np.array(LEVELS)).to_netcdf(tmp_path / "c.nc")
     words = ["fit", tmp_path / "c.nc", "--out", tmp_path / "c.toml"]

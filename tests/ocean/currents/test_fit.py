@@ -120,6 +120,7 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
     assert shares[0] < 0.6
 
 
+@pytest.mark.long
 def test_a_fit_worse_than_the_mean_current_says_so(clpt, tmp_path):
     """A current that is strong beside its tide, by narrow functions, then by wide ones."""
     tide = 0.1 * np.cos(OMEGA * TIME)[:, None, None] * np.ones((LAT.size, LON.size))
@@ -129,6 +130,7 @@ def test_a_fit_worse_than_the_mean_current_says_so(clpt, tmp_path):
         assert ("worse than the mean current" in out) is told
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_path):
     """On the plane it turns by 0.2 %: no variance that anybody asks about."""
@@ -257,6 +259,7 @@ def test_each_mistake_is_one_sentence(known):
         refuses(sentence, fit_current, known[0], BOX, error=error, **options)
 
 
+@pytest.mark.long
 def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp_path):
     """Of what `clpt excitation` names, in one sentence; nothing where all can be learned."""
     scenario = tmp_path / "s.toml"

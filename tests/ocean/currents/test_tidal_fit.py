@@ -108,6 +108,7 @@ def test_the_ellipse_is_that_of_the_components():
     assert (np.degrees(turn[k]) - tide.phase + 90) % 180 == pytest.approx(90, abs=0.01)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("red", [0.8, pytest.param(0.0, marks=pytest.mark.slow)])
 def test_estimates_lie_within_their_standard_errors(red):
     """Of 60 records with noise, white and red, at least 95 % within three."""

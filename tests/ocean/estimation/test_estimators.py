@@ -25,6 +25,7 @@ def ratio(dives, **model):
     return clpe_rms(replay) / clpe_rms(replay, model="previous_dive")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [20, pytest.param(200, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_errors_are_no_larger_than_is_said(estimator, count):
@@ -72,6 +73,7 @@ def test_against_the_previous_dives_current(case, most, count):
     assert np.sqrt(np.mean(np.square(ratios))) < most
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", [{"walk": 0.03}, {"noise": 0.05}, {"flow": "M2"}])
 def test_ellipses_hold_what_they_promise(case):
     replays = [replay_dives(vehicle(seed, **case)) for seed in range(4)]
@@ -107,6 +109,7 @@ def test_what_is_not_excited_is_held():
 TURNING = [("M2", 40.0, 20.0), ("inertial", 40.0, 120.0), ("inertial", -40.0, 120.0)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("flow", "latitude", "most"), TURNING)
 def test_a_flow_that_turns_is_forecast(flow, latitude, most):
     """Of 1300 m in 4 h: the period and the mean over a dive; clockwise in the north."""
@@ -263,6 +266,7 @@ def modelled(dives, ways):
     return [replace(dive, model_east=way[0], model_north=way[1]) for dive, way in pairs]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("estimator", "most"), [("gaussian-process", 0.6), ("gradient", 0.9)]
 )
@@ -280,6 +284,7 @@ def test_a_flow_model_that_tells_is_used(estimator, most):
     assert "model" in uncovered.steps[-1].not_learned
 
 
+@pytest.mark.long
 def test_a_flow_model_that_tells_nothing_does_little_harm():
     rng, ratios = np.random.default_rng(1), []
     for seed in range(3):

@@ -101,6 +101,7 @@ def test_legs_one_by_one_are_legs_at_once(tmp_path, estimate):
     assert [answer["theta_m_s"] for answer in live] == expected
 
 
+@pytest.mark.long
 def test_a_restarted_learner_has_the_same_numbers(tmp_path, scenario, estimate):
     """Stopped after any line and started anew with its state: equal to the last bit."""
     lines = stream(25)
@@ -262,6 +263,7 @@ def test_an_hour_of_unknown_motion_is_no_hour_at_rest(estimate, line, status):
     assert "3600 s before it is not known" in last["note"]
 
 
+@pytest.mark.long
 def test_a_torn_line_is_remembered_by_the_state(scenario, tmp_path):
     """A process that ends behind a torn line answers as one that goes on."""
     state = tmp_path / "state"

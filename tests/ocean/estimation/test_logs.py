@@ -74,6 +74,7 @@ def unknown_speed(rows):
     rows[6] = (*rows[6][:3], float("nan"), float("nan"))
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "damage",
     [
@@ -102,6 +103,7 @@ def test_recorded_and_live_have_the_same_numbers(tmp_path, estimate, live, damag
     assert damage is wild or "line" in told
 
 
+@pytest.mark.long
 def test_a_clock_that_is_ahead_at_first_ends_nothing(live):
     rows = mission(12, seed=3)
     rows[0] = (rows[0][0] + 20 * 365 * 86400, *rows[0][1:])
@@ -109,6 +111,7 @@ def test_a_clock_that_is_ahead_at_first_ends_nothing(live):
     assert answers[-1]["legs"] >= 10
 
 
+@pytest.mark.long
 def test_a_late_course_is_told(live):
     lines = lines_of(mission(3, seed=3))
     late = json.dumps({"time": BEGIN + LEG / 2, "course": 90, "speed": 1.0})
@@ -118,6 +121,7 @@ def test_a_late_course_is_told(live):
     assert "line 5: skipped, not later than the row before" in told
 
 
+@pytest.mark.long
 def test_a_bad_plan_loses_the_plan_not_the_fix(live):
     """And the plan of the last fix can be asked again after a kill."""
     rows = mission(3, seed=3)
@@ -133,6 +137,7 @@ def test_a_bad_plan_loses_the_plan_not_the_fix(live):
     assert answers[-1]["next"]["radius_m"] > 0
 
 
+@pytest.mark.long
 def test_lines_between_fixes_are_appended_and_read_again(tmp_path, live):
     """A torn last line, as a kill leaves it, is no line."""
     rows, state = mission(4, seed=3), tmp_path / "state.json"
@@ -160,6 +165,7 @@ def test_two_writers_of_a_state_are_refused(tmp_path, clpt, monkeypatch):
     assert "another clpt estimate writes it" in done.err
 
 
+@pytest.mark.long
 def test_results_carry_the_skipped_legs(tmp_path, estimate, clpt):
     rows = mission(12, seed=1)
     unknown_speed(rows)
@@ -225,6 +231,7 @@ WRITERS = {
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", WRITERS)
 def test_other_spellings_are_read(tmp_path, estimate, name):
     (tmp_path / "log.csv").write_text(written(mission(30, seed=1), *WRITERS[name]))
@@ -297,6 +304,7 @@ WAYS = {
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", WAYS)
 def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
     way, said = WAYS[name]
@@ -304,6 +312,7 @@ def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
     assert said in " ".join(estimate(table(tmp_path / "log.csv", rows))["notes"])
 
 
+@pytest.mark.long
 def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
     """Errors that are smaller than the noise of the fixes are impossible."""
     from geodesics import displacement

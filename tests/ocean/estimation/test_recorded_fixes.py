@@ -102,6 +102,7 @@ def learned(path, scenario=SCENARIO, **values):
     return clpt.currents.flow_estimate(legs, scenario)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("units", [("km", "h", 1.0), ("m", "s", 1e3)])
 def test_straight_legs_teach_the_flow(tmp_path, law, units):
@@ -126,6 +127,7 @@ def test_straight_legs_teach_the_flow(tmp_path, law, units):
     assert data.inside.values[4:].mean() > 0.8
 
 
+@pytest.mark.long
 def test_standard_errors_hold(tmp_path):
     """Over 20 missions the errors of theta are about as large as their standard errors say."""
     ratios = []

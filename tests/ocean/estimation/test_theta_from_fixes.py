@@ -35,6 +35,7 @@ def lap():
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("method", "every", "most"),
     [("kalman", 2.0, 2e-4), ("tomography", 2.0, 2e-4), ("tomography", 20.0, 5e-2)],
@@ -131,6 +132,7 @@ def read_with_noise(number, noise=0.02, period=1.0):
     return clpt.simulate(PAPER.with_values({**FINE, "localization": seen}))
 
 
+@pytest.mark.long
 def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     """Nine of ten parameters within 1.645 of their standard errors, or more: neighbours share."""
     exact = estimate(read_with_noise(1, noise=0.0), every=5.0)

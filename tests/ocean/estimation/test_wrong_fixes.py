@@ -195,6 +195,7 @@ def test_tomography_finds_an_eddy_that_turns_far_between_fixes(turn):
     )
 
 
+@pytest.mark.long
 def test_tomography_leaves_wild_fixes_out():
     dives, scenario = eddy_legs(1.0, 40, seed=12)
     fix = dives[19].t_gpse, dives[19].lat_gpse + 0.1, dives[19].lon_gpse

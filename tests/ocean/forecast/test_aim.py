@@ -236,6 +236,7 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
     assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
 
 
+@pytest.mark.long
 def test_who_knows_less_arrives_less_surely(steady):
     width = []
     for replay in (steady, replay_dives(vehicle(1, 1, flow="steady"))):
@@ -319,6 +320,7 @@ def test_what_is_no_route_is_one_sentence(tmp_path):
         refuses(f"route: .*{says}", route.read_route, tmp_path / "route")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_draws_the_way(command, tmp_path):
     line = shape("LineString", [8.45, -42.93], [8.45, -42.925])

@@ -166,6 +166,7 @@ def test_a_waypoint_against_the_current_is_said_on_its_card():
     assert "there in" not in card_of(found | {"aim": [leg]}, "Distance to go")[0]
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize(
     ("basis", "plan", "says"),
@@ -214,6 +215,7 @@ def wild_fix():
     return dives
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "dives", [sample_dives(), recent(8, 9.0), wild_fix(), fixes_of(1)]
 )
@@ -256,6 +258,7 @@ def keys_of(found):
     return {style.removeprefix("key ") for style in styles if style.startswith("key ")}
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_legend_has_what_is_drawn_alone():
     one, many = told(fixes_of(1)), told(fixes_of(8))
@@ -275,6 +278,7 @@ def test_the_legend_has_what_is_drawn_alone():
     assert keys_of(aimed) | more == set(KEYS)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("lat", "lon"), [(12.1, 85.8), (-42.0, -128.3)])
 def test_the_degrees_of_a_telephone_have_room(lat, lon):
     """Letters of 11 units, each 0.62 of their height, and a tick, left of the chart."""

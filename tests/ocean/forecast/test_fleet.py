@@ -67,6 +67,7 @@ def look(command, tmp_path, monkeypatch, undrawn):
     return run
 
 
+@pytest.mark.long
 def test_what_asks_for_a_pilot(look):
     dives = recent(12, 1.0)
     end = dives[-1].t_gpse
@@ -110,6 +111,7 @@ def tree(tmp_path, facts, sample):
     return top
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
     tree, command, monkeypatch
@@ -178,6 +180,7 @@ def python(code, *words):
     return "--alert", shlex.join([sys.executable, "-c", code, *map(str, words)])
 
 
+@pytest.mark.long
 def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(
     tmp_path, look
 ):
@@ -197,6 +200,7 @@ FAILING = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("code", "longest", "says"), FAILING)
 def test_a_command_that_fails_is_one_sentence_and_is_run_again(
     code, longest, says, tmp_path, monkeypatch, look
@@ -280,6 +284,7 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     )
 
 
+@pytest.mark.long
 def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path, look):
     heard = tmp_path / "told"
     second = recent(6, 24.0)
@@ -288,6 +293,7 @@ def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path, look
     assert told_in(heard) == [("glider", "overdue", 6)] * 2
 
 
+@pytest.mark.long
 def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, look):
     heard = tmp_path / "heard"
     save = "import sys; print(*sys.argv[2:], file=open(sys.argv[1], 'a'))"
@@ -304,6 +310,7 @@ def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, look):
     assert sorted(said) == sorted(f"vehicle {name}" for name in names)
 
 
+@pytest.mark.long
 def test_two_spells_of_dives_with_one_number_are_two_events(tmp_path, look):
     heard, since = tmp_path / "told", TWICE_OUT[-1].t_gpse - TWICE_OUT[0].t_gps2
     again = [
@@ -319,6 +326,7 @@ def test_two_spells_of_dives_with_one_number_are_two_events(tmp_path, look):
     assert told_in(heard) == [("glider", "OUT", 42)] * 2
 
 
+@pytest.mark.long
 def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, look):
     heard, results = tmp_path / "told", tmp_path / "top" / "replay"
     for dives in (TWICE_OUT, ()):

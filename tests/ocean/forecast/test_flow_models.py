@@ -233,6 +233,7 @@ def test_what_is_not_covered(tmp_path):
     assert carried(dive_at(), Made(lambda t, x, y: (nan, 0.0))).model_east is None
 
 
+@pytest.mark.long
 def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     """Six-hourly steps from 0 to 18 h, none until 84 h, then to 102 h: as files with a hole."""
     hours = np.array([0.0, 6.0, 12.0, 18.0, 84.0, 90.0, 96.0, 102.0])

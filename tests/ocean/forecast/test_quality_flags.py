@@ -165,6 +165,7 @@ def later_rms(replay, dive):
     return np.sqrt(np.mean(np.square(misses)))
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("size", [700.0, 1200.0, 2000.0])
 @pytest.mark.parametrize("dive", [3, 5, 9])
 @pytest.mark.parametrize("estimator", ESTIMATORS)

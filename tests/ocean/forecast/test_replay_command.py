@@ -188,6 +188,7 @@ def test_a_plan_of_the_next_dive(command):
     assert "min, in 4.1 h from the end of the last dive" in said
 
 
+@pytest.mark.long
 def test_aiming_by_the_command(command, sample, tmp_path):
     (tmp_path / "way.txt").write_text("-42.92 8.43\n-42.9 -351.58\n")
     words = ("--sample", "--route", tmp_path / "way.txt")

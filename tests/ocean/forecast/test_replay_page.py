@@ -92,6 +92,7 @@ def charts_have_dates(text):
         )
 
 
+@pytest.mark.long
 def test_sixty_dives_are_small_and_one_is_enough(replayed):
     text, _ = page_and_sentence(told(fixes_of(60)))
     assert len(text.encode()) < 2_000_000
@@ -133,6 +134,7 @@ def test_a_place_beyond_the_poles_is_not_drawn(name):
     refuses("a latitude is beyond the poles", page_and_sentence, found)
 
 
+@pytest.mark.long
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
     *_, last = dives = fixes_of(6)
     found, edges = told(dives), {}
@@ -169,6 +171,7 @@ def ring_of(found, shapes):
     return shapes[f"{100 * found['level']:g} % ellipse"][0]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 @pytest.mark.usefixtures("undrawn")
 def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
@@ -184,6 +187,7 @@ def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
     assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
 @pytest.mark.usefixtures("undrawn")
 def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(replayed, lon):

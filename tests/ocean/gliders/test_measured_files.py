@@ -214,6 +214,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
             assert "magnetic, variation -37 degrees (by IGRF" in said
 
 
+@pytest.mark.long
 def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, facts):
     path = facts / "glider" / "og1" / OG1
     found = {}

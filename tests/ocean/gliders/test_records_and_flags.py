@@ -103,6 +103,7 @@ def test_a_wild_fix_begins_no_record(tmp_path, fix):
     assert (len(used), skipped) == (10, [])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("latitudes", [(30.0, 30.0, 30.0), (30.0, 31.0, 32.0)])
 def test_tables_of_several_vehicles_are_named_by_their_files(tmp_path, latitudes, clpt):
     for k, (name, latitude) in enumerate(
@@ -130,6 +131,7 @@ def test_tables_of_parts_and_copies_are_of_one_vehicle(tmp_path):
     assert {one.why[:9] for one in skipped} == {"duplicate"}
 
 
+@pytest.mark.long
 def test_a_damaged_file_is_named_with_its_reason_as_it_arrives(tmp_path, clpt):
     write_dive_table(flown(), tmp_path / "good.csv")
     (tmp_path / "bad.csv").write_text("dive,depth\n1,2\n")

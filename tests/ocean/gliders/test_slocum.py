@@ -333,6 +333,7 @@ MISSIONS = [
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("how", MISSIONS, ids=str)
 def test_each_dive_of_a_mission_has_the_current_of_its_sea(tmp_path, how):
     truth, dives = flown(tmp_path / "sbd", **how)
@@ -411,6 +412,7 @@ def test_a_file_without_depths_says_what_to_give(tmp_path):
     refuses(said, read_dives, tmp_path / "sbd")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("share", "used"), [(0.2, 5), (1.0, 0)])
 def test_a_heading_of_999_is_a_gap(tmp_path, monkeypatch, share, used):
     chance = np.random.default_rng(3)
@@ -440,6 +442,7 @@ def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):
     assert len(used_numbers(dives)) == DIVES
 
 
+@pytest.mark.long
 def test_a_dive_that_may_hold_a_current_is_not_used(tmp_path):
     for without in (OWN, FLAG):
         flown(tmp_path / without[0], without, late=True)

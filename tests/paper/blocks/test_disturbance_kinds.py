@@ -138,6 +138,7 @@ NEW_KIND = """
 """
 
 
+@pytest.mark.long
 def test_an_unbounded_kind_that_is_a_row_alone_is_treated_as_noise():
     done = ran(sys.executable, "-c", textwrap.dedent(NEW_KIND), cwd=ROOT)
     assert done.stdout.startswith(
