@@ -101,6 +101,7 @@ DAMAGES = [  # a file, what happens to it, what is said: its array is not as it 
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(("name", "damage", "said"), DAMAGES)
 def test_a_damaged_ensemble_is_a_sentence(whole, out, name, damage, said):
     """It is named before it is gone on with, or shown; nothing is written."""

@@ -169,6 +169,7 @@ def test_the_papers_law_is_proved(values):
     }
 
 
+@pytest.mark.long
 def test_a_wrong_law_of_the_paper_is_refuted():
     wrong = papers_loop(gain=-0.5)
     found = lyapunov(wrong, lambda s: eq_24(s) + s.alpha[0] @ s.alpha[0])

@@ -84,7 +84,7 @@ def flow_estimate(
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> estimate = clpt.currents.flow_estimate(run, every=5.0, method="tomography")
+    >>> estimate = clpt.currents.flow_estimate(run, every=5.0)
     >>> estimate.flow_parameters_estimate.values[-1].round(2).tolist()
     [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
     """

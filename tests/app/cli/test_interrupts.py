@@ -249,6 +249,7 @@ THOUSANDS = [
 ]
 
 
+@pytest.mark.long
 @FORKED
 @pytest.mark.parametrize("words", [(0, 40, 0), *THOUSANDS])
 def test_damaged_inputs_are_answered(words):
