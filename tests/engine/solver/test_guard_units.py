@@ -184,3 +184,18 @@ def test_a_time_is_met_within_the_rounding_of_times(begin):
     assert run.states.values[:, 0] == pytest.approx([0, begin + 5 - end, 5.7], abs=near)
     stopped = clpt.simulate(model, times, stop=lambda t, y, u: t < end)
     assert stopped.time.values[-1] == pytest.approx(end, rel=0, abs=near)
+
+
+@pytest.mark.parametrize("speed", [1e-13, 1e-10, 1e-7])
+def test_a_state_that_creeps_to_a_threshold_passes_it_once(speed):
+    """A distance of 1e-8 is 1e4 times its rounding, 3e-12: so exactly is the time known."""
+    crossing = 1e-8 / speed
+
+    def rates(t, x, u, p):
+        return [speed, 1.0 if x[0] > 1.0 else 0.0]
+
+    model = control.nlsys(rates, None, inputs=0, outputs=2, states=2, name="creeper")
+    times = [0.0, crossing, 2.0 * crossing]
+    run = clpt.simulate(model, times, None, [1.0 - 1e-8, 0.0])
+    assert run.states.values[-1, 1] == pytest.approx(crossing, rel=5e-4)
+    assert run.attrs["solver_steps"] < 100
