@@ -274,7 +274,7 @@ TOKENS = {
     "theory.design": 5740,
     "theory.excitation": 9841,
     "theory.laws": 21569,
-    "theory.proofs": 38697,
+    "theory.proofs": 39760,
     "theory.theorems": 9409,
 }
 LAID_OUT = {

@@ -38,15 +38,9 @@ from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
 from .certified import SHOWN, written
-from .conclusions import (
-    CONCLUSIONS,
-    Condition,
-    Judged,
-    Status,
-    concluded,
-    theorem_and_proof,
-)
+from .conclusions import CONCLUSIONS, Condition, Judged, Status, concluded
 from .ends import Ends, ends
+from .in_latex import theorem_and_proof
 from .outside import Motion
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
