@@ -38,6 +38,24 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
             "V = v**2 + q**2 + a*x**2 + b*p**2", ZERO, None,
         ),
     ],
+    "zero to the rounding of its sum": [  # as it runs in doubles, exactly or to 1e-15
+        ("x' = v; v' = -x - sin(a)*v; a = 3.141592653589793", STABLE, None),
+        ("x' = v; v' = -x - (1 - tanh(a))*v; a = 20", STABLE, [0, 0]),
+        ("x' = v; v' = -x - exp(-a)*v; a = 1000", STABLE, [0, 0]),
+        ("x' = v; v' = -x - a**200*v; a = 0.01", STABLE, [0, 0]),
+        ("x' = v; v' = -x - (c - a*b)*v; a = 1.4142135623730951; b = 1.7320508075688772; "
+         "c = 2.4494897427831783", STABLE, [0, 0]),
+        ("x' = -(1 + cos(a))*x**3; y' = -y; a = 3.141592653589793", REST, [1, 0]),
+        (  # q alone swings for ever
+            "x' = v; p' = q; v' = -x - (1 - cos(a))*(x - p) - 0.3*v; "
+            "q' = -p - (1 - cos(a))*(p - x); a = 6.283185307179586; "
+            "V = v**2 + q**2 + x**2 + p**2 + (1 - cos(a))*(x - p)**2", ZERO, None,
+        ),
+        (  # both have frequency 1, and swing in phase
+            "x' = v; p' = q; v' = -x - (v - q); q' = cos(b)*p - (q - v); "
+            "b = 3.141592653589793; V = v**2 + q**2 + x**2 - cos(b)*p**2", ZERO, None,
+        ),
+    ],
     "rates that jump": [  # sticks: the rates on both sides of v = 0 push back to it
         ("x' = v; v' = -x - 0.5*sign(v)", ZERO, None),
         ("x' = v; v' = -x - v - where(v > 0, 1.0, -1.0)", ZERO, None),
@@ -108,6 +126,9 @@ HELD = {  # kind -> text, what must be shown
         ("x' = v; v' = -sin(2*x) - 3*v; V = v**2 + 1 - cos(2*x)", REST),
         ("a' = b - a; b' = a - b", REST),  # linear: each run converges
         ("e' = -e - k*e; k' = e**2", REST),  # k only rises
+        (  # a body, damped about one axis: at each level of V it turns about one of two others
+            "x' = -y*z - x; y' = x*z; z' = -x*y/3; V = x**2 + 2*y**2 + 3*z**2", REST,
+        ),
         ("x' = -x*(x - 1)**2", REST),
     ],
     "forms without steps": [
@@ -156,6 +177,38 @@ def test_a_V_that_is_searched_for_says_no_more(text):
     given, searched = (clpt.lyapunov(plant, function) for function in (V, None))
     if searched.status == "proved":
         assert ORDER.index(searched.conclusion) >= ORDER.index(given.conclusion)
+
+
+def test_of_a_map_a_factor_of_size_one_is_not_below_one():
+    """x+ = -cos(pi) x is x, each x a rest: cos(pi) is -1 in doubles, and not quite as decimals."""
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": -np.cos(p.a) * x.x, "y": x.y / 2},
+        states={"x": 1, "y": 1},
+        parameters={"a": np.pi},
+        dt=1.0,
+    )
+    found = clpt.lyapunov(plant, lambda s: s.x**2 + s.y**2)
+    assert (found.status, found.conclusion) in {("proved", REST), ("proved", ZERO)}
+    assert plant.dynamics(0, [1.0, 0.0], []) == pytest.approx([1.0, 0.0], abs=0)
+
+
+@pytest.mark.parametrize("a", [3.141592652589793, 3.141592653579793])
+def test_a_function_of_a_number_is_printed_as_it_is(a):
+    plant, V, *_ = written(f"x' = v; v' = -x - sin(a)*v; a = {a}")
+    found = clpt.lyapunov(plant, V)
+    assert (found.status, found.conclusion) == ("proved", AS)
+    number = found.sentence.removeprefix("V' = -").partition("*v**2 <= 0")[0]
+    assert float(number) == pytest.approx(np.sin(a), rel=1e-3)
+
+
+def test_a_claim_where_inputs_are_zero_is_said_of_inputs_of_zero():
+    plant, V, *_ = written("x' = -x + w; input w")
+    found = clpt.lyapunov(plant, V, claim=lambda s: s.w**2 - s.x**2 / 2)
+    assert found.sentence.startswith(
+        "V' <= -x**2/2 <= 0, so the rest is asymptotically"
+    )
+    assert found.sentence.endswith("; where w = 0")
 
 
 # --- states that jump ----------------------------------------------------------------------------

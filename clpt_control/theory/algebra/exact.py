@@ -5,19 +5,21 @@ functions, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's ow
 """
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from math import comb, prod
+from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, Poly, Pow, S, expand
+from sympy import Expr, Mul, Poly, Pow, S, expand
 from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
 
 from ...base.errors import DiagramError
-from .facts import CLIP, INSIDE
+from .decided import decided
+from .facts import CLIP, INSIDE, fact_of
 from .texts import LARGEST_DENOMINATOR, short
 
 MOST_TERMS = 20_000  # longer expressions are not multiplied out
@@ -28,6 +30,7 @@ ROUNDED = 2.0**-46  # share of the terms of a sum of rounded numbers that is no 
 HIGHEST_REWRITTEN = 100  # higher powers stay as they are
 # of 3 configurations, one in five polynomials with nine functions had bad ones alone
 FACTOR_CONFIGURATIONS = 20
+NO_VALUES = MappingProxyType[Any, Any]({})
 # even function -> the odd function and the sign in 1 - sin^2, 1 + sinh^2
 PYTHAGOREAN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}
 
@@ -195,28 +198,79 @@ def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
     return expand(expression.xreplace(powers))
 
 
-def without_rounding(e: Expr) -> Expr:
+def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     """Return a sum without the terms that are rounding errors of the products they are made of.
 
     A coefficient is compared with the sum of the sizes of all that cancels in it; cos(3) and other
-    values of functions at numbers are as machines round them.
+    values of functions at numbers are as machines round them, and their arguments.  Parameters
+    with `values` are these numbers.
     """
-    if all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
+    kinds = sympy.Symbol, sympy.Function, Pow, sympy.NumberSymbol
+    numbers = {
+        call: sympy.Rational(float(decided(call.xreplace(values))))
+        for call in e.atoms(*kinds)
+        if call.free_symbols <= values.keys() and call.is_real and not _is_product(call)
+    }
+    if not numbers and all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
         return e
-    calls = (call for call in e.atoms(sympy.Function) if call.is_number)
-    rounded = e.xreplace({call: sympy.Rational(float(call)) for call in calls})
+    numbers |= values
 
     def size(e: Expr) -> Expr:
         if e.is_Rational:
             return abs(e)
+        if e in numbers:
+            return abs(numbers[e]) + size_of_change(e)
         if e.is_Add or e.is_Mul:
             return e.func(*map(size, e.args))
-        is_power = e.is_Pow and e.exp.is_Integer and e.exp.is_positive
-        return size(e.base) ** e.exp if is_power else e
+        return size(e.base) ** e.exp if _is_product(e) else e.xreplace(numbers)
 
-    terms, sizes = (expand(f).as_coefficients_dict() for f in (rounded, size(rounded)))
-    kept = [c * term for term, c in terms.items() if abs(c) > ROUNDED * sizes[term]]
-    return sympy.Add(*kept) if len(kept) < len(terms) else e
+    def size_of_change(call: Expr) -> Expr:
+        """Return by how much a function changes with the sizes of its arguments."""
+        if call.is_Pow:
+            of_base = size(call.base) / abs(call.base.xreplace(numbers))
+            return abs(numbers[call] * call.exp.xreplace(numbers)) * of_base
+        kind = fact_of(call).kind if call.args else "step"
+        if kind == "kink":
+            return sympy.Add(*map(size, call.args))
+        if kind != "smooth" or len(call.args) != 1:
+            return S.Zero
+        slope = sympy.Rational(float(call.fdiff().xreplace(values)))
+        return abs(slope) * size(call.args[0])
+
+    symbols = {call: sympy.Dummy(real=True) for call in numbers}
+    value = e.xreplace(numbers)
+    if value.has(sympy.zoo, sympy.nan):
+        return value
+    terms, sizes, exact = (
+        expand(f).as_coefficients_dict() for f in (value, size(e), e.xreplace(symbols))
+    )
+    kept = {
+        term: c
+        for term, c in terms.items()
+        if abs(c) > ROUNDED * sizes[term] and float(c) != 0.0
+    }
+    back = {symbol: numbers[call] for call, symbol in symbols.items()}
+    factors = ([*Mul.make_args(term)] for term in exact)
+    every = {
+        Mul(*(f.xreplace(back) for f in of if not f.free_symbols <= back.keys()))
+        for of in factors
+    }
+    return e if every <= kept.keys() else sympy.Add(*(c * t for t, c in kept.items()))
+
+
+def _is_product(e: Expr) -> bool:
+    """Return whether an expression is a positive power, of which the base is judged."""
+    return bool(e.is_Pow and e.exp.is_Integer and e.exp.is_positive)
+
+
+def coarse(e: Expr) -> Expr:
+    """Return an expression with 13 digits of numbers, so that those of some roundings agree."""
+    numbers = {
+        n: sympy.Rational(f"{float(n):.12e}")
+        for n in e.atoms(sympy.Rational, sympy.Function, Pow, sympy.NumberSymbol)
+        if n.is_number and n.is_real and not isinstance(n, AppliedUndef)
+    }
+    return e.xreplace(numbers)
 
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
@@ -228,7 +282,7 @@ def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
     total = S.Zero
     for powers, coefficient in Poly(polynomial, *symbols.values()).terms():
         factors = (v**n for v, n in zip(symbols, powers, strict=True))
-        total += sympy.cancel(coefficient) * sympy.Mul(*factors)
+        total += sympy.cancel(coefficient) * Mul(*factors)
     return total
 
 

@@ -12,15 +12,23 @@ def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
     from sympy import Dummy, Rational  # cached outcomes are read without SymPy
 
-    atoms = getattr(expression, "atoms", lambda *kinds: ())(Rational, Dummy)
-    long = [n for n in atoms if n.is_Rational and n.q > LARGEST_DENOMINATOR]
-    numbers = {n: n.n(6) for n in long}
-    numbers |= {n: n.round() for n in long if abs(n - n.round()) < 1e-6 * abs(n)}
-    text = str(expression.xreplace(numbers) if numbers else expression)
-    for symbol in atoms:
-        text = (
-            text if symbol.is_Rational else text.replace(f"_{symbol.name}", symbol.name)
-        )
+    def is_long(e: Any) -> bool:
+        return any(n.q > LARGEST_DENOMINATOR for n in e.atoms(Rational))
+
+    def rounded(e: Any) -> Any:
+        """Return an expression with long numbers rounded, functions of them as one number."""
+        if not is_long(e):
+            return e
+        if not e.is_number:
+            return e.func(*map(rounded, e.args))
+        if e.is_Rational and abs(e - e.round()) < 1e-6 * abs(e):
+            return e.round()
+        return e.n(6)
+
+    symbols = getattr(expression, "atoms", lambda kind: ())(Dummy)
+    text = str(rounded(expression) if hasattr(expression, "atoms") else expression)
+    for symbol in symbols:
+        text = text.replace(f"_{symbol.name}", symbol.name)
     return text if len(text) <= most else text[:most] + " ..."
 
 

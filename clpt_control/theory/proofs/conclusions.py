@@ -137,7 +137,7 @@ CONDITIONS = {  # name -> sentence
     "approximation": "of {}",
     "graphs": "on graphs of {}",
     "values": "with the parameters' values",
-    "rounding": "to the rounding of V's numbers",
+    "rounding": "to the rounding of numbers",
     "start": "where {} at the start",
     "truth": "where {}",
     "slower flow": "where the flow stays slower than the vehicle (hedging)",

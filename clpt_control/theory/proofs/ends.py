@@ -8,7 +8,7 @@
 Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, NamedTuple
@@ -19,7 +19,7 @@ from sympy import Expr
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
 from ..algebra.decided import decided
-from ..algebra.exact import factored, normal_form, vanishes
+from ..algebra.exact import coarse, factored, normal_form, vanishes
 from ..algebra.facts import functions_in
 from ..algebra.slopes import along, jumps_nowhere
 from ..algebra.sums_of_squares import Squares, squares, zero_at, zero_of
@@ -29,7 +29,7 @@ from .outside import ANGLES, Motion
 from .steps import Step, exact
 
 MOST_ROUNDS = 12  # of derivatives of what stays zero
-MOST_VARIABLES = 6  # of polynomials whose zeros are counted
+MOST_VARIABLES = 7  # of polynomials whose zeros are counted
 
 
 class Ends(NamedTuple):
@@ -104,8 +104,21 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "Still | None":
     if moves or motion.free or candidate.eq.jumps:
         return None
     is_continuous = all(map(jumps_nowhere, (*rates, *fall.losses)))
-    still = Still(motion.rates, motion.fixed, candidate.eq.discrete)
-    still.find(fall.losses, MOST_ROUNDS if is_continuous else len(fall.losses))
+    rounds = MOST_ROUNDS if is_continuous else len(fall.losses)
+
+    def left(number: Callable[[Expr], Expr]) -> Still:
+        """Return what V' = 0 leaves of equations with their numbers changed."""
+        rates = {s: number(rate) for s, rate in motion.rates.items()}
+        still = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
+        still.find([*map(number, fall.losses)], rounds)
+        return still
+
+    still = left(lambda e: e)
+    if any(coarse(e) != e for e in (*rates, *fall.losses)):
+        # a difference of numbers may be their rounding: no conclusion depends on it
+        rough = left(coarse)
+        if rough.is_rest < still.is_rest or (rough.point is None and still.point):
+            return None
     return still if is_continuous or still.point is not None else None
 
 
@@ -115,6 +128,7 @@ class Still:
 
     rates: dict[Any, Expr]
     fixed: set
+    V: Expr  # which does not rise, so it comes to a level
     discrete: bool = False
     zero: list[Expr] = field(default_factory=list)
     solved: dict[Any, Expr] = field(
@@ -179,9 +193,9 @@ class Still:
     def comes_to_one(self) -> bool:
         """True if each rest stands alone, or runs are known to come to one of several.
 
-        Polynomials in the free states, and in sines of single ones, have finitely many zeros.  Of
-        linear rates, and of one state alone, every run that is bounded converges; so do free states
-        that only rise, or only fall.
+        Polynomials in the free states, and in sines of single ones, have finitely many zeros where
+        V has a level, any one.  Of linear rates, and of one state alone, every run that is bounded
+        converges; so do free states that only rise, or only fall.
         """
         slopes = sympy.Matrix(self.changes).jacobian([*self.rates])
         is_linear = not slopes.free_symbols - self.fixed and not functions_in(slopes)
@@ -195,20 +209,30 @@ class Still:
         changes = dict(zip(self.rates, self.changes, strict=True))
         if all(_has_one_sign(changes[s], self.fixed) for s in variables):
             return True
-        for angle in {call.args[0] for form in forms for call in form.atoms(*ANGLES)}:
+        angles = {call.args[0] for form in forms for call in form.atoms(*ANGLES)}
+        level = sympy.Dummy()
+        forms.append(self.in_free_states(self.V) - level)
+        for angle in angles:
             turned = {f(angle): sympy.Dummy() for f in ANGLES}
             forms = [form.xreplace(turned) for form in forms]
             forms.append(sympy.Add(*(value**2 for value in turned.values())) - 1)
             if len(angle.free_symbols) == 1 and angle.is_polynomial():
                 variables -= angle.free_symbols
             variables |= {*turned.values()}
-        are_polynomials = all(
-            form.is_polynomial(*variables) and form.free_symbols <= variables
+        parameters = sorted(sympy.Tuple(*forms).free_symbols & self.fixed, key=str)
+        symbols = [*variables, level, *parameters]
+        forms = [sympy.fraction(sympy.together(form))[0] for form in forms]
+        forms = [
+            form
             for form in forms
-        )
-        if not are_polynomials or len(variables) > MOST_VARIABLES:
+            if form.is_polynomial(*symbols) and form.free_symbols <= {*symbols}
+        ]
+        if len(symbols) > MOST_VARIABLES:
             return False
-        return sympy.groebner(forms, *variables).is_zero_dimensional
+        # a state has finitely many values at each level if a power of it leads a form
+        basis = sympy.groebner(forms, *symbols)
+        leading = {sympy.LM(form, *symbols).as_base_exp()[0] for form in basis.exprs}
+        return {*variables} <= leading or 1 in leading
 
     def in_free_states(self, e: Expr) -> Expr:
         """Return an expression in the states that no other states give."""

@@ -19,7 +19,7 @@ import sympy
 from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, NamesWithNumbers, element_name
-from ...engine.diagram.symbolic_equations import on_symbols
+from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.record.symbolic import rational
 from ..algebra.decide import (
@@ -68,7 +68,10 @@ class SystemCandidate(LyapunovCandidate):
     KD: Mapping[Any, Any] = NO_GAINS  # e of a law -> its gain
     kept: Mapping[Any, Any] = NO_GAINS  # state -> the ends of its set
     inside: Mapping[Any, Any] = NO_GAINS  # state -> what cannot leave its set
-    is_rounded = False  # whether V' is without rounding errors of its terms
+    are_numbers = False  # whether the verdict is of the parameters' values
+    is_rounded = (
+        False  # whether V, V' or rates are without rounding errors of their terms
+    )
 
     def __init__(
         self,
@@ -82,11 +85,15 @@ class SystemCandidate(LyapunovCandidate):
         where: Mapping[str, Sequence[float | None]] = NO_GAINS,
     ):
         self.system, self.points, self.seed = system, points, seed
-        names = NamesWithNumbers if numbers else Names
-        self.eq = on_symbols(system, names, watch=undefined_in, with_samples=True)
-        self._refuse_what_has_no_rates()
-        self.motion = {s: decided(rate) for s, rate in self.eq.motion.items()}
+        self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
+        written = self._equations(Names) if numbers else self.eq
+        values = written.values if numbers else NO_GAINS
+        rates = self.eq.motion.items()
+        self.motion = {
+            s: self._as_it_runs(rate, written.motion[s], values) for s, rate in rates
+        }
+        self._refuse_what_has_no_rates()
         self.states = [*self.motion]
         self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
@@ -94,14 +101,49 @@ class SystemCandidate(LyapunovCandidate):
         self.output = next((name for name in outputs if name in labels), "")
         self.claim = None if claim is None else expression_of(self.eq, claim)[0]
         V_of_states, undefined = expression_of(self.eq, V)
-        self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
+        written_V = expression_of(written, V)[0] if numbers else V_of_states
+        self.V = self._as_it_runs(V_of_states, written_V, values)
+        self.undefined = [*self.eq.undefined, *undefined]
         self.level_values = self.eq.values
-        self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
+        self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
         self.rate = self._rate_of_V()
         self._keep(where)
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
         self.place = "rest" if self.rest else ""
+
+    def _equations(self, names: type[Names]) -> Equations:
+        """Return the equations of the diagram, parameters named as asked."""
+        return on_symbols(self.system, names, watch=undefined_in, with_samples=True)
+
+    def _as_it_runs(
+        self, e: sympy.Expr, written: sympy.Expr, values: Mapping[Any, Any]
+    ) -> sympy.Expr:
+        """Return an expression without terms that are zero to rounding, or too small to run.
+
+        It is `written` with parameters as symbols: of their numbers, `values`, SymPy leaves no
+        sums.
+        """
+        e, written = decided(e), decided(written)
+        small = {} if values else self._too_small(written)
+        self.are_numbers |= bool(small)
+        rounded = without_rounding(written.xreplace(small), values)
+        of_numbers = rounded.xreplace(dict(values))
+        if rounded == written or vanishes(of_numbers - e):
+            return e
+        self.is_rounded = True
+        return of_numbers
+
+    def _too_small(self, e: sympy.Expr) -> dict[Any, sympy.Expr]:
+        """Return the functions of parameters that are not zero, but run as 0: exp(-1000)."""
+        return {
+            call: sympy.S.Zero
+            for call in e.atoms(sympy.Function, sympy.Pow)
+            if call.is_nonzero
+            and call.free_symbols
+            and call.free_symbols <= self.fixed
+            and float(call.xreplace(self.eq.values)) == 0.0
+        }
 
     def _keep(self, where: Mapping[str, Sequence[float | None]]) -> None:
         """Set the ends of the sets of states, and states by symbols that cannot leave them."""
@@ -165,7 +207,7 @@ class SystemCandidate(LyapunovCandidate):
         if not eq.motion:
             raise DiagramError(f"{name}: has no states, so V' is not defined")
         refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
-        for s, rate in eq.motion.items():
+        for s, rate in self.motion.items():
             if rate.xreplace(eq.values).has(*NO_VALUE):
                 raise DiagramError(
                     f"{name}: with the parameters as they are {s}' has no value"
@@ -182,7 +224,7 @@ class SystemCandidate(LyapunovCandidate):
         else:
             exact_rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
         rate = without_rounding(exact_rate)
-        self.is_rounded = rate != exact_rate
+        self.is_rounded |= rate != exact_rate
         if self.eq.discrete:
             return rate
         is_smooth = meets_smoothly(self.V) and all(
@@ -375,6 +417,9 @@ class SystemCandidate(LyapunovCandidate):
             still = bound.xreplace(zeroed)
             falls = not vanishes(still) and self.never_positive(still)
             falling = still if falls else None
+            if falls:
+                relation = "=" if self.claim is None else "<="
+                claim = f"V' {relation} {short(self.readable_rate(still))}"
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
