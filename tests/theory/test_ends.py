@@ -114,6 +114,7 @@ HELD = {  # kind -> text, what must be shown
         ("x' = v; v' = -x - clip(v, -1, 1)", AS),
         ("v' = -v - sign(v)", AS),  # V' < 0 but at the rest: no premise is asked for
         ("x' = -y - x - sign(x); y' = x - y", AS),
+        ("s' = -2*sign(s) + sin(t)", AS),  # slides, as |sin(t)| < 2
     ],
     "words that are not zero": [
         ("x' = -x + y*(1 + maximum(x, 0)); y' = -x*(1 + maximum(x, 0))", AS),
@@ -191,6 +192,14 @@ def test_of_a_map_a_factor_of_size_one_is_not_below_one():
     found = clpt.lyapunov(plant, lambda s: s.x**2 + s.y**2)
     assert (found.status, found.conclusion) in {("proved", REST), ("proved", ZERO)}
     assert plant.dynamics(0, [1.0, 0.0], []) == pytest.approx([1.0, 0.0], abs=0)
+
+
+def test_a_map_that_takes_off_a_clipped_state_comes_to_zero():
+    """x+ = x - clip(x, -1/2, 1/2): |x| falls by 1/2 each time, and then to 0."""
+    update = lambda t, x, u, p: {"x": x.x - np.clip(x.x, -0.5, 0.5)}  # noqa: E731
+    plant = clpt.Block("plant", update=update, states={"x": 1}, dt=1.0)
+    found = clpt.lyapunov(plant, lambda s: s.x**2)
+    assert (found.status, found.conclusion) == ("proved", AS)
 
 
 @pytest.mark.parametrize("a", [3.141592652589793, 3.141592653579793])

@@ -329,10 +329,12 @@ def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -
 def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) -> bool:
     """Return whether an expression is not positive where conditions are not negative."""
     conditions = tuple(dict.fromkeys(_without_root(expand(c)) for c in conditions))
+    zero = {c: S.Zero for c in conditions if c.is_Symbol and -c in conditions}
+    expression = decided(expression.xreplace(zero))
     if groups_never_positive(expression, variables) or _is_empty(conditions):
         return True
     expression = _without_conditions(expression, conditions)
-    if groups_never_positive(expression, variables):
+    if _is_negative(expression) or groups_never_positive(expression, variables):
         return True
     if any(map(pieces_of, functions_in(expression))):
         return _by_pieces(expression, variables, conditions)

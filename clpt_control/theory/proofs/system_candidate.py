@@ -38,7 +38,7 @@ from ..algebra.exact import (
     whole_coefficients,
     without_rounding,
 )
-from ..algebra.facts import CLIP, SIGN, has_time, is_continuous
+from ..algebra.facts import CLIP, SIGN, functions_in, has_time, is_continuous, sector_of
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, squares
@@ -438,7 +438,7 @@ class SystemCandidate(LyapunovCandidate):
         at_ends = decided(inside.xreplace(zero))
         if self.kept and self.never_positive(at_ends - inside):
             loss = at_ends
-        losses = lost_forms(loss, self.fixed, bounded)
+        losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
         shows = f"falls{' loses' * bool(losses)}"
         claim += " <= 0" * (not claim.endswith("= 0"))
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -451,6 +451,18 @@ class SystemCandidate(LyapunovCandidate):
             rate=falling if self.claim is None else None,
             conditions=self.conditions(inputs if zeroed else []),
         )
+
+    def _rising(self, loss: sympy.Expr) -> list[sympy.Expr]:
+        """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
+        calls = sorted(functions_in(loss), key=str)
+        sectors = [(call, sector) for call in calls if (sector := sector_of(call))]
+        return [
+            sector.factor
+            for call, sector in sectors
+            if sector.rises
+            and sector.low >= 0
+            and self.never_positive(sector.factor * call / 2 - loss)
+        ]
 
     def bounds(self, definite: Definite, fall: Fall) -> Fall:
         """Return the bound of a V' that pulls V back but for a constant."""
