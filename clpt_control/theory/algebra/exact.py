@@ -263,6 +263,18 @@ def _is_product(e: Expr) -> bool:
     return bool(e.is_Pow and e.exp.is_Integer and e.exp.is_positive)
 
 
+def too_small(e: Expr, values: Mapping[Any, Expr]) -> dict[Expr, Expr]:
+    """Return the functions of parameters that are not zero, but run as 0, exp(-1000), and 0."""
+    return {
+        call: S.Zero
+        for call in e.atoms(sympy.Function, Pow)
+        if call.free_symbols
+        and call.free_symbols <= values.keys()
+        and call.is_nonzero
+        and float(call.xreplace(values)) == 0.0
+    }
+
+
 def coarse(e: Expr) -> Expr:
     """Return an expression with 13 digits of numbers, so that those of some roundings agree."""
     numbers = {

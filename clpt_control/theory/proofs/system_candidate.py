@@ -34,6 +34,7 @@ from ..algebra.exact import (
     factored,
     normal_form,
     terms_of,
+    too_small,
     vanishes,
     whole_coefficients,
     without_rounding,
@@ -125,7 +126,7 @@ class SystemCandidate(LyapunovCandidate):
         sums.
         """
         e, written = decided(e), decided(written)
-        small = {} if values else self._too_small(written)
+        small = {} if values else too_small(written, self.eq.values)
         self.are_numbers |= bool(small)
         rounded = without_rounding(written.xreplace(small), values)
         of_numbers = rounded.xreplace(dict(values))
@@ -133,17 +134,6 @@ class SystemCandidate(LyapunovCandidate):
             return e
         self.is_rounded = True
         return of_numbers
-
-    def _too_small(self, e: sympy.Expr) -> dict[Any, sympy.Expr]:
-        """Return the functions of parameters that are not zero, but run as 0: exp(-1000)."""
-        return {
-            call: sympy.S.Zero
-            for call in e.atoms(sympy.Function, sympy.Pow)
-            if call.is_nonzero
-            and call.free_symbols
-            and call.free_symbols <= self.fixed
-            and float(call.xreplace(self.eq.values)) == 0.0
-        }
 
     def _keep(self, where: Mapping[str, Sequence[float | None]]) -> None:
         """Set the ends of the sets of states, and states by symbols that cannot leave them."""
