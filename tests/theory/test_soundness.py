@@ -48,8 +48,7 @@ def test_a_gain_that_rounding_turns_is_not_proved():
     law = scaled(f"(1 - ({ONE} - 1)*1e16)", parameters=GAIN | {"r": 0.08})
     verdict = prove(law(), points=POINTS)
     assert verdict.status == "open"
-    (detail,) = [s.detail for s in verdict.steps if s.how == "sampled"]
-    assert "own.update: alpha_1[1]' loses" in detail
+    assert verdict.claim.startswith("V' <= -e^T KD e, N = 2")  # within its rounding
 
 
 @pytest.mark.parametrize("rest", ["(a + b - c)*1e17*s**2", "0*exp(s**2)"])

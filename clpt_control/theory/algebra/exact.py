@@ -205,12 +205,7 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     values of functions at numbers are as machines round them, and their arguments.  Parameters
     with `values` are these numbers.
     """
-    kinds = sympy.Symbol, sympy.Function, Pow, sympy.NumberSymbol
-    numbers = {
-        call: sympy.Rational(float(decided(call.xreplace(values))))
-        for call in e.atoms(*kinds)
-        if call.free_symbols <= values.keys() and call.is_real and not _is_product(call)
-    }
+    numbers = _numbers_in(e, values)
     if not numbers and all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
         return e
     numbers |= values
@@ -258,6 +253,16 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     return e if every <= kept.keys() else sympy.Add(*(c * t for t, c in kept.items()))
 
 
+def _numbers_in(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> dict[Expr, Expr]:
+    """Return functions of numbers, and of parameters with values, as machines round them."""
+    kinds = sympy.Symbol, sympy.Function, Pow, sympy.NumberSymbol
+    return {
+        call: sympy.Rational(float(decided(call.xreplace(values))))
+        for call in e.atoms(*kinds)
+        if call.free_symbols <= values.keys() and call.is_real and not _is_product(call)
+    }
+
+
 def _is_product(e: Expr) -> bool:
     """Return whether an expression is a positive power, of which the base is judged."""
     return bool(e.is_Pow and e.exp.is_Integer and e.exp.is_positive)
@@ -277,12 +282,10 @@ def too_small(e: Expr, values: Mapping[Any, Expr]) -> dict[Expr, Expr]:
 
 def coarse(e: Expr) -> Expr:
     """Return an expression with 13 digits of numbers, so that those of some roundings agree."""
-    numbers = {
-        n: sympy.Rational(f"{float(n):.12e}")
-        for n in e.atoms(sympy.Rational, sympy.Function, Pow, sympy.NumberSymbol)
-        if n.is_number and n.is_real and not isinstance(n, AppliedUndef)
-    }
-    return e.xreplace(numbers)
+    numbers = {n: n for n in e.atoms(sympy.Rational)} | _numbers_in(e)
+    return e.xreplace(
+        {n: sympy.Rational(f"{float(v):.12e}") for n, v in numbers.items()}
+    )
 
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
