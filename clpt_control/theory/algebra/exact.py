@@ -18,6 +18,7 @@ from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
 
 from ...base.errors import DiagramError
+from ...engine.record.symbolic import rational
 from .decided import decided
 from .facts import CLIP, INSIDE, fact_of
 from .texts import LARGEST_DENOMINATOR, short
@@ -54,6 +55,11 @@ def as_factors(expression: Expr) -> Expr:
     """Return an expression as one fraction of factors."""
     p, q = _fraction(expression)
     return _factor(p.as_expr()) / _factor(q.as_expr())
+
+
+def divides_by_sum(expression: Expr) -> bool:
+    """Return whether a fraction has a divisor of several terms."""
+    return len(_fraction(expression)[1]) > 1
 
 
 def _factor(expression: Expr) -> Expr:
@@ -257,7 +263,7 @@ def _numbers_in(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> dict[Expr, E
     """Return functions of numbers, and of parameters with values, as machines round them."""
     kinds = sympy.Symbol, sympy.Function, Pow, sympy.NumberSymbol
     return {
-        call: sympy.Rational(float(decided(call.xreplace(values))))
+        call: rational(float(decided(call.xreplace(values))))
         for call in e.atoms(*kinds)
         if call.free_symbols <= values.keys() and call.is_real and not _is_product(call)
     }

@@ -31,6 +31,7 @@ from ..algebra.decide import (
 from ..algebra.decided import decided
 from ..algebra.exact import (
     as_factors,
+    divides_by_sum,
     factored,
     normal_form,
     terms_of,
@@ -89,7 +90,8 @@ class SystemCandidate(LyapunovCandidate):
         self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
         written = self._equations(Names) if numbers else self.eq
-        values = written.values if numbers else NO_GAINS
+        given = written.values.items() if numbers else ()
+        values = {s: rational(float(number)) for s, number in given}
         rates = self.eq.motion.items()
         self.motion = {
             s: self._as_it_runs(rate, written.motion[s], values) for s, rate in rates
@@ -118,7 +120,7 @@ class SystemCandidate(LyapunovCandidate):
         return on_symbols(self.system, names, watch=undefined_in, with_samples=True)
 
     def _as_it_runs(
-        self, e: sympy.Expr, written: sympy.Expr, values: Mapping[Any, Any]
+        self, e: sympy.Expr, written: sympy.Expr, values: dict[Any, Any]
     ) -> sympy.Expr:
         """Return an expression without terms that are zero to rounding, or too small to run.
 
@@ -129,7 +131,7 @@ class SystemCandidate(LyapunovCandidate):
         small = {} if values else too_small(written, self.eq.values)
         self.are_numbers |= bool(small)
         rounded = without_rounding(written.xreplace(small), values)
-        of_numbers = rounded.xreplace(dict(values))
+        of_numbers = rounded.xreplace(values)
         if rounded == written or vanishes(of_numbers - e):
             return e
         self.is_rounded = True
@@ -516,9 +518,7 @@ class SystemCandidate(LyapunovCandidate):
         terms = sympy.Add.make_args(bound)
         if all(bool(term.is_nonpositive) for term in terms):
             return bound
-        powers = bound.atoms(sympy.Pow)
-        has_divisors = any(power.exp.is_negative for power in powers)
-        if has_divisors and terms_of(bound) <= MOST_IN_PRODUCT:
+        if terms_of(bound) <= MOST_IN_PRODUCT and divides_by_sum(bound):
             product = as_factors(normal_form(bound))
             if never_positive(product, self.fixed):
                 return product
