@@ -22,7 +22,10 @@ SYSTEMS = {
         "a' = 10*(b - a); b' = 0.5*a - b - a*c; c' = a*b - 8/3*c", [3.0, -2.0, 5.0],
         "asymptotically stable",
     ),
-    "two neurons": ("a' = -a + 0.5*tanh(b); b' = -b - 0.5*tanh(a)", [3.0, -2.0], "stable"),
+    "two neurons": (  # |a tanh(b) - b tanh(a)| <= a^2 + b^2
+        "a' = -a + 0.5*tanh(b); b' = -b - 0.5*tanh(a)", [3.0, -2.0],
+        "asymptotically stable",
+    ),
     "a gain that adapts": ("x' = x - k*x; k' = x**2; at k = 2", [1.0, 0.0], "comes to rest"),
     "a pendulum that hangs at pi": (
         "q' = w; w' = 9.8*sin(q) - 0.1*w; at q = pi", [2.0, 1.0], "comes to rest"
