@@ -35,7 +35,9 @@ def excitation(
         "FILE", ".png, .pdf or .svg: eigenvalues and directions."
     ),
     bounds: bool = flag(
-        "Bound CLPE and errors for every start of the learner instead.", "--bounds"
+        "Bound CLPE and errors for every start of the learner instead; with fixes, the error of "
+        "the learned flow.",
+        "--bounds",
     ),
     radius: float | None = opt(
         "R", "With --bounds: largest V(0); default: that of the scenario's own start."
@@ -43,6 +45,15 @@ def excitation(
     error: float | None = opt(
         "LENGTH",
         "With --bounds: CLPE to come to; default: a hundredth of what R allows.",
+    ),
+    shear: float | None = opt(
+        "L",
+        "With --bounds and fixes: largest shear of the flow, 1/s; default: what prior and "
+        "widths allow.",
+    ),
+    unmodelled: float | None = opt(
+        "SPEED",
+        "With --bounds and fixes: largest flow beside the functions, m/s; default: 0.01.",
     ),
     as_json: Json = False,
 ) -> None:
@@ -53,9 +64,12 @@ def excitation(
     Example:
         clpt excitation mine.toml --figure excitation.png
         clpt excitation mine.toml --bounds --radius 0.1 --error 0.01
+        clpt excitation fixes.toml --bounds --shear 2e-5 --figure bound.png
     """
     if bounds:
-        _bound_errors(scenario, radius, error, window, as_json)
+        limits = {"shear": shear, "unmodelled": unmodelled}
+        given = {"radius": radius, "error": error, "window": window, **limits}
+        _bound_errors(scenario, given, figure, as_json)
         return
     from ..pages.results import is_team
 
@@ -74,17 +88,21 @@ def excitation(
 
 
 def _bound_errors(
-    scenario: Path,
-    radius: float | None,
-    error: float | None,
-    window: float | None,
-    as_json: bool,
+    scenario: Path, given: dict[str, float | None], figure: Path | None, as_json: bool
 ) -> None:
-    """Print bounds on CLPE and errors for every start of the learner."""
+    """Print bounds on CLPE and errors for every start of the learner, or at fixes."""
     from ...paper.scenario.file import load_vehicle_scenario
+    from ...theory.excitation.certify_fixes import FixBounds
 
+    check_out(figure, *FIGURE)
     experiment = load_vehicle_scenario(scenario)
-    bounds = clpt.certify(experiment, radius, error=error, window=window)
+    bounds = clpt.certify(experiment, **given)
+    if isinstance(bounds, FixBounds):
+        draw_figure(figure, bounds.plot)
+        finish([bounds.result], bounds.report(), as_json, figure)
+        return
+    if figure is not None:
+        raise ClptError("--figure: with --bounds is of fixes. Leave one out")
     length, time = bounds.units["length"], bounds.units["time"]
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
     columns.append(f"error of a flow parameter at most ({length}/{time})")

@@ -58,6 +58,11 @@ KERNELS = {
     "gaussian": gaussian,
     "gaussian-sigma": gaussian_sigma,
 }
+STEEPEST = {  # largest slope |d phi_i/dx| of a kernel, from its widths
+    "exponential": lambda widths: 1 / (2 * widths),
+    "gaussian": lambda widths: np.exp(-0.5) / widths,
+    "gaussian-sigma": lambda widths: np.exp(-0.5) * np.sqrt(2 / widths),
+}
 
 
 def flow_basis(

@@ -51,6 +51,7 @@ from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ..laws.promises import largest_disturbance
 from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
+from .certify_fixes import FixBounds, certify_fixes
 from .regressor import checked_window, joint_regressor
 
 MAX_WINDOWS = 1_000_000
@@ -134,11 +135,16 @@ def certify(
     *,
     error: Positive | None = None,
     window: float | None = None,
-) -> Bounds:
+    shear: Positive | None = None,
+    unmodelled: float | None = None,
+) -> Bounds | FixBounds:
     """Bound V, CLPE and the flow parameters' errors for every start.
 
     The law is the learned-flow law. The vehicle runs from its own start in the scenario's flow,
     with its disturbance. The learner may begin with any z, alpha, K and Gamma.
+
+    Or the law is fix-regression, and the bound is on the learned flow, for several intervals of
+    fixes and every flow within limits, along the track as planned.
 
     Parameters
     ----------
@@ -150,11 +156,16 @@ def certify(
         CLPE that is to be reached, length; a hundredth of what R allows at the start.
     window : float, optional
         T, units.time; one cycle of the waypoints.
+    shear : float, optional
+        With fixes: largest shear of the true flow, 1/s; what prior and widths allow.
+    unmodelled : float, optional
+        With fixes: largest flow that the functions do not express, m/s; 0.01, or the largest
+        disturbance of the scenario if that is more.
 
     Returns
     -------
-    Bounds
-        For every start with V(0) <= R.
+    Bounds or FixBounds
+        For every start with V(0) <= R; with fixes, guaranteed errors (m/s) by interval.
 
     Raises
     ------
@@ -169,6 +180,17 @@ def certify(
     >>> found.V.round(4).tolist(), found.drops.round(2).tolist()
     ([0.01, 0.007, 0.0053], [0.4, 0.32])
     """
+    of_fixes = shear, unmodelled
+    if scenario.learning.row.at_fixes and not scenario.left_out:
+        if (radius, error, window) != (None, None, None):
+            raise ScenarioError(
+                "radius, error, window: are not of a scenario of fixes. Give shear and unmodelled"
+            )
+        return certify_fixes(scenario, *of_fixes)
+    if of_fixes != (None, None):
+        raise ScenarioError(
+            "shear, unmodelled: are of a scenario of fixes. Give radius, error and window"
+        )
     _check(scenario)
     if max(radius or 0.0, error or 0.0) > LARGEST:
         raise ScenarioError(f"radius, error: must be at most {LARGEST:g}")
