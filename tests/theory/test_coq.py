@@ -113,6 +113,13 @@ def test_names_of_records_have_a_prefix_and_are_different(texts):
         declared = re.findall(r"^Variable ([\w']+) :", text, re.MULTILINE)
         assert len(declared) == len({*declared}) > 20
         assert all(word == "N" or word.startswith("r_") for word in declared)
+        if (
+            "\nDefinition run_after_" in text
+        ):  # a law at fixes: one lemma for all divisors
+            named = re.findall(r"^Definition (divisor_\d+)", text, re.MULTILINE)
+            [claim] = re.findall(r"^Lemma divisors t : (.*)\.$", text, re.MULTILINE)
+            assert claim == " /\\ ".join(f"{divisor} t <> 0" for divisor in named)
+            continue
         divisors = re.findall(r"^Lemma domain_\d+.* : (.+) <> 0\.$", text, re.MULTILINE)
         assert {"r_gamma", "r_adaptation'gain_K"} & {*divisors}
 
@@ -125,6 +132,22 @@ def test_the_record_is_that_of_the_blocks(no_coqc, clpt, own_sigma, texts):
     [after] = re.findall(rate, Path("out/LawSigma.v").read_text(), re.MULTILINE)
     assert "tanh" not in before
     assert "(tanh ((r_z_1 t)))" in after
+
+
+def test_the_step_at_a_fix_is_that_of_the_block(no_coqc, clpt, texts):
+    """Least squares that learns half of each position error."""
+
+    def half(t, x, u, p):
+        after = LAWS["fix-regression"].jump(t, x, u, p)
+        return {**after, "alpha": x.alpha + (after["alpha"] - x.alpha) / 2}
+
+    step = r"^Definition run_after_alpha_1 .*"
+    [before] = re.findall(step, texts["LawFixRegression.v"], re.MULTILINE)
+    with replaced("fix-regression", jump=half):
+        clpt("prove", "--coq", "out")
+    [after] = re.findall(step, Path("out/LawFixRegression.v").read_text(), re.MULTILINE)
+    assert "/2" not in before
+    assert "/2" in after or "/(2*" in after
 
 
 @pytest.mark.parametrize(
@@ -152,6 +175,7 @@ def test_coq_checks_all_theorems(printed):
     assert {f"theorem_3_{n}" for n in range(1, 5)} <= names
     assert {"printed_16_is_false", "printed_33_is_false", "running_converges"} <= names
     assert {"moving", "excited", "dead_zone_falls", "dead_zone_converges"} <= names
+    assert {"certificate", "V_ultimately", "fix_regression_bound"} <= names
     axioms = {axiom for theorem in found["theorems"] for axiom in theorem["axioms"]}
     assert {axiom.rpartition(".")[2] for axiom in axioms} == REALS
     assert all(theorem["file"] in PAGE for theorem in found["theorems"])

@@ -45,8 +45,8 @@ AXIOM = re.compile(r"^([\w.']+)(?= :|\n  :)", re.MULTILINE)
 
 def record_of(law: str) -> str:
     """Return the equations of a law's closed loop as text of Coq."""
-    if LAWS[law].jump is not None:
-        raise DiagramError(f"{law}: its states jump. A file of Coq has rates alone")
+    if LAWS[law].jump is not None and not LAWS[law].at_fixes:
+        raise DiagramError(f"{law}: its states jump, and not at fixes")
     try:
         return text_of(equations_of(loop_of_law(law)))
     except (DiagramError, Unread) as error:

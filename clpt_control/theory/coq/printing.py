@@ -87,22 +87,40 @@ class CoqPrinter(StrPrinter):
 
 
 def text_of(equations: Equations) -> str:
-    """Return variables, rates, V and domains of a closed loop as text of a section of Coq."""
-    rates, inputs, V, conditions = equations
+    """Return variables, rates, jumps, V and domains of a closed loop as text of a section of Coq.
+
+    Rates of states that jump are those between jumps; rates of 0 are left out.
+    """
+    rates, inputs, V, conditions, jumps = equations
     printer = CoqPrinter([*rates, *inputs])
+
+    def defined(name: str, value: Any) -> str:
+        base, indices = name_in_coq(name)
+        value = printer.doprint(value)
+        return f"Definition {base[2:]}{_nats(indices)} (t : R) := {value}."
+
     lines = ["Variable N : nat.", *_variables(equations, printer.signals)]
     for state, rate in rates.items():
         name, indices = name_in_coq(state.name)
-        run = name.replace("r_", "run_", 1)
+        if jumps:
+            lines += [defined(f"run_{state.name}", rate)] * (rate != 0)
+            continue
         applied = " ".join(["", *indices])
         bounds = "".join(f"forall {k}, ({k} < N)%nat -> " for k in indices)
+        run = name.replace("r_", "run_", 1)
         lines += [
-            f"Definition {run}{_nats(indices)} (t : R) := {printer.doprint(rate)}.",
+            defined(f"run_{state.name}", rate),
             f"Hypothesis H{name[1:]} : {bounds}follows ({name}{applied}) ({run}{applied}).",
         ]
-    lines.append(f"Definition run_V (t : R) := {printer.doprint(V)}.")
+    for state, after in jumps.items():
+        is_changed = after not in (0, state)
+        lines += [defined(f"run_after_{state.name}", after)] * is_changed
+    lines.append(defined("run_V", V))
     for number, (expression, relation) in enumerate(conditions, 1):
         indices = sorted({*re.findall(r"\[([a-z]\w*)\]", str(expression))})
+        if jumps:  # a lemma of the file: P has no sign of its own
+            lines.append(defined(f"divisor_{number}", expression))
+            continue
         claim = f"{printer.doprint(expression)} {relation}"
         lines += [
             f"Lemma domain_{number}{_nats(indices)} (t : R) : {claim}.",
@@ -118,8 +136,8 @@ def _nats(indices: Iterable[str]) -> str:
 
 def _variables(equations: Equations, signals: set[str]) -> list[str]:
     """Return the variables of a record with their signs; Coq refuses a name of two kinds."""
-    rates, inputs, V, _ = equations
-    expressions = [*rates, *inputs, *rates.values(), V]
+    rates, inputs, V, _, jumps = equations
+    expressions = [*rates, *inputs, *rates.values(), *jumps.values(), V]
     symbols = {s for e in expressions for s in e.free_symbols if s.is_real}
     lines: dict[tuple[str, int], str] = {}
     for symbol in sorted(symbols, key=str):

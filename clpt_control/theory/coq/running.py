@@ -16,7 +16,9 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.record.graph import Ref
 from ...engine.record.scalar_graph import Index
 from ...paper.laws.table import LAWS
+from ..algebra.decided import decided
 from ..algebra.every_n import SUM, EveryN, index_symbol
+from ..laws.fixes import loop_at_fixes
 from ..laws.theorem_loop import WIRED, law_and_V, law_loop
 from ..proofs.symbolic_loop import ArrayLoop
 
@@ -33,31 +35,44 @@ class Equations(NamedTuple):
     inputs: list[Expr]
     V: Expr
     conditions: list[tuple[Expr, str]]  # such as (x, "<> 0")
+    jumps: dict[Expr, Expr]  # states after a fix, with their values before it
 
 
 class Sums(EveryN):
-    """Elements for every N, with sums as they are in the record."""
+    """Elements for every N, with sums as they are in the record, and numbers compared."""
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Return the expression of an operation."""
+        applied = super().apply(ref, kind, arguments)
+        is_known = kind in ("gt", "where") and arguments[0].is_number
+        return decided(applied) if is_known else applied
 
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
         """Return the sum over an axis of an array, not expanded."""
         name = next(n for n in (f"k{j}" for j in range(1, 20)) if n not in index)
         summand = self.at(array, (*index[:axis], name, *index[axis:]))
+        if summand == 0:
+            return sympy.S.Zero
         return SUM(summand, index_symbol(name), sympy.Symbol(size))
 
 
 def loop_of_law(name: str) -> Diagram:
     """Wire the closed loop of a law of the table with its V."""
     law = LAWS[name]
+    if law.at_fixes:
+        return loop_at_fixes(law, WIRED)
     return law_loop(law, *law_and_V(law, WIRED))
 
 
 def equations_of(diagram: Diagram) -> Equations:
     """Read the equations of a closed loop with V, for every N."""
-    loop = ArrayLoop(diagram)
+    loop = ArrayLoop(diagram, jumps=True)
     conditions: dict[tuple[Expr, str], None] = {}
 
     def leaf(key: tuple[str, str], shape: Any, index: Index) -> Any:
         group, name = key
+        if name.endswith(".interval"):
+            return 1  # read where fixes arrive late alone
         law_name = name.replace("lyapunov.", "adaptation.")
         # V has the parameters of the law: those of equal values are one symbol
         if group == "p" and law_name in loop.values:
@@ -82,8 +97,12 @@ def equations_of(diagram: Diagram) -> Equations:
         return list(np.ravel(elements.of(value)))
 
     rates: dict[Expr, Expr] = {}
+    jumps: dict[Expr, Expr] = {}
     for name, state in loop.states.items():
         rates.update(zip(read(state), read(loop.rates[name]), strict=True))
+        after = read(loop.jumps.get(name, state))
+        jumps.update(zip(read(state), after, strict=True))
     inputs = [symbol for port in loop.inputs.values() for symbol in read(port)]
     V = read(loop.signals["V"])[0]
-    return Equations(rates, inputs, V, [c for c in conditions if c[0].free_symbols])
+    known = [c for c in conditions if c[0].free_symbols]
+    return Equations(rates, inputs, V, known, jumps if loop.jumps else {})

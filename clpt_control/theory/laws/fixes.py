@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...engine.diagram.interconnection import connect
+from ...engine.diagram.interconnection import Diagram, connect
 from ...paper.laws.law import Law
 from ...simulation.loops import ClosedLoop
 from ..algebra.decided import decided
@@ -45,18 +45,21 @@ def wrong(rows: dict[str, Any]) -> str:
     return f"{', '.join(names)} differs" if names else ""
 
 
+def loop_at_fixes(law: Law, N: int, late: bool = False) -> Diagram:
+    """Wire vehicle, law and V; fixes, basis functions and the velocity flown are inputs."""
+    block, V = law_and_V(law, N)
+    block.parameters = block.parameters._replace(latency=float(late))
+    closed_loop = ClosedLoop(theorem_scenario(N, law.name), external=OUTSIDE)
+    blocks = [b for b in closed_loop.blocks() if b.name != block.name]
+    return connect([*blocks, block, V], OUTSIDE, name="between")
+
+
 class AtFixes:
     """Vehicle, law and V on symbols; fixes and what moves the vehicle are inputs."""
 
     def __init__(self, law: Law, N: int, late: bool):
         self.N, self.late = N, late
-        block, V = law_and_V(law, N)
-        block.parameters = block.parameters._replace(latency=float(late))
-        closed_loop = ClosedLoop(theorem_scenario(N, law.name), external=OUTSIDE)
-        blocks = [b for b in closed_loop.blocks() if b.name != block.name]
-        self.loop = symbolic_loop(
-            connect([*blocks, block, V], OUTSIDE, name="between"), jumps=True
-        )
+        self.loop = symbolic_loop(loop_at_fixes(law, N, late), jumps=True)
         p = self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])

@@ -128,16 +128,18 @@ class ArrayLoop:
     """A diagram's equations as arrays, by port.
 
     A state that is no port of the diagram is named ``"block:port"``.  Sizes that have names stay
-    open.  `substitute` returns the value of a parameter's element: by default its symbol.
+    open.  `substitute` returns the value of a parameter's element: by default its symbol.  States
+    that jump are rejected unless `jumps`: the values after a jump are those of `jumps`.
     """
 
     def __init__(
         self,
         diagram: control.NonlinearIOSystem,
         substitute: Substitution = lambda symbol, index: symbol,
+        jumps: bool = False,
     ):
         wiring = wiring_of(diagram)
-        refuse_unproved(wiring, jumps=False)
+        refuse_unproved(wiring, jumps)
         self.diagram = diagram
         self.substitute = substitute
         self.tape = Tape()
@@ -150,10 +152,13 @@ class ArrayLoop:
         self.inputs = record.external
         self.signals = {port: value for (_, port), value in record.signals.items()}
         block_of = {node.name: node.system.name for node in wiring.nodes}
-        self.rates = {
-            self.names.states[block_of[node], port]: value
-            for (node, port), value in record.rates.items()
-        }
+        self.rates, self.jumps = (
+            {
+                self.names.states[block_of[node], port]: value
+                for (node, port), value in values.items()
+            }
+            for values in (record.rates, record.jumps)
+        )
         self.parameters: dict[str, Parameters] = {}  # block -> arrays
         for node in wiring.nodes:
             fields = node.system.parameters._asdict()
