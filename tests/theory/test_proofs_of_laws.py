@@ -316,11 +316,12 @@ AT = clpt.paper_scenario().with_values({"learning.law": FIXES.name, **OF_FIXES})
 
 def test_every_step_is_shown():
     verdict = prove(clpt.closed_loop(AT), points=50)
-    assert (verdict.status, verdict.conclusion) == ("proved", "V does not increase")
-    assert [step.how for step in verdict.steps] == ["exact", "exact", "sampled"]
+    assert (verdict.status, verdict.conclusion) == ("proved", "bounded by its fixes")
+    hows = ["exact", "exact", "cited", "sampled"]
+    assert [step.how for step in verdict.steps] == hows
     assert all(step.holds for step in verdict.steps)
     names = {condition.name for condition in verdict.conditions}
-    assert names == {"phi", "exact fixes", "N"}
+    assert names == {"limits", "N"}
 
 
 @pytest.mark.parametrize("which", [0, 1])

@@ -76,7 +76,7 @@ CONCLUDED = {  # of each law; V' of drem, kalman-flow and least-squares has e^T 
     "composite-memory": ZERO,
     "concurrent": ZERO,
     "drem": MEAN,
-    "fix-regression": "V does not increase",
+    "fix-regression": "bounded by its fixes",
 }
 
 

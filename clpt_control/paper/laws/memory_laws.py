@@ -321,7 +321,11 @@ def predict(t, x, u, p):
     equal and accurate for any r.
 
         V  = r^2 tr(eta P^-1 eta^T)/2,    eta = theta + alpha
-        V' = 0 between fixes;    V_after - V = -r^2 |eta m|^2/(2 d) <= 0    at a fix with y = eta m
+        V' = 0 between fixes;    V_after - V = (|w|^2 - r^2 |y|^2/d)/2    at a fix, w = y - eta m
+
+    w is noise, unmodelled flow, and phi(z) for phi(x), which a shear of the true flow of at most L
+    bounds: V is bounded, and V/k in the end, where L T is small, up to 0.65 for 6 functions
+    (`fix_bound`).  Beyond, theta_hat may diverge.
 
     K and Gamma are K_D and Gamma_D of the vehicle, which steers by Eq. (7) at z.
     Source: Ljung 1999, System Identification, section 11.2, recursive least squares.
@@ -454,7 +458,7 @@ FIX_REGRESSION = Law(
     candidate=fix_level,
     V_inputs=("alpha", "information"),
     between_fixes=lambda P, time, p: P,
-    V_rate="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
+    V_rate="0; at a fix V changes by (|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, w = y - eta m",
 )
 
 LAWS = (COMPOSITE_MEMORY, CONCURRENT, DREM, FIX_REGRESSION)

@@ -1,13 +1,13 @@
 """The proof of a law that learns at fixes: what stays between them, and what each fix does.
 
-    (x - z - eta m)' = 0, V' = 0              between fixes, where phi(x) = phi(z)
-    V_after - V = -r^2 |eta m|^2/(2 d)        at an exact fix, d = r^2 + m^T P m
-    x - z = eta m                             still, and P is the inverse of P^-1 + m m^T/r^2
-    nothing changes                           where a fix is missing, or only sent
+    (x - z - eta m)' = 0, V' = 0               between fixes, where phi(x) = phi(z)
+    V_after - V = (|w|^2 - r^2 |y|^2/d)/2      at a fix with y = eta m + w, d = r^2 + m^T P m
+    x - z = eta m - w                          after it, and P is the inverse of P^-1 + m m^T/r^2
+    nothing changes                            where a fix is missing, or only sent
 
-A fix that arrives late has m of when it was sent; what was integrated since stands beside it,
-x - z = eta (m_sent + m).  So V never rises, P^-1 never falls, and |eta_k| <= (2 V(0) P_kk)^(1/2)/r.
-Not shown: phi(x) = phi(z), which holds the better the nearer the prediction is.
+w is any error: noise of the fix, unmodelled flow, phi(z) for phi(x).  A fix that arrives late has m
+of when it was sent; what was integrated since stands beside it, x - z = eta (m_sent + m).  Coq
+bounds w by the shear of the true flow times the interval, and so V (`coq/LawFixRegression.v`).
 """
 
 from itertools import product
@@ -32,6 +32,8 @@ SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
 MOVING = ("x", "z", "m")  # states that change between fixes
 READ = ("alpha", "z", "information")  # and those that others read as they are
+LARGEST_W = "omega + G kappa B^(1/2)"
+COQ = "checked by Coq: theory/coq/LawFixRegression.v, fix_regression_bound"
 States = dict[str, np.ndarray]
 
 
@@ -61,6 +63,7 @@ class AtFixes:
         self.N, self.late = N, late
         self.loop = symbolic_loop(loop_at_fixes(law, N, late), jumps=True)
         p = self.loop.parameters
+        self.w = np.array(sympy.symbols("w_1:3", real=True, cls=sympy.Dummy))
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])
         before = {"P": P, "information": P.adjugate() / P.det()}
@@ -100,18 +103,16 @@ class AtFixes:
         jumps = (self.after(*jump_k) for jump_k in product((SEND, ARRIVE), (0, 1)))
         return next(filter(None, jumps), "")
 
-    def after(self, interval: int, has_fix: int, off: float = 0) -> str:
-        """Return which of the claims fails at the jump with which an interval begins.
-
-        `off` is by how much the fix is not exact.
-        """
+    def after(self, interval: int, has_fix: int) -> str:
+        """Return which of the claims fails at the jump with which an interval begins."""
         s, r, identity = self.loop.states, self.r, np.eye(self.N, dtype=int)
         got = has_fix if interval == ARRIVE or not self.late else 0
         substitutions = self.known | equated(self.loop.inputs, {"taken": has_fix})
         substitutions[self.loop.parameters["adaptation"].interval] = sympy.Integer(
             interval
         )
-        sent = s["z_sent"] + self.eta(s) @ s["m_sent"] if self.late else s["sent"]
+        sent = s["z_sent"] + self.eta(s) @ s["m_sent"] + self.w
+        sent = sent if self.late else s["sent"]
         substitutions |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
         def states(new: dict[Any, sympy.Expr]) -> States:
@@ -123,17 +124,19 @@ class AtFixes:
 
         before = states({})
         x, m = before["z"] + self.missed(before), before["m_sent" if self.late else "m"]
-        substitutions |= equated(self.loop.inputs, {"fix": x + off})
+        substitutions |= equated(self.loop.inputs, {"fix": x + self.w})
         after = states(*self.loop.jumps.values())
-        y, d = self.eta(before) @ m, r**2 + m @ before["P"] @ m
+        y, d = self.eta(before) @ m + self.w, r**2 + m @ before["P"] @ m
         sent = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
+        sent = sent - self.w
+        rise = got * (sum(self.w**2) - r**2 * sum(y**2) / d) / 2
         gained = after["information"] - before["information"]
         return wrong(
             {
-                "V": self.V(after) - self.V(before) + got * r**2 * sum(y**2) / (2 * d),
+                "V": self.V(after) - self.V(before) - rise,
                 "P": after["P"] @ after["information"] - identity,
                 "P^-1": gained - got * np.outer(m, m) / r**2,
-                "x - z - eta m": x - after["z"] - self.missed(after),
+                "x - z - eta m": x - after["z"] - self.missed(after) + got * self.w,
                 "what is missing": (1 - got) * (after["alpha"] - before["alpha"]),
                 "the fix under way": [
                     *after["waiting"] * sent,
@@ -149,12 +152,15 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     claims = {
         "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
         "whatever v is flown": AtFixes.stays,
-        "at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m)), P^-1 rises by m m^T/r^2 "
-        "and x - z = eta m, also where it arrives late; one that is missing or on its way "
-        "changes nothing": AtFixes.learns,
+        "at a fix with y = eta m + w, for any w, V changes by "
+        "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, P^-1 rises by m m^T/r^2 and x - z = eta m - w, also "
+        "where it arrives late; one that is missing or on its way changes nothing": AtFixes.learns,
     }
     steps = [
-        exact_step(cases, claim, check, "values falls")
+        exact_step(cases, claim, check, "values fixes")
         for claim, check in claims.items()
     ]
-    return [*steps, running_step(lambda: cases[-1].loop, points)]
+    bounded = Step(
+        f"|w| <= {LARGEST_W}, for every N", True, "cited", COQ, shows="fixes"
+    )
+    return [*steps, bounded, running_step(lambda: cases[-1].loop, points)]

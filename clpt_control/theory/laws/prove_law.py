@@ -30,7 +30,7 @@ from ..proofs.paper_symbols import paper_name
 from ..proofs.proof import where_all_hold
 from ..proofs.steps import exact_step, first_failure, worked_out
 from .default_candidate import default_V, user_V
-from .fixes import SIZES_AT_FIXES, fix_steps
+from .fixes import LARGEST_W, SIZES_AT_FIXES, fix_steps
 from .invariants import Invariants
 from .law_candidate import LawCandidate
 from .law_certificates import of_theorem
@@ -144,11 +144,13 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
     """Judge a law of the table with the V and the invariants of its row."""
     ways: Callable[[], Ways] = partial(of_theorem, law.name, functions_of(block))
     if law.at_fixes:  # CLPE does not go to zero between fixes
-        claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
-        where = (Condition("phi"), Condition("exact fixes"))
+        where = (Condition("limits"),)
         steps = fix_steps(law, points)
-        proof = where_all_hold(claim, steps, "definite", where, SIZES_AT_FIXES)
-        ways = partial(without, "V falls where states jump, at fixes")
+        claim, bound = f"V' = {law.V_rate}", f"({LARGEST_W})^2"
+        proof = where_all_hold(
+            claim, steps, "definite", where, SIZES_AT_FIXES, bound=bound
+        )
+        ways = partial(without, "V changes where states jump, at fixes")
     elif law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)

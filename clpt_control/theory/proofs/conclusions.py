@@ -50,6 +50,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "region": "V' < 0 in a box where V is below a level (`within=`)",
     "jumps": "V rises at no jump",
     "exists": "states outside V exist for all t",
+    "fixes": "V changes at fixes by a known error at most",
     "claimed": "V' is at most the `claim`",
 }
 
@@ -121,6 +122,11 @@ CONCLUSIONS = {
         _needs("definite falls"),
         "give a V that holds the other states",
     ),
+    "bounded by its fixes": Conclusion(
+        "so 2 V stays below B, which grows by {bound} at a fix",
+        _needs("definite fixes"),
+        "`clpt excitation --bounds` computes B and the error of the learned flow",
+    ),
     "V' is at most the claim": Conclusion(
         "as claimed", _needs("claimed"), "without a `claim` V' <= 0 is judged"
     ),
@@ -142,8 +148,7 @@ CONDITIONS = {  # name -> sentence
     "truth": "where {}",
     "slower flow": "where the flow stays slower than the vehicle (hedging)",
     "reads the truth": "the law reads {}, which no vehicle measures by itself",
-    "phi": "where phi at the prediction is phi at the vehicle",
-    "exact fixes": "at exact fixes",
+    "limits": "within limits of noise, unmodelled flow and shear",
 }
 
 
