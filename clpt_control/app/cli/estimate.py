@@ -78,6 +78,14 @@ def estimate(
         "LENGTH", "For a run: standard deviation of a position error."
     ),
     until: float | None = opt("TIME", "For a run: last time to use."),
+    shear: float | None = opt(
+        "L",
+        "For fixes: largest shear of the flow, 1/s, of the guaranteed error; default: what prior "
+        "and widths allow.",
+    ),
+    unmodelled: float | None = opt(
+        "SPEED", "For fixes: largest flow beside the functions, m/s; default: 0.01."
+    ),
     as_json: Json = False,
 ) -> None:
     """Learn the flow from fixes, recorded or live, or from a run.
@@ -96,6 +104,8 @@ def estimate(
         for name, value in locals().items()
         if value not in (None, False, "kalman")
     }
+    options = {"shear": shear, "unmodelled": unmodelled}
+    limits = {name: x for name, x in options.items() if x is not None}
     if sample:
         source, scenario = _sample(source, scenario)
     if source is None:
@@ -108,7 +118,7 @@ def estimate(
         )
     paths = out, figure, results
     if source.endswith(".nc") and scenario is None:
-        _refuse(given, ("drifter", "state"), "a run")
+        _refuse({**given, **limits}, ("drifter", "state", *limits), "a run")
         of_run(Path(source), method, (every, prior, noise), until, paths, as_json)
         return
     _refuse(given, OF_RUNS, "fixes. Set the keys of the law in the scenario")
@@ -124,10 +134,10 @@ def estimate(
         )
     if source == LIVE:
         _refuse(given, ("drifter", *OF_RECORDS), "live fixes")
-        _live(learner, state, out)
+        _live(learner, state, out, limits)
         return
     _refuse(given, ("state",), "recorded fixes. Give - to read live fixes")
-    _recorded(source, learner, method, paths, drifter, as_json)
+    _recorded(source, learner, method, paths, drifter, limits, as_json)
 
 
 def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
@@ -157,6 +167,7 @@ def _recorded(
     method: str,
     paths: Paths,
     drifter: bool,
+    limits: dict[str, Any],
     as_json: bool,
 ) -> None:
     """Learn from a table or files."""
@@ -165,7 +176,7 @@ def _recorded(
 
     check_method(method)
     legs, skipped = read_legs(source, drifter)
-    data, theta = flow_of_legs(legs, scenario, method)
+    data, theta = flow_of_legs(legs, scenario, method, **limits)
     known = known_scenario(scenario, theta, data)
     _finish(data, known, Path(source).name, paths, as_json, skipped)
 
@@ -212,12 +223,17 @@ def known_scenario(
 # --- live -----------------------------------------------------------------------------------------
 
 
-def _live(scenario: "clpt.Scenario", state: Path | None, out: Path | None) -> None:
+def _live(
+    scenario: "clpt.Scenario",
+    state: Path | None,
+    out: Path | None,
+    limits: dict[str, Any],
+) -> None:
     """Answer lines of standard input until it ends."""
     from ...ocean.estimation.live_fixes import LiveFixes, sole_writer
 
     with sole_writer(state):
-        _answer(LiveFixes(scenario, state), out)
+        _answer(LiveFixes(scenario, state, **limits), out)
 
 
 def _answer(learner: "LiveFixes", out: Path | None) -> None:

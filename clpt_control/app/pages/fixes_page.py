@@ -10,6 +10,7 @@ from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ...base.figures.degree_axes import degree_axes
 from ...base.geodesy import LocalPlane
 from ...base.html import Result
+from ...base.units import at_most, finite_or_none
 from ...ocean.estimation.fix_model import LEVEL, PERCENT
 from ...ocean.estimation.live_fixes import towards
 from .page import Page, Section, drawn, versions_section
@@ -52,8 +53,9 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
             "radius_m": float(radius),
             "inside": bool(inside),
             "flow": towards(*map(float, flow)),
+            "guaranteed_m_s": finite_or_none(float(bound)),
         }
-        for number, start, end, size, radius, inside, flow in zip(
+        for number, start, end, size, radius, inside, flow, bound in zip(
             data.leg.values,
             data.start_time.values.astype("datetime64[s]"),
             data.end_time.values.astype("datetime64[s]"),
@@ -61,6 +63,7 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
             data.forecast_radius.values,
             data.inside.values,
             data.flow.values,
+            data.guaranteed.values,
             strict=True,
         )
     ]
@@ -77,6 +80,7 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
         "inside": int(data.inside.sum()),
         "theta_m_s": theta.tolist(),
         "standard_error_m_s": data.standard_error.values[-1].tolist(),
+        "guarantee": data.attrs["guarantee"],
         "largest_error_m_s": None if truth is None else np.abs(theta - truth).max(),
         "largest_turn_rad": float(data.turn.max()),
         "noise_scale": float(data.attrs["noise_scale"]),
@@ -110,8 +114,10 @@ def results_of(report: Report) -> list[Result]:
         )
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
-    largest = report["largest_error_m_s"]
+    largest, bound = report["largest_error_m_s"], report["legs"][-1]["guaranteed_m_s"]
+    known = "" if bound is None else f"flow at the last fix: to {at_most(bound, 3)} m/s"
     sentences = [
+        *([f"{known}, {report['guarantee']}"] if known else []),
         *([] if largest is None else [f"largest error: {largest:.2e} m/s"]),
         f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
         f"rms of the errors {report['error_rms_m']:.0f} m",

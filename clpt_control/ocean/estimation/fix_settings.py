@@ -24,6 +24,8 @@ import numpy as np
 from ...base.errors import ScenarioError
 from ...base.geodesy import LocalPlane
 from ...base.units import DAY, METRES, SECONDS
+from ...paper.blocks.flow import largest_shear
+from ...paper.laws.fix_bound import SIGMAS, UNMODELLED, Limits
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.tables import Units
@@ -41,7 +43,12 @@ Pair = tuple[float, float]
 class FixSettings:
     """Prior, noise and initial estimate of a scenario's law for fixes."""
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(
+        self,
+        scenario: Scenario,
+        shear: float | None = None,
+        unmodelled: float = UNMODELLED,
+    ) -> None:
         learning, row = scenario.learning, scenario.learning.row
         if row.between_fixes is None:
             laws = ", ".join(name for name, law in LAWS.items() if law.between_fixes)
@@ -70,6 +77,13 @@ class FixSettings:
         self.theta = np.array(learning.theta_estimate or scenario.model_parameters)
         if not row.alpha_is_constant:
             self.theta = -np.array(scenario.learning_parameters)
+        basis = scenario.basis
+        usual = largest_shear(basis.kernel, basis.widths, self.theta, self.prior)
+        self.limits = Limits(
+            usual if shear is None else shear * seconds,
+            unmodelled / self.speed,
+            SIGMAS * self.fix,
+        )
 
     def _prior(self, own: dict, scenario: Scenario) -> np.ndarray:
         """Return the standard deviation of each parameter, (N,); 0 fixes one."""

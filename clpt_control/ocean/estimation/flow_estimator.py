@@ -27,13 +27,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...base.arguments import OrNaN, public
+from ...base.arguments import OrNaN, Positive, public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
+from ...base.units import at_least
+from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
 from .fix_settings import FixSettings, LocalFrame
 from .hypotheses import Hypotheses
-from .leg_guesses import KEPT, Guess, LegGuesses, Regression, remarks, theta_of
+from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
 from .leg_track import Leg, LegTrack, Turn, long_interval
 from .wrong_units import COMPARED, way_of, wrong_motion
 
@@ -83,6 +85,8 @@ class Learned:
         A remark in plain words, or empty.
     turn : float
         Angle by which the learned flow turns along the leg, rad.
+    guaranteed : float
+        Largest error of the learned flow at the fix, m/s, as by `FlowEstimator.guaranteed`.
     """
 
     time: float
@@ -96,6 +100,7 @@ class Learned:
     error_north: float = np.nan
     note: str = ""
     turn: float = 0.0
+    guaranteed: float = np.inf
 
     @property
     def error(self) -> float:
@@ -117,6 +122,10 @@ class FlowEstimator:
     scenario : Scenario
         Basis functions and law for fixes: ``fix-regression``, ``kalman-flow`` or
         ``least-squares``. The tables `flow`, `vehicle`, `reference` and `run` may be left out.
+    shear : float, optional
+        Largest shear of the true flow, 1/s, of `guaranteed`; what prior and widths allow.
+    unmodelled : float, optional
+        Largest flow that the functions do not express, errors of the motion included, m/s.
 
     Attributes
     ----------
@@ -146,9 +155,14 @@ class FlowEstimator:
     (720, [[0.2], [0.0]])
     """
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(
+        self,
+        scenario: Scenario,
+        shear: Positive | None = None,
+        unmodelled: Positive = UNMODELLED,
+    ) -> None:
         self.scenario = scenario
-        self.settings = FixSettings(scenario)
+        self.settings = FixSettings(scenario, shear, unmodelled)
         self.frame: LocalFrame | None = None
         self.legs = 0
         self.fastest = 0.0  # speed through the water, length per time
@@ -217,6 +231,7 @@ class FlowEstimator:
             self.flow_parameters,
             self.standard_error,
             self.flow(time, latitude, longitude),
+            guaranteed=self.guaranteed(time, latitude, longitude),
             **results,
         )
 
@@ -256,6 +271,34 @@ class FlowEstimator:
             m/s to the east and to the north.
         """
         return flow_by(self, self.theta, time, latitude, longitude)
+
+    @public
+    def guaranteed(self, time: OrNaN, latitude: OrNaN, longitude: OrNaN) -> float:
+        """Return the largest error of the learned flow at a time and place.
+
+        For every constant theta within one prior of the first estimate, if the shear of the flow,
+        the unmodelled flow and the noise of fixes (three standard deviations) keep their limits,
+        and the fixes that are taken as right are right.
+
+        Parameters
+        ----------
+        time, latitude, longitude : float
+            s since 1970 UTC, degrees.
+
+        Returns
+        -------
+        float
+            m/s; inf where nothing is guaranteed that the prior does not say, and with
+            ``kalman-flow``, whose flow changes.
+        """
+        likely = self.guesses.best
+        phi = phi_at(self, time, latitude, longitude)
+        before = np.linalg.norm(self.settings.prior * phi)
+        of_guess = np.sqrt(likely.level * (phi @ likely.P @ phi))
+        error = of_guess + np.linalg.norm((self.theta - likely.theta) @ phi)
+        if self.scenario.learning.law == WALKS or not error < before:
+            return np.inf
+        return float(error * self.settings.speed)
 
     @public
     def forecast(self, stretches: list[tuple[OrNaN, OrNaN, OrNaN]]) -> Ahead:
@@ -329,6 +372,29 @@ class FlowEstimator:
         return [told] * bool(told) + long_interval(self.turn)
 
     @property
+    def guarantee(self) -> str:
+        """Assumptions of `guaranteed` in a sentence, or why there is none."""
+        law, limits, speed = (
+            self.scenario.learning.law,
+            self.settings.limits,
+            self.settings.speed,
+        )
+        if law == WALKS:
+            return f"no error is guaranteed: {law} is for a flow that changes"
+        shear = limits.shear * speed / self.settings.metres
+        if not np.isfinite(self.guesses.best.level):
+            return (
+                "no error is guaranteed: the flow changed, or the fixes show that a limit does "
+                "not hold. Give a larger unmodelled flow or shear"
+            )
+        return (
+            f"guaranteed if the flow is constant, its parameters within one prior of the first "
+            f"estimate, shear at most {at_least(shear, 3)}/s, the unmodelled flow at most "
+            f"{at_least(limits.unmodelled * speed, 3)} m/s, and each fix within "
+            f"{at_least(limits.noise * self.settings.metres, 3)} m"
+        )
+
+    @property
     def flow_parameters(self) -> np.ndarray:
         """Estimate of theta, (2, N), m/s."""
         return self.theta * self.settings.speed
@@ -398,6 +464,7 @@ class FlowEstimator:
                 guess["squares"],
                 guess["count"],
                 tuple(guess["fixes"]),
+                guess["level"],
             )
             for guess in state["guesses"]
         )
@@ -443,7 +510,7 @@ class FlowEstimator:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
         noise = self.settings.noise_of(duration)
-        return Regression(Y, m, duration, noise, self._bend(leg), turn)
+        return Regression(Y, m, duration, noise, self._bend(leg), turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
@@ -453,7 +520,10 @@ class FlowEstimator:
         arrival = self.track.end(leg, theta, drift)
         Y = place - (arrival.z - off) + theta @ arrival.m
         turn = self.track.turn(arrival, theta, self.covariance)
-        return self._terms(leg, arrival.m, Y, turn)
+        times = np.append(arrival.points[:, 0], leg.time) - leg.start
+        path = np.vstack([arrival.path, arrival.m])
+        along = LegRegressor(times, path, float(np.hypot(*drift)) * times)
+        return self._terms(leg, arrival.m, Y, turn)._replace(path=along)
 
     def _learn(self, start: Leg, leg: Leg | None) -> dict[str, Any]:
         """Divide each guess by the fix from which a leg may start; return note and turn."""
@@ -518,9 +588,25 @@ def flow_by(
     longitude: float,
 ) -> tuple[float, float]:
     """Return the flow of some theta, scenario's units, as `flow` does."""
+    frame = _frame_at(estimator, latitude, longitude)
+    phi = phi_at(estimator, time, latitude, longitude)
+    return frame.velocity(frame.point(latitude, longitude), theta @ phi)
+
+
+def phi_at(
+    estimator: FlowEstimator, time: float, latitude: float, longitude: float
+) -> np.ndarray:
+    """Return phi at a time and place, (N,)."""
+    frame = _frame_at(estimator, latitude, longitude)
+    point = frame.point(latitude, longitude)
+    return estimator.track.phi(frame.own_time(time), point)
+
+
+def _frame_at(
+    estimator: FlowEstimator, latitude: float, longitude: float
+) -> LocalFrame:
+    """Return the frame, at the place itself if the functions are the same everywhere."""
     frame, _ = estimator.under_way
     if estimator._is_everywhere:
-        frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
-    point = frame.point(latitude, longitude)
-    phi = estimator.track.phi(frame.own_time(time), point)
-    return frame.velocity(point, theta @ phi)
+        return LocalFrame(frame.time, (latitude, longitude), frame.units)
+    return frame

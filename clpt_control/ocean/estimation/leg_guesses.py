@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.units import METRES
+from ...paper.laws.fix_bound import LegRegressor, Limits, level_after
 from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
 from ..gliders.dives import FASTEST
@@ -60,6 +61,7 @@ class Guess:
     """Estimate of theta if each of the last fixes is as `fixes` says, the last one at the end.
 
     `leg` begins at the last fix that is not wrong; None before one. `squares` is S, `count` nu.
+    `level` bounds tr(eta P^-1 eta^T), eta the error of theta (`paper.laws.fix_bound`).
     """
 
     leg: Leg | None
@@ -68,6 +70,7 @@ class Guess:
     squares: float = PRIOR_ERRORS
     count: float = PRIOR_ERRORS
     fixes: tuple[str, ...] = ()
+    level: float = 1.0
 
     @property
     def scale(self) -> float:
@@ -80,7 +83,10 @@ class Guess:
 
 
 class Regression(NamedTuple):
-    """Y = theta m + n over a leg: Y (2,), m (N,), duration, r and its two added terms."""
+    """Y = theta m + n over a leg: Y (2,), m (N,), duration, r and its two added terms.
+
+    `path` is m along the leg, as predicted with `theta`.
+    """
 
     Y: np.ndarray
     m: np.ndarray
@@ -88,6 +94,16 @@ class Regression(NamedTuple):
     noise: float
     bend: float
     turn: Turn
+    theta: np.ndarray
+    path: LegRegressor | None = None
+
+    def level(self, guess: Guess, P: np.ndarray, r: float, limits: Limits) -> float:
+        """Return the level of a guess after the leg, learned with P and r."""
+        assert self.path is not None
+        off = np.linalg.norm(self.path.m @ (guess.theta - self.theta).T, axis=1)
+        path = self.path._replace(drift=self.path.drift + off)
+        error = float(np.linalg.norm(self.Y - guess.theta @ self.m))
+        return level_after(guess.level, path, P, r, limits, error)
 
     def added(self, variance: float) -> float:
         """Return the variance of the turn, given m^T P m."""
@@ -188,6 +204,7 @@ class LegGuesses:
         of_theta = float(leg.m @ P @ leg.m)
         noise = leg.noise**2 + leg.bend**2
         r = (noise + leg.added(of_theta)) ** 0.5
+        before = P
         change, P = least_squares_step(P, leg.m, y, r)
         # share of the position error that is noise
         alone = noise / (r**2 + of_theta)
@@ -198,6 +215,9 @@ class LegGuesses:
             P=P,
             squares=_faded(guess.squares) + alone**2 * float(y @ y) / noise,
             count=_faded(guess.count) + 2 * alone,
+            level=np.inf
+            if fix == CHANGED
+            else leg.level(guess, before, r, self.settings.limits),
         )
 
 

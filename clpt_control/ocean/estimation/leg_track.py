@@ -34,11 +34,15 @@ Stretch = tuple[float, float, float]  # time at its end, displacement along both
 
 
 class Arrival(NamedTuple):
-    """End of a leg: z (2,), m (N,), and time, place and length of each step, (n, 4)."""
+    """End of a leg: z (2,), m (N,), and time, place and length of each step, (n, 4).
+
+    `path` is m at the begin of each step, (n, N).
+    """
 
     z: np.ndarray
     m: np.ndarray
     points: np.ndarray
+    path: np.ndarray
 
 
 class Turn(NamedTuple):
@@ -107,7 +111,7 @@ class LegTrack:
             rate = predict(time, x, u, None)
             return np.append(rate["z"], rate["m"])
 
-        points = []
+        points, path = [], []
         t = leg.start
         for end, east, north in leg.way:
             span = end - t
@@ -119,9 +123,11 @@ class LegTrack:
                 step = span / count
                 for k in range(count):
                     points.append((t + k * step, *state[:2], step))
+                    path.append(state[2:])
                     state = runge_kutta(rates, t + k * step, state, step)
             t = end
-        return Arrival(state[:2], state[2:], np.array(points).reshape(-1, 4))
+        rows = np.array(points).reshape(-1, 4)
+        return Arrival(state[:2], state[2:], rows, np.array(path))
 
     def slopes(
         self, times: np.ndarray, points: np.ndarray

@@ -39,7 +39,7 @@ from .flow_estimator import Ahead, FlowEstimator, Learned, move_through, pass_un
 PARTS = (PLACE, STEERING, STRETCH)
 KEYS = {"time", "plan", *(key for part in PARTS for key in part)}
 MOTION = {*STEERING, *STRETCH}
-FORMAT = 2  # of the file of the state
+FORMAT = 3  # of the file of the state
 
 
 class LiveFixes:
@@ -48,8 +48,10 @@ class LiveFixes:
     The state of a file is taken up again if the file exists.
     """
 
-    def __init__(self, scenario: Scenario, path: Path | None = None) -> None:
-        self.scenario, self.path = scenario, path
+    def __init__(
+        self, scenario: Scenario, path: Path | None = None, **limits: float
+    ) -> None:
+        self.scenario, self.path, self.limits = scenario, path, limits
         self.text = scenario_to_text(scenario)
         self._begin()
         if path is not None and path.exists():
@@ -57,7 +59,8 @@ class LiveFixes:
 
     def _begin(self) -> None:
         """Know nothing."""
-        self.estimator, self.rows = FlowEstimator(self.scenario), LogRows()
+        self.estimator = FlowEstimator(self.scenario, **self.limits)
+        self.rows = LogRows()
 
     def answer(self, line: str) -> dict[str, Any] | None:
         """Read a line; return the answer to a fix or a line that is left out, or None."""
@@ -287,6 +290,7 @@ def answer_of(learned: Learned, estimator: FlowEstimator) -> dict[str, Any]:
         "flow": towards(*learned.flow),
         "theta_m_s": learned.flow_parameters.tolist(),
         "standard_error_m_s": learned.standard_error.tolist(),
+        "guaranteed_m_s": finite_or_none(learned.guaranteed),
     }
     if learned.forecast is not None:
         answer["forecast"] = forecast_of(learned.forecast)

@@ -192,14 +192,15 @@ def flow_of_legs(
     scenario: Scenario,
     method: str = "kalman",
     frame: LocalFrame | None = None,
+    **limits: float,
 ) -> tuple[xarray.Dataset, np.ndarray]:
     """Return the Dataset of `flow_estimate`, and theta in the scenario's units.
 
-    The frame is that of a simulated run, whose ways are exact.
+    The frame is that of a simulated run, whose ways are exact; `limits` are those of the estimator.
     """
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
-    estimator = FlowEstimator(scenario)
+    estimator = FlowEstimator(scenario, **limits)
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
     learned, used, refused = [], [], []
@@ -216,7 +217,11 @@ def flow_of_legs(
     theta, errors = estimator.flow_parameters, estimator.standard_error
     scale, notes = estimator.scale, []
     turns = [result.turn for result in learned]
+    guaranteed = [result.guaranteed for result in learned]
+    guarantee = estimator.guarantee
     if method == "tomography":
+        guaranteed = [np.inf] * len(learned)
+        guarantee = "no error is guaranteed: tomography has no bound"
         found, speed = tomography_of(estimator, legs), estimator.settings.speed
         theta, errors = found.theta * speed, found.standard_error.max(axis=0) * speed
         scale, notes = found.scale, found.notes
@@ -264,6 +269,9 @@ def flow_of_legs(
                 *("standard error of each row of theta", MPS, "basis"),
             ),
             "turn": column(turns, "turn of the flow along the leg", "rad"),
+            "guaranteed": column(
+                guaranteed, "guaranteed error of the flow at the fix", MPS
+            ),
         },
         {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
         {
@@ -273,6 +281,7 @@ def flow_of_legs(
             "origin": list(frame.place),
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
+            "guarantee": guarantee,
             "notes": notes
             + [
                 f"leg {leg.number}: {r.note}"

@@ -65,6 +65,16 @@ STEEPEST = {  # largest slope |d phi_i/dx| of a kernel, from its widths
 }
 
 
+def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
+    """Return an upper bound of |d(theta phi)/dx|, 1/time, for any flow near theta.
+
+    The flow is (theta + eta) phi, and the sum of |eta_k/spread_k|^2 over its functions at most 1.
+    """
+    slopes = STEEPEST[kernel](np.array(widths))
+    own = np.linalg.norm(theta, axis=0) @ slopes
+    return float(own + np.linalg.norm(np.asarray(spread) * slopes))
+
+
 def flow_basis(
     name: str,
     position: str,

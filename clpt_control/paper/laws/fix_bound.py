@@ -3,7 +3,7 @@
 With eta = theta - theta_hat, V = tr(eta P^-1 eta^T), legs of duration T, fixes within n of the
 truth, an unmodelled flow within d, and a true flow whose shear is at most L:
 
-    V <= V(0) + sum_k |w_k|^2/r_k^2
+    V <= V(0) + sum_k |w_k|^2/r_k^2 - |y_k|^2/(r_k^2 + m_k^T P_k m_k)
     |w_k| <= n (1 + e^LT) + d (e^LT - 1)/L + b_k
     b_k = int_0^T L e^(L (T - u)) (|eta m(u)| + |c| u) du,    m(u) = int_0^u phi(z)
     |eta a| <= (V a^T P a)^(1/2)                                                  for every a
@@ -24,6 +24,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from .memory_laws import least_squares_step
+
+SIGMAS = 3.0  # largest error of a fix, in standard deviations of an axis
+UNMODELLED = 0.01  # m/s
 
 
 class Limits(NamedTuple):
@@ -63,12 +66,27 @@ def variances(a: np.ndarray, P: np.ndarray) -> np.ndarray:
 
 
 def level_after(
-    level: float, leg: LegRegressor, P: np.ndarray, r: float, limits: Limits
+    level: float,
+    leg: LegRegressor,
+    P: np.ndarray,
+    r: float,
+    limits: Limits,
+    error: float,
 ) -> float:
-    """Return a bound of V after a leg, learned with P and r; `level` bounds V before it."""
-    known = np.sqrt(level * variances(leg.m, P)) + leg.drift
-    w = 2 * limits.noise + limits.strayed(leg.times[-1])
-    return level + float(np.square((w + limits.sheared(leg.times, known)) / r))
+    """Return a bound of V after a leg that is learned with P and r; `level` bounds V before it.
+
+    `error` is |y|, by which V falls: V + |w|^2/r^2 - |y|^2/(r^2 + m^T P m), exactly. A larger one
+    than the limits allow shows that they are broken: inf.
+    """
+    if not np.isfinite(level):
+        return np.inf
+    share = float(variances(leg.m[-1:], P)[0])
+    with np.errstate(over="ignore", invalid="ignore"):
+        known = np.sqrt(level * variances(leg.m, P))
+        sheared = limits.sheared(leg.times, known + leg.drift)
+        w = 2 * limits.noise + limits.strayed(leg.times[-1]) + sheared
+        after = level + float(np.square(w / r)) - error**2 / (r**2 + share)
+    return after if after >= 0 and error <= known[-1] + w else np.inf
 
 
 def beyond_linear(x: np.ndarray) -> np.ndarray:

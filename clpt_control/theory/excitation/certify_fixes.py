@@ -20,8 +20,15 @@ from ...base.figures import BLUE, RED, axes_for
 from ...base.html import Result
 from ...base.units import METRES, SECONDS, at_least, at_most, finite_or_none
 from ...engine.model.block import evaluate
-from ...paper.blocks.flow import STEEPEST
-from ...paper.laws.fix_bound import ErrorBound, LegRegressor, Limits, largest_gain
+from ...paper.blocks.flow import STEEPEST, largest_shear
+from ...paper.laws.fix_bound import (
+    SIGMAS,
+    UNMODELLED,
+    ErrorBound,
+    LegRegressor,
+    Limits,
+    largest_gain,
+)
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ..laws.promises import largest_disturbance
@@ -29,8 +36,6 @@ from ..laws.promises import largest_disturbance
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SIGMAS = 3.0  # largest error of a fix, in standard deviations of an axis
-UNMODELLED = 0.01  # m/s
 INTERVALS = (0.5, 1.0, 2.0, 3.0, 4.0)  # times that of the scenario
 NODES = 16  # of a leg
 MOST_LEGS = 5000
@@ -140,10 +145,10 @@ def certify_fixes(
     theta = scenario.flow.parameters
     off = 0.0 if theta is None else float(np.linalg.norm(np.array(theta) - first))
     radius = max(1.0, off / prior)
-    slopes = STEEPEST[scenario.basis.kernel](np.array(scenario.basis.widths))
+    kernel, widths = scenario.basis.kernel, np.array(scenario.basis.widths)
+    slopes = STEEPEST[kernel](widths)
     if shear is None:
-        spread = radius * prior * np.linalg.norm(slopes)
-        shear = float(spread + np.linalg.norm(first * slopes)) / seconds
+        shear = largest_shear(kernel, widths, first, radius * prior) / seconds
     if unmodelled is None:
         unmodelled = max(UNMODELLED, largest_disturbance(scenario) * speed)
     fixes = scenario.localization

@@ -153,8 +153,8 @@ def fix_steps(law: Law, points: int) -> list[Step]:
         "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
         "whatever v is flown": AtFixes.stays,
         "at a fix with y = eta m + w, for any w, V changes by "
-        "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, P^-1 rises by m m^T/r^2 and x - z = eta m - w, also "
-        "where it arrives late; one that is missing or on its way changes nothing": AtFixes.learns,
+        "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, P^-1 rises by m m^T/r^2 and x - z = eta m - w, "
+        "also where it arrives late; one missing or on its way changes nothing": AtFixes.learns,
     }
     steps = [
         exact_step(cases, claim, check, "values fixes")
