@@ -106,8 +106,8 @@ def test_a_uniform_current_has_a_closed_form():
 
 REFUSED = [
     ({}, {"shear": 1.0}, "shear x interval is 3.6e.03, .* nothing is guaranteed"),
-    ({"localization.latency": 0.1}, {}, "the plan has no localization.latency"),
-    ({"localization.dropouts": 0.1}, {}, "the plan has no localization.dropouts"),
+    ({"localization.latency": 0.1}, {}, "in the plan each fix arrives, and at once"),
+    ({"localization.dropouts": 0.1}, {}, "in the plan each fix arrives, and at once"),
     ({"run.duration": 1e4}, {}, "more than 5000 intervals of 0.5"),
     ({}, {"radius": 1.0}, "are not of a scenario of fixes"),
     ({}, {"unmodelled": -1.0}, "must be 0 or more"),

@@ -291,8 +291,9 @@ class FlowEstimator:
             m/s; inf where nothing is guaranteed that the prior does not say, and with
             ``kalman-flow``, whose flow changes.
         """
-        likely = self.guesses.best
-        phi = phi_at(self, time, latitude, longitude)
+        frame, likely = self.under_way[0], self.guesses.best
+        point = frame.point(latitude, longitude)
+        phi = self.track.phi(frame.own_time(time), point)
         before = np.linalg.norm(self.settings.prior * phi)
         of_guess = np.sqrt(likely.level * (phi @ likely.P @ phi))
         error = of_guess + np.linalg.norm((self.theta - likely.theta) @ phi)
@@ -588,25 +589,9 @@ def flow_by(
     longitude: float,
 ) -> tuple[float, float]:
     """Return the flow of some theta, scenario's units, as `flow` does."""
-    frame = _frame_at(estimator, latitude, longitude)
-    phi = phi_at(estimator, time, latitude, longitude)
-    return frame.velocity(frame.point(latitude, longitude), theta @ phi)
-
-
-def phi_at(
-    estimator: FlowEstimator, time: float, latitude: float, longitude: float
-) -> np.ndarray:
-    """Return phi at a time and place, (N,)."""
-    frame = _frame_at(estimator, latitude, longitude)
-    point = frame.point(latitude, longitude)
-    return estimator.track.phi(frame.own_time(time), point)
-
-
-def _frame_at(
-    estimator: FlowEstimator, latitude: float, longitude: float
-) -> LocalFrame:
-    """Return the frame, at the place itself if the functions are the same everywhere."""
     frame, _ = estimator.under_way
     if estimator._is_everywhere:
-        return LocalFrame(frame.time, (latitude, longitude), frame.units)
-    return frame
+        frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
+    point = frame.point(latitude, longitude)
+    phi = estimator.track.phi(frame.own_time(time), point)
+    return frame.velocity(point, theta @ phi)

@@ -2,13 +2,12 @@
 
 The planned track is that of the scenario's vehicle in the flow that the law assumes at first, by
 the running blocks.  `paper.laws.fix_bound` has the bound of its legs.  It holds for every flow and
-every noise within the limits, if the prediction follows the plan; a missing fix is a longer leg,
-and a fix that arrives late is not covered.
+every noise within the limits, if the prediction follows the plan; a fix that arrives late is not
+covered.  Beside it stand made missions: runs with noise, disturbance and flows within the limits.
 
 Speeds of options and results are in m/s, shear in 1/s.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +19,7 @@ from ...base.figures import BLUE, RED, axes_for
 from ...base.html import Result
 from ...base.units import METRES, SECONDS, at_least, at_most, finite_or_none
 from ...engine.model.block import evaluate
-from ...paper.blocks.flow import STEEPEST, largest_shear
+from ...paper.blocks.flow import largest_shear
 from ...paper.laws.fix_bound import (
     SIGMAS,
     UNMODELLED,
@@ -36,7 +35,7 @@ from ..laws.promises import largest_disturbance
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-INTERVALS = (0.5, 1.0, 2.0, 3.0, 4.0)  # times that of the scenario
+INTERVALS = (1.0, 0.5, 2.0, 3.0, 4.0)  # times that of the scenario, which is the first
 NODES = 16  # of a leg
 MOST_LEGS = 5000
 MISSIONS = 6
@@ -51,160 +50,148 @@ class FixBounds:
     flow: np.ndarray  # largest on the last quarter of the planned track
     parameter: np.ndarray  # of the worst flow parameter
     missions: np.ndarray  # largest error of the flow there in six made missions
-    functions: int  # N
-    duration: float  # units.time
     shear: float  # L, 1/s
     unmodelled: float  # d, m/s
     noise: float  # n, units.length
     prior: float  # largest |theta - theta_hat(0)|, m/s
+    said: str  # the bound at the scenario's interval, or at one with a guarantee
+    limit: str  # the longest interval
     units: dict[str, str]
 
     def __repr__(self) -> str:
         return f"<FixBounds: {self.said}>"
 
     @property
-    def said(self) -> str:
-        """Sentence on the scenario's own interval, or on the longest with a guarantee."""
-        known, own = np.flatnonzero(np.isfinite(self.flow)), INTERVALS.index(1.0)
-        k = own if own in known else known[-1]
-        length, time = self.units["length"], self.units["time"]
-        none = f"with a fix each {self.interval[own]:g} {time} nothing is guaranteed; "
-        return ("" if k == own else none) + (
-            f"with a fix each {self.interval[k]:g} {time} the flow on the planned track is known "
-            f"to {at_most(self.flow[k], 3)} m/s after {self.duration:g} {time}, if shear is at "
-            f"most {at_least(self.shear, 3)}/s, the unmodelled flow at most "
-            f"{at_least(self.unmodelled, 3)} m/s, each fix within {at_least(self.noise, 3)} "
-            f"{length} ({SIGMAS:g} standard deviations), |theta - theta_hat(0)| at most "
-            f"{at_least(self.prior, 3)} m/s, and the vehicle's prediction follows the plan"
-        )
-
-    @property
-    def limit(self) -> str:
-        """Sentence on the longest interval."""
-        return limit_of(self.functions, self.shear, self.units["time"])
-
-    @property
     def result(self) -> Result:
         """Table of the intervals."""
-        time = self.units["time"]
-        columns = [f"interval ({time})", "flow on the track at most (m/s)"]
-        columns += ["worst parameter at most (m/s)"]
-        columns += [f"largest of {MISSIONS} made missions (m/s)"]
-        bounds = zip(self.flow, self.parameter, self.missions, strict=True)
-        rows = [
-            [
-                f"{interval:g}",
-                *("none" if not x < np.inf else at_most(x, 3) for x in row),
-            ]
-            for interval, row in zip(self.interval, bounds, strict=True)
+        columns = [
+            f"interval ({self.units['time']})",
+            "flow on the track at most (m/s)",
+            "worst parameter at most (m/s)",
+            f"largest of {MISSIONS} made missions (m/s)",
         ]
-        return Result(
-            "Guaranteed before it sails", columns, rows, [self.said, self.limit]
+        numbers = zip(
+            self.interval, self.flow, self.parameter, self.missions, strict=True
         )
+        rows = [
+            [at_most(x, 3) if np.isfinite(x) else "none" for x in row]
+            for row in numbers
+        ]
+        sentences = [self.said, self.limit]
+        return Result("Guaranteed before it sails", columns, rows, sentences)
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        fields: dict[str, Any] = dict(vars(self))
-        for name in ("interval", "flow", "parameter", "missions"):
-            fields[name] = [finite_or_none(x) for x in fields[name].tolist()]
-        return {**fields, "said": self.said, "limit": self.limit}
+        return {
+            name: [*map(finite_or_none, field.tolist())]
+            if isinstance(field, np.ndarray)
+            else field
+            for name, field in vars(self).items()
+        }
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draw guaranteed and made errors against the interval."""
         axes = axes_for(ax, 6.0, 4.0)
-        axes.semilogy(self.interval, self.flow, "o-", color=BLUE, label="guaranteed")
-        label = f"largest of {MISSIONS} made missions"
-        axes.semilogy(self.interval, self.missions, "s--", color=RED, label=label)
+        made = f"largest of {MISSIONS} made missions"
+        style = {"linestyle": "-", "marker": "o"}
+        axes.semilogy(self.interval, self.flow, color=BLUE, label="guaranteed", **style)
+        axes.semilogy(self.interval, self.missions, color=RED, label=made, **style)
         axes.set_xlabel(f"interval between fixes ({self.units['time']})")
         axes.set_ylabel("error of the flow on the track (m/s)")
         axes.legend(frameon=False)
         return axes
 
 
-def limit_of(N: int, shear: float, time: str) -> str:
-    """Return a sentence on the longest interval with N functions; `shear` in 1/s."""
-    gain = largest_gain(N)
-    longest = gain / (shear * SECONDS[time])
-    return (
-        f"no guarantee of {N} function{'s' * (N > 1)} lasts beyond shear x interval = "
-        f"{at_least(gain, 3)}, an interval of {at_least(longest, 3)} {time}"
-    )
-
-
 def certify_fixes(
     scenario: Scenario, shear: float | None, unmodelled: float | None
 ) -> FixBounds:
     """Return the bounds of a scenario of fixes at several intervals."""
-    _check(scenario, shear, unmodelled)
-    units = scenario.units.model_dump()
-    metres, seconds = METRES[units["length"]], SECONDS[units["time"]]
-    speed = metres / seconds
+    interval = _checked_interval(scenario, shear, unmodelled)
+    units, basis = scenario.units.model_dump(), scenario.basis
+    length, time = units["length"], units["time"]
+    speed = METRES[length] / SECONDS[time]
     # Step 1: limits of the sea and the fixes
-    law = scenario.learning.row.parameters_of(scenario.known_to_law)
-    prior, first = scenario.known_to_law.prior, -np.array(scenario.learning_parameters)
-    theta = scenario.flow.parameters
-    off = 0.0 if theta is None else float(np.linalg.norm(np.array(theta) - first))
-    radius = max(1.0, off / prior)
-    kernel, widths = scenario.basis.kernel, np.array(scenario.basis.widths)
-    slopes = STEEPEST[kernel](widths)
+    context = scenario.known_to_law
+    noise = scenario.learning.row.parameters_of(context).noise
+    first, prior = -np.array(scenario.learning_parameters), context.prior
+    theta = first if scenario.flow.parameters is None else scenario.flow.parameters
+    radius = max(1.0, float(np.linalg.norm(theta - first)) / prior)
+    spread = radius * prior
     if shear is None:
-        shear = largest_shear(kernel, widths, first, radius * prior) / seconds
+        usual = largest_shear(basis.kernel, basis.widths, first, spread)
+        shear = usual / SECONDS[time]
     if unmodelled is None:
         unmodelled = max(UNMODELLED, largest_disturbance(scenario) * speed)
-    fixes = scenario.localization
-    assert fixes is not None
-    limits = Limits(shear * seconds, unmodelled / speed, SIGMAS * fixes.noise)
+    largest = SIGMAS * scenario.localization.noise  # type: ignore[union-attr]
+    limits = Limits(shear * SECONDS[time], unmodelled / speed, largest)
     # Step 2: each interval
-    plan = _Plan(scenario, fixes.interval, first, law.noise)
-    theta_of = _flows(first, radius * prior, limits.shear, slopes)
-    flow, parameter, made = [], [], []
-    for factor in INTERVALS:
-        bound, places = plan.bounded(factor, prior, radius, limits)
-        before = radius * prior * np.linalg.norm(places, axis=-1).max()
-        flow.append(_guaranteed(bound, places, before))
-        parameter.append(_guaranteed(bound, np.eye(len(slopes))[None], radius * prior))
-        errors = [
-            plan.error(factor, places, theta_of(k), limits.unmodelled, k)
-            for k in range(MISSIONS * np.isfinite(flow[-1]))
+    rows = []
+    for factor in sorted(INTERVALS):
+        T, r = factor * interval, max(1.0, factor) * noise
+        times, phi = _planned(scenario, T, r, first)
+        bound = ErrorBound(np.full(basis.N, prior), radius, limits)
+        places = phi[-max(1, round(LAST * len(phi))) :]
+        with np.errstate(over="ignore", invalid="ignore"):
+            for m in cumulative_simpson(phi, x=times, axis=1, initial=0.0):
+                bound.learn(LegRegressor(times, m), r)
+            errors = [_guaranteed(bound, a, spread) for a in (places, np.eye(basis.N))]
+        missions = MISSIONS * np.isfinite(errors[0])
+        made = [
+            _made(scenario, T, r, first, spread, limits, k) for k in range(missions)
         ]
-        made.append(max(errors, default=np.nan))
-    N = scenario.basis.N
-    if not np.any(np.isfinite(flow)):
+        off = [np.linalg.norm(places @ eta.T, axis=-1).max() for eta in made]
+        rows.append([T, *(speed * x for x in (*errors, max(off, default=np.nan)))])
+    # Step 3: sentences
+    gain, s = largest_gain(basis.N), "s" * (basis.N > 1)
+    limit = (
+        f"no guarantee of {basis.N} function{s} lasts beyond shear x interval = "
+        f"{at_least(gain, 3)}, an interval of {at_least(gain / limits.shear, 3)} {time}"
+    )
+    by_interval = {T: flow for T, flow, *_ in rows if np.isfinite(flow)}
+    if not by_interval:
         raise ScenarioError(
-            f"no certificate: shear x interval is {limits.shear * fixes.interval:.2g}, and after "
-            "the run nothing is guaranteed that the prior does not say; "
-            f"{limit_of(N, shear, units['time'])}. Take fixes more often, or give the shear of "
-            "the flow if it is smaller"
+            f"no certificate: shear x interval is {limits.shear * interval:.2g}, and after the run "
+            f"nothing is guaranteed that the prior does not say; {limit}. Take fixes more often, "
+            "or give the shear of the flow if it is smaller"
         )
+    T = interval if interval in by_interval else max(by_interval)
+    none = f"with a fix each {interval:g} {time} nothing is guaranteed; "
+    said = (
+        f"with a fix each {T:g} {time} the flow on the planned track is known to "
+        f"{at_most(by_interval[T], 3)} m/s after {scenario.run.duration:g} {time}, if shear is at "
+        f"most {at_least(shear, 3)}/s, the unmodelled flow at most {at_least(unmodelled, 3)} m/s, "
+        f"each fix within {at_least(largest, 3)} {length} ({SIGMAS:g} standard deviations), "
+        f"|theta - theta_hat(0)| at most {at_least(speed * spread, 3)} m/s, and the vehicle's "
+        "prediction follows the plan"
+    )
+    columns = ("interval", "flow", "parameter", "missions")
     return FixBounds(
-        interval=fixes.interval * np.array(INTERVALS),
-        flow=speed * np.array(flow),
-        parameter=speed * np.array(parameter),
-        missions=speed * np.array(made),
-        functions=N,
-        duration=scenario.run.duration,
+        **dict(zip(columns, np.array(rows).T, strict=True)),
         shear=shear,
         unmodelled=unmodelled,
-        noise=limits.noise,
-        prior=radius * prior * speed,
+        noise=largest,
+        prior=speed * spread,
+        said=said if interval == T else none + said,
+        limit=limit,
         units=units,
     )
 
 
-def _guaranteed(bound: ErrorBound, legs: np.ndarray, before: float) -> float:
+def _guaranteed(bound: ErrorBound, legs: np.ndarray, spread: float) -> float:
     """Return the largest error for rows of legs, or inf if it is not below that before any fix."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        largest = max(float(bound.at(rows).max()) for rows in legs)
+    largest = max(float(bound.at(np.atleast_2d(rows)).max()) for rows in legs)
+    before = spread * float(np.linalg.norm(legs, axis=-1).max())
     return largest if largest < before else np.inf
 
 
-def _check(scenario: Scenario, shear: float | None, unmodelled: float | None) -> None:
-    """Raise an error for a scenario of fixes without a certificate."""
-    fixes = scenario.localization
+def _checked_interval(
+    scenario: Scenario, shear: float | None, unmodelled: float | None
+) -> float:
+    """Return the interval of fixes; reject scenarios without a certificate."""
+    fixes, delta = scenario.localization, scenario.flow.disturbance
     assert fixes is not None
     measured = scenario.flow.field is not None
-    disturbance = scenario.flow.disturbance
-    unbounded = disturbance is not None and not disturbance.row.bounded
+    unbounded = delta is not None and not delta.row.bounded
     if unmodelled is not None and not 0 <= unmodelled < np.inf:
         raise ScenarioError(f"unmodelled = {unmodelled:g}: must be 0 or more, m/s")
     if shear is None and measured:
@@ -217,104 +204,65 @@ def _check(scenario: Scenario, shear: float | None, unmodelled: float | None) ->
             "unmodelled: the flow that the functions do not express has no known bound. Give "
             "--unmodelled in m/s"
         )
-    for key in ("latency", "dropouts"):
-        if getattr(fixes, key) > 0:
-            raise ScenarioError(
-                f"no certificate: the plan has no localization.{key}. Set it to 0"
-            )
+    if fixes.latency > 0 or fixes.dropouts > 0:
+        raise ScenarioError(
+            "no certificate: in the plan each fix arrives, and at once. Set localization.latency "
+            "and localization.dropouts to 0"
+        )
     least = min(INTERVALS) * fixes.interval
     if scenario.run.duration > MOST_LEGS * least:
         raise ScenarioError(
             f"run.duration = {scenario.run.duration:g}: has more than {MOST_LEGS} intervals of "
             f"{least:g}. Shorten the run, or take fixes less often"
         )
+    return fixes.interval
 
 
-def _flows(
-    first: np.ndarray, size: float, shear: float, slopes: np.ndarray
-) -> Callable[[int], np.ndarray]:
-    """Return a function of a seed that draws theta within the limits."""
+def _flown(
+    scenario: Scenario, T: float, r: float, flow: dict[str, Any], **run: Any
+) -> Any:
+    """Return a run with a fix each T."""
+    duration = T * int(scenario.run.duration / T * (1 + 1e-12))
+    values = {
+        "flow": flow,
+        "learning.fix_regression.noise": r,
+        "localization.interval": T,
+        "run.duration": duration,
+    }
+    return simulate(scenario.with_values(values | run))
 
-    def draw(seed: int) -> np.ndarray:
-        eta = np.random.default_rng(seed).standard_normal(first.shape)
-        eta *= size / np.linalg.norm(eta)
-        theta = first + eta
-        steepest = float(np.linalg.norm(theta, axis=0) @ slopes)
-        return first + eta * min(1.0, shear / steepest)
 
-    return draw
+def _planned(
+    scenario: Scenario, T: float, r: float, first: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return times since a fix (n,), and phi (legs, n, N) along the plan."""
+    exact = {"localization.noise": 0.0, "run.output_step": T / NODES}
+    run = _flown(scenario, T, r, {"parameters": first.tolist()}, **exact)
+    times, z = run.time.values, run.predicted_position.values
+    phi = evaluate(scenario.basis_block("z"), times, z)
+    starts = np.arange(0, len(times) - NODES, NODES)
+    return times[: NODES + 1], phi[starts[:, None] + np.arange(NODES + 1)]
 
 
-@dataclass(frozen=True)
-class _Plan:
-    """The scenario's vehicle, the interval of fixes, the law's first estimate, and r."""
-
-    scenario: Scenario
-    interval: float
-    first: np.ndarray
-    noise: float
-
-    def bounded(
-        self, factor: float, prior: float, radius: float, limits: Limits
-    ) -> tuple[ErrorBound, np.ndarray]:
-        """Return the bound after the plan, and phi on its last quarter."""
-        times, phi, r = self._legs(factor)
-        bound = ErrorBound(np.full(phi.shape[-1], prior), radius, limits)
-        with np.errstate(over="ignore", invalid="ignore"):
-            for m in cumulative_simpson(phi, x=times, axis=1, initial=0.0):
-                bound.learn(LegRegressor(times, m), r)
-        last = phi[-max(1, round(LAST * len(phi))) :]
-        return bound, last
-
-    def _legs(self, factor: float) -> tuple[np.ndarray, np.ndarray, float]:
-        """Return times since a fix (n,), phi (legs, n, N) along the plan, and r."""
-        run, r = self._run(factor, self.first, {"noise": 0.0}, None, NODES)
-        times, z = run.time.values, run.predicted_position.values
-        basis = self.scenario.basis_block("z")
-        phi = evaluate(basis, times, z)
-        count = (len(times) - 1) // NODES
-        rows = NODES * np.arange(count)[:, None] + np.arange(NODES + 1)
-        return times[: NODES + 1], phi[rows], r
-
-    def error(
-        self,
-        factor: float,
-        places: np.ndarray,
-        theta: np.ndarray,
-        unmodelled: float,
-        seed: int,
-    ) -> float:
-        """Return the largest error of the flow on the plan after a made mission."""
-        angle = np.random.default_rng(seed).uniform(0, 2 * np.pi)
-        amplitude = unmodelled * np.array([np.cos(angle), np.sin(angle)])
-        period = 10 * factor * self.interval
-        disturbance = {
-            "kind": "square",
-            "amplitude": amplitude.tolist(),
-            "period": period,
-        }
-        run, _ = self._run(factor, theta, {"seed": seed}, disturbance)
-        off = theta - run.flow_parameters_estimate.values[-1]
-        return float(np.linalg.norm(places @ off.T, axis=-1).max())
-
-    def _run(
-        self,
-        factor: float,
-        theta: np.ndarray,
-        fixes: dict[str, Any],
-        disturbance: Any,
-        nodes: int = 1,
-    ) -> tuple[Any, float]:
-        """Return a run with a fix each `factor` intervals, and r; `nodes` samples of a leg."""
-        interval = factor * self.interval
-        legs = int(self.scenario.run.duration / interval * (1 + 1e-12))
-        r = self.noise * max(1.0, factor)
-        values = {
-            "flow": {"parameters": theta.tolist(), "disturbance": disturbance},
-            "learning.fix_regression.noise": r,
-            "localization.interval": interval,
-            **{f"localization.{key}": value for key, value in fixes.items()},
-            "run.duration": legs * interval,
-            "run.output_step": interval / nodes,
-        }
-        return simulate(self.scenario.with_values(values)), r
+def _made(
+    scenario: Scenario,
+    T: float,
+    r: float,
+    first: np.ndarray,
+    spread: float,
+    limits: Limits,
+    seed: int,
+) -> np.ndarray:
+    """Return the error of theta, (2, N), after a made mission."""
+    rng = np.random.default_rng(seed)
+    eta, along = rng.standard_normal(first.shape), rng.standard_normal(2)
+    eta *= spread / np.linalg.norm(eta)
+    basis = scenario.basis
+    steepest = largest_shear(basis.kernel, basis.widths, first + eta, 0.0)
+    theta = first + eta * min(1.0, limits.shear / steepest)
+    amplitude = limits.unmodelled * along / np.linalg.norm(along)
+    delta = {"kind": "square", "amplitude": amplitude.tolist(), "period": 10 * T}
+    flow = {"parameters": theta.tolist(), "disturbance": delta}
+    settings = {"localization.seed": seed, "run.output_step": T}
+    run = _flown(scenario, T, r, flow, **settings)
+    return theta - run.flow_parameters_estimate.values[-1]
