@@ -16,9 +16,11 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import DiagramError
+from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
 from ..engine.diagram.wiring import Part, input_ports, output_ports
 from ..paper.blocks.ports import paper_block
+from ..paper.laws.fix_bound import largest_gain
 from ..paper.scenario.experiment import Scenario
 from .c_export import FILE, RUNGE_KUTTA, CFile, as_lines, c_file
 from .dataset import unit_of
@@ -147,6 +149,14 @@ def proved(loop: ClosedLoop) -> list[str]:
         f"Proved by `clpt prove {name}`, with its conditions, in continuous time:",
         "not of steps, inputs between measurements and rounding.",
     ]
+    fixes, N = loop.scenario.localization, loop.scenario.basis.N
+    if learning.row.at_fixes and fixes is not None:
+        lines += [
+            f"For a fix each {fixes.interval:g} {loop.scenario.units.time}: a bound lasts only "
+            "where the shear of the",
+            f"flow times the interval is below {at_least(largest_gain(N), 3)}, `clpt excitation "
+            "--bounds`.",
+        ]
     is_paper = loop.scenario.vehicle.max_speed is None and learning.used_gains.shared
     if is_paper and (theorems := theorems_of(name)):
         coq = "Checked by Coq for every N, docs/machine_checked.md: theorems"
