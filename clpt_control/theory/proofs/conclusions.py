@@ -125,7 +125,7 @@ CONCLUSIONS = {
     "bounded by its fixes": Conclusion(
         "so 2 V stays below B, which grows by {bound} at a fix",
         _needs("definite fixes"),
-        "`clpt excitation --bounds` computes B and the error of the learned flow",
+        "`clpt excitation --bounds` computes B",
     ),
     "V' is at most the claim": Conclusion(
         "as claimed", _needs("claimed"), "without a `claim` V' <= 0 is judged"
