@@ -246,6 +246,13 @@ def test_a_fix_that_is_not_finite_or_beyond_the_gate_leaves_the_states(tmp_path)
     scenario = of_law("fix-regression", localization={"interval": 5.0})
     text = clpt.export(scenario, tmp_path / "learner.c", part="learner")
     assert "the flow must turn by less than about 1 radian between fixes" in text
+    words = " ".join(text.replace("\n *", "").split())
+    # the root of 3^(1/2) (e^x - 1 - x) = x is 0.8513
+    said = (
+        "For a fix each 5 s: a bound lasts only where the shear of the flow times the "
+    )
+    assert said + "interval is below 0.851" in words
+    assert "fix_regression_bound" in words
     (tmp_path / "main.c").write_text(program)
     for gate, last in (([], [1, 0]), (["-Dlearner_gate=50.0"], [0, 1])):
         flags = "-std=c99", "-O1", *gate, "main.c", "-o", "main", "-lm"

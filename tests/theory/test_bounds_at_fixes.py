@@ -126,6 +126,11 @@ def test_what_is_not_certified_is_said(values, limits, said):
         clpt.certify(survey(**values), **limits)
 
 
+def test_intervals_beyond_the_run_are_left_out():
+    found = clpt.certify(survey(**{"run.duration": 2.5}), shear=1e-6)
+    assert found.interval.tolist() == [0.5, 1, 2]
+
+
 @pytest.mark.parametrize("shear", [0.0, -1e-5, np.nan, np.inf])
 def test_a_shear_that_is_none_is_refused(shear):
     with pytest.raises(clpt.ArgumentError, match="positive and finite"):

@@ -126,7 +126,8 @@ def certify_fixes(
     limits = Limits(shear * SECONDS[time], unmodelled / speed, largest)
     # Step 2: each interval
     rows = []
-    for factor in sorted(INTERVALS):
+    most = scenario.run.duration / interval
+    for factor in sorted(x for x in INTERVALS if x <= most):
         T, r = factor * interval, max(1.0, factor) * noise
         times, phi = _planned(scenario, T, r, first)
         bound = ErrorBound(np.full(basis.N, prior), radius, limits)

@@ -57,6 +57,18 @@ def test_a_block_is_asked_at_many_places_and_times(kernel):
     assert evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
+@pytest.mark.parametrize("kernel", flow.KERNELS)
+def test_the_largest_slope_of_a_kernel_is_known(kernel):
+    d = np.linspace(0, 30, 1_000_001)
+    steepest = -np.diff(FORMULAS[kernel](d)).min() / d[1]
+    assert flow.largest_shear(kernel, [3.0], [[0.0], [0.0]], 1.0) == pytest.approx(
+        steepest, rel=1e-4
+    )
+    # two functions of theta, at worst along one direction
+    both = flow.largest_shear(kernel, [3.0, 3.0], [[3.0, 0.0], [4.0, 1.0]], 0.0)
+    assert both == pytest.approx(6 * steepest, rel=1e-4)
+
+
 def test_documentation_and_the_example_name_each_kernel():
     page = (ROOT / "docs/scenario.md").read_text("utf-8")
     example = (ROOT / "clpt_control/data/paper.toml").read_text("utf-8")
