@@ -269,12 +269,12 @@ TOKENS = {
     "plots": 15,
     "plots.drawing": 6447,
     "simulation": 37606,
-    "theory.algebra": 18394,
+    "theory.algebra": 18891,
     "theory.coq": 2725,
     "theory.design": 5740,
-    "theory.excitation": 11635,
+    "theory.excitation": 11682,
     "theory.laws": 21569,
-    "theory.proofs": 39760,
+    "theory.proofs": 39994,
     "theory.theorems": 9409,
 }
 LAID_OUT = {
