@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.base.geodesy import LocalPlane
 
 WIDTH, NOISE, UNMODELLED, SHEAR = 12e3, 15.0, 0.01, 2e-5
 CENTERS = np.array([[0, 0], [10e3, 0], [0, 10e3]], float)
 CORNERS = np.array([[10e3, 0], [0, 10e3], [10e3, 10e3], [0, 0]])
-PLANE = LocalPlane(36.7, -122.1, "m")
+IN_METRES = {"origin": [36.7, -122.1], "units": {"length": "m", "time": "s"}}
+PLANE = clpt.paper_scenario().with_values(IN_METRES).plane
 
 
 def learner(law="fix-regression", widths=WIDTH, **limits):
