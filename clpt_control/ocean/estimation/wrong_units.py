@@ -8,8 +8,10 @@ with a mean flow c.  A is the identity for right columns, and a cause's for wron
 log-likelihood ratio of a cause and the identity is (n - 1) log(R/R_A), with R the sums of squared
 residuals.
 
-If w is the way over ground itself, the residuals are the noise of the fixes or less: over long legs
-no sea is so still.
+Where one part of w is over ground, speed or course, that part is g's to the noise, and the mean flow
+is the one that the other part shows.  Legs of one course do not show it.
+
+If w is the way over ground itself, g - w is the noise of the fixes, and no flow: no sea is so still.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,10 +25,7 @@ FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
 TURNED = np.radians(5.0)
 IMPOSSIBLE = 0.2  # of the noise of a leg
-NO_FLOW, STILL = (
-    1.5,
-    0.01,
-)  # of the noise of a leg; m/s that this noise is over its duration
+STILL = 0.01  # m/s, root mean square of a flow
 
 
 def _as_radians(w: np.ndarray) -> np.ndarray:
@@ -60,14 +59,15 @@ def wrong_motion(ways: Sequence[Sequence[float]], noise: float) -> str:
     over_ground, water, durations = rows[:, :2], rows[:, 2:4], rows[:, 4]
     errors = np.hypot(*(over_ground - water).T) * durations
     rms = float(np.sqrt(np.mean(errors**2)))
-    is_long = noise < STILL * float(np.median(durations))
-    if np.any(water) and rms < (NO_FLOW if is_long else IMPOSSIBLE) * noise:
+    least = max(IMPOSSIBLE * noise, STILL * float(np.median(durations)))
+    if np.any(water) and rms < least:
         return (
-            "the ways through the water are those over ground to the fixes' own noise: course and "
-            "speed look like those over ground. Give those through the water"
+            "the ways through the water are those over ground, without any flow: course and speed "
+            "look like those over ground. Give those through the water"
         )
     limit = _residual(over_ground, water) * np.exp(-CLEAR / (len(ways) - 1))
     residuals = {name: _residual(over_ground, of(water)) for name, of in CAUSES.items()}
+    residuals |= _parts_over_ground(over_ground, water)
     cause = min(residuals, key=residuals.__getitem__)
     angle = _turn(over_ground, water)
     c, s = np.cos(angle), np.sin(angle)
@@ -89,6 +89,28 @@ def _centred(velocity: np.ndarray) -> np.ndarray:
 def _residual(over_ground: np.ndarray, water: np.ndarray) -> float:
     """Return the sum of squared residuals."""
     return float(np.sum(_centred(over_ground - water) ** 2))
+
+
+def _parts_over_ground(over_ground: np.ndarray, water: np.ndarray) -> dict[str, float]:
+    """Return the sums of squared residuals if the speeds, or the courses, are over ground."""
+    speed = np.hypot(*water.T)
+    ahead = water / np.maximum(speed, 1e-300)[:, None]
+    across = ahead @ np.array([[0.0, -1.0], [1.0, 0.0]])
+    faster = np.hypot(*over_ground.T) - speed
+    aside = np.sum(over_ground * across, axis=1)
+
+    def squares(none: np.ndarray, shown: np.ndarray, directions: np.ndarray) -> float:
+        flow = np.linalg.lstsq(directions, shown)[0]
+        return float(none @ none + np.sum((shown - directions @ flow) ** 2))
+
+    return {
+        "speeds look like those over ground, not through the water": squares(
+            faster, aside, across
+        ),
+        "courses look like those over ground, not through the water": squares(
+            aside, faster, ahead
+        ),
+    }
 
 
 def _turn(over_ground: np.ndarray, water: np.ndarray) -> float:

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, lines_of, mission, table
+from geodesics import displacement
 from subprocesses import CLPT, ran
 from test_live_fixes import EXAMPLE, checked
 
@@ -312,17 +313,37 @@ def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
     assert said in " ".join(estimate(table(tmp_path / "log.csv", rows))["notes"])
 
 
-@pytest.mark.long
-def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
-    """Errors that are smaller than the noise of the fixes are impossible."""
-    from geodesics import displacement
-
-    rows = mission(30, seed=1)
+def over_ground(rows):
+    """Return rows with course and speed of the ways between the fixes."""
     ground = []
     for row, after in itertools.pairwise(rows):
         east, north = displacement(*row[1:3], *after[1:3])
         course = np.degrees(np.arctan2(east, north)) % 360
         ground.append((*row[:3], course, np.hypot(east, north) / LEG))
+    return ground
+
+
+@pytest.mark.parametrize("part", ["courses", "speeds"])
+def test_one_part_over_ground_is_named(tmp_path, estimate, part):
+    """A true heading with speed over ground, and a course over ground with speed."""
+    rows = mission(14, seed=1, scatter=0.005)
+    ground = over_ground(rows)
+    noise = np.random.default_rng(3).normal(0, 1, len(ground))
+    mixed = [
+        (*row[:3], course + 0.2 * off, row[4])
+        if part == "courses"
+        else (*row[:4], speed + 0.005 * off)
+        for row, (*_, course, speed), off in zip(rows, ground, noise, strict=False)
+    ]
+    notes = " ".join(estimate(table(tmp_path / "log.csv", mixed))["notes"])
+    assert f"{part} look like those over ground, not through the water" in notes
+    assert estimate(table(tmp_path / "log.csv", rows))["notes"] == []
+
+
+def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
+    """Errors that are smaller than the noise of the fixes are impossible."""
+    rows = mission(30, seed=1)
+    ground = over_ground(rows)
     notes = " ".join(estimate(table(tmp_path / "log.csv", ground))["notes"])
     assert "look like those over ground" in notes
     # a receiver has noise of its own in each fix, and none in its speed
