@@ -177,7 +177,8 @@ def _recorded(
     check_method(method)
     legs, skipped = read_legs(source, drifter)
     data, theta = flow_of_legs(legs, scenario, method, **limits)
-    known = known_scenario(scenario, theta, data)
+    begin, origin = data.attrs["time_origin"], data.attrs["origin"]
+    known = known_scenario(scenario, theta, begin, origin)
     _finish(data, known, Path(source).name, paths, as_json, skipped)
 
 
@@ -207,14 +208,16 @@ def _finish(
 
 
 def known_scenario(
-    scenario: "clpt.Scenario", theta: "np.ndarray", data: "xarray.Dataset"
+    scenario: "clpt.Scenario",
+    theta: "np.ndarray",
+    begin: str,
+    origin: tuple[float, float],
 ) -> "clpt.Scenario":
-    """Return the scenario that gives the estimate to the known-flow law."""
-    begin = data.attrs["time_origin"][:19]
+    """Return the scenario that gives the estimate to the known-flow law; it begins at a time."""
     titled = scenario.with_values(
         {
-            "title": f"{scenario.title or 'Learned flow'}, t = 0 at {begin} UTC",
-            "origin": list(data.attrs["origin"]),
+            "title": f"{scenario.title or 'Learned flow'}, t = 0 at {begin[:19]} UTC",
+            "origin": list(origin),
         }
     )
     return clpt.currents.known_flow_scenario(titled, theta)
@@ -238,6 +241,8 @@ def _live(
 
 def _answer(learner: "LiveFixes", out: Path | None) -> None:
     """Print an answer to each fix, and to each line that is left out."""
+    from ...ocean.gliders.log_rows import iso
+
     refused = 0
     for number, line in enumerate(sys.stdin, 1):
         if not line.strip():
@@ -253,11 +258,12 @@ def _answer(learner: "LiveFixes", out: Path | None) -> None:
         say(json.dumps(answer))
         if "skipped" in answer and "latitude" not in line:
             tell(f"clpt: line {number}: skipped, {answer['skipped']}")
-    if out is not None and learner.estimator.legs:
-        theta = learner.estimator.theta
-        clpt.save_scenario(
-            clpt.currents.known_flow_scenario(learner.scenario, theta), out
-        )
+    estimator = learner.estimator
+    if out is not None and estimator.legs:
+        frame, _ = estimator.under_way
+        begin = iso(frame.time)
+        known = known_scenario(learner.scenario, estimator.theta, begin, frame.place)
+        clpt.save_scenario(known, out)
     if refused:
         raise ClptError(f"{refused} line{'s' * (refused > 1)} refused, as told above")
 

@@ -163,16 +163,20 @@ class FlowEstimator:
     ) -> None:
         self.scenario = scenario
         self.settings = FixSettings(scenario, shear, unmodelled)
+        self._guessing = LegGuesses(scenario, self.settings)
+        basis = scenario.basis_block("z")
+        self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
+        self._begin()
+
+    def _begin(self) -> None:
+        """Know nothing."""
         self.frame: LocalFrame | None = None
         self.legs = 0
         self.fastest = 0.0  # speed through the water, length per time
         self.turn = 0.0  # of the flow along the last leg, rad
-        self._guessing = LegGuesses(scenario, self.settings)
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
         self.ways: list[list[float]] = []  # of the last legs, rows of `wrong_motion`
-        basis = scenario.basis_block("z")
-        self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
 
     def __repr__(self) -> str:
         name = self.scenario.learning.law
@@ -202,12 +206,16 @@ class FlowEstimator:
             raise DataError(
                 f"fix at {latitude}, {longitude}: must be latitude and longitude, degrees"
             )
+        results: dict[str, Any] = {}
+        if not self.legs and (unknown := self._nothing_known(time)):
+            # the origin is the start of the first leg that is learned
+            results["note"] = unknown
+            self._begin()
         if self.frame is None:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
         t = self.frame.own_time(time)
         place = self.frame.point(latitude, longitude)
-        results: dict[str, Any] = {}
         leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
         for one in ended:
@@ -502,6 +510,14 @@ class FlowEstimator:
             f"begins a leg: the displacement through the water in the "
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
+
+    def _nothing_known(self, time: float) -> str:
+        """Return why no open leg ends at a time, or an empty text."""
+        frame = self.frame
+        if frame is None:
+            return ""
+        unknown = [self._unknown(leg, frame.own_time(time)) for leg in self._open()]
+        return unknown[0] if unknown and all(unknown) else ""
 
     def _bend(self, leg: Leg) -> float:
         """Return the error of a way that may have been bent, length."""

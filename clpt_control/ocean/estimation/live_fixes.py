@@ -196,7 +196,7 @@ def _row(line: str) -> dict[str, Any]:
 
 def _checked(row: Any) -> dict[str, Any]:
     """Return a line's object with its time in s and numbers, or refuse it."""
-    if not isinstance(row, dict) or "time" not in row:
+    if not isinstance(row, dict) or row.get("time") is None:
         raise DataError('a line must be an object with "time", as {"time": 0, ...}')
     unknown = sorted(set(row) - KEYS)
     if unknown:

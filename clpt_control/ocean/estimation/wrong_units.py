@@ -8,10 +8,11 @@ with a mean flow c.  A is the identity for right columns, and a cause's for wron
 log-likelihood ratio of a cause and the identity is (n - 1) log(R/R_A), with R the sums of squared
 residuals.
 
-Where one part of w is over ground, speed or course, that part is g's to the noise, and the mean flow
-is the one that the other part shows.  Legs of one course do not show it.
+Where one part of w is over ground, speed or course, that part is g's to the noise, and the mean
+flow is the one that the other part shows.  Legs of one course do not show it.
 
-If w is the way over ground itself, g - w is the noise of the fixes, and no flow: no sea is so still.
+If w is the way over ground itself, g - w is the noise of the fixes, without a flow: no sea is so
+still.
 """
 
 from collections.abc import Callable, Sequence

@@ -15,15 +15,16 @@ degrees and minutes with a hemisphere, `36 42.5 N`; columns separated by semicol
 with decimal commas too.
 
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
-(`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.
+(`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
+lines and rows that are not in the order of time are left out, as live lines are; a table of which a
+quarter is left out is refused.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from math import isfinite, nan
+from math import isfinite, isnan, nan
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas
@@ -32,8 +33,8 @@ from ...base.errors import DataError
 from ...base.units import seconds_since_1970, speed_in_metres_per_second
 from ...paper.currents.text_table import HEADER, OTHER_MARKS, table_of
 from .dive_fields import name_of
-from .dives import STEERING, STRETCH, Dive, Fix, Skipped, make_dive
-from .log_rows import LogRows, time_fault
+from .dives import PLACE, STEERING, STRETCH, Dive, Fix, Skipped, make_dive
+from .log_rows import LogRows, Pair, time_fault
 
 NAMES = {
     "time": ("time", "date", "datetime", "date_time"),
@@ -55,6 +56,7 @@ NO_MOTION = (
     "speed (m/s), or dr_east_m and dr_north_m, not course and speed over ground; a drifter has "
     "none: clpt estimate --drifter"
 )
+MOST_LEFT_OUT = 0.25  # of the rows, else a table is refused
 GIVE = "time,latitude,longitude,course,speed"
 
 
@@ -133,8 +135,8 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
     cells = table_of(text, path, f"a log with {GIVE}", mark)
     columns = _columns(list(cells.columns), path)
-    steers, moves = ({*names} <= {*columns} for names in (STEERING, STRETCH))
-    if steers and moves:
+    has_motion = {part: {*part} <= {*columns} for part in (STEERING, STRETCH)}
+    if all(has_motion.values()):
         raise DataError(
             f"{path}: has both course, speed and dr_east_m, dr_north_m. Leave one pair out"
         )
@@ -143,73 +145,80 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
         raise DataError(
             f"{path}: has rows of {len(vehicles)} vehicles. Give each vehicle a table of its own"
         )
-    values = _values(cells, columns, path, "." if mark == "," else ",")
-    unknown = [nan] * len(cells)
-    places = zip(values["latitude"], values["longitude"], strict=True)
-    pairs = [
-        zip(*(values.get(name, unknown) for name in names), strict=True)
-        for names in (STEERING, STRETCH)
-    ]
-    found: list[Dive | Skipped] = []
-    rows, way, number = LogRows(), None, 0
-    wrong = cells.attrs["wrong_lines"]
-    lost = sorted(wrong, reverse=True)
-    # a line that cannot be read may be a turn
-    for line, time, place, steering, stretch in zip(
-        cells.index, values["time"], places, *pairs, strict=True
-    ):
-        where = f"{path}, line {line}"
-        lost_line = ""
-        while lost and lost[-1] < line:
-            lost_line = f"line {lost[-1]} {wrong[lost.pop()][1]}"
-        is_placed = place[0] == place[0] or place[1] == place[1]
-        before = rows.time
-        reading = rows.read(
-            time,
-            place if is_placed else None,
-            steering if steers else None,
-            stretch if moves else None,
-            where,
-        )
-        if not reading.is_taken and not time > before:
-            if _is_repeated(cells, line):
-                continue
-            if fault := time_fault(time):
-                raise DataError(f"{where}: {fault}")
-            raise DataError(
-                f"{where}: time is {cells.at[line, cells.columns[columns['time'][0]]]!r}; must be "
-                "later than in the row before. Sort the rows by time"
-            )
-        if reading.skipped:
-            found.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
-        if not reading.is_taken:
-            continue
-        if way is not None:
-            why = lost_line or (reading.unknown and f"{reading.unknown} before it")
-            if why and not way.unknown:
-                way.unknown = f"{where}: {why}"
-            east, north = reading.moved or (0.0, 0.0)
-            way.stretch(time, east, north)
-        if reading.place is not None:
-            fix = (time, *reading.place)
-            if way is not None:
-                number += 1
-                leg = way.leg(number, fix)
-                is_still = not (steers or moves)
-                found.append(replace(leg, notes=(NO_MOTION,)) if is_still else leg)
-            way = Way(fix)
-    for line, (_, why) in wrong.items():
-        found.append(Skipped(None, f"{path}, line {line}: {why}. Leave gaps as empty"))
+    wrong = {
+        line: f"{path}, line {line}: {why}. Leave gaps as empty"
+        for line, (_, why) in cells.attrs["wrong_lines"].items()
+    }
+    values = _values(cells, columns, path, "." if mark == "," else ",", wrong)
+
+    def pairs(names: tuple[str, str], is_there: bool) -> Iterable[Pair | None]:
+        if not is_there:
+            return [None] * len(cells)
+        return zip(*(values[name] for name in names), strict=True)
+
+    motion = [pairs(part, is_there) for part, is_there in has_motion.items()]
+    parts = zip(values["time"], pairs(PLACE, True), *motion, strict=True)
+    rows = dict(zip(cells.index, parts, strict=True))
+    repeated = cells.index[(cells == cells.shift()).all(axis=1)]
+    found = _legs_of(rows, wrong, set(repeated), path)
+    if not any(has_motion.values()):
+        found = [
+            replace(row, notes=(NO_MOTION,)) if isinstance(row, Dive) else row
+            for row in found
+        ]
     (vehicle,) = vehicles
     return [
         replace(row, vehicle=vehicle) if isinstance(row, Dive) else row for row in found
     ]
 
 
-def _is_repeated(cells: pandas.DataFrame, line: int) -> bool:
-    """Return whether a row is the row before it once more."""
-    at = cells.index.get_loc(line)
-    return at > 0 and bool((cells.iloc[at] == cells.iloc[at - 1]).all())
+def _legs_of(
+    cells: dict[int, tuple[float, Pair, Pair | None, Pair | None]],
+    wrong: dict[int, str],
+    repeated: set[int],
+    path: str | Path,
+) -> list[Dive | Skipped]:
+    """Return legs and what is left out of rows by line; `wrong` has lines that cannot be read."""
+    found: list[Dive | Skipped] = []
+    rows, way, number = LogRows(), None, 0
+    left_out: list[str] = []
+    for line in sorted({*cells, *wrong}):
+        where = f"{path}, line {line}"
+        before = rows.time
+        try:
+            if line in wrong:
+                raise DataError(wrong[line])
+            time, place, steering, stretch = cells[line]
+            is_placed = not all(map(isnan, place))
+            fix = place if is_placed else None
+            reading = rows.read(time, fix, steering, stretch, where)
+        except DataError as error:
+            found.append(Skipped(number + 1, str(error)))
+            left_out.append(str(error))
+            rows.lost = f"line {line} is left out"  # which may be a turn
+            continue
+        if not reading.is_taken and line in repeated:
+            continue
+        if reading.skipped:
+            found.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
+        if not reading.is_taken:
+            if not time > before:
+                cure = "" if time_fault(time) else ". Sort the rows by time"
+                left_out.append(f"{where}: {reading.skipped}{cure}")
+            continue
+        if way is not None:
+            if reading.unknown and not way.unknown:
+                way.unknown = f"{where}: {reading.unknown} before it"
+            way.stretch(time, *(reading.moved or (0.0, 0.0)))
+        if reading.place is not None:
+            dated = (time, *reading.place)
+            if way is not None:
+                number += 1
+                found.append(way.leg(number, dated))
+            way = Way(dated)
+    if len(left_out) > MOST_LEFT_OUT * len({*cells, *wrong}):
+        raise DataError(left_out[0])
+    return found
 
 
 def _values(
@@ -217,8 +226,9 @@ def _values(
     columns: dict[str, tuple[int, float]],
     path: str | Path,
     comma: str,
+    wrong: dict[int, str],
 ) -> dict[str, list[float]]:
-    """Return the numbers of each column, NaN where a cell is empty."""
+    """Return the numbers of each column, NaN where a cell is empty; add what cannot be read."""
     readers: dict[str, Callable[[str], float]] = {
         "time": seconds_since_1970,
         "latitude": _degrees,
@@ -229,28 +239,24 @@ def _values(
         texts = cells.iloc[:, place].tolist()
         if comma != ".":
             texts = [text.replace(comma, ".") for text in texts]
+        must_be = AS_TIME if column == "time" else "must be a number"
         numbers = []
         for line, text in zip(cells.index, texts, strict=True):
+            number = nan
             try:
-                numbers.append(float(text) * size if text else nan)
+                number = float(text) * size if text else nan
             except ValueError:
-                numbers.append(_read(text, readers.get(column), column, path, line))
+                try:
+                    number = readers.get(column, float)(text)
+                except (ValueError, TypeError):
+                    wrong[line] = (
+                        f"{path}, line {line}: {column} is {text[:30]!r}; {must_be}"
+                    )
+            if column == "time" and line not in wrong and not isfinite(number):
+                wrong[line] = f"{path}, line {line}: time is missing; {AS_TIME}"
+            numbers.append(number)
         values[column] = numbers
-    if not all(map(isfinite, values["time"])):
-        line = cells.index[[*map(isfinite, values["time"])].index(False)]
-        raise DataError(f"{path}, line {line}: time is missing; {AS_TIME}")
     return values
-
-
-def _read(text: str, reader: Any, column: str, path: str | Path, line: int) -> float:
-    """Return the number of a cell that is no plain number."""
-    try:
-        return reader(text)
-    except (ValueError, TypeError):
-        must_be = AS_TIME if column == "time" else "must be a number"
-        raise DataError(
-            f"{path}, line {line}: {column} is {text[:30]!r}; {must_be}"
-        ) from None
 
 
 def _degrees(text: str) -> float:

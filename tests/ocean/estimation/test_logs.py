@@ -6,8 +6,8 @@ import sys
 
 import numpy as np
 import pytest
-from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, lines_of, mission, table
 from geodesics import displacement
+from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, lines_of, mission, table
 from subprocesses import CLPT, ran
 from test_live_fixes import EXAMPLE, checked
 
@@ -35,9 +35,9 @@ def live(tmp_path):
     """Answer lines by `clpt estimate -`; return answers and standard error."""
     (tmp_path / "s.toml").write_text(UNIFORM)
 
-    def run(lines, *words):
+    def run(lines, *words, status=0):
         command = [*CLPT, "estimate", "-", "--scenario", tmp_path / "s.toml", *words]
-        done = ran(*command, input="\n".join(lines))
+        done = ran(*command, input="\n".join(lines), status=status)
         return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
 
     return run
@@ -277,7 +277,7 @@ def test_a_lost_turn_makes_its_leg_unknown(tmp_path, estimate):
     assert [leg["leg"] for leg in report["legs"]] == [1, 2, 3, 4, *range(6, 13)]
     whys = [skip["why"] for skip in report["skipped"]]
     assert any("line 7: has 6 cells, the header 5" in why for why in whys)
-    assert any("line 7 has 6 cells" in why for why in whys)
+    assert any("line 7 is left out" in why for why in whys)
     assert near(report)
 
 
@@ -288,9 +288,92 @@ def test_equal_rows_twice_are_one_row(tmp_path, estimate):
     lines.insert(5, lines[5])
     path.write_text("\n".join(lines))
     assert estimate(path)["theta_m_s"] == whole["theta_m_s"]
-    lines[3:5] = lines[4], lines[3]
-    path.write_text("\n".join(lines))
+
+
+def unreadable_time(rows):
+    return 8, {"time": "soon"}
+
+
+def missing_time(rows):
+    return 8, {"time": None}
+
+
+def unreadable_speed(rows):
+    return 8, {"speed": "fast"}
+
+
+def impossible_course(rows):
+    return 8, {"course": 720.0}
+
+
+def early_by_weeks(rows):
+    return 8, {"time": rows[8][0] - WEEKS}
+
+
+def out_of_order(rows):
+    return 8, {"time": rows[7][0] - 60.0}
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        unreadable_time,
+        missing_time,
+        unreadable_speed,
+        impossible_course,
+        early_by_weeks,
+        out_of_order,
+    ],
+)
+def test_one_wrong_row_is_left_out_recorded_and_live(tmp_path, estimate, live, damage):
+    """A row in the middle of a log, and its line in the middle of a stream."""
+    rows = [(*row, 1.0)[:5] for row in mission(30, seed=1)]
+    number, wrong = damage(rows)
+    objects = [dict(zip(HEAD.split(","), row, strict=True)) for row in rows]
+    objects[number] |= wrong
+    path = tmp_path / "log.csv"
+    texts = [
+        ",".join("" if cell is None else str(cell) for cell in row.values())
+        for row in objects
+    ]
+    path.write_text("\n".join([HEAD, *texts]))
+    report = estimate(path)
+    is_read = damage in (early_by_weeks, out_of_order)
+    answers, told = live(map(json.dumps, objects), status=0 if is_read else 2)
+    assert near(report)
+    np.testing.assert_allclose(answers[-1]["theta_m_s"], report["theta_m_s"], rtol=1e-9)
+    assert answers[-1]["legs"] == len(report["legs"])
+    line = f"line {number + 2}"
+    assert any(line in skip["why"] for skip in report["skipped"])
+    assert f"line {number + 1}: " in told or any("skipped" in one for one in answers)
+
+
+def test_a_log_that_is_not_in_order_is_refused(tmp_path, estimate):
+    rows = mission(12, seed=1)
+    path = table(tmp_path / "log.csv", rows[::-1])
     assert "Sort the rows by time" in estimate(path, status=2)
+
+
+@pytest.mark.parametrize("skipped", [0, 1])
+def test_the_origin_is_the_start_of_the_first_leg_that_is_learned(
+    tmp_path, estimate, live, skipped
+):
+    """With a flow that differs by place and hour, recorded and live."""
+    (tmp_path / "s.toml").write_text(
+        UNIFORM.replace("origin", "# origin").replace("1e5", "30.0")
+    )
+    rows = mission(30, seed=1)
+    rows[:skipped] = [(*row[:3], float("nan"), float("nan")) for row in rows[:skipped]]
+    read = [(row[0], *map(float, (f"{cell:.9g}" for cell in row[1:]))) for row in rows]
+    known = tmp_path / "a.toml", tmp_path / "b.toml"
+    report = estimate(table(tmp_path / "log.csv", rows), "--out", known[0])
+    lines = (line.replace("NaN", "null") for line in lines_of(read))
+    answers, _ = live(lines, "--out", known[1])
+    np.testing.assert_allclose(answers[-1]["theta_m_s"], report["theta_m_s"], rtol=1e-9)
+    first, second = (clpt.load_scenario(path) for path in known)
+    assert first.origin == pytest.approx(read[skipped][1:3], abs=1e-6)
+    assert second.origin == pytest.approx(first.origin, abs=1e-6)
+    assert first.title == second.title
 
 
 # --- units and axes -------------------------------------------------------------------------------

@@ -281,7 +281,7 @@ def test_command_writes_scenario_figure_results_and_page(tmp_path, clpt, monkeyp
         (
             "time,latitude,longitude,course,speed",
             "9,1,2,3,1\n0,1,2,3,1",
-            "must be later",
+            "not later than",
         ),
     ],
 )
