@@ -23,8 +23,8 @@ class Hypotheses(Generic[State]):
     """States with their log odds, the likeliest first.
 
     >>> tossed = Hypotheses.of("fair").divided(lambda state: [("", 0.0, lambda: state)], 1)
-    >>> tossed.best, tossed.weights.tolist()
-    ('fair', [1.0])
+    >>> tossed.states, tossed.weights.tolist()
+    (('fair',), [1.0])
     """
 
     states: tuple[State, ...]
@@ -34,11 +34,6 @@ class Hypotheses(Generic[State]):
     def of(cls, state: State) -> "Hypotheses[State]":
         """Return a single hypothesis."""
         return cls((state,), (0.0,))
-
-    @property
-    def best(self) -> State:
-        """The likeliest state."""
-        return self.states[0]
 
     @property
     def weights(self) -> np.ndarray:

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...engine.model.block import evaluate
 from .fix_settings import FixSettings
-from .leg_track import Leg, LegTrack
+from .leg_track import Leg, LegTrack, runge_kutta
 
 NODES = 2.0  # pieces of a leg for each width that the vehicle crosses
 NODES_OF_PERIOD = 4.0
@@ -75,31 +75,29 @@ class LegChain:
         Without `slopes` the derivatives are those of still water.
         """
         n, N = len(places), theta.shape[1]
-        S = np.zeros((n, 2, 2 * N + 2))
-        S[:, 0, 2 * N] = S[:, 1, 2 * N + 1] = 1
-        z = places
+        # z, dz/dtheta and dz/dx
+        state = np.zeros((n, 2, 2 * N + 3))
+        state[:, :, 0] = places
+        state[:, 0, 2 * N + 1] = state[:, 1, 2 * N + 2] = 1
 
-        def rates(
-            t: np.ndarray, z: np.ndarray, S: np.ndarray, v: np.ndarray
-        ) -> tuple[np.ndarray, np.ndarray]:
+        def rates(t: np.ndarray, state: np.ndarray) -> np.ndarray:
+            rate, z, times = np.zeros_like(state), state[:, :, 0], t[:, 0, 0]
             if not slopes:
-                return evaluate(self.track.basis, t, z) @ theta.T + v, np.zeros_like(S)
-            phi, by_place = self.track.slopes(t, z)
-            dS = np.einsum("ak,nkb->nab", theta, by_place) @ S
-            dS[:, 0, :N] += phi
-            dS[:, 1, N : 2 * N] += phi
-            return phi @ theta.T + v, dS
+                phi = evaluate(self.track.basis, times, z)
+            else:
+                phi, by_place = self.track.slopes(times, z)
+                flow_by_place = np.einsum("ak,nkb->nab", theta, by_place)
+                rate[:, :, 1:] = flow_by_place @ state[:, :, 1:]
+                rate[:, 0, 1 : N + 1] += phi
+                rate[:, 1, N + 1 : 2 * N + 1] += phi
+            rate[:, :, 0] = phi @ theta.T + v
+            return rate
 
         for row in self.steps:
-            t, h, v = row[:, 0], row[:, 1], row[:, 2:]
-            hz, hS = h[:, None], h[:, None, None]
-            k1, l1 = rates(t, z, S, v)
-            k2, l2 = rates(t + h / 2, z + hz / 2 * k1, S + hS / 2 * l1, v)
-            k3, l3 = rates(t + h / 2, z + hz / 2 * k2, S + hS / 2 * l2, v)
-            k4, l4 = rates(t + h, z + hz * k3, S + hS * l3, v)
-            z = z + hz * ((k1 + 2 * k2 + 2 * k3 + k4) / 6)
-            S = S + hS * ((l1 + 2 * l2 + 2 * l3 + l4) / 6)
-        return Shot(z, S[:, :, : 2 * N], S[:, :, 2 * N :])
+            t, h, v = row[:, :1, None], row[:, 1:2, None], row[:, 2:]
+            state = runge_kutta(rates, t, state, h)
+        z, by_theta, by_place = np.split(state, [1, 2 * N + 1], axis=2)
+        return Shot(z[:, :, 0], by_theta, by_place)
 
 
 def chain_of(

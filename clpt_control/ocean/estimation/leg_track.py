@@ -163,10 +163,7 @@ class LegTrack:
 
 
 def runge_kutta(
-    rates: Callable[[float, np.ndarray], np.ndarray],
-    t: float,
-    state: np.ndarray,
-    step: float,
+    rates: Callable[[Any, np.ndarray], np.ndarray], t: Any, state: np.ndarray, step: Any
 ) -> np.ndarray:
     """Return a state after one step."""
     k1 = rates(t, state)

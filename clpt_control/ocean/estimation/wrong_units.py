@@ -66,13 +66,13 @@ def wrong_motion(ways: Sequence[Sequence[float]], noise: float) -> str:
             "the ways through the water are those over ground, without any flow: course and speed "
             "look like those over ground. Give those through the water"
         )
-    limit = _residual(over_ground, water) * np.exp(-CLEAR / (len(ways) - 1))
-    residuals = {name: _residual(over_ground, of(water)) for name, of in CAUSES.items()}
+    limit = residual(over_ground, water) * np.exp(-CLEAR / (len(ways) - 1))
+    residuals = {name: residual(over_ground, of(water)) for name, of in CAUSES.items()}
     residuals |= _parts_over_ground(over_ground, water)
     cause = min(residuals, key=residuals.__getitem__)
     angle = _turn(over_ground, water)
     c, s = np.cos(angle), np.sin(angle)
-    turned = _residual(over_ground, water @ np.array([[c, s], [-s, c]]))
+    turned = residual(over_ground, water @ np.array([[c, s], [-s, c]]))
     if residuals[cause] < limit and residuals[cause] < 2 * turned:
         return f"the ways over ground contradict those through the water: {cause}"
     if turned < limit and abs(angle) > TURNED:
@@ -87,9 +87,16 @@ def _centred(velocity: np.ndarray) -> np.ndarray:
     return velocity - velocity.mean(axis=0)
 
 
-def _residual(over_ground: np.ndarray, water: np.ndarray) -> float:
-    """Return the sum of squared residuals."""
-    return float(np.sum(_centred(over_ground - water) ** 2))
+def residual(
+    over_ground: np.ndarray,
+    water: np.ndarray,
+    factors: tuple[float, float] = (1.0, 1.0),
+) -> float:
+    """Return the sum of squared residuals with the best factor on w between two limits."""
+    g, w = _centred(over_ground), _centred(water)
+    size = float(np.sum(w**2))
+    factor = float(np.sum(w * g)) / size if size > 0 else 0.0
+    return float(np.sum((g - np.clip(factor, *factors) * w) ** 2))
 
 
 def _parts_over_ground(over_ground: np.ndarray, water: np.ndarray) -> dict[str, float]:

@@ -30,8 +30,7 @@ reckoning and T the duration of a dive,
     g / T = f A d / T + c + residual,
 
 with a mean current c and a factor f on the speed. A is the identity for correct columns, and
-another matrix for columns that are swapped, reversed or in km. For n dives the log-likelihood ratio
-of A and the identity is (n - 1) log(R / R_A), with R the sums of squared residuals.
+another matrix for columns that are swapped, reversed or in km (`estimation.wrong_units`).
 
 Real vehicles and made seas reach 5 (128 and 1900 dives, all windows of 4 to 40 dives). A table with
 a wrong column is refused at dive 4 to 40, as soon as its headings and currents tell.
@@ -39,7 +38,7 @@ a wrong column is refused at dive 4 to 40, as soon as its headings and currents 
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import hypot, log
+from math import hypot
 
 import numpy as np
 
@@ -47,15 +46,14 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance
 from ...paper.currents.identifiability import check_separable
 from ..estimation.fix_model import OTHERS, Priors
+from ..estimation.wrong_units import CLEAR, COMPARED, FEWEST, residual
 from ..gliders.dives import FASTEST, Dive
 
 WIND = 0.5  # m/s at the surface, in addition to the current
 FIXES = 5.0  # standard deviations of two fixes, a poor one among them
 SAME_STAY = 3600.0  # s: longer, other dives may lie between
 OUTLYING = 9.21  # chi-squared of two components, 99 %
-FEWEST, COMPARED = 4, 40  # dives whose dead reckoning is compared, the last ones
-CLEAR = log(1e5)  # log-likelihood ratio
-LEAST_FACTOR, LARGEST_FACTOR = 1 / 3, 3.0  # factor on the speed
+FACTORS = 1 / 3, 3.0  # on the speed
 CAUSES = {  # appearance of dr_east_m and dr_north_m, and A
     "swapped": np.array([[0.0, 1.0], [1.0, 0.0]]),
     "reversed in sign": -np.eye(2),
@@ -170,11 +168,13 @@ def check_dead_reckoning(dives: Sequence[Dive]) -> None:
     dives = dives[-COMPARED:]
     if len(dives) < FEWEST:
         return
-    over_ground = _variation([(*d.over_ground, d.duration) for d in dives])
-    reckoned = _variation([(*d.through_water, d.duration) for d in dives])
-    limit = _residual(over_ground, reckoned, 0.0) * np.exp(-CLEAR / (len(dives) - 1))
+    ways = np.array([(*d.over_ground, *d.through_water) for d in dives])
+    ways /= np.array([d.duration for d in dives])[:, None]
+    over_ground, reckoned = ways[:, :2], ways[:, 2:]
+    limit = residual(over_ground, reckoned, (0.0, FACTORS[1]))
+    limit *= np.exp(-CLEAR / (len(dives) - 1))
     residuals = {
-        cause: _residual(over_ground, reckoned @ matrix, LEAST_FACTOR)
+        cause: residual(over_ground, reckoned @ matrix, FACTORS)
         for cause, matrix in CAUSES.items()
     }
     cause = min(residuals, key=residuals.__getitem__)
@@ -183,21 +183,6 @@ def check_dead_reckoning(dives: Sequence[Dive]) -> None:
             f"dives {dives[0].number} to {dives[-1].number}: the ways over ground contradict the "
             f"dead reckoning: dr_east_m and dr_north_m look {cause}. Correct them in the files"
         )
-
-
-def _variation(ways: Sequence[tuple[float, float, float]]) -> np.ndarray:
-    """Return velocities less their mean, (n, 2), m/s, of displacements (m) and durations (s)."""
-    rows = np.array(ways)
-    velocity = rows[:, :2] / rows[:, 2:]
-    return velocity - velocity.mean(axis=0)
-
-
-def _residual(over_ground: np.ndarray, reckoned: np.ndarray, slowest: float) -> float:
-    """Return the sum of squared residuals with the best factor on the speed."""
-    size = float(np.sum(reckoned**2))
-    factor = float(np.sum(reckoned * over_ground)) / size if size > 0 else 0.0
-    factor = min(max(factor, slowest), LARGEST_FACTOR)
-    return float(np.sum((over_ground - factor * reckoned) ** 2))
 
 
 def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
