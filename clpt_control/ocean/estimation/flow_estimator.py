@@ -206,18 +206,19 @@ class FlowEstimator:
             raise DataError(
                 f"fix at {latitude}, {longitude}: must be latitude and longitude, degrees"
             )
-        results: dict[str, Any] = {}
-        if not self.legs and (unknown := self._nothing_known(time)):
-            # the origin is the start of the first leg that is learned
-            results["note"] = unknown
-            self._begin()
         if self.frame is None:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
         t = self.frame.own_time(time)
-        place = self.frame.point(latitude, longitude)
         leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
+        if leg is not None and not ended and not self.legs:
+            # the origin is the start of the first leg that is learned
+            note = self._unknown(leg, t)
+            self._begin()
+            return replace(self.fix(time, latitude, longitude), note=note)
+        place = self.frame.point(latitude, longitude)
+        results: dict[str, Any] = {}
         for one in ended:
             one.add(t, 0.0, 0.0, self.track.size)
         if leg in ended:
@@ -377,7 +378,7 @@ class FlowEstimator:
     @property
     def warnings(self) -> list[str]:
         """Sentences on motion through the water and interval of fixes."""
-        told = wrong_motion(self.ways, 2**0.5 * self.settings.fix)
+        told = wrong_motion(self.ways)
         return [told] * bool(told) + long_interval(self.turn)
 
     @property
@@ -510,14 +511,6 @@ class FlowEstimator:
             f"begins a leg: the displacement through the water in the "
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
-
-    def _nothing_known(self, time: float) -> str:
-        """Return why no open leg ends at a time, or an empty text."""
-        frame = self.frame
-        if frame is None:
-            return ""
-        unknown = [self._unknown(leg, frame.own_time(time)) for leg in self._open()]
-        return unknown[0] if unknown and all(unknown) else ""
 
     def _bend(self, leg: Leg) -> float:
         """Return the error of a way that may have been bent, length."""

@@ -25,7 +25,6 @@ from ...base.units import KNOT
 FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
 TURNED = np.radians(5.0)
-IMPOSSIBLE = 0.2  # of the noise of a leg
 STILL = 0.01  # m/s, root mean square of a flow
 
 
@@ -48,11 +47,10 @@ CAUSES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 
 
-def wrong_motion(ways: Sequence[Sequence[float]], noise: float) -> str:
+def wrong_motion(ways: Sequence[Sequence[float]]) -> str:
     """Return a sentence on the motion through the water, or an empty text.
 
-    `ways` has velocities over ground (2) and through the water (2) and the duration of each leg;
-    `noise` is the standard deviation of the difference of two fixes.
+    `ways` has velocities over ground (2) and through the water (2) and the duration of each leg.
     """
     if len(ways) < FEWEST:
         return ""
@@ -60,8 +58,7 @@ def wrong_motion(ways: Sequence[Sequence[float]], noise: float) -> str:
     over_ground, water, durations = rows[:, :2], rows[:, 2:4], rows[:, 4]
     errors = np.hypot(*(over_ground - water).T) * durations
     rms = float(np.sqrt(np.mean(errors**2)))
-    least = max(IMPOSSIBLE * noise, STILL * float(np.median(durations)))
-    if np.any(water) and rms < least:
+    if np.any(water) and rms < STILL * float(np.median(durations)):
         return (
             "the ways through the water are those over ground, without any flow: course and speed "
             "look like those over ground. Give those through the water"
