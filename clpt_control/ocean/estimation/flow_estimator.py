@@ -378,7 +378,7 @@ class FlowEstimator:
     @property
     def warnings(self) -> list[str]:
         """Sentences on motion through the water and interval of fixes."""
-        told = wrong_motion(self.ways)
+        told = wrong_motion(self.ways, self.settings.speed)
         return [told] * bool(told) + long_interval(self.turn)
 
     @property

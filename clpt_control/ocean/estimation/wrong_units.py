@@ -47,10 +47,11 @@ CAUSES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 
 
-def wrong_motion(ways: Sequence[Sequence[float]]) -> str:
+def wrong_motion(ways: Sequence[Sequence[float]], speed: float = 1.0) -> str:
     """Return a sentence on the motion through the water, or an empty text.
 
-    `ways` has velocities over ground (2) and through the water (2) and the duration of each leg.
+    `ways` has velocities over ground (2) and through the water (2) and the duration of each leg,
+    whose unit of speed is `speed` m/s.
     """
     if len(ways) < FEWEST:
         return ""
@@ -58,7 +59,7 @@ def wrong_motion(ways: Sequence[Sequence[float]]) -> str:
     over_ground, water, durations = rows[:, :2], rows[:, 2:4], rows[:, 4]
     errors = np.hypot(*(over_ground - water).T) * durations
     rms = float(np.sqrt(np.mean(errors**2)))
-    if np.any(water) and rms < STILL * float(np.median(durations)):
+    if np.any(water) and rms < STILL / speed * float(np.median(durations)):
         return (
             "the ways through the water are those over ground, without any flow: course and speed "
             "look like those over ground. Give those through the water"
