@@ -258,7 +258,7 @@ TOKENS = {
     "engine.solver": 38190,
     "engine.trace": 40667,
     "ensemble": 20548,
-    "ocean.estimation": 22372,
+    "ocean.estimation": 22607,
     "ocean.forecast": 27663,
     "ocean.gliders": 25234,
     "paper.blocks": 4227,

@@ -300,7 +300,7 @@ class FlowEstimator:
             m/s; inf where nothing is guaranteed that the prior does not say, and with
             ``kalman-flow``, whose flow changes.
         """
-        frame, likely = self.under_way[0], self.guesses.best
+        frame, likely = self.under_way[0], self.guesses.states[0]
         point = frame.point(latitude, longitude)
         phi = self.track.phi(frame.own_time(time), point)
         before = np.linalg.norm(self.settings.prior * phi)
@@ -392,7 +392,7 @@ class FlowEstimator:
         if law == WALKS:
             return f"no error is guaranteed: {law} is for a flow that changes"
         shear = limits.shear * speed / self.settings.metres
-        if not np.isfinite(self.guesses.best.level):
+        if not np.isfinite(self.guesses.states[0].level):
             return (
                 "no error is guaranteed: the flow changed, or the fixes show that a limit does "
                 "not hold. Give a larger unmodelled flow or shear"
