@@ -10,7 +10,7 @@ from contextlib import suppress
 import control
 import numpy as np
 import pytest
-from engine_runs import NativeDiagram
+from engine_runs import Each, NativeDiagram
 from example_models import MODELS, pendulum
 from gridded_currents import field_blocks, plane_field
 from random_diagrams import random_system
@@ -107,6 +107,35 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
     assert np.abs(made.run(start, u, h, times) - ours).max() <= 1e-12 * max(
         1.0, np.abs(ours).max()
     )
+
+
+@needs_cc
+def test_elements_of_a_parameter_behind_a_block_that_jumps_are_read_at_their_places(
+    tmp_path,
+):
+    count = clpt.Block(
+        "count",
+        update=lambda t, x, u, p: [0.0],
+        jump=lambda t, x, u, p: x + u,
+        states={"n": 1},
+        inputs={"u": 1},
+        parameters={"interval": -1.0},
+        breakpoints=Each(0.5),
+    )
+    gains = clpt.Block(
+        "gains",
+        output=lambda t, x, u, p: {"y": p.v},
+        outputs={"y": 3},
+        parameters={"v": [1.0, 2.0, 3.0]},
+    )
+    tank = control.ss(-1.0, 1.0, 1.0, 0.0, inputs="f", outputs="h", name="tank")
+    wires = [["count.u", "gains.y[1]"], ["tank.f", "-gains.y[2]"]]
+    system = control.interconnect(
+        [count, gains, tank], wires, outlist=["tank.h", "count.n[0]", "gains.y[0]"]
+    )
+    made = InC(system, tmp_path, initial_state=[0.0, 0.0])
+    rates = made.computed("rates", 0.1, np.array([0.0, 0.5]), np.array([0.0]))
+    assert rates == pytest.approx([0.0, -3.5])
 
 
 def test_the_head_says_how_long_a_step_may_be():

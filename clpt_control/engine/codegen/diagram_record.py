@@ -498,8 +498,8 @@ class DiagramRecord(RecordMerger):
         if entry.shape == shape and offset == 0:
             return ref
         if entry.kind == "load":
-            array, start = entry.at
-            return self.load(array, start + offset, shape)
+            array, start = entry.at  # as it was read: a record in C has moved it in `p`
+            return DiagramRecord.load(self, array, start + offset, shape)
         if entry.kind == "view" and len(entry.at) == 1:
             _, start, step = entry.at[0]
             if step == 1:
