@@ -153,7 +153,8 @@ def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
         atol=1e-13,
         max_step=2e-3,
     )
-    assert "without locating kinks" in run.attrs["method"]
+    # of some networks each kink is located
+    assert run.attrs["method"].startswith("DOP853")
     size = np.abs(exact.y).max()
     assert 0.1 < size < 100.0
     assert np.abs(run.states.values - exact.y.T).max() < 1e-7 * size
