@@ -21,7 +21,7 @@ def __getattr__(name: str) -> Any:
     try:
         return _lazy_getattr(name)
     except AttributeError:
-        raise public_modules.missing(__name__, name) from None
+        raise public_modules.missing(__name__, name, __all__) from None
 
 
 def _diagram_html(diagram: Any) -> str:

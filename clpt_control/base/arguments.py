@@ -60,12 +60,17 @@ EXAMPLES = {  # argument -> example for its message
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
 }
+TIMES = "timepts", "Give the times as timepts"
+START = "initial_state", "Give the initial state as initial_state"
+NO_RESPONSE = "timepts", "Leave it out: a run is an xarray.Dataset, with run.states"
 OTHER_NAMES = {  # argument of python-control or SciPy -> ours, and the remedy
-    "T": ("timepts", "Give the times as timepts"),
-    "t_eval": ("timepts", "Give the times as timepts"),
+    **dict.fromkeys(("T", "t_eval", "t_span", "evaluation_times"), TIMES),
+    **dict.fromkeys(("X0", "y0", "x0"), START),
+    **dict.fromkeys(("squeeze", "return_x", "transpose"), NO_RESPONSE),
     "U": ("inputs", "Give the inputs as inputs"),
-    "X0": ("initial_state", "Give the initial state as initial_state"),
-    "squeeze": ("timepts", "Leave it out: a run is an xarray.Dataset"),
+    "solve_ivp_method": ("method", "Give the method as method"),
+    "solve_ivp_kwargs": ("rtol", "Give rtol, atol and max_step themselves"),
+    "ignore_errors": ("rtol", "Leave it out: a run that fails raises an error"),
 }
 MAKERS = {  # word of the allowed kinds -> remedy
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",

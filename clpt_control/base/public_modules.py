@@ -7,6 +7,7 @@ import the file that defines `Dive` when it is first used.
 
 import ast
 import sys
+from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -20,19 +21,40 @@ PUBLIC_MODULES = {
 }
 
 
-def missing(module: str, name: str) -> AttributeError:
-    """Return the error of a missing name, or of a name of python-control."""
+# name of python-control -> advice; all other names take linear systems
+HINTS = dict.fromkeys(
+    (
+        *("input_output_response", "forced_response", "step_response"),
+        *("impulse_response", "initial_response", "lsim", "step", "impulse", "initial"),
+    ),
+    "Call clpt.simulate(system, timepts, inputs)",
+)
+HINTS |= dict.fromkeys(
+    ("ss", "tf", "zpk", "nlsys"), "Its systems are blocks of clpt.connect"
+)
+HINTS["interconnect"] = "Call clpt.connect(blocks)"
+HINTS["find_operating_point"] = "Give it a diagram of clpt.connect"
+LINEAR = "Give it a linear system, clpt.linearize(system, x, u)"
+
+
+def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
+    """Return the error of a missing name: one of python-control, or near one of `names`."""
+    short = module.replace(PACKAGE, "clpt")
     if module == PACKAGE and not name.startswith("_"):
         import control
         import control.matlab
 
         for owner in (control, control.matlab):
             if callable(getattr(owner, name, None)):
+                advice = HINTS.get(name, LINEAR)
                 return AttributeError(
-                    f"clpt.{name}: is {owner.__name__}.{name}, which takes diagrams and their "
-                    "linearizations"
+                    f"clpt.{name}: is {owner.__name__}.{name}. {advice}"
                 )
-    return AttributeError(f"No {module} attribute {name}")
+    from .arguments import nearest
+
+    near = nearest(name, names)
+    advice = f". Did you mean {short}.{near}?" if near else ""
+    return AttributeError(f"No {module} attribute {name}{advice}")
 
 
 class PublicModule(ModuleType):
@@ -53,7 +75,7 @@ class PublicModule(ModuleType):
     def __getattr__(self, name: str) -> Any:
         module = vars(self).get("_modules", {}).get(name)
         if module is None:
-            raise missing(self.__name__, name)
+            raise missing(self.__name__, name, self.__all__)
         value = getattr(import_module(module), name)
         setattr(self, name, value)
         return value

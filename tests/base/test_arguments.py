@@ -491,6 +491,14 @@ def test_help_shows_signatures_that_can_be_read():
         ({"timepts": [0, 1], "U": 1.0}, "inputs"),
         ({"timepts": [0, 1], "X0": [1.0]}, "initial_state"),
         ({"timepts": [0, 1], "squeeze": True}, "xarray.Dataset"),
+        ({"t_span": [0, 1]}, "timepts"),
+        ({"evaluation_times": [0, 1]}, "timepts"),
+        ({"timepts": [0, 1], "y0": [1.0]}, "initial_state"),
+        ({"timepts": [0, 1], "return_x": True}, "run.states"),
+        ({"timepts": [0, 1], "transpose": True}, "xarray.Dataset"),
+        ({"timepts": [0, 1], "ignore_errors": True}, "raises an error"),
+        ({"timepts": [0, 1], "solve_ivp_method": "LSODA"}, "method"),
+        ({"timepts": [0, 1], "solve_ivp_kwargs": {}}, "rtol"),
     ],
 )
 def test_names_of_other_arguments_name_ours(given, own):
@@ -501,12 +509,35 @@ def test_names_of_other_arguments_name_ours(given, own):
 
 
 @pytest.mark.parametrize(
-    ("name", "owner"),
-    [("step_info", "control"), ("margin", "control"), ("lsim", "control.matlab")],
+    ("name", "owner", "advice"),
+    [
+        ("step_info", "control", "clpt.linearize"),
+        ("bode_plot", "control", "clpt.linearize"),
+        ("lsim", "control.matlab", "clpt.simulate"),
+        ("input_output_response", "control", "clpt.simulate"),
+        ("interconnect", "control", "clpt.connect"),
+    ],
 )
-def test_functions_of_python_control_are_named(name, owner):
+def test_functions_of_python_control_are_named(name, owner, advice):
     """The package does not repeat python-control, and says where the function is."""
-    with pytest.raises(AttributeError, match=f"is {owner}.{name}"):
+    with pytest.raises(AttributeError, match=f"is {owner}.{name}. .*{advice}"):
         getattr(clpt, name)
-    with pytest.raises(AttributeError, match="No clpt_control attribute"):
+
+
+def test_a_name_near_a_public_one_is_named():
+    with pytest.raises(AttributeError, match=r"No clpt_control attribute nonsense$"):
         clpt.nonsense  # noqa: B018 - reading it is the test
+    with pytest.raises(AttributeError, match=r"Did you mean clpt\.simulate\?"):
+        clpt.simulat  # noqa: B018
+    with pytest.raises(AttributeError, match=r"Did you mean clpt\.gliders\.read_dives"):
+        clpt.gliders.read_dive  # noqa: B018
+
+
+def test_what_the_advice_names_takes_a_sampled_loop():
+    """control.step_info and bode_plot of clpt.linearize(diagram)."""
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], 0, inputs="u", outputs="y", name="lag")
+    pid = clpt.parts.pid(2.0, 1.0, 0.0, dt=0.1, r="r", y="y", u="u")
+    linear = clpt.linearize(clpt.connect([pid, lag], external="r"))["y", "r"]
+    assert control.step_info(linear)["SteadyStateValue"] == pytest.approx(1.0)
+    response = control.frequency_response(linear, [0.01])
+    assert response.magnitude.squeeze() == pytest.approx(1.0, abs=1e-3)
