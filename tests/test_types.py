@@ -16,3 +16,9 @@ def test_what_simulate_returns_is_known():
     response = clpt.simulate(loop, [0.0, 1.0])
     assert_type(response, xarray.Dataset)
     assert all(isinstance(run, xarray.Dataset) for run in (*runs, response))
+
+
+def test_an_export_without_a_path_is_a_text():
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    assert_type(clpt.export(loop), str)
+    assert clpt.export(loop).startswith("/*")

@@ -6,7 +6,7 @@ The ending of the file's name chooses the kind.
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import control
 
@@ -25,6 +25,26 @@ if TYPE_CHECKING:
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 
+@overload
+def export(
+    system: "Scenario | control.InputOutputSystem",
+    path: None = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    part: str | None = None,
+    *,
+    single: bool = False,
+) -> str: ...
+@overload
+def export(
+    system: "Scenario | control.InputOutputSystem | xarray.Dataset",
+    path: str | Path,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    part: str | None = None,
+    *,
+    single: bool = False,
+) -> str | None: ...
 @public
 def export(
     system: "Scenario | control.InputOutputSystem | xarray.Dataset",
