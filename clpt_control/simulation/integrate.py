@@ -14,14 +14,15 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import SimulationError
 from ..engine.conformance.confirmation import drawn_around
+from ..engine.diagram.named_values import vector_by_name
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times
 from .diagram_runs import DiagramRun
-from .run_arguments import inputs_by_name, inputs_count, state_by_name, with_jumps
+from .run_arguments import inputs_by_name, inputs_count, with_jumps
 from .run_cache import cached_run, diagram_key
-from .run_notes import note_arguments
+from .run_notes import DIAGRAM, RunDiagram, note_arguments
 
 if TYPE_CHECKING:
     import xarray
@@ -35,7 +36,7 @@ Times = Sequence[float] | np.ndarray
 @public
 def simulate(
     system: "Scenario | Team | control.InputOutputSystem",
-    timepts: Times | None = None,
+    timepts: Times | control.TimeResponseData | None = None,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,
@@ -56,7 +57,8 @@ def simulate(
     system : Scenario, Team or control.InputOutputSystem
         A team gives a dimension ``vehicle``. A diagram that `closed_loop` made knows its scenario.
     timepts : array_like, optional
-        Times of the samples, increasing; a scenario and a team have their own
+        Times of the samples, increasing, or a response with these times; a scenario and a team
+        have their own
         (multiples of ``run.output_step``, and the end). At a repeated time, ``[0, 1, 1, 2]``,
         `inputs` jump, and the run has one sample, the right limit. Those of a diagram of discrete
         time are multiples of its ``dt`` apart.
@@ -104,8 +106,9 @@ def simulate(
     Raises
     ------
     SimulationError
-        If the run cannot go on (block, signal and time are named), or an
-        argument is not allowed.
+        If the run cannot go on (block, signal and time are named).
+    ArgumentError
+        If an argument is not allowed, such as an `initial_state` of another length.
     BlockError
         If a call-time parameter is unknown, or has a value that its block refuses.
 
@@ -117,6 +120,8 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
+    if isinstance(timepts, control.TimeResponseData):
+        timepts = timepts.time
     solver: dict[str, Any] = {
         "rtol": rtol,
         "atol": atol,
@@ -154,6 +159,7 @@ def simulate(
             data = run.run(
                 request.times, request.inputs, request.initial_state, **request.options
             )
+            data.encoding[DIAGRAM] = RunDiagram(request.diagram, params)
             overrides = (inputs, initial_state, stop, *solver.values())
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario
@@ -242,7 +248,9 @@ def request_of(
         timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)
     own_state = own_arguments.get("initial_state")
-    initial_state = state_by_name(diagram, initial_state, own_state)
+    initial_state = vector_by_name(
+        "initial_state", diagram, "state", initial_state, own_state
+    )
     if timepts is not None:
         timepts, inputs = with_jumps(diagram, timepts, inputs)
     if loop is not None and (timepts is None or inputs is initial_state is None):

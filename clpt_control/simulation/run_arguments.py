@@ -4,16 +4,16 @@ Inputs and initial states may be mappings by label or port, inputs a `control.Ti
 Two samples at one time are a jump of the inputs, as in tables of Modelica.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import control
 import numpy as np
 
-from ..base.arguments import nearest, numbers
+from ..base.arguments import numbers
 from ..base.errors import SimulationError
 from ..base.progress import warn
-from ..engine.model.ports import ports_of
+from ..engine.diagram.named_values import check_rows, columns_of
 from ..engine.solver.schedule import Inputs, checked_state, read_inputs, stacked
 
 
@@ -68,59 +68,16 @@ def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
         return inputs
     rows: list[Any] = [0.0] * len(diagram.input_labels)
     for name, value in inputs.items():
-        columns = _columns(diagram, "input", diagram.input_labels, name)
+        columns = columns_of(diagram, "input", diagram.input_labels, name)
         values = numbers(f"inputs['{name}']", value)
         if len(columns) == 1 and values.ndim == 2:
             values = values.ravel()
         if len(columns) == 1 or values.ndim == 0:
             values = np.array([values] * len(columns))
-        _check_rows("inputs", name, values, len(columns))
+        check_rows("inputs", name, values, len(columns))
         for column, row in zip(columns, values, strict=True):
             rows[column] = row if row.ndim else float(row)
     return rows
-
-
-def state_by_name(diagram: Any, state: Any, default: Any) -> Any:
-    """Return an initial state given by name as a vector; states without a name have the default."""
-    if not isinstance(state, Mapping):
-        return state
-    labels = diagram.state_labels
-    if len(labels) != diagram.nstates:
-        raise SimulationError(
-            f"initial_state: {diagram.name} has states of one name. Give an array"
-        )
-    vector = np.zeros(len(labels))
-    if default is not None:
-        vector[:] = default
-    for name, value in state.items():
-        columns = _columns(diagram, "state", labels, name)
-        values = numbers(f"initial_state['{name}']", value).ravel()
-        if len(values) == 1:
-            values = np.repeat(values, len(columns))
-        _check_rows("initial_state", name, values, len(columns))
-        vector[columns] = values
-    return vector
-
-
-def _columns(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
-    """Return the columns of a label or port; refuse an unknown name."""
-    ports = ports_of(labels)
-    names = {**ports, **{label: [k] for k, label in enumerate(labels)}}
-    for known in (name, str(name).replace(".", "_")):  # plant.angle is plant_angle
-        if known in names:
-            return names[known]
-    close = nearest(str(name), names)
-    advice = f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}"
-    raise SimulationError(
-        f"{diagram.name}: has no {kind} '{name}'. {advice if names else 'It has none'}"
-    )
-
-
-def _check_rows(argument: str, name: str, values: np.ndarray, count: int) -> None:
-    if len(values) != count:
-        raise SimulationError(
-            f"{argument}['{name}']: has {len(values)} rows. Give {count}, one per signal"
-        )
 
 
 # --- responses -----------------------------------------------------------------------------------

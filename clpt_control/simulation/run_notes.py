@@ -2,7 +2,7 @@
 
 With its scenario, the arguments repeat a scenario's run.  The run of another diagram is repeated
 by the script that made it.  Notes are in the `encoding` of a run, which xarray passes on, and are
-attributes of its file, as JSON.
+attributes of its file, as JSON.  The diagram itself is in the `encoding` of a run in memory.
 """
 
 import json
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 ARGUMENTS = "arguments"
 LABELS = "labels"
+DIAGRAM = "diagram"  # of a run in memory; no file has it
 KEYS = {  # note -> its keys
     ARGUMENTS: {
         *("timepts", "params", "engine", "method"),
@@ -26,6 +27,20 @@ KEYS = {  # note -> its keys
     },
     LABELS: {"name", "inputs", "outputs", "states"},
 }
+
+
+class RunDiagram:
+    """Diagram and parameters of a run in memory, which copies share and pickles lose."""
+
+    def __init__(self, diagram: Any = None, params: Mapping[str, Any] | None = None):
+        self.diagram = diagram
+        self.params = params
+
+    def __deepcopy__(self, memo: Any) -> "RunDiagram":
+        return self
+
+    def __reduce__(self) -> Any:
+        return RunDiagram, ()
 
 
 def note_arguments(

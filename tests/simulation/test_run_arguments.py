@@ -122,7 +122,7 @@ def test_other_names_are_refused(arguments, sentence):
 
 def test_a_block_without_inputs_has_no_names():
     free = control.nlsys(driven, None, states=1, inputs=0, outputs=1, name="free")
-    with pytest.raises(clpt.SimulationError, match=r"no input 'u'\. It has none"):
+    with pytest.raises(clpt.ArgumentError, match=r"no input 'u'\. It has none"):
         clpt.simulate(free, TIMES, {"u": 1.0})
 
 

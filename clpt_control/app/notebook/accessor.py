@@ -23,6 +23,7 @@ from ...paper.scenario.run_constants import BEYOND
 from ...simulation.comparison import named, ports_along, response_of, signals_of
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop
+from ...simulation.run_notes import DIAGRAM, RunDiagram
 
 if TYPE_CHECKING:
     import pandas
@@ -116,6 +117,13 @@ def _valid(name: str, used_names: Any) -> str:
     return word
 
 
+def of_port(argument: str, labels: list[str], port: str) -> tuple[list[int], list[str]]:
+    """Return rows and labels of the signals of a port; refuse an unknown one."""
+    ports = ports_of(labels)
+    check_holds(argument, ports, [port], f"it has {', '.join(ports)}")
+    return ports[port], [labels[k] for k in ports[port]]
+
+
 # --- what a dataset has ---------------------------------------------------------------------------
 
 
@@ -177,7 +185,8 @@ class ClptAccessor:
         """Linearize a run's diagram about where it is at a time, as `clpt_control.linearize`.
 
         `input` names a port that comes from outside then, such as "zc", `output` one that is
-        looked at, such as "e"; without them there is no input, and every signal is an output.
+        looked at, such as "e".  Without them a scenario's run has no input, another diagram in
+        memory, as it is now, its own inputs; every signal is an output.
         """
         from ...engine.diagram.linearization import linearize, minimal_of
 
@@ -185,28 +194,47 @@ class ClptAccessor:
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
             description = f"{self.kind} with {beyond[0]}" if beyond else self.kind
+            linear = self._linear_in_memory(state, t, description)
+        else:
+            scenario: Any = self.scenario
+            loop = closed_loop(scenario)
+            system = closed_loop(scenario, external=input or ())
+            states = dict(zip(loop.state_labels, state, strict=True))
+            outputs = loop.output(t, state, [])
+            signals = dict(zip(loop.output_labels, outputs, strict=True))
+            x = [states[label] for label in system.state_labels]
+            u = [signals[label] for label in system.input_labels]
+            linear = linearize(system, x, u, t)
+        if input is not None:
+            columns, labels = of_port("input", linear.input_labels, input)
+            linear.B, linear.D = linear.B[:, columns], linear.D[:, columns]
+            linear.set_inputs(labels)
+        if output is not None:
+            rows, labels = of_port("output", linear.output_labels, output)
+            linear.C, linear.D = linear.C[rows], linear.D[rows]
+            linear.set_outputs(labels)
+        return minimal_of(linear) if minimal else linear
+
+    def _linear_in_memory(self, state: Any, t: float, description: str) -> Any:
+        """Return the linearization of the diagram that a run in memory has."""
+        from ...engine.diagram.linearization import linearize
+
+        noted = self._data.encoding.get(DIAGRAM, RunDiagram())
+        response = self.response()
+        at_time = {}
+        if response.input_labels:
+            k = int(np.abs(response.time - t).argmin())
+            rows = response.u.reshape(-1, len(response.time))
+            at_time = dict(zip(response.input_labels, rows[:, k], strict=True))
+        labels = [] if noted.diagram is None else noted.diagram.input_labels
+        if noted.diagram is None or not at_time.keys() >= {*labels}:
             raise DataError(
                 f"the dataset of a {description} does not contain its diagram. Give the "
                 "diagram, and the "
                 "state of run.clpt.state(t), to clpt.linearize"
             )
-        scenario: Any = self.scenario
-        loop = closed_loop(scenario)
-        system = closed_loop(scenario, external=input or ())
-        states = dict(zip(loop.state_labels, state, strict=True))
-        signals = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
-        x = [states[label] for label in system.state_labels]
-        linear = linearize(
-            system, x, [signals[label] for label in system.input_labels], t
-        )
-        if output is not None:
-            ports = ports_of(system.output_labels)
-            check_holds("output", ports, [output], f"it has {', '.join(ports)}")
-            rows = ports[output]
-            labels = [linear.output_labels[k] for k in rows]
-            linear.C, linear.D = linear.C[rows], linear.D[rows]
-            linear.set_outputs(labels)
-        return minimal_of(linear) if minimal else linear
+        u = [at_time[label] for label in labels]
+        return linearize(noted.diagram, state, u, t, noted.params)
 
     def response(self) -> Any:
         """Return a run as a `control.TimeResponseData`, for python-control's plots.

@@ -389,7 +389,9 @@ def check(
         raise BlockError(f"{block.name}: is a diagram. Check each of its blocks")
     if not isinstance(block, Block):
         if units is not None:
-            raise BlockError(f"{block.name}: units: has no ports. Write it as a Block")
+            raise BlockError(
+                f"{block.name}: units: are checked of a clpt.Block alone. Write it as a Block"
+            )
         [(_, block)] = blocks_of(block)
     report = check_block(block, seed, samples, units)
     if not report.ok:

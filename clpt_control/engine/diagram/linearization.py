@@ -32,6 +32,7 @@ from ..trace.derivative import Direction, OverflowingDirection
 from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord
+from .named_values import vector_by_name
 from .sampled_linearization import (
     SampledBlock,
     SampledSlopes,
@@ -249,8 +250,9 @@ def linearize(
     ----------
     system : control.NonlinearIOSystem
         A diagram, a block or a system of python-control.
-    x, u : array_like, optional
-        States and inputs of the point; by default 0. An operating point of
+    x, u : array_like or mapping, optional
+        States and inputs of the point; by default 0. A mapping, ``{"angle": 0.5}``, has labels
+        or ports, others being 0. An operating point of
         ``control.find_operating_point`` has both. The inputs that sampled blocks hold are those
         of this point, whatever x says.
     t : float, optional
@@ -292,6 +294,8 @@ def linearize(
     """
     u = getattr(x, "inputs", u)
     x = getattr(x, "states", x)
+    x = vector_by_name("x", system, "state", x)
+    u = vector_by_name("u", system, "input", u)
     with drawn_around(t, x, u):
         return _linearized(system, x, u, t, params, minimal)
 

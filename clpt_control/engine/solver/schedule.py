@@ -17,7 +17,7 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.arguments import numbers
-from ...base.errors import SimulationError
+from ...base.errors import ArgumentError, SimulationError
 from .evaluation_pass import moved_back, moved_to, rounding
 
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
@@ -152,7 +152,7 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> ndarray:
     if values.ndim == 0:
         values = np.full(shape, float(values))
     if values.shape != shape:
-        raise SimulationError(
+        raise ArgumentError(
             f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
         )
     return values.copy()

@@ -1,6 +1,7 @@
 """`dataset.clpt`, and a run as a table, read back by csv and by scipy.io.loadmat."""
 
 import csv
+import pickle
 import sys
 
 import control
@@ -107,7 +108,35 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
         output="nothing",
     )
     changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
-    says(clpt.DataError, "does not contain its diagram.", changed.clpt.linearize, 10.0)
+    lost = pickle.loads(pickle.dumps(changed))
+    says(clpt.DataError, "does not contain its diagram.", lost.clpt.linearize, 10.0)
+    other = clpt.simulate(scenario.with_values({"basis.widths": [1.0, 2.0, 3.0]}))
+    np.testing.assert_allclose(
+        changed.clpt.linearize(10.0).A, other.clpt.linearize(10.0).A, atol=1e-12
+    )
+
+
+def test_a_diagram_in_memory_is_linearized_at_its_inputs_of_that_time():
+    """A pendulum whose torque u is scaled by its angle: the slopes are by hand."""
+    rates = {"update": lambda t, x, u, p: [x[1], -p.g * np.sin(x[0]) + x[0] * u[0]]}
+    ports = {"inputs": {"torque": 1}, "states": {"angle": 1, "rate": 1}}
+    pendulum = clpt.Block("pendulum", **rates, **ports, parameters={"g": 2.0})
+    loop = clpt.connect([pendulum], external="torque")
+    given = {"initial_state": {"pendulum.angle": 0.3}, "params": {"pendulum.g": 5.0}}
+    run = clpt.simulate(loop, TIMES, {"torque": TIMES}, **given)
+    angle = run.clpt.state(1.0)[0]
+    for one in (run, run.copy(deep=True).isel(time=slice(0, 6))):
+        made = one.clpt.linearize(1.0, "torque", "angle")
+        slopes = [[0, 1], [1.0 - 5.0 * np.cos(angle), 0]]
+        np.testing.assert_allclose(made.A, slopes, atol=1e-12)
+        np.testing.assert_allclose(made.B, [[0], [angle]], atol=1e-12)
+        assert made.output_labels == ["angle"]
+    named = clpt.linearize(loop, {"pendulum_angle": 0.5}, {"torque": 1.0})
+    vectors = clpt.linearize(loop, [0.5, 0.0], [1.0])
+    np.testing.assert_array_equal(named.A, vectors.A)
+    says(
+        clpt.ArgumentError, "Did you mean", clpt.linearize, loop, {"pendulum_angel": 1}
+    )
 
 
 # --- a run as a table, read back by csv and by scipy.io.loadmat ----------------------------------

@@ -184,9 +184,7 @@ def test_states_and_inputs_that_do_not_fit():
     loop = clpt.connect(
         [*lags, control.ss(-1, 1, 1, 0, name="b", inputs="y", outputs="w")], "u"
     )
-    with pytest.raises(
-        clpt.SimulationError, match="initial_state: must have 2 numbers"
-    ):
+    with pytest.raises(clpt.ArgumentError, match="initial_state: must have 2 numbers"):
         clpt.simulate(loop, TIMES, 0, [[1, 2], [3, 4], 0])
     for inputs in ([TIMES[1:], 0], [[TIMES, TIMES], TIMES], [TIMES, "fast"]):
         says(clpt.ClptError, "inputs", clpt.simulate, loop, TIMES, inputs)
