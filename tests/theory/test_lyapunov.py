@@ -185,6 +185,10 @@ MISTAKES = {
     "which returns a number and no block": (PLANT, lambda s: None),
     "^plant: V is a function of signals here": (PLANT, PLANT),
     "is not a single number": (TWO, "e"),
+    r"V: has shape \(2,\); must be one number. two has s.e \(2,\)": (
+        TWO,
+        lambda s: s.e**2,
+    ),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),
     "has no states": (

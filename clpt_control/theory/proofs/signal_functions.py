@@ -9,7 +9,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...base.errors import DiagramError
+from ...base.errors import BlockError, DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
@@ -90,6 +90,7 @@ def _traced(
 ) -> tuple[sympy.Expr, list[str]]:
     """Return a function of signals as an expression, and where it may have no value."""
     signals, undefined = signals_by_name(eq), list[str]()
+    shapes: list[tuple[int, ...]] = []  # of V
 
     def refuse_no_number(value: Any) -> None:
         if value is None or isinstance(value, control.InputOutputSystem):
@@ -108,15 +109,25 @@ def _traced(
                 raise
             value = None
         refuse_no_number(value)
+        shapes.append(np.shape(value))
         return value
 
-    block = Block(
-        "V",
-        output=lambda t, x, u, p: {"V": level(u)},
-        inputs={name: symbols.shape for name, symbols in signals.items()},
-        outputs={"V": 1},
-    )
-    record = block.array_record("output")
+    try:
+        block = Block(
+            "V",
+            output=lambda t, x, u, p: {"V": level(u)},
+            inputs={name: symbols.shape for name, symbols in signals.items()},
+            outputs={"V": 1},
+        )
+        record = block.array_record("output")
+    except BlockError:
+        if np.prod(shapes[-1:]) <= 1:
+            raise
+        sizes = [f"s.{name} {symbols.shape}" for name, symbols in signals.items()]
+        raise DiagramError(
+            f"V: has shape {shapes[-1]}; must be one number. "
+            f"{eq.name} has {', '.join(sizes)}"
+        ) from None
 
     def watch(index: int, kind: str, arguments: tuple) -> None:
         if sentence := undefined_in("V", kind, arguments):
