@@ -205,5 +205,6 @@ def test_the_ten_lines_a_proof_a_law_a_page_and_commands_need_no_extra(said):
 def test_what_is_missing_is_said_by_name_with_the_command(said, words):
     package, (status, complaint) = COMMANDS[words], said[words]
     extra = "ensemble" if package == "zarr" else "sea"
-    wanted = f"{package} is not installed. Install it with: pip install 'clpt-control[{extra}]'"
-    assert (status, wanted in complaint) == (2, True)
+    wanted = sorted({Requirement(one).name for one in EXTRAS[extra]} - {"pandas"})
+    sentence = f"{package} is not installed. Install it with: pip install "
+    assert (status, sentence + " ".join(wanted) in complaint) == (2, True)

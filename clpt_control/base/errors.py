@@ -9,10 +9,13 @@ import types
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
-# package -> extra; all other packages: sea
-EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}
+EXTRAS = (  # packages that are installed together
+    ("dask", "distributed", "zarr"),
+    ("filelock", "netCDF4", "pandas", "ppigrf", "pyproj", "utide"),
+)
 
 
 class ClptError(Exception):
@@ -72,7 +75,8 @@ def import_optional(module: str) -> types.ModuleType:
         return import_module(module)
     except ImportError:
         package = module.partition(".")[0]
-        extra = EXTRA.get(package, "sea")
+        [extra] = [packages for packages in EXTRAS if package in packages]
+        missing = " ".join(name for name in extra if find_spec(name) is None)
         raise DataError(
-            f"{package} is not installed. Install it with: pip install 'clpt-control[{extra}]'"
+            f"{package} is not installed. Install it with: pip install {missing}"
         ) from None
