@@ -1,8 +1,7 @@
 """What lies in dist/: the files of the repository, nothing less and nothing more.
 
-`make dist` runs it.  The wheel has each file of the package, the first lines of its command and
-its metadata; the sdist each file of the repository but what only the repository needs; the conda
-recipe renders.
+`make dist` runs it.  The wheel has each file of the package and its metadata; the sdist each file
+of the repository but what only the repository needs; the conda recipe renders.
 """
 
 import subprocess
@@ -13,7 +12,7 @@ from pathlib import Path
 
 from rattler_build import Stage0Recipe
 
-OURS = ("clpt_control/", "clpt_start.py")
+OURS = ("clpt_control/",)
 MADE = {"PKG-INFO", "setup.cfg"}
 ONLY_HERE = (".ci/", ".github/", ".gitignore", ".readthedocs.yaml")
 

@@ -239,7 +239,7 @@ def test_files_of_tests_have_names_of_their_own():
 # at most these tokens of Python in each folder, without comments and docstrings; whoever raises
 # a number names in the commit the page of docs that shows the feature
 TOKENS = {
-    "": 168,
+    "": 239,
     "app": 1012,
     "app.cli": 13894,
     "app.notebook": 1306,

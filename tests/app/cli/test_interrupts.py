@@ -148,11 +148,11 @@ def test_a_cluster_ends_with_the_command(files):
 
 START = f"""{HEARS}
 sys.path.insert(0, sys.argv[1])
-import clpt_start
+from clpt_control import __main__ as command
 sys.argv[:2] = ["clpt"]
 sys.stdout.write(".")
 sys.stdout.flush()
-clpt_start.main()
+command.main()
 """
 
 
