@@ -86,6 +86,9 @@ def _of_item(key: str, values: Any) -> Vary:
         if hasattr(values, "ppf"):
             words = [repr(float(argument)) for argument in values.args]
             words += [f"{name}={float(value)!r}" for name, value in values.kwds.items()]
+            if values.dist.name == "uniform":  # its arguments are no bounds
+                low, high = map(float, values.support())
+                return read_vary(f"{key}={low!r}:{high!r}")
             if np.isfinite(values.ppf(0.5)):
                 text = f"{key}~{values.dist.name}({', '.join(words)})"
                 return Vary(key, "drawn", (values,), text)

@@ -31,7 +31,9 @@ def test_a_dict_says_the_same_of_a_scenario():
     assert_identical(one, other)
     vary = {"learning.gain": [0.4, 0.8], "vehicle.max_speed": stats.uniform(2, 1)}
     limited = PAPER.with_values({"vehicle.max_speed": 3.0})
-    assert clpt.run_ensemble(limited, vary, 4)["vehicle.max_speed"].values.min() >= 2
+    drawn = clpt.run_ensemble(limited, vary, 4)
+    assert drawn["vehicle.max_speed"].values.min() >= 2
+    assert drawn.attrs["vary"][1] == "vehicle.max_speed=2.0:3.0"  # its bounds
     vary = {"learning.gain": np.array([0.4, 0.8]), "reference.dwell": [5.0, 10.0, 20.0]}
     grid = clpt.run_ensemble(PAPER, vary)
     assert dict(grid.unstack().clpe_rms_whole.sizes) == {

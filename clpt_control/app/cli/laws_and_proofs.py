@@ -18,6 +18,7 @@ from .printing import (
     check_out,
     finish,
     flag,
+    law_names,
     opt,
     say,
 )
@@ -34,7 +35,9 @@ ROOMS = {  # of proofs -> what one is called, its fields in JSON
 
 
 def laws(
-    name: str | None = arg("LAW", "Its page; default: the table.", default=None),
+    name: str | None = arg(
+        "LAW", "Its page; default: the table.", default=None, autocompletion=law_names
+    ),
     as_json: Json = False,
 ) -> None:
     """List the adaptive laws; of one, print its page.
@@ -98,7 +101,10 @@ def laws(
 
 def prove(
     law: str | None = arg(
-        "LAW", "Prove this law alone; default: theorems and laws.", default=None
+        "LAW",
+        "Prove this law alone; default: theorems and laws.",
+        default=None,
+        autocompletion=law_names,
     ),
     theorem: str | None = opt(
         "NUMBER", "3.1 to 3.4; default: all, limits and every law."

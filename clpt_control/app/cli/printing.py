@@ -115,6 +115,13 @@ def arg(metavar: str, about: str, default: Any = ..., **settings: Any) -> Any:
     return typer.Argument(default, metavar=metavar, help=about, **settings)
 
 
+def law_names(incomplete: str) -> list[str]:
+    """Return the laws whose name begins so, for a shell that completes a word."""
+    from ...paper.laws.table import LAWS
+
+    return [name for name in LAWS if name.startswith(incomplete)]
+
+
 # --- what commands take, and print ---------------------------------------------------------------
 
 ScenarioFile = Annotated[
@@ -153,6 +160,7 @@ Formats = Annotated[
 
 FIGURE = "a figure", (".png", ".pdf", ".svg")
 SCENARIO = "a scenario", (".toml",)
+RUN_FILE = "a run", (".nc",)
 
 
 def check_out(path: Path | None, kind: str, endings: Sequence[str]) -> None:

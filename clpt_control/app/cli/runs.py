@@ -6,9 +6,12 @@ report` writes an HTML report, or a film.
 """
 
 import os
+from contextlib import suppress
 from importlib import resources
 from pathlib import Path
 from typing import Any
+
+import typer
 
 import clpt_control as clpt
 
@@ -18,6 +21,7 @@ from ...base.html import Result
 from ...base.progress import progress_bar
 from .printing import (
     FIGURE,
+    RUN_FILE,
     SCENARIO,
     Formats,
     Json,
@@ -31,6 +35,7 @@ from .printing import (
     draw_figure,
     finish,
     flag,
+    law_names,
     opt,
     say,
 )
@@ -132,11 +137,7 @@ def run(
 
     kinds = checked_formats(formats or ["png"])
     system: Any = clpt.load_scenario(scenario)
-    check_writable(out)
-    if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
-        raise ClptError(
-            f"{out}: is the scenario file. Give the run another name, such as run.nc"
-        )
+    check_out(out, *RUN_FILE)
     folder = None if figures is None else make_folder(figures)
     arguments = recorded_arguments(scenario)
     if "timepts" in arguments:
@@ -243,6 +244,17 @@ def _draw_diagram(scenario: Path, out: Path | None) -> None:
 # --- many runs -----------------------------------------------------------------------------------
 
 
+def _keys_to_vary(ctx: typer.Context, incomplete: str) -> list[str]:
+    """Return the keys of the scenario named before that begin so."""
+    from ...ensemble.varied_scenario import variable_values
+
+    scenario = clpt.paper_scenario()
+    with suppress(ClptError):
+        scenario = clpt.load_scenario(ctx.params.get("scenario", ""))
+    keys = variable_values(scenario)
+    return [f"{key}=" for key in keys if key.startswith(incomplete)]
+
+
 def ensemble(
     scenario: ScenarioFile,
     members: int | None = opt("COUNT", "Number of runs; default: all values of lists."),
@@ -250,6 +262,7 @@ def ensemble(
         "KEY=LOW:HIGH",
         "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.",
         default=...,
+        autocompletion=_keys_to_vary,
     ),
     out: Path = opt(
         "FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...
@@ -316,7 +329,9 @@ def tune(
     unmodelled: float | None = opt(
         "SPEED", "Rms of flow beside the basis; default: the scenario's."
     ),
-    law: list[str] | None = opt("NAME", "A law to compare; repeat it; default: all."),
+    law: list[str] | None = opt(
+        "NAME", "A law to compare; repeat it; default: all.", autocompletion=law_names
+    ),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     waypoints: bool = flag(
         "Find waypoints instead, from which most can be learned; needs --out.",

@@ -67,11 +67,7 @@ def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
     keys = [line for line in text.splitlines() if " = " in line or line.startswith("[")]
     assert all("#" in line for line in keys if "title" not in line and line != "[run]")
     refused_for(["already exists"], "init")
-    said, place = (
-        "is the scenario file. Give the run another name",
-        Path("paper.toml").absolute(),
-    )
-    refused_for([said], "run", "paper.toml", "--out", place)
+    refused_for(["must end in .nc"], "run", "paper.toml", "--out", "paper.toml")
     assert Path("paper.toml").read_text() == text
     assert clpt("init", "--example", "currents").status == 0
     fitted = clpt(
@@ -91,6 +87,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
         "(?s)flowchart.*learning_controller", clpt("export", "p.toml", "--drawing").out
     )
     refused_for([".svg"], "export", "p.toml", "--drawing", "-o", "p.docx")
+    refused_for(["a run's name must end in .nc"], "run", "p.toml", "--out", "r.txt")
     refused_for(
         ["a program or map's name must end in .c, .h, .fmu, .kml or .geojson"],
         "export",
@@ -242,7 +239,7 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
             ("excitation", file),
             ("export", file, "--drawing"),
         ),
-        ("run", run, "--out", HOSTILE, "--figures", f"f {HOSTILE}"),
+        ("run", run, "--out", f"{HOSTILE}.nc", "--figures", f"f {HOSTILE}"),
         *(("report", run, "-o", f"p {HOSTILE}.html"), ("ensemble", file, *vary)),
         ("report", f"e {HOSTILE}", "-o", "e.html"),
     ):
@@ -429,6 +426,8 @@ _clpt_completion clpt; printf "%s\n" "${COMPREPLY[@]}"
 
 OFFERED = [(["re"], ["report", "replay"]), (["run", "--fi"], ["--figures"])]
 OFFERED += [(["run", "mine"], [])]  # files, by bash itself
+OFFERED += [(["prove", "sig"], ["sigma"]), (["tune", "--law", "sig"], ["sigma"])]
+OFFERED += [(["ensemble", "none.toml", "--vary", "basis.wi"], ["basis.widths="])]
 
 
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
