@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
     from ...ocean.forecast.replay import Replay
+    from ...paper.scenario.experiment import Scenario
     from .page import Page
 
 NEEDED = (  # variables of a run
@@ -158,17 +159,32 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
 
 def _title_of(run: "xarray.Dataset") -> str:
     """Return the title of a run; a changed run of the paper's scenario has a title of its own."""
-    from ...paper.scenario.file import BEYOND, paper_scenario
+    from ...paper.scenario.file import BEYOND, paper_scenario, scenario_of_run
 
     title = str(run.attrs.get("title") or "A run without a title")
+    paper = paper_scenario()
+    if title != paper.title:
+        return title
     changes = [
         f"{change}, {run.attrs[name]}"
         for name, (change, _) in BEYOND.items()
         if name in run.attrs
     ]
-    if changes and title == paper_scenario().title:
-        return f"The paper's loop with {'; '.join(changes)}"
-    return title
+    if "scenario" in run.attrs:
+        own, of_paper = map(_by_key, (scenario_of_run(run), paper))
+        keys = [key for key in own if own[key] != of_paper.get(key)]
+        changes += [f"other {', '.join(keys)}"] if keys else []
+    return f"The paper's loop with {'; '.join(changes)}" if changes else title
+
+
+def _by_key(scenario: "Scenario") -> dict[str, Any]:
+    """Return the values of a scenario's keys; those of the run itself are left out."""
+    tables = scenario.model_dump(exclude={"title", "run"}, exclude_none=True)
+    return {
+        f"{name}.{key}".rstrip("."): value
+        for name, table in tables.items()
+        for key, value in (table.items() if isinstance(table, dict) else [("", table)])
+    }
 
 
 def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:

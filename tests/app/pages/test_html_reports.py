@@ -176,6 +176,9 @@ def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
     changed = clpt.report(clpt.simulate(loop), page)["title"]
     assert changed == "The paper's loop with parts given in Python, v_x to vehicle: lag"
     assert "section IV" in clpt.report(clpt.simulate(scenario), page)["title"]
+    other = scenario.with_values({"learning.gain": 2.0, "vehicle.max_speed": 3.0})
+    changed = clpt.report(clpt.simulate(other), tmp_path / "other.html")["title"]
+    assert changed == "The paper's loop with other vehicle.max_speed, learning.gain"
     text = page.read_text("utf-8")
     wide = text.count('class="wide"')
     assert text.count("Scroll sideways to see all of it.") == wide > 0
