@@ -33,6 +33,7 @@ Positive = Annotated[float, "positive and finite"]
 LISTS = (Sequence, Iterable, list)
 MOST_MEMBERS = 100  # longer lists are not searched for masked arrays
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
+NUMBERS = {float, int}
 SIMPLE = {float, int, str, bool, NoneType}
 EMPTY = np.dtype("V")
 SHORT = reprlib.Repr()
@@ -119,7 +120,7 @@ def _checking(function: Any, name: str) -> Any:
         if Any in kinds or _fits_at_once(value, kinds):
             return value
         value = as_python_type(value, kinds)
-        if not fits(value, kinds):
+        if not (_fits_at_once(value, kinds) or fits(value, kinds)):
             allowed = words(kinds)
             raise ArgumentError(
                 f"{name}: {argument} = {brief(value)}: must be {allowed}"
@@ -161,10 +162,16 @@ def without_mask(value: Any) -> Any:
             return value.filled(np.datetime64("NaT"))
         return value.astype(float).filled(np.nan) if number in "iuf" else value
     if kind in (list, tuple) and len(value) < MOST_MEMBERS:
+        if _are_numbers(value):
+            return value
         return kind(map(without_mask, value))
     if kind is dict and len(value) < MOST_MEMBERS:
         return {name: without_mask(member) for name, member in value.items()}
     return value
+
+
+def _are_numbers(values: Iterable) -> bool:
+    return NUMBERS.issuperset(map(type, values))
 
 
 def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
@@ -194,6 +201,8 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
 
 def as_python_type(value: Any, kinds: Kinds) -> Any:
     """Return a value as one of the kinds: a number of Python, a list, a tuple or an array."""
+    if type(value) is list and np.ndarray in kinds and _are_numbers(value):
+        return np.asarray(value)
     if (
         attribute_of(value, "ndim") == 0
         and attribute_of(value, "dtype", EMPTY).kind in "iufb"

@@ -9,6 +9,7 @@ run; that of any other diagram has a variable for each port.
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
+from operator import invert
 from typing import TYPE_CHECKING, Any
 from warnings import catch_warnings, simplefilter
 
@@ -30,7 +31,7 @@ from ..engine.model.ports import ports_of, whole_labels
 from ..engine.solver.engine_choice import make_runner, run_checked
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import steps_between
-from ..engine.solver.schedule import read_inputs
+from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.termination import Solution
 from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template
@@ -156,8 +157,7 @@ class DiagramRun(SystemRun):
             steps = steps[steps < len(solution.t)]
             solution = replace(solution, t=times[: len(steps)], x=solution.x[steps])
             blocks = blocks[steps]
-        signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
-        run = self.dataset(solution, signals.T)
+        run = self.dataset(solution, self.mapped(blocks, u, solution.t))
         if self.loop is not None and {"x", "zc"} <= {*self.loop.external}:
             from .flows import unlike_controller
 
@@ -165,6 +165,15 @@ class DiagramRun(SystemRun):
             run.attrs["message"] += sentence and f"; {sentence}"
         run.encoding[LABELS] = self.names
         return run
+
+    def mapped(self, blocks: np.ndarray, u: Inputs, times: np.ndarray) -> np.ndarray:
+        """Return outputs and inputs of the diagram at times, of all block outputs there."""
+        signals = blocks
+        if self.wiring.ninputs:
+            signals = np.hstack([blocks, u.along(times).T])
+        if self._signal_map is None:
+            return signals
+        return (self._signal_map @ signals.T).T
 
     @cached_property
     def is_unchanged(self) -> bool:
@@ -187,9 +196,12 @@ class DiagramRun(SystemRun):
 
     @cached_property
     def _signal_map(self) -> Any:
-        """The matrix from all block outputs and inputs to outputs, then inputs."""
+        """The matrix from all block outputs and inputs to outputs, then inputs; None for unity."""
         inputs = tuple({~k: 1.0} for k in range(self.wiring.ninputs))
-        return self.wiring.matrix_of(self.wiring.outputs + inputs)
+        rows = self.wiring.outputs + inputs
+        columns = [*range(self.runner.nsignals), *map(invert, range(len(inputs)))]
+        is_unity = rows == tuple({column: 1.0} for column in columns)
+        return None if is_unity else self.wiring.matrix_of(rows)
 
     @cached_property
     def template(self) -> DatasetTemplate:

@@ -49,6 +49,8 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
         state = np.concatenate([numbers(name, value).ravel() for value in state])
     else:
         state = numbers(name, state)
+        if state.shape == (count,):
+            return state.copy()
         state = state.ravel() if state.ndim else state
     if 0 < np.size(state) < count and np.ndim(state) == 1:
         if state[-1] != 0:

@@ -18,9 +18,10 @@ from ..engine.model.block import Block
 from ..engine.model.sampled import Sampled
 from ..engine.model.system import System, given_units
 from ..engine.record.unread import Unread
-from ..engine.trace.fingerprint import reachable
+from ..engine.trace.fingerprint import reachable, reachable_again
 
 MAX_RUNS = 16  # cached runs
+PLAIN = (int, bool, str, type(None))
 _CACHE: dict[Any, Any] = {}
 
 Key = tuple[Any, Any]  # the key, and the objects whose identities are in the key
@@ -51,12 +52,34 @@ def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
     functions: list[Any] = []
     try:
         names = _identity(diagram, numbers, functions)
-        code = reachable(*functions)
-        values = reachable(*numbers)
+        code = reachable_again(tuple(functions))
+        values, referenced = _plain_key(tuple(numbers)), ()
+        if values is None:
+            fingerprint = reachable(*numbers)
+            values, referenced = fingerprint.key, fingerprint.referenced
     except Unread:
         return None
-    key = names, code.identity, values.key
-    return key, (diagram, code.referenced, values.referenced)
+    key = names, code.identity, values
+    return key, (diagram, code.referenced, referenced)
+
+
+def _plain_key(values: tuple) -> tuple | None:
+    """Return the key of names and numbers in tuples; None if there are other values."""
+    key: list[Any] = []
+    for value in values:
+        kind = type(value)
+        if kind is tuple:
+            inner = _plain_key(value)
+            if inner is None:
+                return None
+            key.append(inner)
+        elif kind is float:
+            key.append(value.hex())  # 0.0 is not -0.0
+        elif kind in PLAIN:
+            key.append((kind, value))
+        else:
+            return None
+    return tuple(key)
 
 
 def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:

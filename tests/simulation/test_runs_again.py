@@ -58,7 +58,36 @@ def changes(patch):
     )
     product = lambda t, x, u, p: [functools.reduce(lambda a, b: a * b, [-RATE, x[0]])]  # noqa: E731
     partial = functools.partial(held, [1.0], less=less)
+    of_mine = types.ModuleType("of_mine")
+    of_mine.rate = 1.0
+    patch.setitem(globals(), "of_mine", of_mine)
+    rated, keyed, helped, bare = fresh_functions()
+    variable, rebind = rebound()
     return {
+        "a variable of a closure": (system(variable), rebind),
+        "code": (
+            system(bare),
+            lambda: setattr(
+                bare, "__code__", (lambda t, x, u, p: [-2 * x[0]]).__code__
+            ),
+        ),
+        "code of a helper": (
+            system(of_rate(helped)),
+            lambda: setattr(helped, "__code__", (lambda x: 2.0).__code__),
+        ),
+        "defaults": (system(rated), lambda: setattr(rated, "__defaults__", (2.0,))),
+        "defaults by name": (
+            system(keyed),
+            lambda: keyed.__kwdefaults__.update(rate=2.0),
+        ),
+        "a name of a module": (
+            system(lambda t, x, u, params: [-of_mine.rate * x[0]]),
+            lambda: setattr(of_mine, "rate", 2.0),
+        ),
+        "a global over a builtin": (
+            system(lambda t, x, u, params: [-abs(x[0])]),
+            lambda: patch.setitem(globals(), "abs", lambda x: 2.0 * x),
+        ),
         "a global": (system(lambda t, x, u, params: [-RATE * x[0]]), of_global),
         "a global behind math": (system(by_math), of_global),
         "a global behind functools": (system(product), of_global),
@@ -96,6 +125,32 @@ def by_import(t, x, u, params):
     from numbers_of_mine import rate
 
     return [-rate * x[0]]
+
+
+def fresh_functions():
+    """Return functions of rate 1 whose parts may be changed."""
+
+    def rated(t, x, u, params, rate=1.0):
+        return [-rate * x[0]]
+
+    def keyed(t, x, u, params, *, rate=1.0):
+        return [-rate * x[0]]
+
+    return rated, keyed, lambda x: 1.0, lambda t, x, u, params: [-x[0]]
+
+
+def rebound():
+    """Return rates of a variable, and what gives it another value."""
+    rate = 1.0
+
+    def rates(t, x, u, params):
+        return [-rate * x[0]]
+
+    def rebind():
+        nonlocal rate
+        rate = 2.0
+
+    return rates, rebind
 
 
 def held(rate, t, x, u, params, *, less):

@@ -62,8 +62,7 @@ class Callee(NamedTuple):
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers."""
-        with np.errstate(all="ignore"):
-            return int(getattr(compiled_solver(), name)(numbers))
+        return int(getattr(compiled_solver(), name)(numbers))
 
     def evaluate(
         self,
@@ -146,7 +145,7 @@ class Evaluation:
     ) -> None:
         """Write other points, their segments and P into the arrays."""
         self.times[:] = times
-        self.which_segment[:] = np.searchsorted(segments.edges, times, "right")
+        self.which_segment[:] = segments.edges.searchsorted(times, "right")
         self.states[:] = x.ravel()
         self.indices[:] = segments.indices
         self.values[:] = segments.values

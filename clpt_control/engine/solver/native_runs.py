@@ -17,6 +17,8 @@ from .schedule import Inputs, Schedule
 from .solver_layout import SIGNALS, Status
 from .termination import STUCK, Solution, ended, sampled_start
 
+FINISHED, CHATTERING = Status.FINISHED, Status.CHATTERING
+
 
 class NativeRuns(PythonDiagram):
     """A compiled diagram whose runs the solver integrates.
@@ -66,11 +68,12 @@ class NativeRuns(PythonDiagram):
         try:
             kinks = self.over_kinks(options.rtol, options.atol)
             self._integrate(batch, inputs, options, times[-1], kinks)
-            if batch.status[0] == Status.CHATTERING and batch.continuations:
+            if batch.status[0] == CHATTERING and batch.continuations:
                 # it slides among kinks that were passed: once more, with all located
                 batch = self._prepare(start, times, inputs, options)
                 self._integrate(batch, inputs, options, times[-1])
-            self._continue_run(batch, inputs, options)
+            if batch.status[0] != FINISHED:
+                self._continue_run(batch, inputs, options)
         except SimulationError as too_slow:
             error = too_slow
         if batch.callee.decided and (error or batch.status[0] in STUCK):

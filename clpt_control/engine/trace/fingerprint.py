@@ -40,6 +40,7 @@ from .arrays import Tape
 from .contents import HOLDERS, UNBOUND, Content, Mutable, slot_values, slots_of
 from .interpolators import is_table
 from .isolation import isolated
+from .reads import Reads
 from .references import (
     CALLABLE,
     CHANCE,
@@ -95,6 +96,7 @@ class Fingerprint:
     mutables: tuple[Mutable, ...]  # what the functions may change
     # objects whose identities are in the key; they must stay alive
     referenced: tuple[Any, ...]
+    reads: Reads | None = None  # names of which equal values give this fingerprint
 
     @property
     def identity(self) -> tuple:
@@ -111,7 +113,27 @@ def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
     walk = _Walk(trusted)
     key = [walk.key_of(value) for value in values]
     key += walk.attributes()
-    return Fingerprint(tuple(key), tuple(walk.mutables), tuple(walk.alive))
+    immutable = walk.reads.complete and not walk.mutables and not walk.owners
+    reads = walk.reads if immutable else None
+    return Fingerprint(tuple(key), tuple(walk.mutables), tuple(walk.alive), reads)
+
+
+MOST_FINGERPRINTS = 64
+_LAST: dict[tuple[int, ...], tuple[tuple, Fingerprint]] = {}  # by identities
+
+
+def reachable_again(functions: tuple) -> Fingerprint:
+    """Return the fingerprint of functions: the last one, if nothing that they read has changed."""
+    identities = tuple(map(id, functions))
+    _, last = _LAST.get(identities, (None, None))
+    if last is not None and last.reads is not None and last.reads.unchanged():
+        return last
+    made = reachable(*functions)
+    if made.reads is not None:
+        if len(_LAST) >= MOST_FINGERPRINTS:
+            _LAST.clear()
+        _LAST[identities] = functions, made
+    return made
 
 
 @dataclass
@@ -144,6 +166,7 @@ class _Walk:
         self.where = ""  # function and line
         self.label = ""  # what the code there references
         self._numbers: dict[int, int] = {}  # identity of each object -> its number
+        self.reads = Reads()
 
     # --- values -----------------------------------------------------------------------------
 
@@ -180,6 +203,7 @@ class _Walk:
         if isinstance(value, np.ndarray):
             return self._array(value)
         if holder := HOLDERS.get(kind):
+            self.reads.complete = False
             return kind, *map(self.key_of, holder.read(value).items)
         if isinstance(value, type):
             return self._class(value, constructed=True)
@@ -213,6 +237,7 @@ class _Walk:
         if isinstance(value, control.InputOutputSystem):
             return self._system(value)
         if root_of(kind) == "numba":
+            self.reads.complete = False
             return kind, self.key_of(value.py_func)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
             return kind, *self._note(value).items
@@ -302,6 +327,7 @@ class _Walk:
         """Return the key of a function: its code, and the values that it references."""
         if is_library(root_of(function)):
             if registry := attribute_of(function, "registry"):  # of singledispatch
+                self.reads.complete = False
                 return id(function), *map(self.key_of, registry.values())
             if not is_pure(function):
                 self._refuse(reason(self.label or function.__qualname__, function))
@@ -311,6 +337,8 @@ class _Walk:
         self.identity(code)
         before = self.where, self.label
         own_package = root_of(function) == PACKAGE
+        self.reads.function(function)
+        self.reads.complete &= not own_package
         trusted, self.trusted = self.trusted, self.trusted or own_package
         names = () if own_package else code_names(code)
         self.names |= dict.fromkeys(names)
@@ -329,8 +357,13 @@ class _Walk:
                 value = function.__globals__.get(item.name)
                 key += [self.key_of(value)] if type(value) is FunctionType else []
             elif item.space in spaces:
+                if item.space == "cell":
+                    position = code.co_freevars.index(item.name)
+                    value = spaces["cell"].get(item.name, UNBOUND)
+                    self.reads.cell((function.__closure__ or ())[position], value)
                 key.append(self._referenced(item, spaces[item.space]))
             else:
+                self.reads.complete = False
                 key.append(self._imported(item, function.__globals__))
         self.where = f"{code.co_name}: "
         self.label = ""
@@ -343,15 +376,20 @@ class _Walk:
         """Return the key of a referenced value, ``os.path.join`` by its attributes."""
         value = space.get(reference.name, UNBOUND)
         label = reference.name
+        if reference.space == "global":
+            self.reads.name(space, reference.name, value)
         if value is UNBOUND:
             if reference.space == "cell" or reference.name not in BUILTINS:
                 # an error of the function, or not bound yet
                 return ("unbound", reference.name)
             value = BUILTINS[reference.name]
+            self.reads.name(BUILTINS, reference.name, value)
         attributes = list(reference.attributes)
         while isinstance(value, ModuleType) and attributes:
             label = f"{label}.{attributes[0]}"
-            value = getattr(value, attributes.pop(0), UNBOUND)
+            module, name = value, attributes.pop(0)
+            value = getattr(module, name, UNBOUND)
+            self.reads.name(vars(module), name, value)
             if value is UNBOUND:
                 return "unbound", label
         self.label = ".".join([label, *attributes])
