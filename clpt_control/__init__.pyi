@@ -35,6 +35,7 @@ from .simulation.initial_states import initial_state as initial_state
 from .simulation.integrate import simulate as simulate
 from .simulation.loop_blocks import paper_blocks as paper_blocks
 from .simulation.loops import closed_loop as closed_loop
+from .simulation.prepared_runs import prepare as prepare
 from .simulation.program_export import export as export
 from .simulation.run_file import load_run as load_run
 from .simulation.run_file import save_run as save_run

@@ -6,7 +6,7 @@ python-control without change.  The Dataset of a `closed_loop` has the variables
 run; that of any other diagram has a variable for each port.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from operator import invert
@@ -23,6 +23,7 @@ from ..engine.diagram.wiring import (
     Part,
     Sizes,
     Wiring,
+    call_names,
     read_anew,
     units_of,
     wiring_of,
@@ -53,11 +54,18 @@ class SystemRun:
     template: Any  # a `DatasetTemplate`
     scenario: Any = None  # of a single vehicle
 
-    def __init__(self, name: str, wiring: Wiring, params: Any, engine: str | None):
+    def __init__(
+        self,
+        name: str,
+        wiring: Wiring,
+        params: Any,
+        engine: str | None,
+        apart: Mapping[tuple[int, str], Any] = {},
+    ):
         self.name = name
         self.wiring = wiring
         self.params = params
-        self.runner = make_runner(wiring, params, engine, name)
+        self.runner = make_runner(wiring, params, engine, name, apart)
 
     @property
     def labels(self) -> list[str]:
@@ -105,7 +113,7 @@ class SystemRun:
 
 
 class DiagramRun(SystemRun):
-    """A diagram of any blocks, ready to run."""
+    """A diagram of any blocks, ready to run; parameters in `varied` differ from run to run."""
 
     def __init__(
         self,
@@ -114,6 +122,7 @@ class DiagramRun(SystemRun):
         sizes: Sizes = (None, None),
         engine: str | None = None,
         stop: Callable | None = None,
+        varied: Sequence[str] = (),
     ):
         read_anew(diagram)
         self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
@@ -121,7 +130,8 @@ class DiagramRun(SystemRun):
         wiring = wiring_of(diagram, params, sizes)
         if stop is not None:
             wiring = with_stop(wiring, stop)
-        super().__init__(diagram.name, wiring, params and dict(params), engine)
+        apart = fields_of(wiring, varied)
+        super().__init__(diagram.name, wiring, params and dict(params), engine, apart)
         outputs, inputs, self.states = labels_of(diagram, self.wiring)
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
@@ -220,6 +230,20 @@ class DiagramRun(SystemRun):
         return scenario_template(
             self.loop.scenario, self.signals(labels), attributes, ports, self.states
         )
+
+
+def fields_of(
+    wiring: Wiring, names: Sequence[str]
+) -> dict[tuple[int, str], tuple[str, ...]]:
+    """Return the parameters of blocks, (block, field), that call-time names change, with these."""
+    fields: dict[tuple[int, str], tuple[str, ...]] = {}
+    for k, (name, block) in enumerate(wiring.blocks):
+        called = call_names(name, block)
+        for key in names:
+            if key in called:
+                field = k, called[key]
+                fields[field] = (*fields.get(field, ()), key)
+    return fields
 
 
 def _distinct_inputs(inputs: list[str], outputs: list[str]) -> list[str]:

@@ -1,0 +1,256 @@
+"""Prepared runs: a diagram that is run many times, as a fit or a search does.
+
+`prepare` reads and compiles a diagram once.  Each call takes other parameters, inputs and initial
+states, and returns arrays.  It does without the Dataset of `simulate`, and compares the run with
+the functions in Python at the first calls and then at one of many.
+"""
+
+from collections.abc import Mapping
+from contextlib import suppress
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+
+from ..base.arguments import nearest, numbers, public
+from ..base.errors import SimulationError
+from ..engine.codegen.directional_derivatives import read_as_number
+from ..engine.diagram.interconnection import changed_parameters
+from ..engine.model.system import System
+from ..engine.solver.engine_choice import difference, run_checked, warn_python
+from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.runner import RunOptions
+from ..engine.solver.schedule import Inputs, read_inputs
+from .diagram_runs import DiagramRun, fields_of
+from .integrate import RunRequest, Times, request_of
+from .run_arguments import inputs_by_name, stacked_state, state_by_name
+from .run_cache import diagram_key
+
+ALWAYS, SELDOM = (
+    8,
+    64,
+)  # calls that are compared with Python: the first, then one of so many
+
+
+class Samples(NamedTuple):
+    """States (nt, nstates) and outputs (nt, noutputs) of a prepared run, at its times."""
+
+    states: np.ndarray
+    outputs: np.ndarray
+
+
+class PreparedRun:
+    """A diagram that is ready to run; `prepare` returns it.
+
+    ``run(initial_state, inputs, params)`` returns `Samples`.  An argument that is left out has the
+    value that `prepare` was given.
+    """
+
+    def __init__(self, request: RunRequest, params: Mapping[str, Any]):
+        self._request = request
+        self._options: Any = None
+        self._calls = 0
+        self._engine: str | None = None
+        self._params = dict(params)  # of calls that leave them out
+        self._make(self._params)
+        n = self._run.runner.nstates
+        self._start = stacked_state("initial_state", request.initial_state, n)
+        self._inputs = read_inputs(
+            request.inputs, request.times, self._run.wiring.ninputs
+        )
+
+    def _make(self, params: Mapping[str, Any]) -> None:
+        """Read and compile the diagram."""
+        request = self._request
+        self._made_for = params
+        arguments = self._arguments(params)
+        self._key = diagram_key(*arguments)
+        with request.drawn_around():
+            self._run = run = DiagramRun(*arguments, varied=tuple(params))
+        if run.wiring.dt:
+            raise SimulationError(
+                f"{run.name}: is a diagram of discrete time, which prepare does not take. "
+                "Use simulate"
+            )
+        self._options = RunOptions.checked(0, request.times, **request.options)
+        self._is_quick = isinstance(run.runner, NativeDiagram) and run.runner.nstates
+        self._fixed: set[str] = set()  # parameters with which code is made anew
+        if self._is_quick:
+            self._fixed = {key for key in params if not self._is_free(key)}
+
+    def _arguments(self, params: Mapping[str, Any]) -> tuple[Any, Any, Any, Any]:
+        """Return the arguments of a `DiagramRun`."""
+        return self._request.diagram, params, self._request.sizes(), self._engine
+
+    def _is_free(self, key: str) -> bool:
+        """Return whether compiled code reads a parameter where it may have any value."""
+        wiring = self._run.wiring
+        fields = fields_of(wiring, [key])
+        blocks = {k for k, _ in fields}
+        name = key.rpartition(".")[2]
+        for k, node in enumerate(wiring.nodes):
+            block = getattr(node.system, "inner", node.system)
+            if k not in blocks and isinstance(block, System) and block.mentions(name):
+                return False
+        for k, field in fields:
+            block = wiring.nodes[k].system
+            if isinstance(getattr(block.parameters, field, 0), int):
+                return False
+            if read_as_number(block, field):
+                return False
+        return bool(fields)
+
+    def __call__(
+        self,
+        initial_state: Any = None,
+        inputs: Any = None,
+        params: Mapping[str, Any] | None = None,
+    ) -> Samples:
+        """Run from an initial state, with inputs and parameters; return states and outputs."""
+        request = self._request
+        times = request.times
+        if self._key is None or self._has_changed():
+            self._make(self._made_for)
+        start, u = self._start, self._inputs
+        if initial_state is not None:
+            start = self._state(initial_state)
+        if inputs is not None:
+            inputs = inputs_by_name(request.diagram, inputs, times)
+            u = read_inputs(inputs, times, self._run.wiring.ninputs)
+        runner = self._run.runner
+        if params or self._made_for is not self._params:
+            runner = self._runner_with(params or {})
+        solution, blocks = self._solve(runner, start, u, params or {})
+        if len(solution.t) < len(times):
+            raise SimulationError(
+                f"{self._run.name}: the run ended at t = {solution.t[-1]:.9g}, before the last of "
+                f"its times: {solution.message}. Use simulate"
+            )
+        signals = self._run.mapped(blocks, u, solution.t)
+        outputs = signals[:, : len(self._run.wiring.outputs)]
+        skipped = request.skipped
+        return Samples(solution.x[skipped:], outputs[skipped:])
+
+    def _has_changed(self) -> bool:
+        """Return whether the diagram, or what its functions read, is no longer as it was read."""
+        key = diagram_key(*self._arguments(self._made_for))
+        return key is None or self._key is None or key[0] != self._key[0]
+
+    def _state(self, state: Any) -> np.ndarray:
+        """Return an initial state; each number must be finite."""
+        state = state_by_name(self._request.diagram, state, self._start)
+        start = stacked_state("initial_state", state, len(self._start))
+        if not np.isfinite(start).all():
+            raise SimulationError(f"initial_state = {start}: must be finite")
+        return start
+
+    def _runner_with(self, params: Mapping[str, Any]) -> Any:
+        """Return the runner with parameters; one that code was made for is compiled again."""
+        for key, value in params.items():
+            if key not in self._params:
+                close = nearest(key, self._params)
+                known = ", ".join(self._params) or "none"
+                raise SimulationError(
+                    f"params: {key} was not given to prepare, which knows {known}"
+                    + (f"; did you mean {close}?" if close else "")
+                )
+            shape = np.shape(self._params[key])
+            array = numbers(f"params['{key}']", value)
+            if array.shape != shape or not np.isfinite(array).all():
+                raise SimulationError(
+                    f"params['{key}'] = {value}: must be finite, of shape {shape} as in prepare"
+                )
+        every = {**self._params, **params}
+        if not self._is_quick:
+            return DiagramRun(*self._arguments(every)).runner
+        if any(not _same(every[key], self._made_for[key]) for key in self._fixed):
+            self._make(every)
+            return self._run.runner
+        runner = self._run.runner
+        return runner.with_parameters(changed_parameters(runner.wiring.blocks, every))
+
+    def _solve(
+        self, runner: Any, start: np.ndarray, u: Inputs, params: Mapping[str, Any]
+    ) -> tuple[Any, np.ndarray]:
+        """Return a solution and all signals along it; Python runs what was misread."""
+        run = self._run
+        times = self._request.times
+        if self._is_quick:
+            calls, self._calls = self._calls, self._calls + 1
+            runner.comparisons = calls
+            is_compared = calls < ALWAYS or calls % SELDOM == 0
+            why = ""
+            with suppress(SimulationError):  # whose cause `run_checked` finds
+                solution = runner._solution(start, times, u, self._options)
+                why = difference(runner, solution, u) if is_compared else ""
+                if not why:
+                    return solution, runner.signals(solution, u)
+            if why:
+                warn_python(run.name, why)
+                self._engine = "python"
+                self._make(self._params)
+                runner = self._runner_with(params)
+        options = {**self._request.options, "inputs": u}
+        every = {**self._params, **params}
+        return run_checked(runner, run.name, start, times, every, **options)
+
+
+def _same(value: Any, other: Any) -> bool:
+    return type(value) is type(other) and np.array_equal(value, other)
+
+
+@public
+def prepare(
+    system: control.InputOutputSystem,
+    timepts: Times,
+    inputs: Any = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    method: str | None = None,
+    max_step: float = np.inf,
+) -> PreparedRun:
+    """Prepare a diagram that is run many times.
+
+    Parameters
+    ----------
+    system : control.InputOutputSystem
+        A diagram of continuous time.
+    timepts : array_like
+        Times of the samples.
+    inputs, initial_state : optional
+        As `simulate` takes them, for calls that leave them out.
+    params : mapping, optional
+        Call-time parameters, ``{"k": 1.0}``. A call may change those that are named here.
+    rtol, atol, method, max_step : optional
+        As `simulate` takes them.
+
+    Returns
+    -------
+    PreparedRun
+        ``run(initial_state, inputs, params)`` returns arrays: ``states`` of shape (nt, nstates) and
+        ``outputs`` (nt, noutputs). The first 8 calls, and one of 64 after them, are compared with
+        the functions in Python. A function that has changed counts at the next call.
+
+    Raises
+    ------
+    SimulationError
+        If the run cannot go on, ends before the last time, or an argument is not allowed.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> decay = control.nlsys(lambda t, x, u, p: [-p["k"] * x[0]], None, inputs=0, states=1,
+    ...                       params={"k": 1.0}, name="decay")
+    >>> run = clpt.prepare(decay, [0.0, 1.0], initial_state=[1.0], params={"k": 1.0})
+    >>> float(run(params={"k": 2.0}).states[-1, 0].round(6))
+    0.135335
+    """
+    options: dict[str, Any] = {"rtol": rtol, "atol": atol, "method": method}
+    options |= {"max_step": None if max_step == np.inf else max_step}
+    request = request_of(system, timepts, inputs, initial_state, **options)
+    chosen = {key: value for key, value in request.options.items() if value is not None}
+    return PreparedRun(request._replace(options=chosen), params or {})
