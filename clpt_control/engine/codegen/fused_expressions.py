@@ -26,6 +26,7 @@ from .switching_conditions import Port
 
 MOST = 60_000  # components; a larger diagram runs in Python
 BOUND = -1
+MOST_POWER = 8.0  # the largest exponent of a power that is products
 # a function each, printed once a module
 OUT_OF_LINE = named(lambda row: row.numpy and row.llvm == "function")
 LIBRARY = named(lambda row: row.llvm == "libm")
@@ -235,15 +236,27 @@ class Components(Elements):
         return self.add(kind, *values)
 
     def _power(self, base: Value, exponent: Value) -> Value:
-        """Return a power; small powers are products."""
-        if exponent in (2.0, 3.0):
-            return self.product([base] * int(exponent))
-        if exponent == 4.0:
-            square = self.product([base] * 2)
-            return self.product([square] * 2)
-        if exponent == 0.5:
-            return self.add("sqrt", base)
-        return self.add("pow", base, exponent)
+        """Return a power; with a small whole or half exponent, products, a root and a quotient."""
+        is_number = type(exponent) is float
+        if not is_number or not 0.0 < abs(exponent) <= MOST_POWER or 2 * exponent % 1:
+            return self.add("pow", base, exponent)
+        count, half = divmod(abs(exponent), 1.0)
+        factors = [self._whole_power(base, int(count))] if count else []
+        if half:
+            # the root of -0.0 is -0.0, and its powers are 0.0 and inf
+            is_signed = exponent != 0.5 and not count % 2
+            factors.append(
+                self.add("sqrt", self.add("add", base, 0.0) if is_signed else base)
+            )
+        value = self.product(factors)
+        return value if exponent > 0.0 else self._quotient(1.0, value)
+
+    def _whole_power(self, base: Value, exponent: int) -> Value:
+        """Return a power as products of squares."""
+        if exponent <= 3:
+            return self.product([base] * exponent)
+        square_root = self._whole_power(base, exponent // 2)
+        return self.product([square_root] * 2 + [base] * (exponent % 2))
 
     def _quotient(self, a: Value, b: Value) -> Value:
         """Return a / b; a product if b is the same for a whole run and a is not."""

@@ -211,3 +211,27 @@ def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
     times = np.array([0.0, 0.7, 3.0])
     y = native.run([1.0, 2.0, 1.0, 0.0], times).x[:, 3]
     np.testing.assert_allclose(y, 2.0 * times - 1.5 * times**2, rtol=0, atol=1e-12)
+
+
+HALVES = [k / 2 for k in range(-18, 19) if k]
+WHOLE = [exponent for exponent in HALVES if exponent % 1 == 0]
+
+
+@pytest.mark.parametrize(
+    ("base", "exponents"),
+    [(0.3, HALVES), (7.0, HALVES), (0.0, HALVES), (-0.0, HALVES), (-0.7, WHOLE)],
+)
+def test_whole_and_half_powers_are_those_of_numpy(base, exponents):
+    """The angle of a power is finite also where the power is infinite."""
+
+    def angles(t, x, u, p):
+        return [np.arctan(x[0] ** exponent) for exponent in exponents]
+
+    size = {"inputs": 0, "states": 1, "outputs": len(exponents)}
+    rest = control.nlsys(lambda t, x, u, p: [0.0], angles, **size, name="rest")
+    found = clpt.simulate(rest, [0.0, 1.0], initial_state=[base])
+    assert found.attrs["engine"] == "native"
+    with np.errstate(divide="ignore"):
+        powers = np.float64(base) ** np.array(exponents)
+    np.testing.assert_allclose(found.y.values[0], np.arctan(powers), rtol=3e-15)
+    clpt.check(rest)
