@@ -283,7 +283,7 @@ class FlowEstimator:
 
     @public
     def guaranteed(self, time: OrNaN, latitude: OrNaN, longitude: OrNaN) -> float:
-        """Return the largest error of the learned flow at a time and place.
+        """Return the largest error of the flow at a time and place.
 
         For every constant theta within one prior of the first estimate, if the shear of the flow,
         the unmodelled flow and the noise of fixes (three standard deviations) keep their limits,
@@ -383,7 +383,7 @@ class FlowEstimator:
 
     @property
     def guarantee(self) -> str:
-        """Assumptions of `guaranteed` in a sentence, or why there is none."""
+        """Assumptions of `guaranteed`, or why there is no bound."""
         law, limits, speed = (
             self.scenario.learning.law,
             self.settings.limits,
