@@ -16,6 +16,7 @@ from ..base.arguments import nearest, numbers, public
 from ..base.errors import SimulationError
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.named_values import vector_by_name
 from ..engine.model.system import System
 from ..engine.solver.engine_choice import difference, run_checked, warn_python
 from ..engine.solver.native_diagram import NativeDiagram
@@ -23,7 +24,7 @@ from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from .diagram_runs import DiagramRun, fields_of
 from .integrate import RunRequest, Times, request_of
-from .run_arguments import inputs_by_name, stacked_state, state_by_name
+from .run_arguments import inputs_by_name, stacked_state
 from .run_cache import diagram_key
 
 ALWAYS, SELDOM = (
@@ -138,7 +139,9 @@ class PreparedRun:
 
     def _state(self, state: Any) -> np.ndarray:
         """Return an initial state; each number must be finite."""
-        state = state_by_name(self._request.diagram, state, self._start)
+        state = vector_by_name(
+            "initial_state", self._request.diagram, "state", state, self._start
+        )
         start = stacked_state("initial_state", state, len(self._start))
         if not np.isfinite(start).all():
             raise SimulationError(f"initial_state = {start}: must be finite")
