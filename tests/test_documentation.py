@@ -82,6 +82,7 @@ def all_docstrings():
             (f"{name}.{node.name}", inner[node], node, ast.get_docstring(node) or "")
             for node in inner
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+            and "overload" not in map(ast.unparse, node.decorator_list)
         ]
     return found
 

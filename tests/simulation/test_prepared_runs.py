@@ -116,7 +116,7 @@ def test_refusals():
     refused("must be finite, of shape", run, params={"k": np.nan})
     refused("must be finite, of shape", run, params={"k": [1.0, 2.0]})
     refused("initial_state = .*must be finite", run, [np.inf])
-    refused("must have 1 numbers", run, [1.0, 2.0])
+    refuses("must have 1 numbers", run, [1.0, 2.0], error=clpt.ArgumentError)
     refused("inputs: must be finite", run, [1.0], np.nan)
     refused("inputs: shape", run, [1.0], np.zeros(3))
     discrete = control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=1.0)
