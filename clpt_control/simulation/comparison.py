@@ -1,23 +1,31 @@
-"""Plots of any diagram's run, port by port, and of several runs in one figure.
+"""Plots of any diagram's run, port by port or by name, and of several runs in one figure.
 
 `compare` draws runs of scenarios or of diagrams on the same Axes, each in a colour and marker.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
 
-from ..base.arguments import public
-from ..base.errors import ClptError, DataError
-from ..base.figures import COLOURS, axes_for, legend_above_data, line_style, literal
+from ..base.arguments import nearest, public
+from ..base.errors import ArgumentError, DataError
+from ..base.figures import (
+    COLOURS,
+    axes_for,
+    legend_above_data,
+    line_style,
+    literal,
+    with_formulas,
+)
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
 from .run_notes import LABELS
 from .run_plots import clpe_plot, learning_plot, run_plot
-from .track_chart import run_style, track_plot
+from .track_chart import legend_beside, run_style, style_line, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -35,25 +43,104 @@ def response_plot(
     label: str | None = None,
     color: str | None = None,
 ) -> Any:
-    """Draw each port of a diagram's run over time.
+    """Draw each port of a diagram's run over time, but constant inputs.
 
     >>> import clpt_control as clpt
     >>> loop = clpt.closed_loop(clpt.paper_scenario())
     >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
     >>> x, e = response_plot(run[["position", "clpe"]])
     """
-    ports = ports_along(run)
-    if "time" not in run.dims:
-        raise DataError(
-            "the run has one sample, so it has no plot. Give a slice of samples"
-        )
+    check_samples(run)
+    ports = changing_ports(run)
     axes = panels_for(ax, len(ports), f"run[{ports[:2]}]")
     panels = np.ravel(axes)
-    with run_style(axes, None if label is None else literal(label), color):
+    with run_style(axes, label, color):
         for panel, port in zip(panels, ports, strict=True):
             _draw_port(panel, run, port)
     panels[-1].set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
+
+
+def check_samples(run: "xarray.Dataset") -> None:
+    """Raise `DataError` if a run has no time."""
+    if "time" not in run.dims:
+        raise DataError(
+            "the run has one sample, so it has no plot. Give a slice of samples"
+        )
+
+
+@public
+def signals_plot(
+    run: "xarray.Dataset",
+    names: str | Sequence[str],
+    *,
+    ax: Any = None,
+    label: str | None = None,
+    color: str | None = None,
+) -> Any:
+    """Draw signals and states of a run by name, on one Axes.
+
+    A name is that of a port, a signal or a state: ``"e"``, ``"e[0]"``, ``"tank_h[0]"``. On several
+    Axes, as many as names, each has one.
+
+    >>> import clpt_control as clpt
+    >>> run = clpt.simulate(clpt.parts.lag(2.0), [0.0, 1.0, 2.0], 1.0)
+    >>> signals_plot(run, ["y", "u"]).get_legend_handles_labels()[1]
+    ['y', 'u']
+    """
+    check_samples(run)
+    names = [names] if isinstance(names, str) else [*names]
+    if isinstance(ax, list | tuple | np.ndarray) and len(names) == np.size(ax) > 1:
+        for name, panel in zip(names, np.ravel(ax), strict=True):
+            signals_plot(run, name, ax=panel, label=label, color=color)
+        return ax
+    ax = axes_for(ax, 6.4, 3.2)
+    signals: dict[str, np.ndarray] = {}  # by name with unit
+    for name in names:
+        signals |= _signals_by_name(run, name)
+    before = len(ax.lines)
+    for k, (name, values) in enumerate(signals.items()):
+        text = literal(name)
+        if label is not None:
+            run_name = with_formulas(label)
+            text = run_name if len(signals) == 1 else f"{run_name}: {text}"
+        style = line_style(k + before * (color is None))
+        [line] = ax.plot(run.time.values, values, label=text, linewidth=1.1, **style)
+        style_line(line, None, color)
+    is_one = len(names) == 1 and ax.get_ylabel() in ("", literal(_title(run, names[0])))
+    ax.set_ylabel(literal(_title(run, names[0])) if is_one else "")
+    ax.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
+    if label is not None or len(ax.lines) > 1:
+        legend_above_data(ax)
+    return ax
+
+
+def _title(run: "xarray.Dataset", name: str) -> str:
+    """Return a name with the unit of its port."""
+    port = run.get(name, run.get(name.partition("[")[0]))
+    return named(name, None if port is None else port.attrs.get("units"))
+
+
+def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
+    """Return the signals of a port, or a signal or state, by name with unit."""
+    ports = ports_along(run)
+    if name in ports:
+        signals = signals_of(run[name])
+        return {_title(run, signal): values for signal, values in signals.items()}
+    each: dict[str, np.ndarray] = {}
+    for port in ports:
+        each |= signals_of(run[port])
+    if STATES in run.variables:
+        labels = run[STATES]["state"].values.tolist()
+        each = dict(zip(labels, run[STATES].values.T, strict=True)) | each
+    for known in (name, name.replace(".", "_")):
+        if known in each:
+            return {_title(run, known): each[known]}
+    close = nearest(name, [*COMPARED, *ports, *each])
+    raise ArgumentError(
+        f"plot '{name}': the run has no such signal or state. "
+        + (f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}")
+    )
 
 
 def panels_for(ax: Any, count: int, example: str) -> Any:
@@ -81,9 +168,10 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
 
 @public
 def compare(
-    runs: Mapping[str, "xarray.Dataset"],
-    plot: str | None = None,
+    runs: Mapping[str, "xarray.Dataset"] | Sequence["xarray.Dataset"],
+    plot: str | Sequence[str] | None = None,
     *,
+    labels: Sequence[str] | None = None,
     ax: Any = None,
     **options: Any,
 ) -> Any:
@@ -91,12 +179,15 @@ def compare(
 
     Parameters
     ----------
-    runs : mapping
+    runs : mapping or sequence
         Name -> run, ``{"0.8": a, "2": b}``: of scenarios, or of diagrams. The names stand in the
         legend.
-    plot : str, optional
+    plot : str or sequence of str, optional
         ``"track"``, ``"clpe"``, ``"learning"`` or ``"run"``, all three, of the runs of scenarios;
-        ``"response"``, each port over time, of any. By default ``"run"``, or ``"response"``.
+        ``"response"``, each port over time, of any; or names of ports, signals and states, as
+        ``"pos"``. By default ``"run"``, or ``"response"``.
+    labels : sequence of str, optional
+        Names for the legend, in the order of the runs; formulas such as ``"$k_p$ = 2"`` too.
     ax : Axes or array of Axes, optional
         Where to draw, as that plot takes them; by default a new figure of pyplot's.
     **options
@@ -111,8 +202,8 @@ def compare(
     ------
     DataError
         If there are no runs or more than 6, or they have not the same signals and units.
-    ClptError
-        If there is no such plot.
+    ArgumentError
+        If there is no such plot or signal, or another number of labels than runs.
 
     Examples
     --------
@@ -123,27 +214,41 @@ def compare(
     >>> [line.get_label() for line in top.lines if line.get_label()[0] != "_"]
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
-    check_runs(runs)
+    names = (
+        [*runs] if isinstance(runs, Mapping) else [*map(str, range(1, len(runs) + 1))]
+    )
+    every = [*runs.values()] if isinstance(runs, Mapping) else [*runs]
+    if labels is not None and len(labels) != len(every):
+        raise ArgumentError(f"labels: has {len(labels)}; must be {len(every)}, as runs")
+    check_runs(every)
     is_new_figure = ax is None
     if plot is None:
-        of_scenarios = all("scenario" in run.attrs for run in runs.values())
+        of_scenarios = all("scenario" in run.attrs for run in every)
         plot = "run" if of_scenarios else "response"
-    if plot not in COMPARED:
-        raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
-    signals = [ports_along(run) for run in runs.values()]
+    draw = COMPARED.get(plot) if isinstance(plot, str) else None
+    if draw is None:
+        draw, is_new_figure = partial(signals_plot, names=plot), False
+    signals = [changing_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
         raise DataError(
             f"not all runs have the same signals: choose some, as run[{signals[0][:1]}]"
         )
-    for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
-        ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
+    for colour, name, run in zip(COLOURS, labels or names, every, strict=False):
+        ax = draw(run, ax=ax, label=str(name), color=colour, **options)
+    panels = np.ravel(ax)
+    if draw is response_plot and all(len(one.lines) == len(every) for one in panels):
+        for line, name in zip(panels[0].lines, labels or names, strict=True):
+            line.set_label(with_formulas(str(name)))
+        legend_beside(panels[0])
+        for panel in panels[1:]:
+            panel.get_legend().remove()
     if is_new_figure:  # room for the legends
-        figure = np.ravel(ax)[0].figure
+        figure = panels[0].figure
         figure.set_figwidth(1.5 * figure.get_figwidth())
     return ax
 
 
-def check_runs(runs: "Mapping[str, xarray.Dataset]") -> None:
+def check_runs(runs: "Sequence[xarray.Dataset]") -> None:
     """Raise `DataError` for more runs than colours, and for runs in several units."""
     if not 0 < len(runs) <= len(COLOURS):
         raise DataError(
@@ -151,7 +256,7 @@ def check_runs(runs: "Mapping[str, xarray.Dataset]") -> None:
             "{'0.8': a, '2': b}"
         )
     units: dict[Any, str] = {}  # of each variable that has a unit
-    for run in runs.values():
+    for run in runs:
         for name, variable in run.variables.items():
             unit = str(variable.attrs.get("units", ""))
             if unit and units.setdefault(name, unit) != unit:
@@ -176,6 +281,19 @@ def ports_along(run: "xarray.Dataset") -> list[str]:
         for name, variable in run.data_vars.items()
         if "time" in variable.dims and name != STATES
     ]
+
+
+def changing_ports(run: "xarray.Dataset") -> list[str]:
+    """Return the names of the ports along time but constant inputs, unless all are constant."""
+    labels = run.encoding.get(LABELS, {})
+    outputs, inputs = (ports_of(labels.get(k, [])) for k in ("outputs", "inputs"))
+    ports = ports_along(run)
+    changing = []
+    for name in ports:
+        is_input = name not in outputs and name.removesuffix("_input") in inputs
+        if not (is_input and "time" in run.dims and (run[name] == run[name][0]).all()):
+            changing.append(name)
+    return changing or ports
 
 
 def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:

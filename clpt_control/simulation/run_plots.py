@@ -13,7 +13,7 @@ from ..base.errors import ClptError
 from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, line_style
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
-from .track_chart import positive, run_style, scenario_with, track_plot
+from .track_chart import TRUTH, positive, run_style, scenario_with, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -217,7 +217,7 @@ def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -
 
 
 def _draw_truth(ax: Any, value: float, style: dict[str, Any]) -> None:
-    ax.axhline(value, color=style["color"], linewidth=0.7, alpha=0.7)
+    ax.axhline(value, color=style["color"], linewidth=0.7, alpha=0.7, gid=TRUTH)
 
 
 def _set_learning_time(axes: Any, run: "xarray.Dataset", scenario: Scenario) -> None:

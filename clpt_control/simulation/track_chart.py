@@ -4,7 +4,7 @@ The other plots of runs share `run_style`, the colours, markers and labels of se
 same Axes, and `positive`, the values of a logarithmic axis.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,16 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import ClptError
-from ..base.figures import BLUE, COLOURS, GREY, RED, TITLE, axes_for, legend_below
+from ..base.figures import (
+    BLUE,
+    COLOURS,
+    GREY,
+    RED,
+    TITLE,
+    axes_for,
+    legend_below,
+    with_formulas,
+)
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_of_run
 from ..paper.scenario.recorded_run import check_run, waypoints_of
@@ -21,6 +30,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
+TRUTH = "true value"  # gid of lines
 LEAST = 1e-16  # smallest value on a logarithmic axis
 MAX_NUMBERED = 40  # waypoints with a number
 NUMBER_DISTANCE = 0.035  # of the chart's width
@@ -172,25 +182,42 @@ def run_style(axes: Any, label: str | None, color: str | None) -> Iterator[None]
     states = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in axes]
     yield
     for ax, (count, xlim, ylim) in zip(axes, states, strict=True):
-        for line in ax.lines[count:]:
-            _style_line(line, label, color)
+        for line in [*ax.lines[count:]]:
+            style_line(line, label, color)
+            if color is not None and line.get_gid() == TRUTH:
+                _merge_truth(line, ax.lines[:count])
         if label is None:
             continue
         if count and not ax.get_autoscalex_on():
             ax.set_xlim(_hull(xlim, ax.get_xlim()))
         if count and not ax.get_autoscaley_on():
             ax.set_ylim(_hull(ylim, ax.get_ylim()))
-        if lines := len(ax.get_legend_handles_labels()[0]):
-            ax.legend(
-                fontsize=7,
-                ncols=1 + (lines - 1) // 6,
-                loc="upper left",
-                bbox_to_anchor=(1, 1.05),
-                frameon=False,
-            )
+        legend_beside(ax)
 
 
-def _style_line(line: Any, label: str | None, color: str | None) -> None:
+def legend_beside(ax: Any) -> None:
+    """Draw a legend right of axes, if lines have labels."""
+    if lines := len(ax.get_legend_handles_labels()[0]):
+        ax.legend(
+            fontsize=7,
+            ncols=1 + (lines - 1) // 6,
+            loc="upper left",
+            bbox_to_anchor=(1, 1.05),
+            frameon=False,
+        )
+
+
+def _merge_truth(line: Any, others: Iterable[Any]) -> None:
+    """Remove a line of a true value that several runs have, and draw the first in grey."""
+    for other in others:
+        if other.get_gid() == TRUTH and other.get_ydata()[0] == line.get_ydata()[0]:
+            other.set_color(GREY)
+            line.remove()
+            return
+
+
+def style_line(line: Any, label: str | None, color: str | None) -> None:
+    """Style a line of one of several runs: colour, marker and label."""
     has_label = line.get_label()[0] != "_"
     if color is not None:
         line.set_color(color)
@@ -199,7 +226,7 @@ def _style_line(line: Any, label: str | None, color: str | None) -> None:
         if marker is not None and has_label and line.get_marker() in ("", "None"):
             line.set(marker=marker, markersize=3.5, markevery=0.3)
     if label is not None and has_label:
-        line.set_label(f"{label}: {line.get_label()}")
+        line.set_label(f"{with_formulas(label)}: {line.get_label()}")
 
 
 def _hull(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:

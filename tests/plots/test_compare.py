@@ -116,7 +116,7 @@ def test_units_of_ports_are_those_of_the_run():
     """A signal whose maker says no unit has that of who takes it; a sum has none."""
     valve = clpt.parts.saturation(0, 1, u="w", y="q")
     made = clpt.connect([valve, tank(), gauge()], external="w")
-    run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
+    run, units = clpt.simulate(made, TIMES, TIMES), {"h": "m", "v": "V", "q": "m3/s"}
     units |= {"mean": None, "w": None}
     assert {name: run[name].attrs.get("units") for name in units} == units
     axes = run.clpt.plot()
@@ -180,6 +180,79 @@ def test_runs_of_a_diagram_are_told_apart(of_tanks):
     np.testing.assert_array_equal(
         drawn, np.vstack([one.h.T for one in of_tanks.values()])
     )
+
+
+CART = clpt.Block(
+    "cart",
+    update=lambda t, x, u, p: {"pos": x.vel, "vel": u.force - p.drag * x.vel},
+    inputs={"force": 1},
+    states={"pos": 1, "vel": 1},
+    output=lambda t, x, u, p: {"pos": x.pos},
+    outputs={"pos": 1},
+    parameters={"drag": 0.5},
+    units={"pos": "m", "vel": "m/s"},
+)
+
+
+@pytest.fixture(scope="module")
+def of_carts():
+    """Three runs of a cart under a constant force."""
+    drags = (0.5, 1.0, 2.0)
+    return [
+        clpt.simulate(CART, TIMES, 1.0, params={"cart.drag": drag}) for drag in drags
+    ]
+
+
+def test_signals_and_states_are_drawn_by_name(of_carts):
+    run = of_carts[0]
+    ax = run.clpt.plot("pos")
+    np.testing.assert_array_equal(ax.lines[0].get_xydata().T, [run.time, run.pos])
+    assert (ax.get_ylabel(), ax.get_legend()) == ("pos (m)", None)
+    _, mine = plt.subplots()
+    assert run.clpt.plot(["pos", "vel[0]"], ax=mine) is mine
+    vel = run.states.sel(state="vel[0]")
+    np.testing.assert_array_equal(mine.lines[1].get_ydata(), vel)
+    assert legends(mine) == ["pos (m)", "vel[0]"]
+    assert mine.lines[0].get_color() != mine.lines[1].get_color()
+    _, two = plt.subplots(2)
+    run.clpt.plot(["pos", "force"], ax=two)
+    np.testing.assert_array_equal(two[1].lines[0].get_ydata(), run.force)
+    assert len(np.ravel(run.clpt.plot())) == 1  # not the constant input
+    assert run[["force"]].clpt.plot().has_data()
+    says(clpt.ArgumentError, "Did you mean 'pos'", run.clpt.plot, "poss")
+
+
+def test_a_signal_of_several_runs_has_one_legend_with_formulas(of_carts):
+    labels = ["$k_d$ = 0.5", "$k_d$ = 1", "2 $"]
+    _, mine = plt.subplots(figsize=(3.5, 2.2), layout="constrained")
+    assert clpt.compare(of_carts, "pos", labels=labels, ax=mine) is mine
+    assert legends(mine) == ["$k_d$ = 0.5", "$k_d$ = 1", r"2 \$"]
+    colours = [line.get_color() for line in mine.lines]
+    assert colours == COLOURS[:3]
+    mine.figure.canvas.draw()
+    legend, frame = mine.get_legend().get_window_extent(), mine.get_window_extent()
+    assert frame.x0 < legend.x0 < legend.x1 < frame.x1 + 1
+    moving = [
+        clpt.simulate(CART, TIMES, TIMES, params={"cart.drag": d}) for d in (1.0, 2.0)
+    ]
+    top, bottom = clpt.compare({"1": moving[0], "2": moving[1]})
+    assert (legends(top), bottom.get_legend()) == (["1", "2"], None)
+    for given in (labels[:2], []):
+        says(clpt.ArgumentError, "labels: has", clpt.compare, of_carts, labels=given)
+
+
+def test_a_true_value_of_several_runs_is_drawn_once(of_scenarios):
+    theta = np.array(SCENARIO.flow.parameters)
+    theta[1, 1] = 0.1
+    values = {"flow.parameters": theta.tolist()}
+    other = clpt.simulate(SCENARIO.with_values(values))
+    ax, _ = clpt.compare([of_scenarios["0.8"], other], "learning", axis=2)
+    truths = {}
+    for line in ax.lines:
+        if line.get_gid() == "true value":
+            truths.setdefault(line.get_ydata()[0], []).append(line.get_color())
+    grey = "#666666"
+    assert truths == {0.9: [grey], 0.4: [COLOURS[0]], 0.8: [grey], 0.1: [COLOURS[1]]}
 
 
 @pytest.mark.parametrize(

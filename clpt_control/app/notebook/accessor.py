@@ -7,6 +7,7 @@ MATLAB with a matrix for each port, whose columns are its signals.
 """
 
 import re
+from collections.abc import Sequence
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -20,7 +21,13 @@ from ...base.files import atomic_path, check_writable, write_file
 from ...engine.model.ports import ports_of
 from ...paper.scenario.recorded_run import kind_of
 from ...paper.scenario.run_constants import BEYOND
-from ...simulation.comparison import named, ports_along, response_of, signals_of
+from ...simulation.comparison import (
+    named,
+    ports_along,
+    response_of,
+    signals_of,
+    signals_plot,
+)
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop
 from ...simulation.run_notes import DIAGRAM, RunDiagram
@@ -151,15 +158,20 @@ class ClptAccessor:
         return system_of_run(self._data)
 
     @public
-    def plot(self, name: str = "", *, ax: Any = None, **options: Any) -> Any:
+    def plot(
+        self, name: str | Sequence[str] = "", *, ax: Any = None, **options: Any
+    ) -> Any:
         """Draw a run, a team, a diagram's ports, an ensemble or a replay.
 
         `name` chooses one plot: "track", "clpe", "learning" or "signals" of a run, "map", "clpe" or
-        "current" of a replay.  It is drawn on given axes or on a new figure; the Axes are returned.
+        "current" of a replay; or ports, signals and states of a run, "pos" or ["pos", "vel"].  It
+        is drawn on given axes or on a new figure; the Axes are returned.
         A run takes a `label` and a `color` too, as `clpt_control.compare` gives them.
         """
         plots = PLOTS[self.kind]
-        if name not in plots:
+        if not isinstance(name, str) or name not in plots:
+            if self.kind in ("run", "diagram"):
+                return signals_plot(self._data, name, ax=ax, **options)
             names = ", ".join(filter(None, plots)) or "no name"
             raise ArgumentError(f"plot '{name}': must be {names}, for a {self.kind}")
         module, plot = plots[name]

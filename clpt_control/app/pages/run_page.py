@@ -16,7 +16,13 @@ from ...paper.scenario.run_constants import BEYOND, CHANGED, OWN_LAW, OWN_PARTS,
 from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
-from ...simulation.comparison import named, ports_along, response_plot, signals_of
+from ...simulation.comparison import (
+    changing_ports,
+    named,
+    ports_along,
+    response_plot,
+    signals_of,
+)
 from ...simulation.loops import closed_loop
 from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot
 from ...simulation.summary import claims
@@ -322,7 +328,7 @@ def _over_time(run: Dataset) -> Section:
     if run.sizes["time"] < 2:
         return Section("response", heading, ONE_SAMPLE)
     few, thin = samples_to_draw(run)
-    ports = ports_along(run)
+    ports = changing_ports(run)
     figures = []
     for begin in range(0, len(ports), EACH):
         group = ports[begin : begin + EACH]

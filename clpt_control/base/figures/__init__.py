@@ -189,6 +189,22 @@ def literal(text: str) -> str:
     return printable(text).replace("$", r"\$")
 
 
+def with_formulas(text: str) -> str:
+    r"""Return a text whose formulas matplotlib can set, or else the literal text.
+
+    >>> print(with_formulas("$k_p$ = 2"), with_formulas("2 $"))
+    $k_p$ = 2 2 \$
+    """
+    from matplotlib.mathtext import MathTextParser
+
+    text = printable(text)
+    try:
+        MathTextParser("path").parse(text)
+    except ValueError:
+        return literal(text)
+    return text if text.count("$") % 2 == 0 else literal(text)
+
+
 def printable(text: str) -> str:
     r"""Return a text in which characters that cannot be printed are replaced.
 

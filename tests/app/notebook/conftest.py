@@ -19,7 +19,7 @@ def made(scenario):
     return {
         "run": clpt.simulate(scenario),
         "diagram": clpt.simulate(
-            control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0
+            control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], [0, 1, 2]
         ),
         "team": clpt.simulate(team),
         "ensemble": clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3),

@@ -35,6 +35,8 @@ PLOTS = [
 def test_all_plots_are_listed(made, kind):
     names = ", ".join(filter(None, COUNTS[kind])) or "no name"
     said = f"plot 'x': must be {names}, for a {kind}"
+    if kind in ("run", "diagram"):
+        said = "plot 'x': the run has no such signal or state. It has "
     says(clpt.ClptError, said, plot_of(made, kind, "x"))
 
 
