@@ -300,7 +300,7 @@ def test_only_public_names_are_used(path):
 def test_the_style_is_that_of_the_packages_own_figures():
     with plt.style.context("clpt_control.data.house"):
         colours = plt.rcParams["axes.prop_cycle"].by_key()["color"]
-        run = clpt_control.simulate(clpt_control.parts.lag(1.0), [0.0, 1.0], 1.0)
+        run = clpt_control.simulate(clpt_control.parts.lag(1.0), [0, 1], [0, 1])
         runs = {"a": run, "b": run}
         (own, *_) = clpt_control.compare(runs)
         assert [*dict.fromkeys(line.get_color() for line in own.lines)] == colours[:2]

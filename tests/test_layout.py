@@ -258,7 +258,11 @@ TOKENS = {
     "engine.solver": 38190,
     "engine.trace": 41167,
     "ensemble": 20548,
+<<<<<<< HEAD
     "ocean.estimation": 22607,
+=======
+    "ocean.estimation": 22385,
+>>>>>>> e1bdfd45 (Guarantee nothing where the level is not finite)
     "ocean.forecast": 27663,
     "ocean.gliders": 25234,
     "paper.blocks": 4227,

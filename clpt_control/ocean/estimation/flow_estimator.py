@@ -301,14 +301,14 @@ class FlowEstimator:
             ``kalman-flow``, whose flow changes.
         """
         frame, likely = self.under_way[0], self.guesses.states[0]
+        if self.scenario.learning.law == WALKS or not np.isfinite(likely.level):
+            return np.inf
         point = frame.point(latitude, longitude)
         phi = self.track.phi(frame.own_time(time), point)
         before = np.linalg.norm(self.settings.prior * phi)
         of_guess = np.sqrt(likely.level * (phi @ likely.P @ phi))
         error = of_guess + np.linalg.norm((self.theta - likely.theta) @ phi)
-        if self.scenario.learning.law == WALKS or not error < before:
-            return np.inf
-        return float(error * self.settings.speed)
+        return float(error * self.settings.speed) if error < before else np.inf
 
     @public
     def forecast(self, stretches: list[tuple[OrNaN, OrNaN, OrNaN]]) -> Ahead:

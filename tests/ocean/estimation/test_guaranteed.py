@@ -100,6 +100,8 @@ def test_fixes_beyond_the_limits_are_noticed():
     _, bound = mission(1, 3600.0, 20, estimator, noise=300.0)
     assert bound[-1] == np.inf
     assert "show that a limit does not hold" in estimator.guarantee
+    # far away phi is 0
+    assert estimator.guaranteed(0.0, 39.0, -122.1) == np.inf
 
 
 def test_a_uniform_current_has_a_closed_form():
