@@ -242,9 +242,9 @@ TOKENS = {
     "": 239,
     "app": 1012,
     "app.cli": 14040,
-    "app.notebook": 1630,
+    "app.notebook": 1681,
     "app.pages": 7181,
-    "base": 10659,
+    "base": 10718,
     "base.figures": 629,
     "base.files": 1380,
     "base.progress": 1214,
@@ -258,11 +258,7 @@ TOKENS = {
     "engine.solver": 38190,
     "engine.trace": 41167,
     "ensemble": 20548,
-<<<<<<< HEAD
     "ocean.estimation": 22607,
-=======
-    "ocean.estimation": 22385,
->>>>>>> e1bdfd45 (Guarantee nothing where the level is not finite)
     "ocean.forecast": 27663,
     "ocean.gliders": 25234,
     "paper.blocks": 4227,
@@ -272,7 +268,7 @@ TOKENS = {
     "parts": 5409,
     "plots": 15,
     "plots.drawing": 6447,
-    "simulation": 39365,
+    "simulation": 40466,
     "theory.algebra": 18891,
     "theory.coq": 2725,
     "theory.design": 5740,
