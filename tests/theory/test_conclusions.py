@@ -373,7 +373,7 @@ STRONGER = {  # the strongest true conclusion, and what is shown at least
         "x' = -x; y' = -y; V = maximum(abs(x), abs(y))", "asymptotically stable", "stable"
     ),
     "the sum of two sizes": (
-        "x' = -2*x + y; y' = -2*y + x; V = abs(x) + abs(y)", "asymptotically stable", "stable"
+        "x' = -2*x + y; y' = -2*y + x; V = abs(x) + abs(y)", "asymptotically stable", None
     ),
     "Motzkin's polynomial": (  # zero at |x| = |y| = 1, where V' = -y^2
         f"x' = -x*({MOTZKIN}); y' = -y", "asymptotically stable", "stable"
@@ -385,7 +385,7 @@ STRONGER = {  # the strongest true conclusion, and what is shown at least
     ),
 }  # fmt: skip
 WEAKER = {
-    "asymptotically stable": ("comes to rest", "stable"),
+    "asymptotically stable": ("comes to rest", "goes to zero", "stable"),
     "comes to rest": ("stable",),
     "goes to zero": ("stable",),
 }

@@ -44,7 +44,7 @@ IGNORED = [
 def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, sentence):
     runner = made(clpt.closed_loop(clpt.paper_scenario()))
     given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
-    with pytest.raises(clpt.SimulationError, match=re.escape(sentence)):
+    with pytest.raises(clpt.ClptError, match=re.escape(sentence)):
         runner.run(given.pop("x0"), given.pop("times"), **given)
 
 
