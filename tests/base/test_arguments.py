@@ -194,7 +194,10 @@ def right(tmp_path_factory):
         "FlowEstimator": {"scenario": OF_FIXES},
         "FlowEstimator.fix": {"self": estimator(), "time": 60.0, **PLACE},
         "FlowEstimator.move": {"self": estimator(), "time": 60.0, **WAY},
-        "FlowEstimator.flow": {"self": estimator(), "time": 60.0, **PLACE},
+        **{
+            f"FlowEstimator.{name}": {"self": estimator(), "time": 60.0, **PLACE}
+            for name in ("flow", "guaranteed")
+        },
         "FlowEstimator.forecast": {
             "self": estimator(),
             "stretches": [(60.0, 1.0, 0.0)],
@@ -221,7 +224,7 @@ def right(tmp_path_factory):
         "report": {"path": folder / "page.html"},
         "run_ensemble": {"system": SCENARIO, "vary": "learning.gain=0.5:1"},
         "fit_parameters": {"data": run, "parameters": {"adaptation.gain": 1.0}},
-        "sensitivity": {"timepts": [0.0, 1.0]},
+        **{name: {"timepts": [0.0, 1.0]} for name in ("sensitivity", "prepare")},
         "linearize": {"x": np.ones(14)},
         "explained_variance": {
             "scenario": shoals,

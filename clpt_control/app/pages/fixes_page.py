@@ -161,7 +161,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
         label="learned flow",
     )
     fastest = float(f"{np.hypot(*flow.T).max():.1g}") or 0.1
-    chart.quiverkey(arrows, 0.86, 1.03, fastest, f"{fastest:g} m/s", labelpos="E")
+    chart.quiverkey(arrows, 0.92, 1.03, fastest, f"{fastest:g} m/s", labelpos="W")
     chart.set_aspect("equal", adjustable="datalim")
     chart.margins(0.12)
     degree_axes(chart, plane, "km")
