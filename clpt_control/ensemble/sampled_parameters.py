@@ -97,6 +97,11 @@ def _of_item(key: str, values: Any) -> Vary:
             return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
     except (TypeError, ValueError, AttributeError):
         pass
+    if any(isinstance(value, str) for value in np.ravel(values)):
+        raise ScenarioError(
+            f"vary: {key} = {brief(values)}: an ensemble varies numbers. Call clpt.simulate "
+            f"for each, of scenario.with_values({{'{key}': text}}), and clpt.compare"
+        )
     raise ScenarioError(f"vary: {key} = {brief(values)}: must be {IN_A_DICT}")
 
 

@@ -33,6 +33,7 @@ MEASURED = (
 )
 CERTIFIED = ("rho", "contraction", "drop", "disturbed", "time_to_tenth", "learned")
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
+OFF = 0.1  # share of the largest flow parameter
 LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
 SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
@@ -186,6 +187,29 @@ def in_one_sentence_of(excitation: Any) -> str:
     )
     text = shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
     return f"{text}. Use fewer functions, a longer run, or other waypoints"
+
+
+def slow_direction_of(excitation: Any, run: Any) -> str:
+    """Return a sentence on the direction that a run learns too slowly, or "".
+
+    Its flow parameters end further from the true ones than `OFF` of the largest.
+    """
+    if "flow_parameters" not in getattr(run, "data_vars", {}):
+        return ""
+    certificate, _ = excitation.certified
+    theta = run.flow_parameters.values
+    off = np.abs(run.flow_parameters_estimate.values[-1] - theta).max()
+    time = getattr(certificate, "time_to_tenth", None)
+    if off <= OFF * np.abs(theta).max() or not time or time <= excitation.run_length:
+        return ""
+    axis = min(excitation.eigenvalues, key=lambda a: excitation.eigenvalues[a][0])
+    unit = excitation.time_unit
+    return (
+        f"flow parameters end up to {off:.2g} {run.flow_parameters.attrs['units']} off. The track "
+        f"hardly shows the direction {_direction(excitation, axis)[1]}: errors fall to a tenth "
+        f"within {at_most(time, 6)} {unit}, the run has {excitation.run_length:g} {unit}. Use a "
+        "longer run, other waypoints or another kernel"
+    )
 
 
 def _not_learnable_names(excitation: Any) -> Iterator[tuple[list[str], list[str]]]:

@@ -36,6 +36,7 @@ from .excitation_report import (
     not_learnable_of,
     report_of,
     result_of,
+    slow_direction_of,
 )
 from .regressor import (
     AnySource,
@@ -323,7 +324,7 @@ def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitatio
 
 
 def not_learned(source: Source) -> str:
-    """Return a sentence on the parameters that a cycle of the track does not excite.
+    """Return a sentence on the parameters that a cycle of the track does not excite, or slowly.
 
     The sentence is empty if all are excited, and for a team, a recorded run with fixes, a
     learner that leaves its field, and more than 100 functions, which take longer than the run.
@@ -332,6 +333,7 @@ def not_learned(source: Source) -> str:
         system = system_of(source)
         if not isinstance(system, Scenario) or system.basis.N > MAX_FUNCTIONS:
             return ""
-        return gramian(source).in_one_sentence
+        excitation = gramian(source)
+        return excitation.in_one_sentence or slow_direction_of(excitation, source)
     except ClptError:
         return ""

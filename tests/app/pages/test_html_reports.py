@@ -333,6 +333,7 @@ ADVICE = [  # CLPE of each cycle, shares learned on the track and in the box, ad
     ([0.2, 0.1], 0.9, -0.4, WORSE),
     ([0.1, 0.05, 0.2], 0.9, 0.4, RISES),
     ([0.1, 0.2], -0.1, 0.4, f"{RISES}; {WORSE}"),
+    ([0.1, 0.2], 0.997, 0.4, ""),  # the floor that the unmodelled field sets
 ]
 
 
