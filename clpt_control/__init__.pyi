@@ -31,6 +31,7 @@ from .plots.drawing.figure import draw as draw
 from .simulation.animation import animate as animate
 from .simulation.comparison import compare as compare
 from .simulation.fitting import fit_parameters as fit_parameters
+from .simulation.flow_map import flow_map as flow_map
 from .simulation.initial_states import initial_state as initial_state
 from .simulation.integrate import simulate as simulate
 from .simulation.loop_blocks import paper_blocks as paper_blocks

@@ -156,13 +156,13 @@ class LocalPlane:
         return lat, angle_near(lon, self.lon)
 
     def rotate(
-        self, lat: Any, lon: Any, u: Any, v: Any
+        self, lat: Any, lon: Any, u: Any, v: Any, inverse: bool = False
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Rotate velocities at places in degrees from east and north to x1 and x2."""
+        """Rotate velocities at places in degrees from east and north to x1 and x2, or back."""
         lat, lon = np.broadcast_arrays(lat, lon)
         factors = self._projection.get_factors(lon, lat)
         # where east points in the plane
         angle = np.arctan2(factors.dy_dlam, factors.dx_dlam)
         # the directions east and north stay at a right angle to 1e-5 within 50 km
-        c, s = np.cos(angle), np.sin(angle)
+        c, s = np.cos(angle), np.sin(-angle if inverse else angle)
         return c * u - s * v, s * u + c * v

@@ -190,7 +190,7 @@ def flows_learned(
         )
     times, points = t[inside], run.position.values[inside]
     learned = np.einsum("taN,tN->ta", theta[inside], evaluate(phi, times, points))
-    flows = {"track": (_true_flow(scenario, points, times), learned)}
+    flows = {"track": (true_flow(scenario, points, times), learned)}
     if scenario.field_path is None:
         low, high = points.min(axis=0), points.max(axis=0)
         axes = [np.linspace(begin, end, BOX)]
@@ -201,10 +201,10 @@ def flows_learned(
     times, x2, x1 = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
     points = np.column_stack([x1, x2])
     learned = evaluate(phi, times, points) @ theta[-1].T
-    return flows | {"box": (_true_flow(scenario, points, times), learned)}
+    return flows | {"box": (true_flow(scenario, points, times), learned)}
 
 
-def _true_flow(scenario: Scenario, points: np.ndarray, times: np.ndarray) -> np.ndarray:
+def true_flow(scenario: Scenario, points: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Return F of Eq. (3), or of the grid, clipped to it."""
     if scenario.field_path is None:
         return flow_velocity(scenario, points, times)

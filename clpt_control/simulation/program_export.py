@@ -1,4 +1,4 @@
-"""Export of a diagram as a program (C99, FMU) and of a run's track as a map (KML, GeoJSON).
+"""Export of a diagram as a program (C99, FMU), of a run as a map (KML, GeoJSON, NetCDF).
 
 The ending of the file's name chooses the kind.
 """
@@ -15,6 +15,7 @@ from ..base.errors import ClptError
 from ..base.files import check_writable, write_file
 from ..paper.scenario.experiment import Scenario
 from .c_export import export_c
+from .flow_map import flow_map
 from .fmu_export import export_fmu
 from .map_export import SUFFIXES, export_track
 from .on_board import learner_text
@@ -63,7 +64,7 @@ def export(
         A scenario stands for its closed loop. A dataset is a run of a scenario with an origin.
     path : str or Path, optional
         ``.c`` or ``.h``: one self-contained file of C99; ``.fmu``: FMI 3.0, model exchange. Of a
-        run: ``.kml`` or ``.geojson``.
+        run: its track, ``.kml`` or ``.geojson``, or its `flow_map`, ``.nc``.
     initial_state : array_like, optional
         Start of the program; 0 by default, of a scenario its own.
     params : mapping, optional
@@ -101,10 +102,15 @@ def export(
         raise ClptError(f"part = '{part}': must be 'learner', or left out")
     if not isinstance(system, Scenario | control.InputOutputSystem):
         if path is None:
-            raise ClptError("path: is required for a run. Give a .kml or .geojson file")
+            raise ClptError(
+                "path: is required for a run. Give a .kml, .geojson or .nc file"
+            )
         path = Path(path)
-        check_writable(path, "a map", SUFFIXES)
-        export_track(system, path)
+        check_writable(path, "a map", (*SUFFIXES, ".nc"))
+        if path.suffix == ".nc":
+            write_file(path, flow_map(system))
+        else:
+            export_track(system, path)
         return None
     if path is not None:
         path = Path(path)

@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+import xarray
 from error_sentences import says
 from pyproj import Geod
 
@@ -179,7 +180,7 @@ def test_runs_without_an_origin_have_no_map(tmp_path):
             tmp_path / "run.kml",
             "no latitude and longitude. Give its scenario an origin",
         ),
-        (tmp_path / "run.c", "must end in .kml or .geojson"),
+        (tmp_path / "run.c", "must end in .kml, .geojson or .nc"),
         (None, "is required for a run"),
     ):
         says(clpt.ClptError, said, clpt.export, run, path)
@@ -200,3 +201,80 @@ def test_ticks_are_at_even_degrees(lat, lon):
         assert x2 == pytest.approx(tick.get_loc(), abs=1e-3)
     letters = {label.get_text()[-1] for label in ax.get_xticklabels()}
     assert letters == ({"W"} if lon < 0 else {"E", "W"})  # 180 degrees are crossed
+
+
+# --- the learned flow as data --------------------------------------------------------------------
+
+
+def kernels(scenario, t, points):
+    """exp(-d/(2 sigma)) cos(omega t), by hand, (n, N)."""
+    basis = scenario.basis
+    d = np.linalg.norm(points[:, None] - np.array(basis.centers), axis=-1)
+    turns = np.cos(2 * np.pi * t / np.array(basis.periods))
+    return np.exp(-d / (2 * np.array(basis.widths))) * turns
+
+
+def test_a_map_is_the_last_estimate_and_its_error_inside_of_the_track():
+    run = clpt.simulate(PAPER.with_values({"run.duration": 40.0}))
+    north, east = [-0.5, 0.0, 1.0], [0.5, 2.0]
+    flow = clpt.flow_map(run, north, east, [30.0, 40.0])
+    assert flow.u.dims == ("time", "y", "x")
+    x, y = np.meshgrid(east, north)
+    points = np.column_stack([x.ravel(), y.ravel()])
+    theta = run.flow_parameters_estimate.values[-1]
+    phi = kernels(PAPER, 30.0, points)
+    learned, true = phi @ theta.T, phi @ np.array(PAPER.flow.parameters).T
+    for k, name in enumerate("uv"):
+        np.testing.assert_allclose(flow[name][0].values.ravel(), learned[:, k])
+        np.testing.assert_allclose(flow[f"true_{name}"][0].values.ravel(), true[:, k])
+    error = np.linalg.norm(learned - true, axis=1)
+    np.testing.assert_allclose(flow.error[0].values.ravel(), error)
+    assert flow.u.attrs["units"] == "m s-1"
+    low, high = run.position.values.min(0), run.position.values.max(0)
+    outside = clpt.flow_map(run, [low[1] - 1, high[1]], [low[0], high[0] + 1])
+    assert outside.u.isnull().values[0].tolist() == [[True, True], [False, True]]
+    with pytest.raises(clpt.DataError, match="has no date"):
+        clpt.flow_map(run, time=np.datetime64("2020-01-01"))
+
+
+def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
+    scenario = at_sea()
+    run = clpt.simulate(scenario)
+    clpt.export(run, tmp_path / "map.nc")
+    with xarray.open_dataset(tmp_path / "map.nc") as opened:
+        flow = opened.load()
+    assert flow.u.dims == ("time", "latitude", "longitude")
+    assert flow.u.attrs["standard_name"] == "eastward_sea_water_velocity"
+    assert flow.latitude.attrs["units"] == "degrees_north"
+    assert flow.u.attrs["units"] == "km h-1"
+    lat, lon = flow.latitude.values[20], flow.longitude.values[35]
+    x = np.column_stack(scenario.plane.to_plane(lat, lon))
+    np.testing.assert_allclose(x, geodesic(np.array([lat]), np.array([lon])), atol=1e-6)
+    np.testing.assert_allclose(scenario.plane.to_earth(*x.T), [[lat], [lon]])
+    phi = kernels(scenario, 40.0, x)[0]
+    in_plane = run.flow_parameters_estimate.values[-1] @ phi
+    east = geodesic(np.array([lat]), np.array([lon + 1e-4])) - x
+    direction = (east / np.linalg.norm(east))[0]
+    assert flow.u[0, 20, 35] == pytest.approx(in_plane @ direction, abs=1e-6)
+    across = [-direction[1], direction[0]]
+    assert flow.v[0, 20, 35] == pytest.approx(in_plane @ across, abs=1e-6)
+
+
+def test_a_map_of_an_estimate_has_standard_errors(tmp_path):
+    values = {"run.duration": 20.0, "run.output_step": 0.1, "origin": ORIGIN}
+    scenario = PAPER.with_values(values)
+    estimate = clpt.currents.flow_estimate(clpt.simulate(scenario), every=5.0)
+    lat, lon = float(estimate.latitude[-1]), float(estimate.longitude[-1])
+    flow = clpt.flow_map(estimate, lat, lon)
+    np.testing.assert_allclose(
+        [flow.u.item(), flow.v.item()], estimate.flow.values[-1], atol=1e-9
+    )
+    [phi] = kernels(scenario, 20.0, np.column_stack(scenario.plane.to_plane(lat, lon)))
+    P = estimate.covariance.values
+    np.testing.assert_allclose(np.diag(P) ** 0.5, estimate.standard_error[-1])
+    assert flow.standard_error.item() == pytest.approx((phi @ P @ phi) ** 0.5)
+    assert flow.time.values[0] == estimate.end_time.values[-1]
+    estimate.to_netcdf(tmp_path / "fixes.nc")
+    with xarray.open_dataset(tmp_path / "fixes.nc", decode_times=False) as data:
+        again = clpt.flow_map(data, lat, lon)
+    np.testing.assert_allclose(again.u, flow.u)

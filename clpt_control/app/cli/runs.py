@@ -191,7 +191,8 @@ def export(
     scenario: ScenarioFile,
     out: Path | None = opt(
         "FILE",
-        "File to write: C (.c), an FMU (.fmu), a map of a run's track (.kml, .geojson), with "
+        "File to write: C (.c), an FMU (.fmu), a run's track (.kml, .geojson) or learned flow "
+        "(.nc), with "
         "--drawing .svg, .png, .pdf or .mmd; default of a drawing: Mermaid text.",
         "-o",
         "--out",
@@ -208,9 +209,12 @@ def export(
         clpt export mine.toml -o loop.c
         clpt export mine.toml --part learner -o learner.c
         clpt export run.nc -o track.kml
+        clpt export run.nc -o map.nc
         clpt export mine.toml --drawing -o loop.svg
     """
+    from ...base.files.reading import open_netcdf
     from ...paper.scenario.file import load_vehicle_scenario
+    from ...paper.scenario.recorded_run import kind_of
     from ...simulation.map_export import SUFFIXES
 
     if drawing:
@@ -218,11 +222,13 @@ def export(
         return
     if out is None:
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
-    if out.suffix in SUFFIXES:
-        clpt.export(clpt.load_run(scenario), out)
+    if out.suffix in (*SUFFIXES, ".nc"):
+        with open_netcdf(scenario) as data:
+            estimate = data.load() if kind_of(data) == "fixes" else None
+        clpt.export(clpt.load_run(scenario) if estimate is None else estimate, out)
         say(f"Wrote {out}")
         return
-    check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES))
+    check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES, ".nc"))
     clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
     say(f"Wrote {out}")
 

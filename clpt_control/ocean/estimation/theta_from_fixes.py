@@ -19,6 +19,7 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import scenario_to_text
 from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
 from .fix_settings import LocalFrame
@@ -276,6 +277,7 @@ def flow_of_legs(
         {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
         {
             "fix_law": scenario.learning.law,
+            "scenario": scenario_to_text(scenario),
             "fix_method": method,
             "source": f"clpt-control {version('clpt-control')}",
             "origin": list(frame.place),
@@ -292,6 +294,10 @@ def flow_of_legs(
             + bent_legs(legs),
         },
     )
+    if method == "kalman":
+        covariance = estimator.covariance * estimator.settings.speed**2
+        words = {"long_name": "covariance of each row of theta", "units": "m2 s-2"}
+        data["covariance"] = (("basis", "other_basis"), covariance, words)
     return data, theta / estimator.settings.speed
 
 

@@ -58,6 +58,21 @@ class GriddedField:
     u: np.ndarray  # flow along x1, length per time, shape (nt, n2, n1)
     v: np.ndarray  # flow along x2
 
+    @property
+    def dataset(self) -> "xarray.Dataset":
+        """The field as a Dataset without units."""
+        import xarray
+
+        dims = ("time", "y", "x")
+        axes = {"time": self.time, "y": self.x2, "x": self.x1}
+        return xarray.Dataset({"u": (dims, self.u), "v": (dims, self.v)}, axes)
+
+    def __repr__(self) -> str:
+        return repr(self.dataset)
+
+    def _repr_html_(self) -> str:
+        return self.dataset._repr_html_()
+
 
 def fill_gaps(
     time: np.ndarray, x2: np.ndarray, x1: np.ndarray, u: np.ndarray, v: np.ndarray
@@ -214,22 +229,16 @@ def _regular(axis: np.ndarray, name: str) -> np.ndarray:
 
 def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":
     """Return a field in a scenario's units as CF data; attributes are title and source."""
-    import xarray
-
+    data = field.dataset
     speed = f"{units.length} {units.time}-1"
-    dims, start = (
-        ("time", "y", "x"),
-        {"long_name": "time since start", "units": units.time},
-    )
-    axes: dict[str, tuple] = {"time": ("time", field.time, start)}
-    for name, axis in (("y", field.x2), ("x", field.x1)):
-        words = {
-            "standard_name": f"projection_{name}_coordinate",
-            "units": units.length,
-        }
-        axes[name] = (name, axis, words)
-    flow = {
-        "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
-        "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
+    attributes_of = {
+        "time": {"long_name": "time since start", "units": units.time},
+        "u": {"long_name": "flow along x1 (east)", "units": speed},
+        "v": {"long_name": "flow along x2 (north)", "units": speed},
     }
-    return xarray.Dataset(flow, axes, {"Conventions": "CF-1.11", **attributes})
+    for name in "yx":
+        standard_name = f"projection_{name}_coordinate"
+        attributes_of[name] = {"standard_name": standard_name, "units": units.length}
+    for name, words in attributes_of.items():
+        data[name].attrs = words
+    return data.assign_attrs({"Conventions": "CF-1.11", **attributes})

@@ -49,9 +49,9 @@ LARGEST = 1e75  # number whose fourth power is finite
 KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "team": TEAM,
     "ensemble": "ensemble",
+    "fixes": "fix_law",
     "run": "scenario",
     "replay": "estimator",
-    "fixes": "fix_law",
     "diagram": "engine",
 }
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario

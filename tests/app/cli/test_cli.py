@@ -14,6 +14,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray
 from command_outputs import COMMANDS, FOLLOW, seldom, write, write_each
 from paths import ROOT, TESTS
 from responses import states_of
@@ -80,6 +81,24 @@ def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
     refused_for([said], "init", "--example", "current")
 
 
+def test_a_run_names_the_direction_that_its_track_hardly_shows(printed):
+    """The Gramian of gaussian kernels hardly has the second function."""
+    write({"basis.kernel": "gaussian", "run.duration": 400}, "g.toml")
+    said = printed("run", "g.toml", "--out", "g.nc")["not_learnable"]
+    assert re.search(r"off\. .* direction theta_[12]\[2\] \+1\.00, ", said)
+    fall, own = re.search(r"within (\d+) s, the run has (\d+) s", said).groups()
+    assert int(fall) > int(own) == 400
+
+
+def test_a_run_is_exported_as_a_map_of_its_flow(printed, clpt):
+    write({"origin": [41.2, -69.5], "run.duration": 40}, "p.toml")
+    printed("run", "p.toml", "--out", "p.nc")
+    assert clpt("export", "p.nc", "-o", "map.nc").status == 0
+    with xarray.open_dataset("map.nc") as flow:
+        assert {"u", "v", "true_u", "error"} <= {*flow}
+        assert "latitude" in flow.dims
+
+
 def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     write({}, "p.toml")
     before = Path("p.toml").read_text()
@@ -89,7 +108,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     refused_for([".svg"], "export", "p.toml", "--drawing", "-o", "p.docx")
     refused_for(["a run's name must end in .nc"], "run", "p.toml", "--out", "r.txt")
     refused_for(
-        ["a program or map's name must end in .c, .h, .fmu, .kml or .geojson"],
+        ["a program or map's name must end in .c, .h, .fmu, .kml, .geojson or .nc"],
         "export",
         "p.toml",
         "-o",

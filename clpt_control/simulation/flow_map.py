@@ -1,0 +1,224 @@
+"""Map of the learned flow as a CF Dataset, for xarray, Panoply and QGIS.
+
+    u, v = theta_hat phi(x, t)            of the last estimate theta_hat
+    standard error = (phi^T P phi)^(1/2)  of each component, with the covariance P of theta_hat
+
+Flow that the vehicle did not see is masked: places outside of the box of its track, or of the
+measured current.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..base.arguments import numbers, public
+from ..base.errors import DataError
+from ..base.geodesy import LocalPlane
+from ..base.units import SECONDS
+from ..engine.model.block import evaluate
+from ..paper.currents.plane import read_field
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import scenario_of_run
+from ..paper.scenario.recorded_run import check_run, kind_of, unknown_parts
+from .flows import true_flow
+
+if TYPE_CHECKING:
+    import xarray
+
+POINTS = 41  # on each side of the box by default
+
+
+@dataclass
+class _Learned:
+    """Learned flow: theta (2, N) in `unit`, its covariance, its plane, box, start and end."""
+
+    scenario: Scenario
+    theta: np.ndarray
+    unit: str
+    covariance: np.ndarray | None
+    plane: LocalPlane | None  # None: no latitude and longitude
+    places: np.ndarray  # that the box contains, (n, 2)
+    date: str | None  # of t = 0
+    end: Any
+    has_truth: bool
+
+    def times(self, time: Any) -> tuple[np.ndarray, Any]:
+        """Return times since t = 0, and the coordinate of the map."""
+        given = np.atleast_1d(self.end if time is None else time)
+        unit = self.scenario.units.time
+        if given.dtype.kind == "M":
+            if self.date is None:
+                raise DataError(
+                    "time: the run has no date. Give numbers since its start"
+                )
+            elapsed = (given - np.datetime64(self.date)) / np.timedelta64(1, "s")
+            return elapsed / SECONDS[unit], ("time", given.astype("M8[ns]"))
+        times = numbers("time", given)
+        if self.date is None:
+            start = {"long_name": "time since the start of the run", "units": unit}
+            return times, ("time", times, start)
+        seconds = np.round(times * SECONDS[unit] * 1e9).astype("m8[ns]")
+        return times, ("time", np.datetime64(self.date, "ns") + seconds)
+
+
+@public
+def flow_map(
+    source: "xarray.Dataset",
+    latitude: Any = None,
+    longitude: Any = None,
+    time: Any = None,
+) -> "xarray.Dataset":
+    """Return the learned flow on a grid, with its error if known.
+
+    Parameters
+    ----------
+    source : xarray.Dataset
+        A run of a scenario, or an estimate of `clpt.currents.flow_estimate`.
+    latitude, longitude : array_like, optional
+        Degrees; if the scenario has no `origin`, x2 (north) and x1 (east) in units.length. By
+        default 41 of each over the box.
+    time : array_like, optional
+        Times since the start in units.time, or dates; by default the end.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``u`` and ``v``, learned; where the truth is known ``true_u``, ``true_v`` and ``error``, the
+        length of the difference; ``standard_error`` of u and of v where the estimate has one.
+        Places outside of the box of the track, or of the measured current, are NaN.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no run of a scenario and no estimate.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 400}))
+    >>> flow = clpt.flow_map(run, [0.0, 1.0], [0.0, 9.0])
+    >>> flow.u.dims, float(flow.error[0, 0, 0].round(2)), bool(flow.u[0, 0, 1].isnull())
+    (('time', 'y', 'x'), 0.03, True)
+    """
+    learned = _of_estimate(source) if kind_of(source) == "fixes" else _of_run(source)
+    low, high = learned.places.min(axis=0), learned.places.max(axis=0)
+    plane = learned.plane
+    rows, columns = (np.linspace(low[i], high[i], POINTS) for i in (1, 0))
+    if plane is not None:
+        corners = plane.to_earth(*np.meshgrid(columns, rows))
+        rows, columns = (np.linspace(c.min(), c.max(), POINTS) for c in corners)
+    rows = rows if latitude is None else np.atleast_1d(numbers("latitude", latitude))
+    if longitude is not None:
+        columns = np.atleast_1d(numbers("longitude", longitude))
+    times, time_axis = learned.times(time)
+
+    grid = np.meshgrid(times, rows, columns, indexing="ij")
+    t, north, east = (axis.ravel() for axis in grid)
+    points = np.column_stack([east, north])
+    if plane is not None:
+        points = np.column_stack(plane.to_plane(north, east))
+    phi = evaluate(learned.scenario.basis_block(), t, points)
+    margin = 1e-6 * (high - low)
+    is_inside = np.all((points >= low - margin) & (points <= high + margin), axis=1)
+
+    def masked(values: np.ndarray) -> tuple[list[str], np.ndarray]:
+        return dims, np.where(is_inside, values, np.nan).reshape(grid[0].shape)
+
+    def components(flow: np.ndarray, prefix: str, words: str) -> dict[str, Any]:
+        u, v = flow.T
+        if plane is not None:
+            u, v = plane.rotate(north, east, u, v, inverse=True)
+        return {
+            prefix + name: (*masked(values), {**axis, "long_name": f"{words} flow"})
+            for name, values, axis in zip("uv", (u, v), _axes(plane), strict=True)
+        }
+
+    dims = ["time", *(("y", "x") if plane is None else ("latitude", "longitude"))]
+    flow = phi @ learned.theta.T
+    data = components(flow, "", "learned")
+    if learned.has_truth:
+        truth = true_flow(learned.scenario, points, t)
+        data |= components(truth, "true_", "true")
+        words = {"long_name": "length of learned less true flow"}
+        data["error"] = (*masked(np.hypot(*(flow - truth).T)), words)
+    if learned.covariance is not None:
+        variance = np.einsum("nk,kl,nl->n", phi, learned.covariance, phi)
+        words = {"long_name": "standard error of u and of v"}
+        data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
+    return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
+
+
+def _axes(plane: LocalPlane | None) -> list[dict[str, str]]:
+    """Return the CF names of the two components."""
+    names = ("sea_water_x_velocity", "sea_water_y_velocity")
+    if plane is not None:
+        names = ("eastward_sea_water_velocity", "northward_sea_water_velocity")
+    return [{"standard_name": name} for name in names]
+
+
+def _dataset(
+    learned: _Learned, data: dict[str, Any], time: Any, axes: dict[str, np.ndarray]
+) -> "xarray.Dataset":
+    """Return the variables of a map with units and coordinates."""
+    import xarray
+
+    degrees = {"latitude": "degrees_north", "longitude": "degrees_east"}
+    coordinates = {"time": time}
+    for name, values in axes.items():
+        standard = name if name in degrees else f"projection_{name}_coordinate"
+        unit = degrees.get(name, learned.scenario.units.length)
+        coordinates[name] = (name, values, {"standard_name": standard, "units": unit})
+    for *_, attributes in data.values():
+        attributes["units"] = learned.unit
+    title = f"Learned flow: {learned.scenario.title}".removesuffix(": ")
+    attributes = {"Conventions": "CF-1.11", "title": title}
+    return xarray.Dataset(data, coordinates, attributes)
+
+
+def _of_run(run: "xarray.Dataset") -> _Learned:
+    scenario = scenario_of_run(run)
+    check_run(run, scenario, "time", "position", "flow_parameters_estimate")
+    unknown = unknown_parts(run)
+    if "basis_x" in unknown:
+        raise DataError(
+            "the run has other basis functions than its scenario, so no map"
+        )
+    places = run.position.values
+    if scenario.field_path is not None:
+        field = read_field(scenario.field_path, scenario.units)
+        places = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
+    estimate = run.flow_parameters_estimate
+    return _Learned(
+        scenario,
+        estimate.values[-1],
+        estimate.attrs["units"],
+        None,
+        None if scenario.origin is None else scenario.plane,
+        places,
+        run.attrs.get("time_origin"),
+        run.time.values[-1],
+        "true_flow" not in unknown,
+    )
+
+
+def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
+    import xarray
+
+    estimate = xarray.decode_cf(estimate)  # as the file of `clpt estimate` has dates
+    scenario = scenario_of_run(estimate)
+    latitude, longitude = estimate.attrs["origin"]
+    plane = LocalPlane(latitude, longitude, scenario.units.length)
+    covariance = estimate.get("covariance")
+    parameters = estimate.flow_parameters_estimate
+    return _Learned(
+        scenario,
+        parameters.values[-1],
+        parameters.attrs["units"],
+        None if covariance is None else covariance.values,
+        plane,
+        np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude)),
+        estimate.attrs["time_origin"],
+        estimate.end_time.values[-1],
+        False,
+    )
