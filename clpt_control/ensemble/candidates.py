@@ -127,7 +127,7 @@ def unknown_of(
     for name, value in (("prior", prior), ("unmodelled", unmodelled)):
         if value is not None and not 0 < value < np.inf:
             raise ScenarioError(f"{name} = {value:g}: must be a positive speed")
-    values = dict.fromkeys(("flow.field", "flow.outside"))
+    values = dict.fromkeys(("flow.field", "flow.outside", "flow.basis"))
     values["flow.parameters"] = belief(scenario)
     if unmodelled is not None:
         values["flow.disturbance"] = {

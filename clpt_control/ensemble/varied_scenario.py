@@ -93,7 +93,7 @@ class VariedScenario:
         are_absent = {
             "flow_parameter_error": own_flow or flow.parameters is None,
             "gain_error": row.at_fixes or "vehicle_controller" in replaced,
-            "flow_error": own_flow or flow.field is None,
+            "flow_error": own_flow or flow.parameters is not None,
             "share_in_faster_flow": self.scenario.vehicle.max_speed is None,
             "alpha": row.alpha_is_constant,
             "feedback_gain": row.at_fixes,

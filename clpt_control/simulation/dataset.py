@@ -213,6 +213,7 @@ def _keys_of_other_flow(scenario: Scenario) -> str:
     fixes = scenario.localization
     present = {
         "flow.field": flow.field is not None,
+        "flow.basis": flow.basis is not None,
         "flow.disturbance": flow.disturbance is not None,
         "localization.noise": fixes is not None and fixes.noise > 0,
     }

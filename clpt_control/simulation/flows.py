@@ -131,10 +131,10 @@ def explained_variance(
     >>> explained_variance(scenario, clpt.simulate(scenario))["track"]  # doctest: +SKIP
     0.81
     """
-    if scenario.field_path is None:
+    if scenario.flow.parameters is not None:
         raise DataError(
-            "the scenario's true flow is not a gridded field; shares of variance are for scenarios "
-            "with flow.field, such as `clpt fit` writes"
+            "the scenario's true flow is that of its functions; shares of variance are for "
+            "scenarios with flow.field, such as `clpt fit` writes, or flow.basis"
         )
     phi = scenario.basis_block()
     if run.sizes.get("basis") != phi.noutputs:

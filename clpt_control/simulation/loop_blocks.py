@@ -145,11 +145,21 @@ def _localization(scenario: Scenario) -> list[Block]:
 
 
 def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
-    if scenario.field_path is None:
-        assert scenario.flow.parameters is not None
+    if scenario.flow.parameters is not None:
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
+    if (basis := scenario.flow.basis) is not None:
+        functions = {
+            "centers": basis.centers,
+            "widths": basis.widths,
+            "frequencies": 2 * np.pi / basis.periods_in(scenario.units.time),
+            "phases": basis.phases or (0.0,) * basis.N,
+        }
+        return flow.own_true_flow(
+            basis.parameters, basis.kernel, functions, disturbed, position
+        )
     from ..paper.currents.plane import read_field
 
+    assert scenario.field_path is not None
     gridded = read_field(scenario.field_path, scenario.units, scenario.origin)
     outside = scenario.flow.outside
     return field.gridded_flow(gridded, outside, disturbed, scenario.units, position)

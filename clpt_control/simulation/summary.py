@@ -178,7 +178,7 @@ def _vehicle_figures(
             )
             for time, sample in samples.items()
         }
-    if scenario.flow.field is not None and "true_flow" not in unknown:
+    if scenario.flow.parameters is None and "true_flow" not in unknown:
         figures["explained_variance"] = explained_variance(scenario, run)
     if vehicle.max_speed is not None and "commanded_velocity" in run:
         figures["speed"] = speeds_of(fine, vehicle.max_speed)

@@ -8,6 +8,7 @@ import pytest
 import xarray
 from error_sentences import says
 from pyproj import Geod
+from small_scenarios import kernels
 
 import clpt_control as clpt
 
@@ -204,14 +205,6 @@ def test_ticks_are_at_even_degrees(lat, lon):
 
 
 # --- the learned flow as data --------------------------------------------------------------------
-
-
-def kernels(scenario, t, points):
-    """exp(-d/(2 sigma)) cos(omega t), by hand, (n, N)."""
-    basis = scenario.basis
-    d = np.linalg.norm(points[:, None] - np.array(basis.centers), axis=-1)
-    turns = np.cos(2 * np.pi * t / np.array(basis.periods))
-    return np.exp(-d / (2 * np.array(basis.widths))) * turns
 
 
 def test_a_map_is_the_last_estimate_and_its_error_inside_of_the_track():

@@ -68,6 +68,10 @@ def of_size(N):
         flow.flow_basis("basis_x", "x", kernel, *basis) for kernel in flow.KERNELS
     )
     yield from (flow.true_flow(theta, disturbed) for disturbed in (False, True))
+    functions = ("centers", "widths", "frequencies", "phases")
+    named = dict(zip(functions, basis, strict=True))
+    for kernel in flow.KERNELS:
+        yield flow.own_true_flow(theta, kernel, named, kernel == "gaussian")
     yield from [
         *(flow.flow_basis("basis_z", "z", "exponential", *basis), flow.modeled_flow(a)),
         vehicle.vehicle_controller(a, KD, GammaD),

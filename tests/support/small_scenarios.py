@@ -34,3 +34,11 @@ def paper_of(N, law="learned-flow", **values):
     if row.at_fixes:
         settings |= FIXES
     return clpt.paper_scenario().with_values(settings | values)
+
+
+def kernels(scenario, t, points):
+    """exp(-d/(2 sigma)) cos(omega t), by hand, (n, N)."""
+    basis = scenario.basis
+    d = np.linalg.norm(points[:, None] - np.array(basis.centers), axis=-1)
+    turns = np.cos(2 * np.pi * t / np.array(basis.periods))
+    return np.exp(-d / (2 * np.array(basis.widths))) * turns

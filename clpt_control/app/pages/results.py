@@ -72,9 +72,8 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
             dwell = f"{scenario.reference.dwell:g} {scenario.units.time}"
             subject += f" at {waypoints} waypoints, {dwell} at each,"
     measured = scenario.flow.field is not None
-    water = (
-        "a measured current" if measured else f"a flow of {scenario.basis.N} functions"
-    )
+    functions = (scenario.flow.basis or scenario.basis).N
+    water = "a measured current" if measured else f"a flow of {functions} functions"
     span = f"{scenario.run.duration:g} {scenario.units.time}"
     return f"{subject} for {span} in {water}; law {scenario.learning.law}"
 

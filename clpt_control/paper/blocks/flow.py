@@ -19,6 +19,8 @@ Ports: x[2] -> phi_x[N], or z[2] -> phi_z[N] (positions: length);
 phi_x[N], delta[2] if disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
 """
 
+from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -150,6 +152,26 @@ def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block
     return at_position(
         paper_block("true_flow", ports, {"theta": theta}, output=true), position
     )
+
+
+def true_of_own_functions(kernel, t, x, u, p):
+    """F_R = theta phi(x, t), Eq. (3), of other functions than phi_x, plus Delta if disturbed."""
+    flow = p.theta @ KERNELS[kernel](t, x, u, p)
+    delta = getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
+
+
+def own_true_flow(
+    theta: Any,
+    kernel: str,
+    functions: Mapping[str, Any],
+    disturbed: bool = False,
+    position: str = "x",
+) -> Block:
+    """Make a true flow of functions of its own, parameters as those of `flow_basis`."""
+    ports = f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x"
+    output = partial(true_of_own_functions, kernel)
+    return paper_block("true_flow", ports, {**functions, "theta": theta}, output=output)
 
 
 def at_position(block: Block, position: str) -> Block:

@@ -27,7 +27,6 @@ from . import tables
 from .learning import Learning
 from .quantities import QUANTITIES
 from .run_constants import MOST_BYTES
-from .tidal_periods import period
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
@@ -258,11 +257,7 @@ class Scenario(tables.Table):
     @property
     def periods(self) -> np.ndarray:
         """Periods of the basis functions, units.time; inf is steady."""
-        if self.basis.periods is not None:
-            return np.array(self.basis.periods)
-        return np.array(
-            [period(c, self.units.time) for c in self.basis.constituents or ()]
-        )
+        return self.basis.periods_in(self.units.time)
 
     @property
     def frequencies(self) -> np.ndarray:
@@ -441,7 +436,7 @@ class Scenario(tables.Table):
         """
         if self.flow.parameters is None:
             raise ScenarioError(
-                "flow.field: a gridded field has no true parameters to start from"
+                "flow: a field, or functions of its own, has no true parameters to start from"
             )
         start = {
             "parameters": -np.array(self.flow.parameters),

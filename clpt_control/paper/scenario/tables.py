@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, Self
 
+import numpy as np
 import pydantic
 from pydantic import Field, Strict
 from pydantic_core import PydanticCustomError
@@ -182,6 +183,12 @@ class Basis(Table):
         """Number of basis functions."""
         return len(self.centers)
 
+    def periods_in(self, unit: str) -> np.ndarray:
+        """Return the periods in a unit of time; inf is steady."""
+        if self.periods is not None:
+            return np.array(self.periods)
+        return np.array([period(name, unit) for name in self.constituents or ()])
+
     def _mistakes(self) -> Iterator[str]:
         if (self.periods is None) == (self.constituents is None):
             yield "basis.periods: give either periods or constituents, one of the two"
@@ -199,6 +206,18 @@ class Basis(Table):
             )
         for name in self.constituents or ():
             period(name)
+
+
+class TrueBasis(Basis):
+    """Functions of the true flow that are not those of the learner, and their parameters."""
+
+    parameters: TwoRows
+
+    def _mistakes(self) -> Iterator[str]:
+        for mistake in super()._mistakes():
+            yield mistake.replace("basis.", "flow.basis.")
+        if len(self.parameters[0]) != self.N:
+            yield f"flow.basis.parameters: must have two rows of {self.N}, one per center"
 
 
 class Disturbance(Table):
@@ -224,16 +243,18 @@ class Disturbance(Table):
 
 
 class Flow(Table):
-    """The true flow: parameters theta of Eq. (3), or a gridded field."""
+    """The true flow: parameters theta of Eq. (3), a gridded field, or functions of its own."""
 
     parameters: TwoRows | None = None
     field: str | None = None
+    basis: TrueBasis | None = None
     outside: Literal["raise", "clip", "stop"] = "raise"
     disturbance: Disturbance | None = None
 
     def _mistakes(self) -> Iterator[str]:
-        if (self.parameters is None) == (self.field is None):
-            yield "flow.parameters: give either parameters or field, one of the two"
+        given = (self.parameters, self.field, self.basis)
+        if sum(value is not None for value in given) != 1:
+            yield "flow.parameters: give one of parameters, field and basis"
         if self.field is None and "outside" in self.model_fields_set:
             yield f'flow.outside = "{self.outside}": is allowed only with flow.field'
 

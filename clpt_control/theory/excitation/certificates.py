@@ -262,7 +262,7 @@ def certificate(
         regressor.trajectory,
         drops,
         rhos,
-        flow.disturbance is not None or flow.field is not None,
+        flow.disturbance is not None or flow.parameters is None,
         counts,
         finite_or_none(min(time, length) if np.all(learned == w.shape[-1]) else time),
     )

@@ -234,7 +234,7 @@ def small_disturbance(scenario: Scenario) -> bool:
 def bounded(scenario: Scenario) -> bool:
     """Return True if the disturbance has a bound."""
     delta = scenario.flow.disturbance
-    return scenario.flow.field is None and (delta is None or delta.row.bounded)
+    return scenario.flow.parameters is not None and (delta is None or delta.row.bounded)
 
 
 CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {

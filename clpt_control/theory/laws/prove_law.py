@@ -228,8 +228,8 @@ def _changes_of_V(scenario: Scenario) -> str:
     flow, fixes = scenario.flow, scenario.localization
     if flow.disturbance is not None:
         return "a disturbance"
-    if flow.field is not None:
-        return "a measured flow"
+    if flow.parameters is None:
+        return "a flow of other functions" if flow.basis else "a measured flow"
     if fixes is not None and fixes.noise > 0:
         return "noise in its positions"
     if scenario.vehicle.max_speed is not None and not scenario.hedged:
