@@ -24,7 +24,7 @@ from .llvm_text import LLVMPrinter
 from .plan import Program
 from .vectors import PRIMITIVES
 
-MOST_LINES = 2500  # of coefficients; LLVM takes 0.4 s for them
+MOST_LINES = 5000  # of coefficients; LLVM takes a second for them
 WHOLE_POWERS = {float(k) for k in range(1, 65)}
 ALL_SMOOTH = (SMOOTH, Smoothness.FOLDS)
 

@@ -292,7 +292,8 @@ def run_members(
         code = series_of(diagram, options.rtol, lanes if m >= lanes else 1)
         arrays = SeriesArrays(code, m, n, len(times), segments)
         limits = limits_of(code, times, options)
-        arrays.run(starts[members], parameters[members], times, segments, limits)
+        own = parameters[members, : len(diagram.layout.P)]
+        arrays.run(starts[members], own, times, segments, limits)
         results.states[members] = arrays.samples.reshape(-1, len(times), n)[:m]
         ended[members] = arrays.status.ravel()[:m] == series.ARRIVED
         steps = arrays.integers[:, series.STEPS :][:, : code.lanes].ravel()[:m]

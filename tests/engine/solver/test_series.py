@@ -133,7 +133,7 @@ REFUSED = {
     "conditions or kinks": of_state(lambda x: 1.0 - np.abs(x - 1.0)),
     "conditions": of_state(lambda x: -1.0 if x > 0.5 else -0.5),
     "kinks": of_state(lambda x: np.minimum(x, 0.5)),
-    "more than 2500 operations": system(many, 12),
+    "more than 5000 operations": system(many, 12),
     "discrete time": control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=1.0),
 }
 
