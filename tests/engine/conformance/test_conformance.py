@@ -61,7 +61,7 @@ def test_systems_of_python_control_are_checked():
     memory = control.nlsys(counted, inputs=0, states=1, outputs=1, name="memory")
     with pytest.raises(BlockError, match=r"memory\.update gives another value"):
         check(memory)
-    with pytest.raises(BlockError, match="units: are checked of a clpt.Block alone"):
+    with pytest.raises(BlockError, match=r"units: are checked of a clpt\.Block alone"):
         check(law, units={"e": "m"})
     loop = control.interconnect([law], inputs=names["inputs"], outputs=names["states"])
     says(BlockError, "is a diagram. Check each of its blocks", check, loop)
