@@ -11,6 +11,9 @@ from clpt_control.theory.proofs.conclusions import CONCLUSIONS, CONDITIONS, REQU
 
 PAGE = Path(__file__).parents[1] / "docs" / "theory.md"
 BEGIN, END = "<!-- conclusions -->\n", "<!-- end of conclusions -->\n"
+USUAL = frozenset(
+    ("definite", "jumps", "exists")
+)  # of most rows: said once, above them
 ALWAYS = CONCLUSIONS["V' is at most the claim"].requires - {"claimed"}
 
 
@@ -18,16 +21,21 @@ def table() -> str:
     """Return the table of conclusions and the list of conditions."""
     rows = [("conclusion", "requires", "what to do"), ("---", "---", "---")]
     for name, row in CONCLUSIONS.items():
-        needed = [REQUIREMENTS[k] for k in REQUIREMENTS if k in row.requires - ALWAYS]
+        own = row.requires - ALWAYS
+        is_usual = own >= USUAL
+        own = own - USUAL if is_usual else own
+        needed = ["\\*"] * is_usual
+        needed += [REQUIREMENTS[k] for k in REQUIREMENTS if k in own]
         rows.append((name, "; ".join(needed), row.to_do))
     lines = ["| " + " | ".join(row) + " |" for row in rows]
     always = " and ".join(REQUIREMENTS[k] for k in REQUIREMENTS if k in ALWAYS)
+    usual = "; ".join(REQUIREMENTS[k] for k in REQUIREMENTS if k in USUAL)
     named = "; ".join(f"`{name}`" for name in CONDITIONS)
     return "\n".join(
         [
             *lines,
             "",
-            f"Each requires as well: {always}.",
+            f"\\*: {usual}. Each requires as well: {always}.",
             "",
             f"Conditions: {named}.",
             "",
