@@ -436,7 +436,7 @@ class Scenario(tables.Table):
         """
         if self.flow.parameters is None:
             raise ScenarioError(
-                "flow: a field, or functions of its own, has no true parameters to start from"
+                "flow: a gridded field or flow.basis has no true parameters to start from"
             )
         start = {
             "parameters": -np.array(self.flow.parameters),
