@@ -302,7 +302,12 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
     refuses(
         "basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3))
     )
-    refuses("not a gridded field;", explained_variance, clpt.paper_scenario(), run)
+    refuses(
+        "shares of variance are for scenarios with flow.field",
+        explained_variance,
+        clpt.paper_scenario(),
+        run,
+    )
     track = share(run.true_flow.values[late], learned)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:
