@@ -65,7 +65,7 @@ def test_made_missions_stay_below(surveyed):
 
 def test_the_sentence_names_each_assumption(surveyed):
     for words in (
-        "with a fix each 1 h the flow on the planned track is known to",
+        "with a fix each 1 h the flow on the last 40 h of the planned track is known to",
         "m/s after 160 h, if shear is at most 2.22e-05/s",
         "the unmodelled flow at most 0.01 m/s",
         "each fix within 0.02 km (3 standard deviations)",
@@ -157,3 +157,38 @@ def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path)
     exact = np.array(found["flow"])
     assert np.all((shown >= exact) & (shown < exact * 1.011))
     assert (tmp_path / "bound.png").stat().st_size > 5000
+
+
+@pytest.mark.parametrize("duration", [16.0, 24.0])
+def test_a_whole_cycle_of_the_track_is_judged(duration):
+    """A constant current beside the functions, no noise; the cycle is longer than a quarter."""
+    center, width, unmodelled = np.array([-1.4, -8.2]), 13.0, 0.03
+    beside = {"kind": "constant", "amplitude": [0.9999 * 3.6 * unmodelled, 0.0]}
+    corners = [[-10, -10], [10, -10], [10, 10]]
+    scenario = clpt.Scenario(
+        units={"length": "km", "time": "h"},
+        basis={
+            "kernel": "gaussian",
+            "centers": [center.tolist()],
+            "widths": [width],
+            "constituents": ["steady"],
+        },
+        flow={"parameters": [[0.5], [0.5]], "disturbance": beside},
+        vehicle={"feedback": [1, 1], "feedforward": [1, 1], "position": [-10, -10]},
+        reference={"kind": "waypoints", "points": corners, "dwell": 4.0},
+        learning={
+            "law": "fix-regression",
+            "position": [-10, -10],
+            "fix_regression": {"prior": 1.27, "noise": 0.03},
+        },
+        localization={"interval": 0.25, "noise": 0.0},
+        run={"duration": duration, "output_step": 0.05},
+    )
+    found = clpt.certify(scenario, shear=2e-5, unmodelled=unmodelled)
+    run = clpt.simulate(scenario)
+    eta = run.flow_parameters_estimate.values[-1] - 0.5
+    last = run.sel(time=slice(duration - 12.0, None)).position.values
+    size = np.exp(-np.sum((last - center) ** 2, axis=1) / (2 * width**2))
+    error = np.linalg.norm(eta) * size.max() / 3.6
+    assert error < found.flow[found.interval == 0.25][0] < 1.1 * error
+    assert "the last 12 h of the planned track" in found.said

@@ -66,11 +66,16 @@ def excitation(
         clpt excitation mine.toml --bounds --radius 0.1 --error 0.01
         clpt excitation fixes.toml --bounds --shear 2e-5 --figure bound.png
     """
+    limits = {"shear": shear, "unmodelled": unmodelled}
+    of_bounds = {"radius": radius, "error": error, **limits}
     if bounds:
-        limits = {"shear": shear, "unmodelled": unmodelled}
-        given = {"radius": radius, "error": error, "window": window, **limits}
+        if start is not None:
+            raise ClptError("--start: is not of --bounds. Leave one out")
+        given = {**of_bounds, "window": window}
         _bound_errors(scenario, given, figure, as_json)
         return
+    for name in [name for name, value in of_bounds.items() if value is not None]:
+        raise ClptError(f"--{name}: is of --bounds. Give that too, or leave it out")
     from ..pages.results import is_team
 
     source = (

@@ -285,9 +285,9 @@ class FlowEstimator:
     def guaranteed(self, time: OrNaN, latitude: OrNaN, longitude: OrNaN) -> float:
         """Return the largest error of the flow at a time and place.
 
-        For every constant theta within one prior of the first estimate, if the shear of the flow,
-        the unmodelled flow and the noise of fixes (three standard deviations) keep their limits,
-        and the fixes that are taken as right are right.
+        Of the flow that the functions express, for every constant theta with |theta - theta_hat(0)|
+        of at most one prior, if the shear of the flow, the unmodelled flow and the noise of fixes
+        (three standard deviations) keep their limits, and the fixes taken as right are right.
 
         Parameters
         ----------
@@ -398,8 +398,8 @@ class FlowEstimator:
                 "not hold. Give a larger unmodelled flow or shear"
             )
         return (
-            f"guaranteed if the flow is constant, its parameters within one prior of the first "
-            f"estimate, shear at most {at_least(shear, 3)}/s, the unmodelled flow at most "
+            "guaranteed of the modelled flow if it is constant, |theta - theta_hat(0)| at most one "
+            f"prior, shear at most {at_least(shear, 3)}/s, the unmodelled flow at most "
             f"{at_least(limits.unmodelled * speed, 3)} m/s, and each fix within "
             f"{at_least(limits.noise * self.settings.metres, 3)} m"
         )

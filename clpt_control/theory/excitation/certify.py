@@ -187,6 +187,11 @@ def certify(
                 "radius, error, window: are not of a scenario of fixes. Give shear and unmodelled"
             )
         return certify_fixes(scenario, *of_fixes)
+    if scenario.learning.row.at_fixes:
+        lacking = ", ".join(scenario.left_out)
+        raise ScenarioError(
+            f"no certificate: the scenario lacks {lacking}. Give its plan"
+        )
     if of_fixes != (None, None):
         raise ScenarioError(
             "shear, unmodelled: are of a scenario of fixes. Give radius, error and window"

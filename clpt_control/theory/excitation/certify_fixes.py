@@ -8,6 +8,7 @@ covered.  Beside it stand made missions: runs with noise, disturbance and flows 
 Speeds of options and results are in m/s, shear in 1/s.
 """
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -39,7 +40,7 @@ INTERVALS = (1.0, 0.5, 2.0, 3.0, 4.0)  # times that of the scenario, which is th
 NODES = 16  # of a leg
 MOST_LEGS = 5000
 MISSIONS = 6
-LAST = 0.25  # share of the plan on which the learned flow is judged
+LAST = 0.25  # least share of the plan on which the learned flow is judged; a cycle is, if longer
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class FixBounds:
     """Guaranteed errors of the learned flow by interval of fixes, m/s; inf: no guarantee."""
 
     interval: np.ndarray  # units.time
-    flow: np.ndarray  # largest on the last quarter of the planned track
+    flow: np.ndarray  # largest on the last cycle, or quarter, of the planned track
     parameter: np.ndarray  # of the worst flow parameter
     missions: np.ndarray  # largest error of the flow there in six made missions
     shear: float  # L, 1/s
@@ -124,14 +125,16 @@ def certify_fixes(
         unmodelled = max(UNMODELLED, largest_disturbance(scenario) * speed)
     largest = SIGMAS * scenario.localization.noise  # type: ignore[union-attr]
     limits = Limits(shear * SECONDS[time], unmodelled / speed, largest)
-    # Step 2: each interval
+    # Step 2: each interval, and the places of the last cycle or quarter
+    duration = scenario.run.duration
+    judged = min(duration, max(LAST * duration, scenario.cycle))
     rows = []
     most = scenario.run.duration / interval
     for factor in sorted(x for x in INTERVALS if x <= most):
         T, r = factor * interval, max(1.0, factor) * noise
         times, phi = _planned(scenario, T, r, first)
         bound = ErrorBound(np.full(basis.N, prior), radius, limits)
-        places = phi[-max(1, round(LAST * len(phi))) :]
+        places = phi[-max(1, math.ceil(judged / T - 1e-9)) :]
         with np.errstate(over="ignore", invalid="ignore"):
             for m in cumulative_simpson(phi, x=times, axis=1, initial=0.0):
                 bound.learn(LegRegressor(times, m), r)
@@ -158,7 +161,8 @@ def certify_fixes(
     T = interval if interval in by_interval else max(by_interval)
     none = f"with a fix each {interval:g} {time} nothing is guaranteed; "
     said = (
-        f"with a fix each {T:g} {time} the flow on the planned track is known to "
+        f"with a fix each {T:g} {time} the flow on the last {judged:g} {time} of the planned track "
+        "is known to "
         f"{at_most(by_interval[T], 3)} m/s after {scenario.run.duration:g} {time}, if shear is at "
         f"most {at_least(shear, 3)}/s, the unmodelled flow at most {at_least(unmodelled, 3)} m/s, "
         f"each fix within {at_least(largest, 3)} {length} ({SIGMAS:g} standard deviations), "
