@@ -268,7 +268,7 @@ TOKENS = {
     "parts": 5409,
     "plots": 15,
     "plots.drawing": 6447,
-    "simulation": 42106,
+    "simulation": 42162,
     "theory.algebra": 18891,
     "theory.coq": 2725,
     "theory.design": 5740,

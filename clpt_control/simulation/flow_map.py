@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.arguments import numbers, public
-from ..base.errors import DataError
+from ..base.errors import ArgumentError, DataError
 from ..base.geodesy import LocalPlane
 from ..base.units import SECONDS
 from ..engine.model.block import evaluate
@@ -45,7 +45,11 @@ class _Learned:
 
     def times(self, time: Any) -> tuple[np.ndarray, Any]:
         """Return times since t = 0, and the coordinate of the map."""
-        given = np.atleast_1d(self.end if time is None else time)
+        time = self.end if time is None else time
+        try:
+            given = np.atleast_1d(time)
+        except ValueError:  # rows of several lengths
+            given = _row("time", time)
         unit = self.scenario.units.time
         if given.dtype.kind == "M":
             if self.date is None:
@@ -54,7 +58,7 @@ class _Learned:
                 )
             elapsed = (given - np.datetime64(self.date)) / np.timedelta64(1, "s")
             return elapsed / SECONDS[unit], ("time", given.astype("M8[ns]"))
-        times = numbers("time", given)
+        times = _row("time", given)
         if self.date is None:
             start = {"long_name": "time since the start of the run", "units": unit}
             return times, ("time", times, start)
@@ -108,9 +112,8 @@ def flow_map(
     if plane is not None:
         corners = plane.to_earth(*np.meshgrid(columns, rows))
         rows, columns = (np.linspace(c.min(), c.max(), POINTS) for c in corners)
-    rows = rows if latitude is None else np.atleast_1d(numbers("latitude", latitude))
-    if longitude is not None:
-        columns = np.atleast_1d(numbers("longitude", longitude))
+    rows = rows if latitude is None else _row("latitude", latitude)
+    columns = columns if longitude is None else _row("longitude", longitude)
     times, time_axis = learned.times(time)
 
     grid = np.meshgrid(times, rows, columns, indexing="ij")
@@ -147,6 +150,15 @@ def flow_map(
         words = {"long_name": "standard error of u and of v"}
         data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
+
+
+def _row(name: str, values: Any) -> np.ndarray:
+    row = np.atleast_1d(numbers(name, values))
+    if row.ndim != 1 or not row.size:
+        raise ArgumentError(
+            f"{name}: has shape {row.shape}. Give a number, or a row of them"
+        )
+    return row
 
 
 def _axes(plane: LocalPlane | None) -> list[dict[str, str]]:

@@ -226,6 +226,7 @@ def right(tmp_path_factory):
         "fit_parameters": {"data": run, "parameters": {"adaptation.gain": 1.0}},
         **{name: {"timepts": [0.0, 1.0]} for name in ("sensitivity", "prepare")},
         "linearize": {"x": np.ones(14)},
+        "flow_map": {"source": run},
         "explained_variance": {
             "scenario": shoals,
             "run": clpt.simulate(shoals),
