@@ -48,7 +48,7 @@ class _Learned:
         time = self.end if time is None else time
         try:
             given = np.atleast_1d(time)
-        except ValueError:  # rows of several lengths
+        except (TypeError, ValueError):  # rows of several lengths, or no numbers
             given = _row("time", time)
         unit = self.scenario.units.time
         if given.dtype.kind == "M":
