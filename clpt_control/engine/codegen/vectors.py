@@ -233,10 +233,7 @@ PRIMITIVES: dict[str, Primitive] = {
         if row.llvm not in ("function", "inline")
     },
     "rem": _instruction("frem"),
-    **{
-        name: _intrinsic(name)
-        for name in ("fma", "fmuladd", "copysign", "maxnum", "minnum")
-    },
+    **{name: _intrinsic(name) for name in ("fma", "fmuladd", "copysign")},
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
     "power_of_two": _power_of_two,
