@@ -1,4 +1,4 @@
-; sha256 b3b1f2e848c2d211fb50d2cf333a0cdab5a7a125c5bdaa33f8aefc765d69b17b 4976746b3152dfc16fce72d36c3ff81d8eb20e1cf51a5ecb29a4de4ae4606cdc, Python 3.11, numba 0.68.1
+; sha256 7c8e4e01bde3deea702048849f843386e5b19b0b3e7384984d024cdff9ba0382 b2f7ad78616aae7f6b5e5082adb94830d66c0dcd8fbc724f6bf92f1d2d4799bf, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -38,7 +38,7 @@ v297:
   %v307 = icmp slt i64 %v42, 1
   %v308 = icmp slt i64 %v64, 1
   %v309 = icmp slt i64 %v10, 1
-  %v310 = mul i64 %v136, 248
+  %v310 = mul i64 %v136, 144
   %v311 = getelementptr i8, ptr %v134, i64 %v310
   %v312 = mul i64 %v136, 240
   %v313 = getelementptr i8, ptr %v134, i64 %v312
@@ -59,5253 +59,5247 @@ v297:
   %v328 = mul i64 %v136, 120
   %v329 = shl i64 %v136, 7
   %v330 = mul i64 %v136, 136
-  %v331 = mul i64 %v136, 144
-  %v332 = mul i64 %v136, 152
-  %v333 = mul i64 %v136, 160
-  %v334 = mul i64 %v136, 168
-  %v335 = mul i64 %v136, 176
-  %v336 = mul i64 %v136, 184
-  %v337 = mul i64 %v136, 192
-  %v338 = mul i64 %v136, 200
-  %v339 = mul i64 %v136, 208
-  %v340 = mul i64 %v136, 216
-  %v341 = mul i64 %v136, 224
-  %v342 = getelementptr i8, ptr %v134, i64 %v328
-  %v343 = getelementptr i8, ptr %v134, i64 %v341
-  %v344 = getelementptr i8, ptr %v134, i64 %v316
-  br label %v345
+  %v331 = mul i64 %v136, 152
+  %v332 = mul i64 %v136, 160
+  %v333 = mul i64 %v136, 168
+  %v334 = mul i64 %v136, 176
+  %v335 = mul i64 %v136, 184
+  %v336 = mul i64 %v136, 192
+  %v337 = mul i64 %v136, 200
+  %v338 = mul i64 %v136, 208
+  %v339 = mul i64 %v136, 216
+  %v340 = mul i64 %v136, 224
+  %v341 = getelementptr i8, ptr %v134, i64 %v328
+  %v342 = getelementptr i8, ptr %v134, i64 %v340
+  %v343 = getelementptr i8, ptr %v134, i64 %v316
+  br label %v344
 
-v346:
-  %v347 = getelementptr double, ptr %v299, i64 %v348
-  store double 0.000000e+00, ptr %v347, align 8, !noalias !0
-  %v349 = load i64, ptr %v152, align 8, !noalias !0
-  %v350 = load i64, ptr %v300, align 8, !noalias !0
-  %v351 = icmp eq i64 %v349, %v350
-  br i1 %v351, label %v352, label %v353
-
-v353:
-  %v354 = add nsw i64 %v349, 1
-  store i64 %v354, ptr %v152, align 8, !noalias !0
-  store i64 2, ptr %v301, align 8, !noalias !0
-  %v355 = getelementptr i64, ptr %v143, i64 %v348
-  store i64 %v349, ptr %v355, align 8, !noalias !0
-  %v356 = icmp slt i64 %v349, 0
-  %v357 = select i1 %v356, i64 %v50, i64 0
-  %v358 = getelementptr i64, ptr %v49, i64 %v349
-  %v359 = getelementptr i64, ptr %v358, i64 %v357
-  %v360 = load i64, ptr %v359, align 8, !noalias !0
-  %v361 = icmp slt i64 %v360, 0
-  %v362 = select i1 %v361, i64 %v57, i64 0
-  %v363 = getelementptr i64, ptr %v56, i64 %v360
-  %v364 = getelementptr i64, ptr %v363, i64 %v362
-  %v365 = load i64, ptr %v364, align 8, !noalias !0
-  %v366 = getelementptr i64, ptr %v302, i64 %v348
-  store i64 %v365, ptr %v366, align 8, !noalias !0
-  %v367 = getelementptr i64, ptr %v304, i64 %v348
-  store i64 1, ptr %v367, align 8, !noalias !0
-  %v368 = getelementptr i64, ptr %v306, i64 %v348
-  store i64 0, ptr %v368, align 8, !noalias !0
-  br i1 %v307, label %v369, label %v370
-
-v370:
-  %v371 = select i1 %v356, i64 %v41, i64 0
-  %v372 = add i64 %v371, %v349
-  %v373 = mul i64 %v372, %v42
-  %v374 = getelementptr double, ptr %v40, i64 %v373
-  %v375 = getelementptr double, ptr %v166, i64 %v348
-  br label %v376
-
-v369:
-  br i1 %v308, label %v377, label %v378
-
-v378:
-  %v379 = load i64, ptr %v366, align 8, !noalias !0
-  %v380 = icmp slt i64 %v379, 0
-  %v381 = select i1 %v380, i64 %v78, i64 0
-  %v382 = add i64 %v381, %v379
-  %v383 = mul i64 %v382, %v79
-  %v384 = getelementptr double, ptr %v77, i64 %v383
-  br label %v385
-
-v385:
-  %v386 = phi i64 [ 0, %v378 ], [ %v387, %v385 ]
-  %v387 = add nsw i64 %v386, 1
-  %v388 = getelementptr double, ptr %v384, i64 %v386
-  %v389 = load double, ptr %v388, align 8, !noalias !3
-  %v390 = getelementptr i64, ptr %v63, i64 %v386
-  %v391 = load i64, ptr %v390, align 8, !noalias !3
-  %v392 = mul nsw i64 %v391, %v9
-  %v393 = add nsw i64 %v392, %v348
-  %v394 = icmp slt i64 %v393, 0
-  %v395 = select i1 %v394, i64 %v167, i64 0
-  %v396 = getelementptr double, ptr %v166, i64 %v393
-  %v397 = getelementptr double, ptr %v396, i64 %v395
-  store double %v389, ptr %v397, align 8, !noalias !3
-  %v398 = icmp eq i64 %v387, %v64
-  br i1 %v398, label %v377, label %v385
-
-v399:
-  %v400 = getelementptr double, ptr %v134, i64 %v348
-  %v401 = getelementptr double, ptr %v311, i64 %v348
-  %v402 = load double, ptr %v401, align 8, !noalias !7
-  %v403 = getelementptr double, ptr %v313, i64 %v348
-  %v404 = load double, ptr %v403, align 8, !noalias !7
-  %v405 = getelementptr double, ptr %v315, i64 %v348
-  %v406 = load double, ptr %v405, align 8, !noalias !7
-  store double 0.000000e+00, ptr %v400, align 8, !noalias !7
-  %v407 = getelementptr double, ptr %v400, i64 %v136
-  store double 0.000000e+00, ptr %v407, align 8, !noalias !7
-  %v408 = getelementptr i8, ptr %v400, i64 %v316
-  store double 0.000000e+00, ptr %v408, align 8, !noalias !7
-  %v409 = getelementptr i8, ptr %v400, i64 %v298
-  store double 0.000000e+00, ptr %v409, align 8, !noalias !7
-  %v410 = getelementptr i8, ptr %v400, i64 %v317
-  store double 0.000000e+00, ptr %v410, align 8, !noalias !7
-  %v411 = getelementptr i8, ptr %v400, i64 %v318
-  store double 0.000000e+00, ptr %v411, align 8, !noalias !7
-  %v412 = getelementptr i8, ptr %v400, i64 %v319
-  store double 0.000000e+00, ptr %v412, align 8, !noalias !7
-  %v413 = getelementptr i8, ptr %v400, i64 %v320
-  store double 0.000000e+00, ptr %v413, align 8, !noalias !7
-  %v414 = getelementptr i8, ptr %v400, i64 %v321
-  store double 0.000000e+00, ptr %v414, align 8, !noalias !7
-  %v415 = getelementptr i8, ptr %v400, i64 %v322
-  store double 0.000000e+00, ptr %v415, align 8, !noalias !7
-  %v416 = getelementptr i8, ptr %v400, i64 %v323
-  store double 0.000000e+00, ptr %v416, align 8, !noalias !7
-  %v417 = getelementptr i8, ptr %v400, i64 %v324
-  store double 0.000000e+00, ptr %v417, align 8, !noalias !7
-  %v418 = getelementptr i8, ptr %v400, i64 %v325
-  store double 0.000000e+00, ptr %v418, align 8, !noalias !7
-  %v419 = getelementptr i8, ptr %v400, i64 %v326
-  store double 0.000000e+00, ptr %v419, align 8, !noalias !7
-  %v420 = getelementptr i8, ptr %v400, i64 %v327
-  store double 0.000000e+00, ptr %v420, align 8, !noalias !7
-  %v421 = getelementptr i8, ptr %v400, i64 %v328
-  store double 0.000000e+00, ptr %v421, align 8, !noalias !7
-  %v422 = getelementptr i8, ptr %v400, i64 %v329
-  store double 0.000000e+00, ptr %v422, align 8, !noalias !7
-  %v423 = getelementptr i8, ptr %v400, i64 %v330
-  store double 0.000000e+00, ptr %v423, align 8, !noalias !7
-  %v424 = getelementptr i8, ptr %v400, i64 %v331
-  store double 0.000000e+00, ptr %v424, align 8, !noalias !7
-  %v425 = getelementptr i8, ptr %v400, i64 %v332
-  store double 0.000000e+00, ptr %v425, align 8, !noalias !7
-  %v426 = getelementptr i8, ptr %v400, i64 %v333
-  store double 0.000000e+00, ptr %v426, align 8, !noalias !7
-  %v427 = getelementptr i8, ptr %v400, i64 %v334
-  store double 0.000000e+00, ptr %v427, align 8, !noalias !7
-  %v428 = getelementptr i8, ptr %v400, i64 %v335
-  store double 0.000000e+00, ptr %v428, align 8, !noalias !7
-  %v429 = getelementptr i8, ptr %v400, i64 %v336
-  store double 0.000000e+00, ptr %v429, align 8, !noalias !7
-  %v430 = getelementptr i8, ptr %v400, i64 %v337
-  store double 0.000000e+00, ptr %v430, align 8, !noalias !7
-  %v431 = getelementptr i8, ptr %v400, i64 %v338
-  store double 0.000000e+00, ptr %v431, align 8, !noalias !7
-  %v432 = getelementptr i8, ptr %v400, i64 %v339
-  store double 0.000000e+00, ptr %v432, align 8, !noalias !7
-  %v433 = getelementptr i8, ptr %v400, i64 %v340
-  store double 0.000000e+00, ptr %v433, align 8, !noalias !7
-  %v434 = getelementptr i8, ptr %v400, i64 %v341
-  store double 0.000000e+00, ptr %v434, align 8, !noalias !7
-  %v435 = getelementptr i8, ptr %v400, i64 %v314
-  store double 0.000000e+00, ptr %v435, align 8, !noalias !7
-  %v436 = getelementptr i8, ptr %v400, i64 %v312
-  store double 0.000000e+00, ptr %v436, align 8, !noalias !7
-  %v437 = getelementptr i8, ptr %v400, i64 %v310
-  store double 0.000000e+00, ptr %v437, align 8, !noalias !7
-  %v438 = fcmp oeq double %v406, 0xFFF0000000000000
-  %v439 = select i1 %v438, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v439, ptr %v405, align 8, !noalias !7
-  store double %v404, ptr %v403, align 8, !noalias !7
-  store double %v402, ptr %v401, align 8, !noalias !7
-  store double 1.000000e+00, ptr %v347, align 8, !noalias !7
-  %v440 = getelementptr double, ptr %v342, i64 %v348
-  store double 0xFFF0000000000000, ptr %v440, align 8, !noalias !7
-  %v441 = getelementptr double, ptr %v343, i64 %v348
-  store double 0x7FF0000000000000, ptr %v441, align 8, !noalias !7
-  %v442 = load double, ptr %v93, align 8, !noalias !0
-  store double %v442, ptr %v400, align 8, !noalias !0
-  %v443 = load i64, ptr %v366, align 8, !noalias !0
-  %v444 = icmp slt i64 %v443, 0
-  %v445 = select i1 %v444, i64 %v71, i64 0
-  %v446 = getelementptr double, ptr %v70, i64 %v443
-  %v447 = getelementptr double, ptr %v446, i64 %v445
-  %v448 = load double, ptr %v447, align 8, !noalias !0
-  %v449 = getelementptr double, ptr %v344, i64 %v348
-  store double %v448, ptr %v449, align 8, !noalias !0
-  br label %v352
-
-v376:
-  %v450 = phi i64 [ 0, %v370 ], [ %v451, %v376 ]
-  %v451 = add nsw i64 %v450, 1
-  %v452 = getelementptr double, ptr %v374, i64 %v450
-  %v453 = load double, ptr %v452, align 8, !noalias !0
-  %v454 = mul nsw i64 %v450, %v9
-  %v455 = getelementptr double, ptr %v375, i64 %v454
-  store double %v453, ptr %v455, align 8, !noalias !0
-  %v456 = icmp eq i64 %v451, %v42
-  br i1 %v456, label %v369, label %v376
-
-v377:
-  br i1 %v309, label %v399, label %v457
-
-v457:
-  %v458 = getelementptr double, ptr %v194, i64 %v348
-  %v459 = select i1 %v356, i64 %v32, i64 0
-  %v460 = add i64 %v459, %v349
-  %v461 = mul i64 %v460, %v33
-  %v462 = getelementptr double, ptr %v31, i64 %v461
-  br label %v463
-
-v463:
-  %v464 = phi i64 [ 0, %v457 ], [ %v465, %v463 ]
-  %v465 = add nsw i64 %v464, 1
-  %v466 = getelementptr double, ptr %v462, i64 %v464
-  %v467 = load double, ptr %v466, align 8, !noalias !0
-  %v468 = mul i64 %v464, %v197
-  %v469 = getelementptr double, ptr %v458, i64 %v468
-  store double %v467, ptr %v469, align 8, !noalias !0
-  %v470 = icmp eq i64 %v465, %v10
-  br i1 %v470, label %v399, label %v463
+v345:
+  %v346 = getelementptr double, ptr %v299, i64 %v347
+  store double 0.000000e+00, ptr %v346, align 8, !noalias !0
+  %v348 = load i64, ptr %v152, align 8, !noalias !0
+  %v349 = load i64, ptr %v300, align 8, !noalias !0
+  %v350 = icmp eq i64 %v348, %v349
+  br i1 %v350, label %v351, label %v352
 
 v352:
-  %v471 = load i64, ptr %v472, align 8
-  %v473 = icmp sgt i64 %v471, -1
-  %v474 = zext i1 %v473 to i64
-  %v475 = add nsw i64 %v476, %v474
-  %v477 = icmp sgt i64 %v478, 1
-  br i1 %v477, label %v345, label %v296
+  %v353 = add nsw i64 %v348, 1
+  store i64 %v353, ptr %v152, align 8, !noalias !0
+  store i64 2, ptr %v301, align 8, !noalias !0
+  %v354 = getelementptr i64, ptr %v143, i64 %v347
+  store i64 %v348, ptr %v354, align 8, !noalias !0
+  %v355 = icmp slt i64 %v348, 0
+  %v356 = select i1 %v355, i64 %v50, i64 0
+  %v357 = getelementptr i64, ptr %v49, i64 %v348
+  %v358 = getelementptr i64, ptr %v357, i64 %v356
+  %v359 = load i64, ptr %v358, align 8, !noalias !0
+  %v360 = icmp slt i64 %v359, 0
+  %v361 = select i1 %v360, i64 %v57, i64 0
+  %v362 = getelementptr i64, ptr %v56, i64 %v359
+  %v363 = getelementptr i64, ptr %v362, i64 %v361
+  %v364 = load i64, ptr %v363, align 8, !noalias !0
+  %v365 = getelementptr i64, ptr %v302, i64 %v347
+  store i64 %v364, ptr %v365, align 8, !noalias !0
+  %v366 = getelementptr i64, ptr %v304, i64 %v347
+  store i64 1, ptr %v366, align 8, !noalias !0
+  %v367 = getelementptr i64, ptr %v306, i64 %v347
+  store i64 0, ptr %v367, align 8, !noalias !0
+  br i1 %v307, label %v368, label %v369
+
+v369:
+  %v370 = select i1 %v355, i64 %v41, i64 0
+  %v371 = add i64 %v370, %v348
+  %v372 = mul i64 %v371, %v42
+  %v373 = getelementptr double, ptr %v40, i64 %v372
+  %v374 = getelementptr double, ptr %v166, i64 %v347
+  br label %v375
+
+v368:
+  br i1 %v308, label %v376, label %v377
+
+v377:
+  %v378 = load i64, ptr %v365, align 8, !noalias !0
+  %v379 = icmp slt i64 %v378, 0
+  %v380 = select i1 %v379, i64 %v78, i64 0
+  %v381 = add i64 %v380, %v378
+  %v382 = mul i64 %v381, %v79
+  %v383 = getelementptr double, ptr %v77, i64 %v382
+  br label %v384
+
+v384:
+  %v385 = phi i64 [ 0, %v377 ], [ %v386, %v384 ]
+  %v386 = add nsw i64 %v385, 1
+  %v387 = getelementptr double, ptr %v383, i64 %v385
+  %v388 = load double, ptr %v387, align 8, !noalias !3
+  %v389 = getelementptr i64, ptr %v63, i64 %v385
+  %v390 = load i64, ptr %v389, align 8, !noalias !3
+  %v391 = mul nsw i64 %v390, %v9
+  %v392 = add nsw i64 %v391, %v347
+  %v393 = icmp slt i64 %v392, 0
+  %v394 = select i1 %v393, i64 %v167, i64 0
+  %v395 = getelementptr double, ptr %v166, i64 %v392
+  %v396 = getelementptr double, ptr %v395, i64 %v394
+  store double %v388, ptr %v396, align 8, !noalias !3
+  %v397 = icmp eq i64 %v386, %v64
+  br i1 %v397, label %v376, label %v384
+
+v398:
+  %v399 = getelementptr double, ptr %v134, i64 %v347
+  %v400 = getelementptr double, ptr %v311, i64 %v347
+  %v401 = load double, ptr %v400, align 8, !noalias !7
+  %v402 = getelementptr double, ptr %v313, i64 %v347
+  %v403 = load double, ptr %v402, align 8, !noalias !7
+  %v404 = getelementptr double, ptr %v315, i64 %v347
+  %v405 = load double, ptr %v404, align 8, !noalias !7
+  store double 0.000000e+00, ptr %v399, align 8, !noalias !7
+  %v406 = getelementptr double, ptr %v399, i64 %v136
+  store double 0.000000e+00, ptr %v406, align 8, !noalias !7
+  %v407 = getelementptr i8, ptr %v399, i64 %v316
+  store double 0.000000e+00, ptr %v407, align 8, !noalias !7
+  %v408 = getelementptr i8, ptr %v399, i64 %v298
+  store double 0.000000e+00, ptr %v408, align 8, !noalias !7
+  %v409 = getelementptr i8, ptr %v399, i64 %v317
+  store double 0.000000e+00, ptr %v409, align 8, !noalias !7
+  %v410 = getelementptr i8, ptr %v399, i64 %v318
+  store double 0.000000e+00, ptr %v410, align 8, !noalias !7
+  %v411 = getelementptr i8, ptr %v399, i64 %v319
+  store double 0.000000e+00, ptr %v411, align 8, !noalias !7
+  %v412 = getelementptr i8, ptr %v399, i64 %v320
+  store double 0.000000e+00, ptr %v412, align 8, !noalias !7
+  %v413 = getelementptr i8, ptr %v399, i64 %v321
+  store double 0.000000e+00, ptr %v413, align 8, !noalias !7
+  %v414 = getelementptr i8, ptr %v399, i64 %v322
+  store double 0.000000e+00, ptr %v414, align 8, !noalias !7
+  %v415 = getelementptr i8, ptr %v399, i64 %v323
+  store double 0.000000e+00, ptr %v415, align 8, !noalias !7
+  %v416 = getelementptr i8, ptr %v399, i64 %v324
+  store double 0.000000e+00, ptr %v416, align 8, !noalias !7
+  %v417 = getelementptr i8, ptr %v399, i64 %v325
+  store double 0.000000e+00, ptr %v417, align 8, !noalias !7
+  %v418 = getelementptr i8, ptr %v399, i64 %v326
+  store double 0.000000e+00, ptr %v418, align 8, !noalias !7
+  %v419 = getelementptr i8, ptr %v399, i64 %v327
+  store double 0.000000e+00, ptr %v419, align 8, !noalias !7
+  %v420 = getelementptr i8, ptr %v399, i64 %v328
+  store double 0.000000e+00, ptr %v420, align 8, !noalias !7
+  %v421 = getelementptr i8, ptr %v399, i64 %v329
+  store double 0.000000e+00, ptr %v421, align 8, !noalias !7
+  %v422 = getelementptr i8, ptr %v399, i64 %v330
+  store double 0.000000e+00, ptr %v422, align 8, !noalias !7
+  %v423 = getelementptr i8, ptr %v399, i64 %v310
+  store double 0.000000e+00, ptr %v423, align 8, !noalias !7
+  %v424 = getelementptr i8, ptr %v399, i64 %v331
+  store double 0.000000e+00, ptr %v424, align 8, !noalias !7
+  %v425 = getelementptr i8, ptr %v399, i64 %v332
+  store double 0.000000e+00, ptr %v425, align 8, !noalias !7
+  %v426 = getelementptr i8, ptr %v399, i64 %v333
+  store double 0.000000e+00, ptr %v426, align 8, !noalias !7
+  %v427 = getelementptr i8, ptr %v399, i64 %v334
+  store double 0.000000e+00, ptr %v427, align 8, !noalias !7
+  %v428 = getelementptr i8, ptr %v399, i64 %v335
+  store double 0.000000e+00, ptr %v428, align 8, !noalias !7
+  %v429 = getelementptr i8, ptr %v399, i64 %v336
+  store double 0.000000e+00, ptr %v429, align 8, !noalias !7
+  %v430 = getelementptr i8, ptr %v399, i64 %v337
+  store double 0.000000e+00, ptr %v430, align 8, !noalias !7
+  %v431 = getelementptr i8, ptr %v399, i64 %v338
+  store double 0.000000e+00, ptr %v431, align 8, !noalias !7
+  %v432 = getelementptr i8, ptr %v399, i64 %v339
+  store double 0.000000e+00, ptr %v432, align 8, !noalias !7
+  %v433 = getelementptr i8, ptr %v399, i64 %v340
+  store double 0.000000e+00, ptr %v433, align 8, !noalias !7
+  %v434 = getelementptr i8, ptr %v399, i64 %v314
+  store double 0.000000e+00, ptr %v434, align 8, !noalias !7
+  %v435 = getelementptr i8, ptr %v399, i64 %v312
+  store double 0.000000e+00, ptr %v435, align 8, !noalias !7
+  %v436 = fcmp oeq double %v405, 0xFFF0000000000000
+  %v437 = select i1 %v436, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v437, ptr %v404, align 8, !noalias !7
+  store double %v403, ptr %v402, align 8, !noalias !7
+  store double %v401, ptr %v400, align 8, !noalias !7
+  store double 1.000000e+00, ptr %v346, align 8, !noalias !7
+  %v438 = getelementptr double, ptr %v341, i64 %v347
+  store double 0xFFF0000000000000, ptr %v438, align 8, !noalias !7
+  %v439 = getelementptr double, ptr %v342, i64 %v347
+  store double 0x7FF0000000000000, ptr %v439, align 8, !noalias !7
+  %v440 = load double, ptr %v93, align 8, !noalias !0
+  store double %v440, ptr %v399, align 8, !noalias !0
+  %v441 = load i64, ptr %v365, align 8, !noalias !0
+  %v442 = icmp slt i64 %v441, 0
+  %v443 = select i1 %v442, i64 %v71, i64 0
+  %v444 = getelementptr double, ptr %v70, i64 %v441
+  %v445 = getelementptr double, ptr %v444, i64 %v443
+  %v446 = load double, ptr %v445, align 8, !noalias !0
+  %v447 = getelementptr double, ptr %v343, i64 %v347
+  store double %v446, ptr %v447, align 8, !noalias !0
+  br label %v351
+
+v375:
+  %v448 = phi i64 [ 0, %v369 ], [ %v449, %v375 ]
+  %v449 = add nsw i64 %v448, 1
+  %v450 = getelementptr double, ptr %v373, i64 %v448
+  %v451 = load double, ptr %v450, align 8, !noalias !0
+  %v452 = mul nsw i64 %v448, %v9
+  %v453 = getelementptr double, ptr %v374, i64 %v452
+  store double %v451, ptr %v453, align 8, !noalias !0
+  %v454 = icmp eq i64 %v449, %v42
+  br i1 %v454, label %v368, label %v375
+
+v376:
+  br i1 %v309, label %v398, label %v455
+
+v455:
+  %v456 = getelementptr double, ptr %v194, i64 %v347
+  %v457 = select i1 %v355, i64 %v32, i64 0
+  %v458 = add i64 %v457, %v348
+  %v459 = mul i64 %v458, %v33
+  %v460 = getelementptr double, ptr %v31, i64 %v459
+  br label %v461
+
+v461:
+  %v462 = phi i64 [ 0, %v455 ], [ %v463, %v461 ]
+  %v463 = add nsw i64 %v462, 1
+  %v464 = getelementptr double, ptr %v460, i64 %v462
+  %v465 = load double, ptr %v464, align 8, !noalias !0
+  %v466 = mul i64 %v462, %v197
+  %v467 = getelementptr double, ptr %v456, i64 %v466
+  store double %v465, ptr %v467, align 8, !noalias !0
+  %v468 = icmp eq i64 %v463, %v10
+  br i1 %v468, label %v398, label %v461
+
+v351:
+  %v469 = load i64, ptr %v470, align 8
+  %v471 = icmp sgt i64 %v469, -1
+  %v472 = zext i1 %v471 to i64
+  %v473 = add nsw i64 %v474, %v472
+  %v475 = icmp sgt i64 %v476, 1
+  br i1 %v475, label %v344, label %v296
 
 v296:
-  %v479 = phi i64 [ 0, %v286 ], [ %v475, %v352 ]
-  %v480 = icmp ne i64 %v479, 0
-  %v481 = icmp sgt i64 %v284, 0
-  %v482 = select i1 %v480, i1 %v481, i1 false
-  br i1 %v482, label %v483, label %v484
+  %v477 = phi i64 [ 0, %v286 ], [ %v473, %v351 ]
+  %v478 = icmp ne i64 %v477, 0
+  %v479 = icmp sgt i64 %v284, 0
+  %v480 = select i1 %v478, i1 %v479, i1 false
+  br i1 %v480, label %v481, label %v482
 
-v483:
-  %v485 = getelementptr i8, ptr %v152, i64 16
-  %v486 = mul i64 %v10, %v9
-  %v487 = shl i64 %v197, 7
-  %v488 = mul i64 %v208, %v207
-  %v489 = getelementptr i8, ptr %v6, i64 8
-  %v490 = getelementptr i8, ptr %v6, i64 32
-  %v491 = mul i64 %v136, 24
-  %v492 = getelementptr i8, ptr %v134, i64 %v491
-  %v493 = icmp sgt i64 %v19, 0
-  %v494 = getelementptr i8, ptr %v6, i64 32
-  %v495 = mul i64 %v136, 24
-  %v496 = getelementptr i8, ptr %v134, i64 %v495
-  %v497 = icmp slt i64 %v19, 1
-  %v498 = icmp sgt i64 %v13, 0
-  %v499 = mul nsw i64 %v10, %v9
-  %v500 = shl i64 %v499, 4
-  %v501 = getelementptr i8, ptr %v159, i64 %v500
-  %v502 = getelementptr i8, ptr %v6, i64 56
-  %v503 = getelementptr i8, ptr %v6, i64 64
-  %v504 = shl i64 %v136, 6
-  %v505 = getelementptr i8, ptr %v134, i64 %v504
-  %v506 = mul i64 %v499, 136
+v481:
+  %v483 = getelementptr i8, ptr %v152, i64 16
+  %v484 = mul i64 %v10, %v9
+  %v485 = shl i64 %v197, 7
+  %v486 = mul i64 %v208, %v207
+  %v487 = getelementptr i8, ptr %v6, i64 8
+  %v488 = getelementptr i8, ptr %v6, i64 32
+  %v489 = mul i64 %v136, 24
+  %v490 = getelementptr i8, ptr %v134, i64 %v489
+  %v491 = icmp sgt i64 %v19, 0
+  %v492 = getelementptr i8, ptr %v6, i64 32
+  %v493 = mul i64 %v136, 24
+  %v494 = getelementptr i8, ptr %v134, i64 %v493
+  %v495 = icmp slt i64 %v19, 1
+  %v496 = icmp sgt i64 %v13, 0
+  %v497 = mul nsw i64 %v10, %v9
+  %v498 = shl i64 %v497, 4
+  %v499 = getelementptr i8, ptr %v159, i64 %v498
+  %v500 = getelementptr i8, ptr %v6, i64 56
+  %v501 = getelementptr i8, ptr %v6, i64 64
+  %v502 = shl i64 %v136, 6
+  %v503 = getelementptr i8, ptr %v134, i64 %v502
+  %v504 = mul i64 %v497, 136
+  %v505 = getelementptr i8, ptr %v159, i64 %v504
+  %v506 = mul i64 %v497, 24
   %v507 = getelementptr i8, ptr %v159, i64 %v506
-  %v508 = mul i64 %v499, 24
-  %v509 = getelementptr i8, ptr %v159, i64 %v508
-  %v510 = getelementptr i8, ptr %v6, i64 72
-  %v511 = mul i64 %v486, 112
-  %v512 = mul i64 %v136, 24
+  %v508 = getelementptr i8, ptr %v6, i64 72
+  %v509 = mul i64 %v484, 112
+  %v510 = mul i64 %v136, 24
+  %v511 = getelementptr i8, ptr %v134, i64 %v510
+  %v512 = shl i64 %v136, 5
   %v513 = getelementptr i8, ptr %v134, i64 %v512
-  %v514 = shl i64 %v136, 5
+  %v514 = mul i64 %v136, 144
   %v515 = getelementptr i8, ptr %v134, i64 %v514
-  %v516 = mul i64 %v136, 248
-  %v517 = getelementptr i8, ptr %v134, i64 %v516
-  %v518 = select i1 %v498, i64 2, i64 0
-  %v519 = icmp slt i64 %v15, 1
-  %v520 = zext i1 %v519 to i64
-  %v521 = mul i64 %v136, 88
-  %v522 = getelementptr i8, ptr %v134, i64 %v521
-  %v523 = getelementptr double, ptr %v93, i64 %v94
-  %v524 = getelementptr i8, ptr %v523, i64 -8
-  %v525 = shl i64 %v136, 6
-  %v526 = getelementptr i8, ptr %v134, i64 %v525
-  %v527 = getelementptr i8, ptr %v159, i64 %v511
-  %v528 = icmp slt i64 %v10, 1
-  %v529 = mul i64 %v197, %v196
-  %v530 = mul i64 %v529, 112
+  %v516 = select i1 %v496, i64 2, i64 0
+  %v517 = icmp slt i64 %v15, 1
+  %v518 = zext i1 %v517 to i64
+  %v519 = mul i64 %v136, 88
+  %v520 = getelementptr i8, ptr %v134, i64 %v519
+  %v521 = getelementptr double, ptr %v93, i64 %v94
+  %v522 = getelementptr i8, ptr %v521, i64 -8
+  %v523 = shl i64 %v136, 6
+  %v524 = getelementptr i8, ptr %v134, i64 %v523
+  %v525 = getelementptr i8, ptr %v159, i64 %v509
+  %v526 = icmp slt i64 %v10, 1
+  %v527 = mul i64 %v197, %v196
+  %v528 = mul i64 %v527, 112
+  %v529 = getelementptr i8, ptr %v194, i64 %v528
+  %v530 = shl i64 %v527, 7
   %v531 = getelementptr i8, ptr %v194, i64 %v530
-  %v532 = shl i64 %v529, 7
-  %v533 = getelementptr i8, ptr %v194, i64 %v532
-  %v534 = getelementptr i8, ptr %v6, i64 32
-  %v535 = mul i64 %v208, 216
-  %v536 = getelementptr i8, ptr %v187, i64 %v535
-  %v537 = shl i64 %v10, 7
-  %v538 = getelementptr i8, ptr %v159, i64 %v537
-  %v539 = mul i64 %v208, 240
-  %v540 = getelementptr i8, ptr %v187, i64 %v539
-  %v541 = sub i64 %v208, %v19
-  %v542 = tail call i64 @llvm.smax.i64(i64 %v541, i64 0)
-  %v543 = getelementptr double, ptr %v205, i64 %v208
-  %v544 = mul i64 %v208, %v207
-  %v545 = mul i64 %v544, 80
-  %v546 = getelementptr i8, ptr %v543, i64 %v545
-  %v547 = mul i64 %v544, 72
-  %v548 = getelementptr i8, ptr %v205, i64 %v547
-  %v549 = getelementptr double, ptr %v548, i64 %v208
-  %v550 = shl i64 %v208, 4
-  %v551 = getelementptr i8, ptr %v548, i64 %v550
-  %v552 = shl i64 %v145, 5
-  %v553 = getelementptr i8, ptr %v143, i64 %v552
-  %v554 = shl i64 %v136, 4
+  %v532 = getelementptr i8, ptr %v6, i64 32
+  %v533 = mul i64 %v208, 216
+  %v534 = getelementptr i8, ptr %v187, i64 %v533
+  %v535 = shl i64 %v10, 7
+  %v536 = getelementptr i8, ptr %v159, i64 %v535
+  %v537 = mul i64 %v208, 240
+  %v538 = getelementptr i8, ptr %v187, i64 %v537
+  %v539 = sub i64 %v208, %v19
+  %v540 = tail call i64 @llvm.smax.i64(i64 %v539, i64 0)
+  %v541 = getelementptr double, ptr %v205, i64 %v208
+  %v542 = mul i64 %v208, %v207
+  %v543 = mul i64 %v542, 80
+  %v544 = getelementptr i8, ptr %v541, i64 %v543
+  %v545 = mul i64 %v542, 72
+  %v546 = getelementptr i8, ptr %v205, i64 %v545
+  %v547 = getelementptr double, ptr %v546, i64 %v208
+  %v548 = shl i64 %v208, 4
+  %v549 = getelementptr i8, ptr %v546, i64 %v548
+  %v550 = shl i64 %v145, 5
+  %v551 = getelementptr i8, ptr %v143, i64 %v550
+  %v552 = shl i64 %v136, 4
+  %v553 = getelementptr i8, ptr %v134, i64 %v552
+  %v554 = mul i64 %v136, 112
   %v555 = getelementptr i8, ptr %v134, i64 %v554
-  %v556 = mul i64 %v136, 112
+  %v556 = shl i64 %v136, 4
   %v557 = getelementptr i8, ptr %v134, i64 %v556
-  %v558 = shl i64 %v136, 4
+  %v558 = mul i64 %v136, 168
   %v559 = getelementptr i8, ptr %v134, i64 %v558
-  %v560 = mul i64 %v136, 168
-  %v561 = getelementptr i8, ptr %v134, i64 %v560
-  %v562 = shl i64 %v145, 4
-  %v563 = getelementptr i8, ptr %v143, i64 %v562
-  %v564 = getelementptr i8, ptr %v6, i64 40
-  %v565 = icmp eq i64 %v13, 0
-  %v566 = mul nsw i64 %v10, %v9
-  %v567 = getelementptr double, ptr %v159, i64 %v566
-  %v568 = icmp sgt i64 %v14, 0
-  %v569 = shl i64 %v136, 5
-  %v570 = getelementptr i8, ptr %v134, i64 %v569
-  %v571 = icmp slt i64 %v10, 1
-  %v572 = mul i64 %v197, %v196
-  %v573 = mul i64 %v572, 136
+  %v560 = shl i64 %v145, 4
+  %v561 = getelementptr i8, ptr %v143, i64 %v560
+  %v562 = getelementptr i8, ptr %v6, i64 40
+  %v563 = icmp eq i64 %v13, 0
+  %v564 = mul nsw i64 %v10, %v9
+  %v565 = getelementptr double, ptr %v159, i64 %v564
+  %v566 = icmp sgt i64 %v14, 0
+  %v567 = shl i64 %v136, 5
+  %v568 = getelementptr i8, ptr %v134, i64 %v567
+  %v569 = icmp slt i64 %v10, 1
+  %v570 = mul i64 %v197, %v196
+  %v571 = mul i64 %v570, 136
+  %v572 = getelementptr i8, ptr %v194, i64 %v571
+  %v573 = mul i64 %v570, 88
   %v574 = getelementptr i8, ptr %v194, i64 %v573
-  %v575 = mul i64 %v572, 88
-  %v576 = getelementptr i8, ptr %v194, i64 %v575
-  %v577 = mul nsw i64 %v10, 19
-  %v578 = add nsw i64 %v577, 1
-  %v579 = mul nsw i64 %v10, 18
-  %v580 = icmp slt i64 %v10, 0
-  %v581 = select i1 %v580, i64 %v160, i64 0
-  %v582 = add i64 %v581, %v579
-  %v583 = icmp slt i64 %v582, 0
-  %v584 = icmp slt i64 %v582, %v160
-  %v585 = add i64 %v578, %v581
-  %v586 = icmp slt i64 %v585, 0
-  %v587 = icmp slt i64 %v585, %v160
-  %v588 = icmp sgt i64 %v261, 1
-  %v589 = mul i64 %v197, %v196
-  %v590 = getelementptr i8, ptr %v24, i64 8
-  %v591 = select i1 %v580, i64 %v254, i64 0
-  %v592 = getelementptr i64, ptr %v253, i64 %v10
-  %v593 = getelementptr i64, ptr %v592, i64 %v591
-  %v594 = mul i64 %v136, 48
-  %v595 = getelementptr i8, ptr %v134, i64 %v594
-  %v596 = mul i64 %v589, 136
-  %v597 = shl i64 %v136, 6
-  %v598 = getelementptr i8, ptr %v134, i64 %v597
-  %v599 = mul nsw i64 %v10, %v9
-  %v600 = mul i64 %v599, 136
-  %v601 = getelementptr i8, ptr %v159, i64 %v600
-  %v602 = getelementptr i8, ptr %v194, i64 %v596
-  %v603 = mul i64 %v589, 96
+  %v575 = mul nsw i64 %v10, 19
+  %v576 = add nsw i64 %v575, 1
+  %v577 = mul nsw i64 %v10, 18
+  %v578 = icmp slt i64 %v10, 0
+  %v579 = select i1 %v578, i64 %v160, i64 0
+  %v580 = add i64 %v579, %v577
+  %v581 = icmp slt i64 %v580, 0
+  %v582 = icmp slt i64 %v580, %v160
+  %v583 = add i64 %v576, %v579
+  %v584 = icmp slt i64 %v583, 0
+  %v585 = icmp slt i64 %v583, %v160
+  %v586 = icmp sgt i64 %v261, 1
+  %v587 = mul i64 %v197, %v196
+  %v588 = getelementptr i8, ptr %v24, i64 8
+  %v589 = select i1 %v578, i64 %v254, i64 0
+  %v590 = getelementptr i64, ptr %v253, i64 %v10
+  %v591 = getelementptr i64, ptr %v590, i64 %v589
+  %v592 = mul i64 %v136, 48
+  %v593 = getelementptr i8, ptr %v134, i64 %v592
+  %v594 = mul i64 %v587, 136
+  %v595 = shl i64 %v136, 6
+  %v596 = getelementptr i8, ptr %v134, i64 %v595
+  %v597 = mul nsw i64 %v10, %v9
+  %v598 = mul i64 %v597, 136
+  %v599 = getelementptr i8, ptr %v159, i64 %v598
+  %v600 = getelementptr i8, ptr %v194, i64 %v594
+  %v601 = mul i64 %v587, 96
+  %v602 = getelementptr i8, ptr %v194, i64 %v601
+  %v603 = mul i64 %v587, 104
   %v604 = getelementptr i8, ptr %v194, i64 %v603
-  %v605 = mul i64 %v589, 104
-  %v606 = getelementptr i8, ptr %v194, i64 %v605
-  %v607 = getelementptr double, ptr %v194, i64 %v589
-  %v608 = mul i64 %v589, 88
-  %v609 = getelementptr i8, ptr %v194, i64 %v608
-  %v610 = mul i64 %v599, 96
+  %v605 = getelementptr double, ptr %v194, i64 %v587
+  %v606 = mul i64 %v587, 88
+  %v607 = getelementptr i8, ptr %v194, i64 %v606
+  %v608 = mul i64 %v597, 96
+  %v609 = getelementptr i8, ptr %v159, i64 %v608
+  %v610 = mul i64 %v597, 96
   %v611 = getelementptr i8, ptr %v159, i64 %v610
-  %v612 = mul i64 %v599, 96
+  %v612 = mul i64 %v597, 104
   %v613 = getelementptr i8, ptr %v159, i64 %v612
-  %v614 = mul i64 %v599, 104
-  %v615 = getelementptr i8, ptr %v159, i64 %v614
-  %v616 = add nsw i64 %v261, -2
-  %v617 = icmp sgt i64 %v10, 0
-  %v618 = add i64 %v241, %v240
-  %v619 = add i64 %v240, 1
-  %v620 = add i64 %v10, 1
-  %v621 = mul i64 %v136, 160
-  %v622 = getelementptr i8, ptr %v134, i64 %v621
-  %v623 = add i64 %v241, 1
-  %v624 = add i64 %v11, -1
-  %v625 = tail call i64 @llvm.smax.i64(i64 %v624, i64 0)
-  %v626 = icmp slt i64 %v624, 1
-  %v627 = shl i64 %v136, 6
-  %v628 = getelementptr i8, ptr %v134, i64 %v627
-  %v629 = mul nsw i64 %v10, %v9
-  %v630 = mul i64 %v629, 136
-  %v631 = getelementptr i8, ptr %v159, i64 %v630
-  %v632 = icmp sgt i64 %v10, 0
-  %v633 = select i1 %v568, i1 %v632, i1 false
-  %v634 = mul i64 %v197, %v196
-  %v635 = mul i64 %v634, 80
+  %v614 = add nsw i64 %v261, -2
+  %v615 = icmp sgt i64 %v10, 0
+  %v616 = add i64 %v241, %v240
+  %v617 = add i64 %v240, 1
+  %v618 = add i64 %v10, 1
+  %v619 = mul i64 %v136, 160
+  %v620 = getelementptr i8, ptr %v134, i64 %v619
+  %v621 = add i64 %v241, 1
+  %v622 = add i64 %v11, -1
+  %v623 = tail call i64 @llvm.smax.i64(i64 %v622, i64 0)
+  %v624 = icmp slt i64 %v622, 1
+  %v625 = shl i64 %v136, 6
+  %v626 = getelementptr i8, ptr %v134, i64 %v625
+  %v627 = mul nsw i64 %v10, %v9
+  %v628 = mul i64 %v627, 136
+  %v629 = getelementptr i8, ptr %v159, i64 %v628
+  %v630 = icmp sgt i64 %v10, 0
+  %v631 = select i1 %v566, i1 %v630, i1 false
+  %v632 = mul i64 %v197, %v196
+  %v633 = mul i64 %v632, 80
+  %v634 = getelementptr i8, ptr %v194, i64 %v633
+  %v635 = mul i64 %v632, 136
   %v636 = getelementptr i8, ptr %v194, i64 %v635
-  %v637 = mul i64 %v634, 136
-  %v638 = getelementptr i8, ptr %v194, i64 %v637
-  %v639 = mul nsw i64 %v10, 17
-  %v640 = add i64 %v240, 1
-  %v641 = getelementptr double, ptr %v159, i64 %v639
-  %v642 = add i64 %v241, %v240
-  %v643 = mul i64 %v197, %v196
-  %v644 = mul i64 %v643, 136
-  %v645 = getelementptr i8, ptr %v194, i64 %v644
-  %v646 = getelementptr i8, ptr %v6, i64 48
-  %v647 = or i1 %v568, %v293
-  %v648 = mul i64 %v136, 40
+  %v637 = mul nsw i64 %v10, 17
+  %v638 = add i64 %v240, 1
+  %v639 = getelementptr double, ptr %v159, i64 %v637
+  %v640 = add i64 %v241, %v240
+  %v641 = mul i64 %v197, %v196
+  %v642 = mul i64 %v641, 136
+  %v643 = getelementptr i8, ptr %v194, i64 %v642
+  %v644 = getelementptr i8, ptr %v6, i64 48
+  %v645 = or i1 %v566, %v293
+  %v646 = mul i64 %v136, 40
+  %v647 = getelementptr i8, ptr %v134, i64 %v646
+  %v648 = mul i64 %v136, 184
   %v649 = getelementptr i8, ptr %v134, i64 %v648
-  %v650 = mul i64 %v136, 184
+  %v650 = mul i64 %v136, 192
   %v651 = getelementptr i8, ptr %v134, i64 %v650
-  %v652 = mul i64 %v136, 192
+  %v652 = mul i64 %v136, 200
   %v653 = getelementptr i8, ptr %v134, i64 %v652
-  %v654 = mul i64 %v136, 200
+  %v654 = mul i64 %v136, 176
   %v655 = getelementptr i8, ptr %v134, i64 %v654
-  %v656 = mul i64 %v136, 176
-  %v657 = getelementptr i8, ptr %v134, i64 %v656
-  %v658 = shl i64 %v145, 4
-  %v659 = getelementptr i8, ptr %v143, i64 %v658
-  %v660 = mul i64 %v136, 208
+  %v656 = shl i64 %v145, 4
+  %v657 = getelementptr i8, ptr %v143, i64 %v656
+  %v658 = mul i64 %v136, 208
+  %v659 = getelementptr i8, ptr %v134, i64 %v658
+  %v660 = mul i64 %v136, 72
   %v661 = getelementptr i8, ptr %v134, i64 %v660
-  %v662 = mul i64 %v136, 72
+  %v662 = mul i64 %v136, 40
   %v663 = getelementptr i8, ptr %v134, i64 %v662
-  %v664 = mul i64 %v136, 40
+  %v664 = mul i64 %v136, 56
   %v665 = getelementptr i8, ptr %v134, i64 %v664
-  %v666 = mul i64 %v136, 56
+  %v666 = mul i64 %v136, 232
   %v667 = getelementptr i8, ptr %v134, i64 %v666
-  %v668 = mul i64 %v136, 232
-  %v669 = getelementptr i8, ptr %v134, i64 %v668
-  %v670 = icmp sgt i64 %v13, 0
-  %v671 = icmp ne i64 %v14, 0
-  %v672 = xor i1 %v670, true
-  %v673 = select i1 %v672, i1 true, i1 %v671
-  %v674 = shl i64 %v136, 6
-  %v675 = getelementptr i8, ptr %v134, i64 %v674
-  %v676 = mul nsw i64 %v10, %v9
-  %v677 = mul i64 %v676, 136
+  %v668 = icmp sgt i64 %v13, 0
+  %v669 = icmp ne i64 %v14, 0
+  %v670 = xor i1 %v668, true
+  %v671 = select i1 %v670, i1 true, i1 %v669
+  %v672 = shl i64 %v136, 6
+  %v673 = getelementptr i8, ptr %v134, i64 %v672
+  %v674 = mul nsw i64 %v10, %v9
+  %v675 = mul i64 %v674, 136
+  %v676 = getelementptr i8, ptr %v159, i64 %v675
+  %v677 = mul i64 %v674, 104
   %v678 = getelementptr i8, ptr %v159, i64 %v677
-  %v679 = mul i64 %v676, 104
-  %v680 = getelementptr i8, ptr %v159, i64 %v679
-  %v681 = getelementptr i8, ptr %v6, i64 104
-  %v682 = getelementptr i8, ptr %v6, i64 96
-  %v683 = mul i64 %v197, %v196
-  %v684 = mul i64 %v136, 48
+  %v679 = getelementptr i8, ptr %v6, i64 104
+  %v680 = getelementptr i8, ptr %v6, i64 96
+  %v681 = mul i64 %v197, %v196
+  %v682 = mul i64 %v136, 48
+  %v683 = getelementptr i8, ptr %v134, i64 %v682
+  %v684 = shl i64 %v136, 6
   %v685 = getelementptr i8, ptr %v134, i64 %v684
-  %v686 = shl i64 %v136, 6
-  %v687 = getelementptr i8, ptr %v134, i64 %v686
-  %v688 = shl i64 %v683, 7
-  %v689 = icmp slt i64 %v10, 1
-  %v690 = getelementptr i8, ptr %v194, i64 %v688
-  %v691 = mul i64 %v208, 3
-  %v692 = getelementptr i8, ptr %v6, i64 32
-  %v693 = mul i64 %v683, 192
-  %v694 = mul i64 %v683, 184
-  %v695 = mul i64 %v683, 176
-  %v696 = mul i64 %v683, 168
-  %v697 = mul i64 %v683, 160
-  %v698 = mul i64 %v683, 152
-  %v699 = mul i64 %v683, 144
-  %v700 = mul i64 %v136, 56
-  %v701 = getelementptr i8, ptr %v134, i64 %v700
-  %v702 = tail call i64 @llvm.smax.i64(i64 %v208, i64 0)
+  %v686 = shl i64 %v681, 7
+  %v687 = icmp slt i64 %v10, 1
+  %v688 = getelementptr i8, ptr %v194, i64 %v686
+  %v689 = mul i64 %v208, 3
+  %v690 = getelementptr i8, ptr %v6, i64 32
+  %v691 = mul i64 %v681, 192
+  %v692 = mul i64 %v681, 184
+  %v693 = mul i64 %v681, 176
+  %v694 = mul i64 %v681, 168
+  %v695 = mul i64 %v681, 160
+  %v696 = mul i64 %v681, 152
+  %v697 = mul i64 %v681, 144
+  %v698 = mul i64 %v136, 56
+  %v699 = getelementptr i8, ptr %v134, i64 %v698
+  %v700 = tail call i64 @llvm.smax.i64(i64 %v208, i64 0)
+  %v701 = mul i64 %v208, %v207
+  %v702 = getelementptr double, ptr %v205, i64 %v208
   %v703 = mul i64 %v208, %v207
   %v704 = getelementptr double, ptr %v205, i64 %v208
-  %v705 = mul i64 %v208, %v207
-  %v706 = getelementptr double, ptr %v205, i64 %v208
-  %v707 = getelementptr double, ptr %v205, i64 %v208
-  %v708 = shl i64 %v208, 4
-  %v709 = getelementptr i8, ptr %v205, i64 %v708
-  %v710 = icmp sgt i64 %v12, 0
-  %v711 = add nsw i64 %v11, 13
-  %v712 = shl i64 %v136, 6
-  %v713 = getelementptr i8, ptr %v134, i64 %v712
-  %v714 = mul nsw i64 %v10, %v9
-  %v715 = mul i64 %v714, 136
-  %v716 = getelementptr i8, ptr %v159, i64 %v715
-  %v717 = icmp slt i64 %v11, -13
-  %v718 = select i1 %v717, i64 %v7, i64 0
-  %v719 = getelementptr i64, ptr %v6, i64 %v11
-  %v720 = getelementptr i8, ptr %v719, i64 104
-  %v721 = getelementptr i64, ptr %v720, i64 %v718
-  %v722 = getelementptr i8, ptr %v6, i64 88
-  %v723 = shl i64 %v145, 4
-  %v724 = getelementptr i8, ptr %v143, i64 %v723
-  %v725 = mul i64 %v136, 40
+  %v705 = getelementptr double, ptr %v205, i64 %v208
+  %v706 = shl i64 %v208, 4
+  %v707 = getelementptr i8, ptr %v205, i64 %v706
+  %v708 = icmp sgt i64 %v12, 0
+  %v709 = add nsw i64 %v11, 13
+  %v710 = shl i64 %v136, 6
+  %v711 = getelementptr i8, ptr %v134, i64 %v710
+  %v712 = mul nsw i64 %v10, %v9
+  %v713 = mul i64 %v712, 136
+  %v714 = getelementptr i8, ptr %v159, i64 %v713
+  %v715 = icmp slt i64 %v11, -13
+  %v716 = select i1 %v715, i64 %v7, i64 0
+  %v717 = getelementptr i64, ptr %v6, i64 %v11
+  %v718 = getelementptr i8, ptr %v717, i64 104
+  %v719 = getelementptr i64, ptr %v718, i64 %v716
+  %v720 = getelementptr i8, ptr %v6, i64 88
+  %v721 = shl i64 %v145, 4
+  %v722 = getelementptr i8, ptr %v143, i64 %v721
+  %v723 = mul i64 %v136, 40
+  %v724 = getelementptr i8, ptr %v134, i64 %v723
+  %v725 = mul i64 %v136, 56
   %v726 = getelementptr i8, ptr %v134, i64 %v725
-  %v727 = mul i64 %v136, 56
+  %v727 = mul i64 %v136, 216
   %v728 = getelementptr i8, ptr %v134, i64 %v727
-  %v729 = mul i64 %v136, 216
+  %v729 = mul i64 %v136, 48
   %v730 = getelementptr i8, ptr %v134, i64 %v729
-  %v731 = mul i64 %v136, 48
+  %v731 = shl i64 %v136, 5
   %v732 = getelementptr i8, ptr %v134, i64 %v731
-  %v733 = shl i64 %v136, 5
-  %v734 = getelementptr i8, ptr %v134, i64 %v733
-  %v735 = getelementptr double, ptr %v134, i64 %v136
-  %v736 = mul i64 %v136, 224
-  %v737 = getelementptr i8, ptr %v134, i64 %v736
-  %v738 = mul i64 %v197, %v196
-  %v739 = mul i64 %v136, 48
+  %v733 = getelementptr double, ptr %v134, i64 %v136
+  %v734 = mul i64 %v136, 224
+  %v735 = getelementptr i8, ptr %v134, i64 %v734
+  %v736 = mul i64 %v197, %v196
+  %v737 = mul i64 %v136, 48
+  %v738 = getelementptr i8, ptr %v134, i64 %v737
+  %v739 = shl i64 %v136, 6
   %v740 = getelementptr i8, ptr %v134, i64 %v739
-  %v741 = shl i64 %v136, 6
-  %v742 = getelementptr i8, ptr %v134, i64 %v741
-  %v743 = shl i64 %v738, 7
-  %v744 = icmp slt i64 %v10, 1
-  %v745 = getelementptr i8, ptr %v194, i64 %v743
-  %v746 = mul i64 %v208, 3
-  %v747 = getelementptr i8, ptr %v6, i64 32
-  %v748 = mul i64 %v738, 192
-  %v749 = mul i64 %v738, 184
-  %v750 = mul i64 %v738, 176
-  %v751 = mul i64 %v738, 168
-  %v752 = mul i64 %v738, 160
-  %v753 = mul i64 %v738, 152
-  %v754 = mul i64 %v738, 144
-  %v755 = getelementptr double, ptr %v93, i64 %v94
-  %v756 = getelementptr i8, ptr %v755, i64 -8
-  %v757 = icmp slt i64 %v16, 1
-  %v758 = mul i64 %v208, %v207
-  %v759 = shl i64 %v208, 4
-  %v760 = getelementptr double, ptr %v205, i64 %v208
-  %v761 = getelementptr i8, ptr %v205, i64 %v759
-  %v762 = shl i64 %v758, 4
-  %v763 = mul i64 %v758, 24
-  %v764 = shl i64 %v758, 5
-  %v765 = mul i64 %v758, 40
-  %v766 = mul i64 %v758, 48
-  %v767 = mul i64 %v758, 56
-  %v768 = shl i64 %v758, 6
-  %v769 = mul i64 %v136, 104
-  %v770 = getelementptr i8, ptr %v134, i64 %v769
-  %v771 = getelementptr double, ptr %v93, i64 %v94
-  %v772 = getelementptr i8, ptr %v771, i64 -8
-  %v773 = mul i64 %v136, 56
+  %v741 = shl i64 %v736, 7
+  %v742 = icmp slt i64 %v10, 1
+  %v743 = getelementptr i8, ptr %v194, i64 %v741
+  %v744 = mul i64 %v208, 3
+  %v745 = getelementptr i8, ptr %v6, i64 32
+  %v746 = mul i64 %v736, 192
+  %v747 = mul i64 %v736, 184
+  %v748 = mul i64 %v736, 176
+  %v749 = mul i64 %v736, 168
+  %v750 = mul i64 %v736, 160
+  %v751 = mul i64 %v736, 152
+  %v752 = mul i64 %v736, 144
+  %v753 = getelementptr double, ptr %v93, i64 %v94
+  %v754 = getelementptr i8, ptr %v753, i64 -8
+  %v755 = icmp slt i64 %v16, 1
+  %v756 = mul i64 %v208, %v207
+  %v757 = shl i64 %v208, 4
+  %v758 = getelementptr double, ptr %v205, i64 %v208
+  %v759 = getelementptr i8, ptr %v205, i64 %v757
+  %v760 = shl i64 %v756, 4
+  %v761 = mul i64 %v756, 24
+  %v762 = shl i64 %v756, 5
+  %v763 = mul i64 %v756, 40
+  %v764 = mul i64 %v756, 48
+  %v765 = mul i64 %v756, 56
+  %v766 = shl i64 %v756, 6
+  %v767 = mul i64 %v136, 104
+  %v768 = getelementptr i8, ptr %v134, i64 %v767
+  %v769 = getelementptr double, ptr %v93, i64 %v94
+  %v770 = getelementptr i8, ptr %v769, i64 -8
+  %v771 = mul i64 %v136, 56
+  %v772 = getelementptr i8, ptr %v134, i64 %v771
+  %v773 = mul i64 %v136, 120
   %v774 = getelementptr i8, ptr %v134, i64 %v773
-  %v775 = mul i64 %v136, 120
+  %v775 = mul i64 %v136, 112
   %v776 = getelementptr i8, ptr %v134, i64 %v775
-  %v777 = mul i64 %v136, 112
-  %v778 = getelementptr i8, ptr %v134, i64 %v777
-  %v779 = mul i64 %v208, %v207
-  %v780 = shl i64 %v136, 7
+  %v777 = mul i64 %v208, %v207
+  %v778 = shl i64 %v136, 7
+  %v779 = getelementptr i8, ptr %v134, i64 %v778
+  %v780 = mul i64 %v136, 136
   %v781 = getelementptr i8, ptr %v134, i64 %v780
-  %v782 = mul i64 %v136, 136
-  %v783 = getelementptr i8, ptr %v134, i64 %v782
-  %v784 = icmp sgt i64 %v10, 0
-  %v785 = shl i64 %v10, 7
-  %v786 = getelementptr i8, ptr %v159, i64 %v785
-  %v787 = mul i64 %v208, 216
-  %v788 = getelementptr i8, ptr %v187, i64 %v787
-  %v789 = sub i64 %v208, %v19
-  %v790 = tail call i64 @llvm.smax.i64(i64 %v789, i64 0)
-  %v791 = icmp sgt i64 %v789, 0
-  %v792 = shl i64 %v779, 6
-  %v793 = getelementptr i8, ptr %v205, i64 %v792
-  %v794 = shl i64 %v208, 4
-  %v795 = getelementptr i8, ptr %v793, i64 %v794
-  %v796 = mul i64 %v779, 72
-  %v797 = getelementptr i8, ptr %v205, i64 %v796
-  %v798 = getelementptr i8, ptr %v797, i64 %v794
-  %v799 = icmp slt i64 %v208, 1
-  %v800 = getelementptr double, ptr %v797, i64 %v208
-  %v801 = mul i64 %v779, 80
-  %v802 = getelementptr i8, ptr %v205, i64 %v801
-  %v803 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v804 = mul i64 %v487, %v196
-  %v805 = getelementptr i8, ptr %v194, i64 %v804
-  %v806 = mul nsw i64 %v10, %v9
-  %v807 = shl i64 %v806, 7
+  %v782 = icmp sgt i64 %v10, 0
+  %v783 = shl i64 %v10, 7
+  %v784 = getelementptr i8, ptr %v159, i64 %v783
+  %v785 = mul i64 %v208, 216
+  %v786 = getelementptr i8, ptr %v187, i64 %v785
+  %v787 = sub i64 %v208, %v19
+  %v788 = tail call i64 @llvm.smax.i64(i64 %v787, i64 0)
+  %v789 = icmp sgt i64 %v787, 0
+  %v790 = shl i64 %v777, 6
+  %v791 = getelementptr i8, ptr %v205, i64 %v790
+  %v792 = shl i64 %v208, 4
+  %v793 = getelementptr i8, ptr %v791, i64 %v792
+  %v794 = mul i64 %v777, 72
+  %v795 = getelementptr i8, ptr %v205, i64 %v794
+  %v796 = getelementptr i8, ptr %v795, i64 %v792
+  %v797 = icmp slt i64 %v208, 1
+  %v798 = getelementptr double, ptr %v795, i64 %v208
+  %v799 = mul i64 %v777, 80
+  %v800 = getelementptr i8, ptr %v205, i64 %v799
+  %v801 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v802 = mul i64 %v485, %v196
+  %v803 = getelementptr i8, ptr %v194, i64 %v802
+  %v804 = mul nsw i64 %v10, %v9
+  %v805 = shl i64 %v804, 7
+  %v806 = getelementptr i8, ptr %v159, i64 %v805
+  %v807 = mul i64 %v804, 112
   %v808 = getelementptr i8, ptr %v159, i64 %v807
-  %v809 = mul i64 %v806, 112
-  %v810 = getelementptr i8, ptr %v159, i64 %v809
-  %v811 = getelementptr i8, ptr %v6, i64 8
-  %v812 = mul i64 %v806, 120
-  %v813 = getelementptr i8, ptr %v159, i64 %v812
-  %v814 = getelementptr i8, ptr %v24, i64 8
-  %v815 = mul i64 %v738, 120
+  %v809 = getelementptr i8, ptr %v6, i64 8
+  %v810 = mul i64 %v804, 120
+  %v811 = getelementptr i8, ptr %v159, i64 %v810
+  %v812 = getelementptr i8, ptr %v24, i64 8
+  %v813 = mul i64 %v736, 120
+  %v814 = getelementptr i8, ptr %v194, i64 %v813
+  %v815 = mul i64 %v736, 112
   %v816 = getelementptr i8, ptr %v194, i64 %v815
-  %v817 = mul i64 %v738, 112
-  %v818 = getelementptr i8, ptr %v194, i64 %v817
-  %v819 = mul i64 %v136, 40
-  %v820 = getelementptr i8, ptr %v134, i64 %v819
-  %v821 = icmp slt i64 %v19, 1
-  %v822 = mul i64 %v779, 80
-  %v823 = getelementptr i8, ptr %v205, i64 %v822
-  %v824 = mul i64 %v806, 136
+  %v817 = mul i64 %v136, 40
+  %v818 = getelementptr i8, ptr %v134, i64 %v817
+  %v819 = icmp slt i64 %v19, 1
+  %v820 = mul i64 %v777, 80
+  %v821 = getelementptr i8, ptr %v205, i64 %v820
+  %v822 = mul i64 %v804, 136
+  %v823 = getelementptr i8, ptr %v159, i64 %v822
+  %v824 = mul i64 %v804, 104
   %v825 = getelementptr i8, ptr %v159, i64 %v824
-  %v826 = mul i64 %v806, 104
-  %v827 = getelementptr i8, ptr %v159, i64 %v826
-  %v828 = mul i64 %v136, 40
-  %v829 = getelementptr i8, ptr %v134, i64 %v828
-  %v830 = select i1 %v799, i64 0, i64 %v208
-  %v831 = icmp slt i64 %v789, 1
-  %v832 = shl i64 %v145, 4
-  %v833 = getelementptr i8, ptr %v143, i64 %v832
-  %v834 = mul i64 %v136, 224
-  %v835 = getelementptr i8, ptr %v134, i64 %v834
-  %v836 = mul i64 %v103, %v102
-  %v837 = mul i64 %v738, 136
-  %v838 = getelementptr i8, ptr %v194, i64 %v837
-  %v839 = add i64 %v94, -1
-  %v840 = shl i64 %v145, 5
-  %v841 = getelementptr i8, ptr %v143, i64 %v840
-  %v842 = mul i64 %v136, 40
+  %v826 = mul i64 %v136, 40
+  %v827 = getelementptr i8, ptr %v134, i64 %v826
+  %v828 = select i1 %v797, i64 0, i64 %v208
+  %v829 = icmp slt i64 %v787, 1
+  %v830 = shl i64 %v145, 4
+  %v831 = getelementptr i8, ptr %v143, i64 %v830
+  %v832 = mul i64 %v136, 224
+  %v833 = getelementptr i8, ptr %v134, i64 %v832
+  %v834 = mul i64 %v103, %v102
+  %v835 = mul i64 %v736, 136
+  %v836 = getelementptr i8, ptr %v194, i64 %v835
+  %v837 = add i64 %v94, -1
+  %v838 = shl i64 %v145, 5
+  %v839 = getelementptr i8, ptr %v143, i64 %v838
+  %v840 = mul i64 %v136, 40
+  %v841 = getelementptr i8, ptr %v134, i64 %v840
+  %v842 = mul i64 %v136, 96
   %v843 = getelementptr i8, ptr %v134, i64 %v842
-  %v844 = mul i64 %v136, 96
+  %v844 = mul i64 %v136, 216
   %v845 = getelementptr i8, ptr %v134, i64 %v844
-  %v846 = mul i64 %v136, 216
+  %v846 = mul i64 %v136, 40
   %v847 = getelementptr i8, ptr %v134, i64 %v846
-  %v848 = mul i64 %v136, 40
+  %v848 = shl i64 %v136, 5
   %v849 = getelementptr i8, ptr %v134, i64 %v848
-  %v850 = shl i64 %v136, 5
-  %v851 = getelementptr i8, ptr %v134, i64 %v850
-  %v852 = getelementptr double, ptr %v134, i64 %v136
-  %v853 = mul i64 %v738, 136
-  %v854 = getelementptr i8, ptr %v194, i64 %v853
-  %v855 = mul nsw i64 %v10, %v9
-  %v856 = mul i64 %v855, 136
+  %v850 = getelementptr double, ptr %v134, i64 %v136
+  %v851 = mul i64 %v736, 136
+  %v852 = getelementptr i8, ptr %v194, i64 %v851
+  %v853 = mul nsw i64 %v10, %v9
+  %v854 = mul i64 %v853, 136
+  %v855 = getelementptr i8, ptr %v159, i64 %v854
+  %v856 = mul i64 %v853, 104
   %v857 = getelementptr i8, ptr %v159, i64 %v856
-  %v858 = mul i64 %v855, 104
+  %v858 = mul i64 %v10, 136
   %v859 = getelementptr i8, ptr %v159, i64 %v858
-  %v860 = mul i64 %v10, 136
-  %v861 = getelementptr i8, ptr %v159, i64 %v860
-  %v862 = mul i64 %v208, 192
-  %v863 = getelementptr i8, ptr %v187, i64 %v862
-  %v864 = mul i64 %v197, %v196
-  %v865 = mul i64 %v136, 40
+  %v860 = mul i64 %v208, 192
+  %v861 = getelementptr i8, ptr %v187, i64 %v860
+  %v862 = mul i64 %v197, %v196
+  %v863 = mul i64 %v136, 40
+  %v864 = getelementptr i8, ptr %v134, i64 %v863
+  %v865 = mul i64 %v136, 56
   %v866 = getelementptr i8, ptr %v134, i64 %v865
-  %v867 = mul i64 %v136, 56
-  %v868 = getelementptr i8, ptr %v134, i64 %v867
-  %v869 = shl i64 %v145, 4
-  %v870 = getelementptr i8, ptr %v143, i64 %v869
-  %v871 = mul i64 %v136, 48
-  %v872 = getelementptr i8, ptr %v134, i64 %v871
-  %v873 = mul i64 %v864, 136
-  %v874 = icmp slt i64 %v10, 1
-  %v875 = mul i64 %v136, 224
-  %v876 = getelementptr i8, ptr %v134, i64 %v875
-  %v877 = mul i64 %v103, %v102
-  %v878 = getelementptr i8, ptr %v194, i64 %v873
-  %v879 = add i64 %v94, -1
-  %v880 = mul i64 %v864, 192
-  %v881 = mul i64 %v864, 184
-  %v882 = mul i64 %v864, 176
-  %v883 = mul i64 %v864, 168
-  %v884 = mul i64 %v864, 160
-  %v885 = mul i64 %v864, 152
-  %v886 = mul i64 %v864, 144
-  %v887 = icmp sgt i64 %v9, 1
-  %v888 = mul i64 %v136, 40
-  %v889 = getelementptr i8, ptr %v134, i64 %v888
-  %v890 = getelementptr i8, ptr %v6, i64 80
-  %v891 = mul i64 %v136, 40
-  %v892 = getelementptr i8, ptr %v134, i64 %v891
-  %v893 = shl i64 %v488, 6
-  %v894 = icmp sgt i64 %v19, 0
-  %v895 = getelementptr i8, ptr %v205, i64 %v893
-  %v896 = mul i64 %v136, 96
+  %v867 = shl i64 %v145, 4
+  %v868 = getelementptr i8, ptr %v143, i64 %v867
+  %v869 = mul i64 %v136, 48
+  %v870 = getelementptr i8, ptr %v134, i64 %v869
+  %v871 = mul i64 %v862, 136
+  %v872 = icmp slt i64 %v10, 1
+  %v873 = mul i64 %v136, 224
+  %v874 = getelementptr i8, ptr %v134, i64 %v873
+  %v875 = mul i64 %v103, %v102
+  %v876 = getelementptr i8, ptr %v194, i64 %v871
+  %v877 = add i64 %v94, -1
+  %v878 = mul i64 %v862, 192
+  %v879 = mul i64 %v862, 184
+  %v880 = mul i64 %v862, 176
+  %v881 = mul i64 %v862, 168
+  %v882 = mul i64 %v862, 160
+  %v883 = mul i64 %v862, 152
+  %v884 = mul i64 %v862, 144
+  %v885 = icmp sgt i64 %v9, 1
+  %v886 = mul i64 %v136, 40
+  %v887 = getelementptr i8, ptr %v134, i64 %v886
+  %v888 = getelementptr i8, ptr %v6, i64 80
+  %v889 = mul i64 %v136, 40
+  %v890 = getelementptr i8, ptr %v134, i64 %v889
+  %v891 = shl i64 %v486, 6
+  %v892 = icmp sgt i64 %v19, 0
+  %v893 = getelementptr i8, ptr %v205, i64 %v891
+  %v894 = mul i64 %v136, 96
+  %v895 = getelementptr i8, ptr %v134, i64 %v894
+  %v896 = mul i64 %v136, 120
   %v897 = getelementptr i8, ptr %v134, i64 %v896
-  %v898 = mul i64 %v136, 120
-  %v899 = getelementptr i8, ptr %v134, i64 %v898
-  %v900 = icmp slt i64 %v10, 1
-  %v901 = getelementptr i8, ptr %v24, i64 8
-  %v902 = getelementptr double, ptr %v93, i64 %v94
-  %v903 = getelementptr i8, ptr %v902, i64 -8
+  %v898 = icmp slt i64 %v10, 1
+  %v899 = getelementptr i8, ptr %v24, i64 8
+  %v900 = getelementptr double, ptr %v93, i64 %v94
+  %v901 = getelementptr i8, ptr %v900, i64 -8
+  %v902 = mul i64 %v145, 24
+  %v903 = getelementptr i8, ptr %v143, i64 %v902
   %v904 = mul i64 %v145, 24
   %v905 = getelementptr i8, ptr %v143, i64 %v904
-  %v906 = mul i64 %v145, 24
-  %v907 = getelementptr i8, ptr %v143, i64 %v906
-  %v908 = mul i64 %v136, 24
-  %v909 = getelementptr i8, ptr %v134, i64 %v908
-  %v910 = icmp ne i64 %v17, 0
-  %v911 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v912 = mul i64 %v136, 40
+  %v906 = mul i64 %v136, 24
+  %v907 = getelementptr i8, ptr %v134, i64 %v906
+  %v908 = icmp ne i64 %v17, 0
+  %v909 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v910 = mul i64 %v136, 40
+  %v911 = getelementptr i8, ptr %v134, i64 %v910
+  %v912 = shl i64 %v136, 4
   %v913 = getelementptr i8, ptr %v134, i64 %v912
-  %v914 = shl i64 %v136, 4
-  %v915 = getelementptr i8, ptr %v134, i64 %v914
-  %v916 = getelementptr i64, ptr %v143, i64 %v145
-  %v917 = icmp slt i64 %v64, 1
-  %v918 = getelementptr i8, ptr %v6, i64 8
-  %v919 = mul nsw i64 %v10, %v9
-  %v920 = getelementptr i8, ptr %v6, i64 24
-  %v921 = mul i64 %v919, 136
-  %v922 = getelementptr i8, ptr %v159, i64 %v921
-  %v923 = mul i64 %v103, %v102
-  %v924 = add nsw i64 %v911, -1
-  %v925 = mul i64 %v197, %v196
-  %v926 = shl i64 %v145, 4
-  %v927 = getelementptr i8, ptr %v143, i64 %v926
-  %v928 = mul i64 %v925, 136
-  %v929 = icmp slt i64 %v10, 1
-  %v930 = getelementptr i8, ptr %v194, i64 %v928
-  %v931 = getelementptr double, ptr %v93, i64 %v94
-  %v932 = getelementptr i8, ptr %v931, i64 -8
-  %v933 = shl i64 %v136, 6
-  %v934 = getelementptr i8, ptr %v134, i64 %v933
-  %v935 = mul i64 %v919, 112
-  %v936 = getelementptr i8, ptr %v159, i64 %v935
-  %v937 = mul i64 %v925, 112
+  %v914 = getelementptr i64, ptr %v143, i64 %v145
+  %v915 = icmp slt i64 %v64, 1
+  %v916 = getelementptr i8, ptr %v6, i64 8
+  %v917 = mul nsw i64 %v10, %v9
+  %v918 = getelementptr i8, ptr %v6, i64 24
+  %v919 = mul i64 %v917, 136
+  %v920 = getelementptr i8, ptr %v159, i64 %v919
+  %v921 = mul i64 %v103, %v102
+  %v922 = add nsw i64 %v909, -1
+  %v923 = mul i64 %v197, %v196
+  %v924 = shl i64 %v145, 4
+  %v925 = getelementptr i8, ptr %v143, i64 %v924
+  %v926 = mul i64 %v923, 136
+  %v927 = icmp slt i64 %v10, 1
+  %v928 = getelementptr i8, ptr %v194, i64 %v926
+  %v929 = getelementptr double, ptr %v93, i64 %v94
+  %v930 = getelementptr i8, ptr %v929, i64 -8
+  %v931 = shl i64 %v136, 6
+  %v932 = getelementptr i8, ptr %v134, i64 %v931
+  %v933 = mul i64 %v917, 112
+  %v934 = getelementptr i8, ptr %v159, i64 %v933
+  %v935 = mul i64 %v923, 112
+  %v936 = getelementptr i8, ptr %v194, i64 %v935
+  %v937 = shl i64 %v923, 7
   %v938 = getelementptr i8, ptr %v194, i64 %v937
-  %v939 = shl i64 %v925, 7
-  %v940 = getelementptr i8, ptr %v194, i64 %v939
-  %v941 = getelementptr i8, ptr %v6, i64 32
-  %v942 = mul i64 %v10, 136
-  %v943 = getelementptr i8, ptr %v159, i64 %v942
-  %v944 = mul i64 %v208, 216
-  %v945 = getelementptr i8, ptr %v187, i64 %v944
-  %v946 = shl i64 %v10, 7
-  %v947 = getelementptr i8, ptr %v159, i64 %v946
-  %v948 = mul i64 %v208, 240
-  %v949 = getelementptr i8, ptr %v187, i64 %v948
-  %v950 = sub i64 %v208, %v19
-  %v951 = tail call i64 @llvm.smax.i64(i64 %v950, i64 0)
-  %v952 = getelementptr double, ptr %v205, i64 %v208
-  %v953 = mul i64 %v208, %v207
-  %v954 = mul i64 %v953, 80
-  %v955 = getelementptr i8, ptr %v952, i64 %v954
-  %v956 = mul i64 %v953, 72
-  %v957 = getelementptr i8, ptr %v205, i64 %v956
-  %v958 = getelementptr double, ptr %v957, i64 %v208
-  %v959 = shl i64 %v208, 4
-  %v960 = getelementptr i8, ptr %v957, i64 %v959
-  %v961 = shl i64 %v145, 5
-  %v962 = getelementptr i8, ptr %v143, i64 %v961
-  %v963 = mul i64 %v136, 112
+  %v939 = getelementptr i8, ptr %v6, i64 32
+  %v940 = mul i64 %v10, 136
+  %v941 = getelementptr i8, ptr %v159, i64 %v940
+  %v942 = mul i64 %v208, 216
+  %v943 = getelementptr i8, ptr %v187, i64 %v942
+  %v944 = shl i64 %v10, 7
+  %v945 = getelementptr i8, ptr %v159, i64 %v944
+  %v946 = mul i64 %v208, 240
+  %v947 = getelementptr i8, ptr %v187, i64 %v946
+  %v948 = sub i64 %v208, %v19
+  %v949 = tail call i64 @llvm.smax.i64(i64 %v948, i64 0)
+  %v950 = getelementptr double, ptr %v205, i64 %v208
+  %v951 = mul i64 %v208, %v207
+  %v952 = mul i64 %v951, 80
+  %v953 = getelementptr i8, ptr %v950, i64 %v952
+  %v954 = mul i64 %v951, 72
+  %v955 = getelementptr i8, ptr %v205, i64 %v954
+  %v956 = getelementptr double, ptr %v955, i64 %v208
+  %v957 = shl i64 %v208, 4
+  %v958 = getelementptr i8, ptr %v955, i64 %v957
+  %v959 = shl i64 %v145, 5
+  %v960 = getelementptr i8, ptr %v143, i64 %v959
+  %v961 = mul i64 %v136, 112
+  %v962 = getelementptr i8, ptr %v134, i64 %v961
+  %v963 = mul i64 %v136, 40
   %v964 = getelementptr i8, ptr %v134, i64 %v963
-  %v965 = mul i64 %v136, 40
+  %v965 = shl i64 %v136, 4
   %v966 = getelementptr i8, ptr %v134, i64 %v965
-  %v967 = shl i64 %v136, 4
-  %v968 = getelementptr i8, ptr %v134, i64 %v967
-  %v969 = getelementptr i64, ptr %v143, i64 %v145
+  %v967 = getelementptr i64, ptr %v143, i64 %v145
+  %v968 = mul i64 %v136, 24
+  %v969 = getelementptr i8, ptr %v134, i64 %v968
   %v970 = mul i64 %v136, 24
   %v971 = getelementptr i8, ptr %v134, i64 %v970
-  %v972 = mul i64 %v136, 24
-  %v973 = getelementptr i8, ptr %v134, i64 %v972
-  %v974 = icmp slt i64 %v64, 1
-  %v975 = shl i64 %v145, 4
-  %v976 = getelementptr i8, ptr %v143, i64 %v975
-  %v977 = mul i64 %v136, 24
-  %v978 = getelementptr i8, ptr %v134, i64 %v977
-  %v979 = getelementptr i8, ptr %v152, i64 8
-  %v980 = getelementptr i64, ptr %v143, i64 %v145
-  %v981 = mul i64 %v145, 24
-  %v982 = getelementptr i8, ptr %v143, i64 %v981
-  %v983 = icmp slt i64 %v42, 1
-  %v984 = icmp slt i64 %v64, 1
-  %v985 = icmp slt i64 %v10, 1
-  %v986 = mul i64 %v136, 248
+  %v972 = icmp slt i64 %v64, 1
+  %v973 = shl i64 %v145, 4
+  %v974 = getelementptr i8, ptr %v143, i64 %v973
+  %v975 = mul i64 %v136, 24
+  %v976 = getelementptr i8, ptr %v134, i64 %v975
+  %v977 = getelementptr i8, ptr %v152, i64 8
+  %v978 = getelementptr i64, ptr %v143, i64 %v145
+  %v979 = mul i64 %v145, 24
+  %v980 = getelementptr i8, ptr %v143, i64 %v979
+  %v981 = icmp slt i64 %v42, 1
+  %v982 = icmp slt i64 %v64, 1
+  %v983 = icmp slt i64 %v10, 1
+  %v984 = mul i64 %v136, 144
+  %v985 = getelementptr i8, ptr %v134, i64 %v984
+  %v986 = mul i64 %v136, 240
   %v987 = getelementptr i8, ptr %v134, i64 %v986
-  %v988 = mul i64 %v136, 240
+  %v988 = mul i64 %v136, 232
   %v989 = getelementptr i8, ptr %v134, i64 %v988
-  %v990 = mul i64 %v136, 232
-  %v991 = getelementptr i8, ptr %v134, i64 %v990
-  %v992 = shl i64 %v136, 4
-  %v993 = shl i64 %v136, 5
-  %v994 = mul i64 %v136, 48
-  %v995 = mul i64 %v136, 56
-  %v996 = shl i64 %v136, 6
-  %v997 = mul i64 %v136, 72
-  %v998 = mul i64 %v136, 80
-  %v999 = mul i64 %v136, 88
-  %v1000 = mul i64 %v136, 96
-  %v1001 = mul i64 %v136, 104
-  %v1002 = mul i64 %v136, 112
-  %v1003 = mul i64 %v136, 120
-  %v1004 = shl i64 %v136, 7
-  %v1005 = mul i64 %v136, 136
-  %v1006 = mul i64 %v136, 144
-  %v1007 = mul i64 %v136, 152
-  %v1008 = mul i64 %v136, 160
-  %v1009 = mul i64 %v136, 168
-  %v1010 = mul i64 %v136, 176
-  %v1011 = mul i64 %v136, 184
-  %v1012 = mul i64 %v136, 192
-  %v1013 = mul i64 %v136, 200
-  %v1014 = mul i64 %v136, 208
-  %v1015 = mul i64 %v136, 216
-  %v1016 = mul i64 %v136, 224
-  %v1017 = getelementptr i8, ptr %v134, i64 %v1003
-  %v1018 = getelementptr i8, ptr %v134, i64 %v1016
-  %v1019 = getelementptr i8, ptr %v134, i64 %v992
-  %v1020 = mul i64 %v136, 232
-  %v1021 = getelementptr i8, ptr %v134, i64 %v1020
-  %v1022 = getelementptr double, ptr %v93, i64 %v94
-  %v1023 = getelementptr i8, ptr %v1022, i64 -8
-  %v1024 = getelementptr double, ptr %v134, i64 %v136
-  %v1025 = mul i64 %v136, 232
-  %v1026 = getelementptr i8, ptr %v134, i64 %v1025
-  %v1027 = mul i64 %v136, 176
-  %v1028 = getelementptr i8, ptr %v134, i64 %v1027
-  %v1029 = shl i64 %v136, 4
-  %v1030 = getelementptr i8, ptr %v134, i64 %v1029
-  %v1031 = mul i64 %v136, 168
-  %v1032 = getelementptr i8, ptr %v134, i64 %v1031
-  %v1033 = shl i64 %v145, 4
-  %v1034 = getelementptr i8, ptr %v143, i64 %v1033
-  %v1035 = shl i64 %v703, 4
-  %v1036 = mul i64 %v703, 24
-  %v1037 = shl i64 %v703, 5
-  %v1038 = mul i64 %v703, 40
-  %v1039 = mul i64 %v703, 48
-  %v1040 = mul i64 %v703, 56
-  %v1041 = shl i64 %v703, 6
-  %v1042 = shl i64 %v705, 4
-  %v1043 = shl i64 %v705, 5
-  %v1044 = mul i64 %v705, 48
-  %v1045 = shl i64 %v705, 6
-  %v1046 = mul i64 %v705, 24
-  %v1047 = shl i64 %v705, 4
-  %v1048 = shl i64 %v705, 5
-  %v1049 = mul i64 %v705, 48
-  %v1050 = shl i64 %v705, 6
-  %v1051 = mul i64 %v705, 40
-  %v1052 = shl i64 %v705, 4
-  %v1053 = shl i64 %v705, 5
-  %v1054 = mul i64 %v705, 48
-  %v1055 = shl i64 %v705, 6
-  %v1056 = mul i64 %v705, 56
-  %v1057 = shl i64 %v705, 4
-  %v1058 = shl i64 %v705, 5
-  %v1059 = mul i64 %v705, 48
-  %v1060 = shl i64 %v705, 6
-  br label %v1061
+  %v990 = shl i64 %v136, 4
+  %v991 = shl i64 %v136, 5
+  %v992 = mul i64 %v136, 48
+  %v993 = mul i64 %v136, 56
+  %v994 = shl i64 %v136, 6
+  %v995 = mul i64 %v136, 72
+  %v996 = mul i64 %v136, 80
+  %v997 = mul i64 %v136, 88
+  %v998 = mul i64 %v136, 96
+  %v999 = mul i64 %v136, 104
+  %v1000 = mul i64 %v136, 112
+  %v1001 = mul i64 %v136, 120
+  %v1002 = shl i64 %v136, 7
+  %v1003 = mul i64 %v136, 136
+  %v1004 = mul i64 %v136, 152
+  %v1005 = mul i64 %v136, 160
+  %v1006 = mul i64 %v136, 168
+  %v1007 = mul i64 %v136, 176
+  %v1008 = mul i64 %v136, 184
+  %v1009 = mul i64 %v136, 192
+  %v1010 = mul i64 %v136, 200
+  %v1011 = mul i64 %v136, 208
+  %v1012 = mul i64 %v136, 216
+  %v1013 = mul i64 %v136, 224
+  %v1014 = getelementptr i8, ptr %v134, i64 %v1001
+  %v1015 = getelementptr i8, ptr %v134, i64 %v1013
+  %v1016 = getelementptr i8, ptr %v134, i64 %v990
+  %v1017 = mul i64 %v136, 232
+  %v1018 = getelementptr i8, ptr %v134, i64 %v1017
+  %v1019 = getelementptr double, ptr %v93, i64 %v94
+  %v1020 = getelementptr i8, ptr %v1019, i64 -8
+  %v1021 = getelementptr double, ptr %v134, i64 %v136
+  %v1022 = mul i64 %v136, 232
+  %v1023 = getelementptr i8, ptr %v134, i64 %v1022
+  %v1024 = mul i64 %v136, 176
+  %v1025 = getelementptr i8, ptr %v134, i64 %v1024
+  %v1026 = shl i64 %v136, 4
+  %v1027 = getelementptr i8, ptr %v134, i64 %v1026
+  %v1028 = mul i64 %v136, 168
+  %v1029 = getelementptr i8, ptr %v134, i64 %v1028
+  %v1030 = shl i64 %v145, 4
+  %v1031 = getelementptr i8, ptr %v143, i64 %v1030
+  %v1032 = shl i64 %v701, 4
+  %v1033 = mul i64 %v701, 24
+  %v1034 = shl i64 %v701, 5
+  %v1035 = mul i64 %v701, 40
+  %v1036 = mul i64 %v701, 48
+  %v1037 = mul i64 %v701, 56
+  %v1038 = shl i64 %v701, 6
+  %v1039 = shl i64 %v703, 4
+  %v1040 = shl i64 %v703, 5
+  %v1041 = mul i64 %v703, 48
+  %v1042 = shl i64 %v703, 6
+  %v1043 = mul i64 %v703, 24
+  %v1044 = shl i64 %v703, 4
+  %v1045 = shl i64 %v703, 5
+  %v1046 = mul i64 %v703, 48
+  %v1047 = shl i64 %v703, 6
+  %v1048 = mul i64 %v703, 40
+  %v1049 = shl i64 %v703, 4
+  %v1050 = shl i64 %v703, 5
+  %v1051 = mul i64 %v703, 48
+  %v1052 = shl i64 %v703, 6
+  %v1053 = mul i64 %v703, 56
+  %v1054 = shl i64 %v703, 4
+  %v1055 = shl i64 %v703, 5
+  %v1056 = mul i64 %v703, 48
+  %v1057 = shl i64 %v703, 6
+  br label %v1058
 
-v1061:
-  %v1062 = phi i64 [ %v1063, %v1064 ], [ %v284, %v483 ]
-  %v1065 = phi i64 [ %v1066, %v1064 ], [ %v479, %v483 ]
-  %v1067 = add nsw i64 %v1062, -1
-  %v1068 = load i64, ptr %v485, align 8, !noalias !11
-  %v1069 = icmp eq i64 %v1068, 0
-  br i1 %v1069, label %v1070, label %v1071
+v1058:
+  %v1059 = phi i64 [ %v1060, %v1061 ], [ %v284, %v481 ]
+  %v1062 = phi i64 [ %v1063, %v1061 ], [ %v477, %v481 ]
+  %v1064 = add nsw i64 %v1059, -1
+  %v1065 = load i64, ptr %v483, align 8, !noalias !11
+  %v1066 = icmp eq i64 %v1065, 0
+  br i1 %v1066, label %v1067, label %v1068
 
-v1071:
-  %v1072 = icmp eq i64 %v1068, 2
-  store i64 0, ptr %v485, align 8, !noalias !11
-  %v1073 = load i64, ptr %v489, align 8, !noalias !15
-  %v1074 = inttoptr i64 %v1073 to ptr
-  tail call void %v1074(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !15
-  br i1 %v292, label %v1075, label %v1076
+v1068:
+  %v1069 = icmp eq i64 %v1065, 2
+  store i64 0, ptr %v483, align 8, !noalias !11
+  %v1070 = load i64, ptr %v487, align 8, !noalias !15
+  %v1071 = inttoptr i64 %v1070 to ptr
+  tail call void %v1071(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !15
+  br i1 %v292, label %v1072, label %v1073
 
-v1075:
-  %v1077 = load i64, ptr %v490, align 8, !noalias !18
-  %v1078 = inttoptr i64 %v1077 to ptr
-  tail call void %v1078(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !18
-  %v1079 = load double, ptr %v492, align 8, !noalias !24
-  %v1080 = fcmp une double %v1079, 2.500000e-01
-  br i1 %v1080, label %v1076, label %v1081
+v1072:
+  %v1074 = load i64, ptr %v488, align 8, !noalias !18
+  %v1075 = inttoptr i64 %v1074 to ptr
+  tail call void %v1075(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !18
+  %v1076 = load double, ptr %v490, align 8, !noalias !24
+  %v1077 = fcmp une double %v1076, 2.500000e-01
+  br i1 %v1077, label %v1073, label %v1078
+
+v1078:
+  store double 0.000000e+00, ptr %v490, align 8, !noalias !24
+  br i1 %v491, label %v1079, label %v1080
 
 v1081:
-  store double 0.000000e+00, ptr %v492, align 8, !noalias !24
-  br i1 %v493, label %v1082, label %v1083
-
-v1084:
-  store double 1.000000e+00, ptr %v492, align 8, !noalias !24
-  br label %v1085
-
-v1085:
-  %v1086 = icmp eq i64 %v1087, %v19
-  br i1 %v1086, label %v1083, label %v1082
-
-v1083:
-  %v1088 = load double, ptr %v492, align 8, !noalias !24
-  %v1089 = fcmp ogt double %v1088, 5.000000e-01
-  %v1090 = or i1 %v1072, %v1089
-  br label %v1076
+  store double 1.000000e+00, ptr %v490, align 8, !noalias !24
+  br label %v1082
 
 v1082:
-  %v1091 = phi i64 [ %v1087, %v1085 ], [ 0, %v1081 ]
-  %v1087 = add nsw i64 %v1091, 1
-  %v1092 = getelementptr double, ptr %v205, i64 %v1091
-  %v1093 = load double, ptr %v1092, align 8, !noalias !24
-  %v1094 = add nsw i64 %v1091, %v18
-  %v1095 = icmp slt i64 %v1094, 0
-  %v1096 = select i1 %v1095, i64 %v167, i64 0
-  %v1097 = getelementptr double, ptr %v166, i64 %v1094
-  %v1098 = getelementptr double, ptr %v1097, i64 %v1096
-  %v1099 = load double, ptr %v1098, align 8, !noalias !24
-  %v1100 = fcmp une double %v1093, %v1099
-  br i1 %v1100, label %v1084, label %v1085
+  %v1083 = icmp eq i64 %v1084, %v19
+  br i1 %v1083, label %v1080, label %v1079
 
-v1076:
-  %v1101 = phi i1 [ %v1072, %v1071 ], [ %v1090, %v1083 ], [ %v1072, %v1075 ]
-  br i1 %v1101, label %v1102, label %v1070
+v1080:
+  %v1085 = load double, ptr %v490, align 8, !noalias !24
+  %v1086 = fcmp ogt double %v1085, 5.000000e-01
+  %v1087 = or i1 %v1069, %v1086
+  br label %v1073
 
-v1102:
-  br i1 %v292, label %v1103, label %v1104
+v1079:
+  %v1088 = phi i64 [ %v1084, %v1082 ], [ 0, %v1078 ]
+  %v1084 = add nsw i64 %v1088, 1
+  %v1089 = getelementptr double, ptr %v205, i64 %v1088
+  %v1090 = load double, ptr %v1089, align 8, !noalias !24
+  %v1091 = add nsw i64 %v1088, %v18
+  %v1092 = icmp slt i64 %v1091, 0
+  %v1093 = select i1 %v1092, i64 %v167, i64 0
+  %v1094 = getelementptr double, ptr %v166, i64 %v1091
+  %v1095 = getelementptr double, ptr %v1094, i64 %v1093
+  %v1096 = load double, ptr %v1095, align 8, !noalias !24
+  %v1097 = fcmp une double %v1090, %v1096
+  br i1 %v1097, label %v1081, label %v1082
 
-v1103:
-  %v1105 = load i64, ptr %v494, align 8, !noalias !25
-  %v1106 = inttoptr i64 %v1105 to ptr
-  tail call void %v1106(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !25
-  %v1107 = load double, ptr %v496, align 8, !noalias !31
-  %v1108 = fcmp ule double %v1107, 5.000000e-01
-  %v1109 = select i1 %v1108, i1 true, i1 %v497
-  br i1 %v1109, label %v1110, label %v1111
+v1073:
+  %v1098 = phi i1 [ %v1069, %v1068 ], [ %v1087, %v1080 ], [ %v1069, %v1072 ]
+  br i1 %v1098, label %v1099, label %v1067
 
-v1110:
-  %v1112 = load i64, ptr %v489, align 8, !noalias !32
-  %v1113 = inttoptr i64 %v1112 to ptr
-  tail call void %v1113(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !32
-  br label %v1104
+v1099:
+  br i1 %v292, label %v1100, label %v1101
 
-v1111:
-  %v1114 = phi i64 [ %v1115, %v1111 ], [ 0, %v1103 ]
-  %v1115 = add nsw i64 %v1114, 1
-  %v1116 = getelementptr double, ptr %v205, i64 %v1114
-  %v1117 = load double, ptr %v1116, align 8, !noalias !31
-  %v1118 = add nsw i64 %v1114, %v18
-  %v1119 = icmp slt i64 %v1118, 0
-  %v1120 = select i1 %v1119, i64 %v167, i64 0
-  %v1121 = getelementptr double, ptr %v166, i64 %v1118
-  %v1122 = getelementptr double, ptr %v1121, i64 %v1120
-  store double %v1117, ptr %v1122, align 8, !noalias !31
-  %v1123 = icmp eq i64 %v1115, %v19
-  br i1 %v1123, label %v1110, label %v1111
+v1100:
+  %v1102 = load i64, ptr %v492, align 8, !noalias !25
+  %v1103 = inttoptr i64 %v1102 to ptr
+  tail call void %v1103(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !25
+  %v1104 = load double, ptr %v494, align 8, !noalias !31
+  %v1105 = fcmp ule double %v1104, 5.000000e-01
+  %v1106 = select i1 %v1105, i1 true, i1 %v495
+  br i1 %v1106, label %v1107, label %v1108
 
-v1104:
-  br i1 %v498, label %v1124, label %v1125
+v1107:
+  %v1109 = load i64, ptr %v487, align 8, !noalias !32
+  %v1110 = inttoptr i64 %v1109 to ptr
+  tail call void %v1110(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !32
+  br label %v1101
 
-v1124:
-  %v1126 = load i64, ptr %v6, align 8, !noalias !35
-  %v1127 = inttoptr i64 %v1126 to ptr
-  tail call void %v1127(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v501), !noalias !35
-  %v1128 = load i64, ptr %v502, align 8, !noalias !38
-  %v1129 = inttoptr i64 %v1128 to ptr
-  tail call void %v1129(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !38
-  %v1130 = load i64, ptr %v503, align 8, !noalias !41
-  %v1131 = inttoptr i64 %v1130 to ptr
-  tail call void %v1131(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !41
-  %v1132 = load i64, ptr %v6, align 8, !noalias !44
-  %v1133 = inttoptr i64 %v1132 to ptr
-  tail call void %v1133(ptr %v505, ptr %v507, ptr %v166, ptr %v173, ptr %v180, ptr %v509), !noalias !44
-  %v1134 = load i64, ptr %v510, align 8, !noalias !47
-  %v1135 = inttoptr i64 %v1134 to ptr
-  tail call void %v1135(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !47
-  br label %v1125
+v1108:
+  %v1111 = phi i64 [ %v1112, %v1108 ], [ 0, %v1100 ]
+  %v1112 = add nsw i64 %v1111, 1
+  %v1113 = getelementptr double, ptr %v205, i64 %v1111
+  %v1114 = load double, ptr %v1113, align 8, !noalias !31
+  %v1115 = add nsw i64 %v1111, %v18
+  %v1116 = icmp slt i64 %v1115, 0
+  %v1117 = select i1 %v1116, i64 %v167, i64 0
+  %v1118 = getelementptr double, ptr %v166, i64 %v1115
+  %v1119 = getelementptr double, ptr %v1118, i64 %v1117
+  store double %v1114, ptr %v1119, align 8, !noalias !31
+  %v1120 = icmp eq i64 %v1112, %v19
+  br i1 %v1120, label %v1107, label %v1108
 
-v1125:
-  br i1 %v294, label %v1070, label %v1136
+v1101:
+  br i1 %v496, label %v1121, label %v1122
 
-v1137:
+v1121:
+  %v1123 = load i64, ptr %v6, align 8, !noalias !35
+  %v1124 = inttoptr i64 %v1123 to ptr
+  tail call void %v1124(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v499), !noalias !35
+  %v1125 = load i64, ptr %v500, align 8, !noalias !38
+  %v1126 = inttoptr i64 %v1125 to ptr
+  tail call void %v1126(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !38
+  %v1127 = load i64, ptr %v501, align 8, !noalias !41
+  %v1128 = inttoptr i64 %v1127 to ptr
+  tail call void %v1128(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !41
+  %v1129 = load i64, ptr %v6, align 8, !noalias !44
+  %v1130 = inttoptr i64 %v1129 to ptr
+  tail call void %v1130(ptr %v503, ptr %v505, ptr %v166, ptr %v173, ptr %v180, ptr %v507), !noalias !44
+  %v1131 = load i64, ptr %v508, align 8, !noalias !47
+  %v1132 = inttoptr i64 %v1131 to ptr
+  tail call void %v1132(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !47
+  br label %v1122
+
+v1122:
+  br i1 %v294, label %v1067, label %v1133
+
+v1134:
+  store double 0.000000e+00, ptr %v1135, align 8, !noalias !50
+  %v1136 = getelementptr double, ptr %v513, i64 %v1137
+  store double 0.000000e+00, ptr %v1136, align 8, !noalias !50
+  %v1138 = getelementptr double, ptr %v515, i64 %v1137
   store double 0.000000e+00, ptr %v1138, align 8, !noalias !50
-  %v1139 = getelementptr double, ptr %v515, i64 %v1140
-  store double 0.000000e+00, ptr %v1139, align 8, !noalias !50
-  %v1141 = getelementptr double, ptr %v517, i64 %v1140
-  store double 0.000000e+00, ptr %v1141, align 8, !noalias !50
-  %v1142 = getelementptr i64, ptr %v143, i64 %v1140
-  %v1143 = load i64, ptr %v1142, align 8, !noalias !50
-  %v1144 = icmp slt i64 %v1143, 0
-  %v1145 = select i1 %v1144, i64 %v126, i64 0
-  %v1146 = add i64 %v1145, %v1143
-  %v1147 = mul i64 %v1146, %v127
-  %v1148 = getelementptr i64, ptr %v125, i64 %v1147
-  %v1149 = getelementptr i8, ptr %v1148, i64 8
-  %v1150 = load i64, ptr %v1149, align 8, !noalias !50
-  %v1151 = add nsw i64 %v1150, %v518
-  store i64 %v1151, ptr %v1149, align 8, !noalias !50
-  %v1152 = load i64, ptr %v1142, align 8, !noalias !50
-  %v1153 = icmp slt i64 %v1152, 0
-  %v1154 = select i1 %v1153, i64 %v126, i64 0
-  %v1155 = add i64 %v1154, %v1152
-  %v1156 = mul i64 %v1155, %v127
-  %v1157 = getelementptr i64, ptr %v125, i64 %v1156
-  %v1158 = getelementptr i8, ptr %v1157, i64 16
-  %v1159 = load i64, ptr %v1158, align 8, !noalias !50
-  %v1160 = add nsw i64 %v1159, %v520
-  store i64 %v1160, ptr %v1158, align 8, !noalias !50
-  %v1161 = getelementptr double, ptr %v522, i64 %v1140
-  %v1162 = load double, ptr %v1161, align 8, !noalias !50
-  %v1163 = fcmp une double %v1162, 0.000000e+00
-  br i1 %v1163, label %v1164, label %v1165
+  %v1139 = getelementptr i64, ptr %v143, i64 %v1137
+  %v1140 = load i64, ptr %v1139, align 8, !noalias !50
+  %v1141 = icmp slt i64 %v1140, 0
+  %v1142 = select i1 %v1141, i64 %v126, i64 0
+  %v1143 = add i64 %v1142, %v1140
+  %v1144 = mul i64 %v1143, %v127
+  %v1145 = getelementptr i64, ptr %v125, i64 %v1144
+  %v1146 = getelementptr i8, ptr %v1145, i64 8
+  %v1147 = load i64, ptr %v1146, align 8, !noalias !50
+  %v1148 = add nsw i64 %v1147, %v516
+  store i64 %v1148, ptr %v1146, align 8, !noalias !50
+  %v1149 = load i64, ptr %v1139, align 8, !noalias !50
+  %v1150 = icmp slt i64 %v1149, 0
+  %v1151 = select i1 %v1150, i64 %v126, i64 0
+  %v1152 = add i64 %v1151, %v1149
+  %v1153 = mul i64 %v1152, %v127
+  %v1154 = getelementptr i64, ptr %v125, i64 %v1153
+  %v1155 = getelementptr i8, ptr %v1154, i64 16
+  %v1156 = load i64, ptr %v1155, align 8, !noalias !50
+  %v1157 = add nsw i64 %v1156, %v518
+  store i64 %v1157, ptr %v1155, align 8, !noalias !50
+  %v1158 = getelementptr double, ptr %v520, i64 %v1137
+  %v1159 = load double, ptr %v1158, align 8, !noalias !50
+  %v1160 = fcmp une double %v1159, 0.000000e+00
+  br i1 %v1160, label %v1161, label %v1162
 
-v1164:
-  %v1166 = load i64, ptr %v1142, align 8, !noalias !54
-  %v1167 = icmp sgt i64 %v1166, -1
-  br i1 %v1167, label %v1168, label %v1165
-
-v1168:
-  %v1169 = getelementptr i64, ptr %v111, i64 %v1166
-  %v1170 = load i64, ptr %v1169, align 8, !noalias !54
-  %v1171 = icmp eq i64 %v1170, 0
-  br i1 %v1171, label %v1172, label %v1165
-
-v1172:
-  store i64 3, ptr %v1169, align 8, !noalias !54
-  br label %v1165
+v1161:
+  %v1163 = load i64, ptr %v1139, align 8, !noalias !54
+  %v1164 = icmp sgt i64 %v1163, -1
+  br i1 %v1164, label %v1165, label %v1162
 
 v1165:
-  br i1 %v291, label %v1173, label %v1174
+  %v1166 = getelementptr i64, ptr %v111, i64 %v1163
+  %v1167 = load i64, ptr %v1166, align 8, !noalias !54
+  %v1168 = icmp eq i64 %v1167, 0
+  br i1 %v1168, label %v1169, label %v1162
 
-v1173:
-  %v1175 = load double, ptr %v524, align 8, !noalias !57
-  %v1176 = load double, ptr %v93, align 8, !noalias !57
-  %v1177 = fsub double %v1175, %v1176
-  %v1178 = fmul double %v1177, 1.000000e-13
-  %v1179 = load double, ptr %v134, align 8, !noalias !57
-  %v1180 = tail call double @llvm.fabs.f64(double %v1179)
-  %v1181 = fmul double %v1180, 4.000000e-15
-  %v1182 = fcmp ogt double %v1181, %v1178
-  %v1183 = select i1 %v1182, double %v1181, double %v1178
-  %v1184 = fadd double %v1179, %v1183
-  store double %v1184, ptr %v526, align 8, !noalias !67
-  %v1185 = load i64, ptr %v6, align 8, !noalias !68
-  %v1186 = inttoptr i64 %v1185 to ptr
-  tail call void %v1186(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v527), !noalias !68
-  br i1 %v528, label %v1187, label %v1188
+v1169:
+  store i64 3, ptr %v1166, align 8, !noalias !54
+  br label %v1162
 
-v1187:
-  %v1189 = load i64, ptr %v534, align 8, !noalias !71
-  %v1190 = inttoptr i64 %v1189 to ptr
-  tail call void %v1190(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v536), !noalias !71
-  %v1191 = load i64, ptr %v534, align 8, !noalias !74
-  %v1192 = inttoptr i64 %v1191 to ptr
-  tail call void %v1192(ptr nonnull %v526, ptr %v538, ptr %v166, ptr %v173, ptr %v180, ptr %v540), !noalias !74
-  br label %v1193
+v1162:
+  br i1 %v291, label %v1170, label %v1171
+
+v1170:
+  %v1172 = load double, ptr %v522, align 8, !noalias !57
+  %v1173 = load double, ptr %v93, align 8, !noalias !57
+  %v1174 = fsub double %v1172, %v1173
+  %v1175 = fmul double %v1174, 1.000000e-13
+  %v1176 = load double, ptr %v134, align 8, !noalias !57
+  %v1177 = tail call double @llvm.fabs.f64(double %v1176)
+  %v1178 = fmul double %v1177, 4.000000e-15
+  %v1179 = fcmp ogt double %v1178, %v1175
+  %v1180 = select i1 %v1179, double %v1178, double %v1175
+  %v1181 = fadd double %v1176, %v1180
+  store double %v1181, ptr %v524, align 8, !noalias !67
+  %v1182 = load i64, ptr %v6, align 8, !noalias !68
+  %v1183 = inttoptr i64 %v1182 to ptr
+  tail call void %v1183(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v525), !noalias !68
+  br i1 %v526, label %v1184, label %v1185
+
+v1184:
+  %v1186 = load i64, ptr %v532, align 8, !noalias !71
+  %v1187 = inttoptr i64 %v1186 to ptr
+  tail call void %v1187(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v534), !noalias !71
+  %v1188 = load i64, ptr %v532, align 8, !noalias !74
+  %v1189 = inttoptr i64 %v1188 to ptr
+  tail call void %v1189(ptr nonnull %v524, ptr %v536, ptr %v166, ptr %v173, ptr %v180, ptr %v538), !noalias !74
+  br label %v1190
+
+v1190:
+  %v1191 = phi i64 [ %v19, %v1184 ], [ %v1192, %v1193 ]
+  %v1194 = phi i64 [ %v540, %v1184 ], [ %v1195, %v1193 ]
+  %v1196 = icmp sgt i64 %v1194, 0
+  br i1 %v1196, label %v1193, label %v1197
 
 v1193:
-  %v1194 = phi i64 [ %v19, %v1187 ], [ %v1195, %v1196 ]
-  %v1197 = phi i64 [ %v542, %v1187 ], [ %v1198, %v1196 ]
-  %v1199 = icmp sgt i64 %v1197, 0
-  br i1 %v1199, label %v1196, label %v1200
+  %v1195 = add nsw i64 %v1194, -1
+  %v1192 = add i64 %v1191, 1
+  %v1198 = icmp slt i64 %v1191, 0
+  %v1199 = select i1 %v1198, i64 %v208, i64 0
+  %v1200 = add i64 %v1199, %v1191
+  %v1201 = getelementptr double, ptr %v544, i64 %v1200
+  %v1202 = load double, ptr %v1201, align 8, !noalias !67
+  %v1203 = getelementptr double, ptr %v547, i64 %v1200
+  %v1204 = load double, ptr %v1203, align 8, !noalias !67
+  %v1205 = fsub double %v1202, %v1204
+  %v1206 = tail call double @llvm.fabs.f64(double %v1205)
+  %v1207 = getelementptr double, ptr %v549, i64 %v1200
+  %v1208 = load double, ptr %v1207, align 8, !noalias !67
+  %v1209 = tail call i1 @llvm.is.fpclass.f64(double %v1208, i32 543)
+  %v1210 = select i1 %v1209, double 0.000000e+00, double %v1208
+  %v1211 = fcmp ueq double %v1206, 0x7FF0000000000000
+  %v1212 = select i1 %v1211, double -0.000000e+00, double %v1206
+  %v1213 = fadd double %v1210, %v1212
+  %v1214 = getelementptr double, ptr %v546, i64 %v1200
+  %v1215 = load double, ptr %v1214, align 8, !noalias !67
+  %v1216 = fneg double %v1213
+  %v1217 = fcmp olt double %v1215, %v1216
+  br i1 %v1217, label %v1197, label %v1190
 
-v1196:
-  %v1198 = add nsw i64 %v1197, -1
-  %v1195 = add i64 %v1194, 1
-  %v1201 = icmp slt i64 %v1194, 0
-  %v1202 = select i1 %v1201, i64 %v208, i64 0
-  %v1203 = add i64 %v1202, %v1194
-  %v1204 = getelementptr double, ptr %v546, i64 %v1203
-  %v1205 = load double, ptr %v1204, align 8, !noalias !67
-  %v1206 = getelementptr double, ptr %v549, i64 %v1203
-  %v1207 = load double, ptr %v1206, align 8, !noalias !67
-  %v1208 = fsub double %v1205, %v1207
-  %v1209 = tail call double @llvm.fabs.f64(double %v1208)
-  %v1210 = getelementptr double, ptr %v551, i64 %v1203
-  %v1211 = load double, ptr %v1210, align 8, !noalias !67
-  %v1212 = tail call i1 @llvm.is.fpclass.f64(double %v1211, i32 543)
-  %v1213 = select i1 %v1212, double 0.000000e+00, double %v1211
-  %v1214 = fcmp ueq double %v1209, 0x7FF0000000000000
-  %v1215 = select i1 %v1214, double -0.000000e+00, double %v1209
-  %v1216 = fadd double %v1213, %v1215
-  %v1217 = getelementptr double, ptr %v548, i64 %v1203
-  %v1218 = load double, ptr %v1217, align 8, !noalias !67
-  %v1219 = fneg double %v1216
-  %v1220 = fcmp olt double %v1218, %v1219
-  br i1 %v1220, label %v1200, label %v1193
+v1185:
+  %v1218 = phi i64 [ %v1219, %v1185 ], [ 0, %v1170 ]
+  %v1219 = add nsw i64 %v1218, 1
+  %v1220 = mul i64 %v1218, %v197
+  %v1221 = getelementptr double, ptr %v194, i64 %v1220
+  %v1222 = load double, ptr %v1221, align 8, !noalias !67
+  %v1223 = getelementptr double, ptr %v529, i64 %v1220
+  %v1224 = load double, ptr %v1223, align 8, !noalias !67
+  %v1225 = fmul double %v1180, %v1224
+  %v1226 = fadd double %v1222, %v1225
+  %v1227 = getelementptr double, ptr %v531, i64 %v1220
+  store double %v1226, ptr %v1227, align 8, !noalias !67
+  %v1228 = icmp eq i64 %v10, %v1219
+  br i1 %v1228, label %v1184, label %v1185
 
-v1188:
-  %v1221 = phi i64 [ %v1222, %v1188 ], [ 0, %v1173 ]
-  %v1222 = add nsw i64 %v1221, 1
-  %v1223 = mul i64 %v1221, %v197
-  %v1224 = getelementptr double, ptr %v194, i64 %v1223
-  %v1225 = load double, ptr %v1224, align 8, !noalias !67
-  %v1226 = getelementptr double, ptr %v531, i64 %v1223
-  %v1227 = load double, ptr %v1226, align 8, !noalias !67
-  %v1228 = fmul double %v1183, %v1227
-  %v1229 = fadd double %v1225, %v1228
-  %v1230 = getelementptr double, ptr %v533, i64 %v1223
-  store double %v1229, ptr %v1230, align 8, !noalias !67
-  %v1231 = icmp eq i64 %v10, %v1222
-  br i1 %v1231, label %v1187, label %v1188
+v1229:
+  %v1230 = getelementptr i64, ptr %v551, i64 %v1137
+  store i64 %v1231, ptr %v1230, align 8, !noalias !77
+  %v1232 = load i64, ptr %v1139, align 8, !noalias !78
+  %v1233 = icmp sgt i64 %v1232, -1
+  br i1 %v1233, label %v1234, label %v1235
 
-v1232:
-  %v1233 = getelementptr i64, ptr %v553, i64 %v1140
-  store i64 %v1234, ptr %v1233, align 8, !noalias !77
-  %v1235 = load i64, ptr %v1142, align 8, !noalias !78
-  %v1236 = icmp sgt i64 %v1235, -1
-  br i1 %v1236, label %v1237, label %v1238
+v1234:
+  %v1236 = getelementptr i64, ptr %v111, i64 %v1232
+  %v1237 = load i64, ptr %v1236, align 8, !noalias !78
+  %v1238 = icmp eq i64 %v1237, 0
+  br i1 %v1238, label %v1239, label %v1235
 
-v1237:
-  %v1239 = getelementptr i64, ptr %v111, i64 %v1235
-  %v1240 = load i64, ptr %v1239, align 8, !noalias !78
-  %v1241 = icmp eq i64 %v1240, 0
-  br i1 %v1241, label %v1242, label %v1238
+v1239:
+  store i64 4, ptr %v1236, align 8, !noalias !78
+  br label %v1235
 
-v1242:
-  store i64 4, ptr %v1239, align 8, !noalias !78
-  br label %v1238
+v1235:
+  %v1240 = getelementptr double, ptr %v134, i64 %v1137
+  %v1241 = load double, ptr %v1240, align 8, !noalias !77
+  %v1242 = getelementptr double, ptr %v553, i64 %v1137
+  store double %v1241, ptr %v1242, align 8, !noalias !77
+  %v1243 = getelementptr double, ptr %v555, i64 %v1137
+  store double 0.000000e+00, ptr %v1243, align 8, !noalias !77
+  br label %v1171
 
-v1238:
-  %v1243 = getelementptr double, ptr %v134, i64 %v1140
-  %v1244 = load double, ptr %v1243, align 8, !noalias !77
-  %v1245 = getelementptr double, ptr %v555, i64 %v1140
-  store double %v1244, ptr %v1245, align 8, !noalias !77
-  %v1246 = getelementptr double, ptr %v557, i64 %v1140
-  store double 0.000000e+00, ptr %v1246, align 8, !noalias !77
-  br label %v1174
+v1197:
+  %v1231 = phi i64 [ %v1191, %v1193 ], [ -1, %v1190 ]
+  %v1244 = icmp sgt i64 %v1231, -1
+  br i1 %v1244, label %v1229, label %v1171
 
-v1200:
-  %v1234 = phi i64 [ %v1194, %v1196 ], [ -1, %v1193 ]
-  %v1247 = icmp sgt i64 %v1234, -1
-  br i1 %v1247, label %v1232, label %v1174
+v1245:
+  %v1246 = icmp sgt i64 %v1247, 1
+  br i1 %v1246, label %v1133, label %v1067
 
-v1248:
-  %v1249 = icmp sgt i64 %v1250, 1
-  br i1 %v1249, label %v1136, label %v1070
+v1133:
+  %v1247 = phi i64 [ %v1248, %v1245 ], [ %v295, %v1122 ]
+  %v1137 = phi i64 [ %v1249, %v1245 ], [ 0, %v1122 ]
+  %v1248 = add nsw i64 %v1247, -1
+  %v1249 = add nsw i64 %v1137, 1
+  %v1135 = getelementptr double, ptr %v511, i64 %v1137
+  %v1250 = load double, ptr %v1135, align 8, !noalias !50
+  %v1251 = fcmp olt double %v1250, 5.000000e-01
+  br i1 %v1251, label %v1245, label %v1134
 
-v1136:
-  %v1250 = phi i64 [ %v1251, %v1248 ], [ %v295, %v1125 ]
-  %v1140 = phi i64 [ %v1252, %v1248 ], [ 0, %v1125 ]
-  %v1251 = add nsw i64 %v1250, -1
-  %v1252 = add nsw i64 %v1140, 1
-  %v1138 = getelementptr double, ptr %v513, i64 %v1140
-  %v1253 = load double, ptr %v1138, align 8, !noalias !50
-  %v1254 = fcmp olt double %v1253, 5.000000e-01
-  br i1 %v1254, label %v1248, label %v1137
+v1171:
+  %v1252 = getelementptr double, ptr %v557, i64 %v1137
+  %v1253 = load double, ptr %v1252, align 8, !noalias !81
+  %v1254 = getelementptr double, ptr %v559, i64 %v1137
+  store double %v1253, ptr %v1254, align 8, !noalias !81
+  %v1255 = getelementptr i64, ptr %v561, i64 %v1137
+  %v1256 = load i64, ptr %v1255, align 8, !noalias !81
+  %v1257 = icmp slt i64 %v1256, %v94
+  br i1 %v1257, label %v1258, label %v1245
 
-v1174:
-  %v1255 = getelementptr double, ptr %v559, i64 %v1140
-  %v1256 = load double, ptr %v1255, align 8, !noalias !81
-  %v1257 = getelementptr double, ptr %v561, i64 %v1140
-  store double %v1256, ptr %v1257, align 8, !noalias !81
-  %v1258 = getelementptr i64, ptr %v563, i64 %v1140
-  %v1259 = load i64, ptr %v1258, align 8, !noalias !81
-  %v1260 = icmp slt i64 %v1259, %v94
-  br i1 %v1260, label %v1261, label %v1248
+v1258:
+  %v1259 = icmp slt i64 %v1256, 0
+  %v1260 = select i1 %v1259, i64 %v94, i64 0
+  %v1261 = getelementptr double, ptr %v93, i64 %v1256
+  %v1262 = getelementptr double, ptr %v1261, i64 %v1260
+  %v1263 = load double, ptr %v1262, align 8, !noalias !81
+  %v1264 = load double, ptr %v1252, align 8, !noalias !81
+  %v1265 = fcmp olt double %v1264, %v1263
+  %v1266 = select i1 %v1265, double %v1264, double %v1263
+  store double %v1266, ptr %v1254, align 8, !noalias !81
+  br label %v1245
 
-v1261:
-  %v1262 = icmp slt i64 %v1259, 0
-  %v1263 = select i1 %v1262, i64 %v94, i64 0
-  %v1264 = getelementptr double, ptr %v93, i64 %v1259
-  %v1265 = getelementptr double, ptr %v1264, i64 %v1263
-  %v1266 = load double, ptr %v1265, align 8, !noalias !81
-  %v1267 = load double, ptr %v1255, align 8, !noalias !81
-  %v1268 = fcmp olt double %v1267, %v1266
-  %v1269 = select i1 %v1268, double %v1267, double %v1266
-  store double %v1269, ptr %v1257, align 8, !noalias !81
-  br label %v1248
+v1067:
+  %v1267 = phi i1 [ %v645, %v1073 ], [ %v645, %v1058 ], [ true, %v1122 ], [ true, %v1245 ]
+  %v1268 = load i64, ptr %v562, align 8, !noalias !85
+  %v1269 = inttoptr i64 %v1268 to ptr
+  tail call void %v1269(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !85
+  br i1 %v563, label %v1270, label %v1271
 
-v1070:
-  %v1270 = phi i1 [ %v647, %v1076 ], [ %v647, %v1061 ], [ true, %v1125 ], [ true, %v1248 ]
-  %v1271 = load i64, ptr %v564, align 8, !noalias !85
-  %v1272 = inttoptr i64 %v1271 to ptr
-  tail call void %v1272(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !85
-  br i1 %v565, label %v1273, label %v1274
+v1272:
+  %v1273 = getelementptr double, ptr %v647, i64 %v1274
+  %v1275 = load double, ptr %v1273, align 8
+  %v1276 = fcmp ogt double %v1275, 5.000000e-01
+  br label %v1277
 
-v1275:
-  %v1276 = getelementptr double, ptr %v649, i64 %v1277
-  %v1278 = load double, ptr %v1276, align 8
-  %v1279 = fcmp ogt double %v1278, 5.000000e-01
-  br label %v1280
+v1277:
+  %v1278 = phi i1 [ true, %v1279 ], [ %v1276, %v1272 ]
+  br i1 %v1280, label %v1281, label %v1282
 
-v1280:
-  %v1281 = phi i1 [ true, %v1282 ], [ %v1279, %v1275 ]
-  br i1 %v1283, label %v1284, label %v1285
+v1282:
+  %v1283 = getelementptr double, ptr %v649, i64 %v1274
+  %v1284 = load double, ptr %v1283, align 8
+  %v1285 = fcmp ogt double %v1284, 5.000000e-01
+  br label %v1281
 
-v1285:
-  %v1286 = getelementptr double, ptr %v651, i64 %v1277
-  %v1287 = load double, ptr %v1286, align 8
-  %v1288 = fcmp ogt double %v1287, 5.000000e-01
-  br label %v1284
+v1281:
+  %v1286 = phi i1 [ true, %v1277 ], [ %v1285, %v1282 ]
+  %v1287 = icmp sgt i64 %v1288, 1
+  br i1 %v1287, label %v1279, label %v1289
 
-v1284:
-  %v1289 = phi i1 [ true, %v1280 ], [ %v1288, %v1285 ]
-  %v1290 = icmp sgt i64 %v1291, 1
-  br i1 %v1290, label %v1282, label %v1292
+v1289:
+  %v1290 = phi i1 [ false, %v1291 ], [ %v1278, %v1281 ]
+  %v1292 = phi i1 [ %v1267, %v1291 ], [ %v1286, %v1281 ]
+  %v1293 = xor i1 %v1292, true
+  %v1294 = or i1 %v294, %v1293
+  br i1 %v1294, label %v1295, label %v1296
 
-v1292:
-  %v1293 = phi i1 [ false, %v1294 ], [ %v1281, %v1284 ]
-  %v1295 = phi i1 [ %v1270, %v1294 ], [ %v1289, %v1284 ]
-  %v1296 = xor i1 %v1295, true
-  %v1297 = or i1 %v294, %v1296
-  br i1 %v1297, label %v1298, label %v1299
+v1297:
+  br i1 %v294, label %v1295, label %v1298
 
-v1300:
-  br i1 %v294, label %v1298, label %v1301
-
-v1302:
-  %v1303 = getelementptr double, ptr %v653, i64 %v1304
-  %v1305 = load double, ptr %v1303, align 8, !noalias !91
+v1299:
+  %v1300 = getelementptr double, ptr %v651, i64 %v1301
+  %v1302 = load double, ptr %v1300, align 8, !noalias !91
+  %v1303 = fptosi double %v1302 to i64
+  %v1304 = getelementptr double, ptr %v653, i64 %v1301
+  %v1305 = load double, ptr %v1304, align 8, !noalias !91
   %v1306 = fptosi double %v1305 to i64
-  %v1307 = getelementptr double, ptr %v655, i64 %v1304
-  %v1308 = load double, ptr %v1307, align 8, !noalias !91
-  %v1309 = fptosi double %v1308 to i64
-  %v1310 = mul i64 %v1311, %v127
-  %v1312 = getelementptr i64, ptr %v125, i64 %v1310
+  %v1307 = mul i64 %v1308, %v127
+  %v1309 = getelementptr i64, ptr %v125, i64 %v1307
+  %v1310 = load i64, ptr %v1309, align 8, !noalias !91
+  %v1311 = add nsw i64 %v1310, %v1303
+  store i64 %v1311, ptr %v1309, align 8, !noalias !91
+  %v1312 = getelementptr i8, ptr %v1309, i64 24
   %v1313 = load i64, ptr %v1312, align 8, !noalias !91
   %v1314 = add nsw i64 %v1313, %v1306
   store i64 %v1314, ptr %v1312, align 8, !noalias !91
-  %v1315 = getelementptr i8, ptr %v1312, i64 24
+  %v1315 = getelementptr i8, ptr %v1309, i64 8
   %v1316 = load i64, ptr %v1315, align 8, !noalias !91
-  %v1317 = add nsw i64 %v1316, %v1309
-  store i64 %v1317, ptr %v1315, align 8, !noalias !91
-  %v1318 = getelementptr i8, ptr %v1312, i64 8
-  %v1319 = load i64, ptr %v1318, align 8, !noalias !91
-  %v1320 = add nsw i64 %v1309, %v1306
-  %v1321 = mul nsw i64 %v1320, %v624
-  %v1322 = add nsw i64 %v1321, %v1306
-  %v1323 = add nsw i64 %v1322, %v1319
-  store i64 %v1323, ptr %v1318, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1303, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1307, align 8, !noalias !91
-  %v1324 = getelementptr double, ptr %v657, i64 %v1304
-  %v1325 = load double, ptr %v1324, align 8, !noalias !91
-  %v1326 = sitofp i64 %v1320 to double
-  %v1327 = fsub double %v1325, %v1326
-  store double %v1327, ptr %v1324, align 8, !noalias !91
-  br label %v1328
+  %v1317 = add nsw i64 %v1306, %v1303
+  %v1318 = mul nsw i64 %v1317, %v622
+  %v1319 = add nsw i64 %v1318, %v1303
+  %v1320 = add nsw i64 %v1319, %v1316
+  store i64 %v1320, ptr %v1315, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1300, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1304, align 8, !noalias !91
+  %v1321 = getelementptr double, ptr %v655, i64 %v1301
+  %v1322 = load double, ptr %v1321, align 8, !noalias !91
+  %v1323 = sitofp i64 %v1317 to double
+  %v1324 = fsub double %v1322, %v1323
+  store double %v1324, ptr %v1321, align 8, !noalias !91
+  br label %v1325
 
-v1328:
-  %v1329 = icmp sgt i64 %v1330, 1
-  br i1 %v1329, label %v1299, label %v1300
+v1325:
+  %v1326 = icmp sgt i64 %v1327, 1
+  br i1 %v1326, label %v1296, label %v1297
 
-v1299:
-  %v1330 = phi i64 [ %v1331, %v1328 ], [ %v295, %v1292 ]
-  %v1304 = phi i64 [ %v1332, %v1328 ], [ 0, %v1292 ]
-  %v1331 = add nsw i64 %v1330, -1
-  %v1332 = add nsw i64 %v1304, 1
-  %v1333 = getelementptr i64, ptr %v143, i64 %v1304
-  %v1311 = load i64, ptr %v1333, align 8, !noalias !91
-  %v1334 = icmp sgt i64 %v1311, -1
-  br i1 %v1334, label %v1302, label %v1328
+v1296:
+  %v1327 = phi i64 [ %v1328, %v1325 ], [ %v295, %v1289 ]
+  %v1301 = phi i64 [ %v1329, %v1325 ], [ 0, %v1289 ]
+  %v1328 = add nsw i64 %v1327, -1
+  %v1329 = add nsw i64 %v1301, 1
+  %v1330 = getelementptr i64, ptr %v143, i64 %v1301
+  %v1308 = load i64, ptr %v1330, align 8, !noalias !91
+  %v1331 = icmp sgt i64 %v1308, -1
+  br i1 %v1331, label %v1299, label %v1325
 
-v1335:
-  %v1336 = getelementptr double, ptr %v663, i64 %v1337
-  %v1338 = load double, ptr %v1336, align 8, !noalias !98
-  %v1339 = fcmp ogt double %v1338, 5.000000e-01
-  br i1 %v1339, label %v1340, label %v1341
+v1332:
+  %v1333 = getelementptr double, ptr %v661, i64 %v1334
+  %v1335 = load double, ptr %v1333, align 8, !noalias !98
+  %v1336 = fcmp ogt double %v1335, 5.000000e-01
+  br i1 %v1336, label %v1337, label %v1338
 
-v1340:
-  %v1342 = fptosi double %v1338 to i64
-  %v1343 = load i64, ptr %v1344, align 8, !noalias !99
-  %v1345 = icmp sgt i64 %v1343, -1
-  br i1 %v1345, label %v1346, label %v1341
+v1337:
+  %v1339 = fptosi double %v1335 to i64
+  %v1340 = load i64, ptr %v1341, align 8, !noalias !99
+  %v1342 = icmp sgt i64 %v1340, -1
+  br i1 %v1342, label %v1343, label %v1338
 
-v1341:
-  %v1347 = getelementptr double, ptr %v665, i64 %v1337
-  %v1348 = load double, ptr %v1347, align 8, !noalias !98
-  %v1349 = fcmp ogt double %v1348, 5.000000e-01
-  br i1 %v1349, label %v1350, label %v1351
+v1338:
+  %v1344 = getelementptr double, ptr %v663, i64 %v1334
+  %v1345 = load double, ptr %v1344, align 8, !noalias !98
+  %v1346 = fcmp ogt double %v1345, 5.000000e-01
+  br i1 %v1346, label %v1347, label %v1348
 
-v1350:
-  %v1352 = select i1 %v1353, i1 true, i1 %v291
-  %v1354 = icmp slt i64 %v1355, %v94
-  br i1 %v1354, label %v1356, label %v1357
+v1347:
+  %v1349 = select i1 %v1350, i1 true, i1 %v291
+  %v1351 = icmp slt i64 %v1352, %v94
+  br i1 %v1351, label %v1353, label %v1354
 
-v1356:
-  %v1358 = icmp slt i64 %v1355, 0
-  %v1359 = select i1 %v1358, i64 %v94, i64 0
-  %v1360 = getelementptr double, ptr %v93, i64 %v1355
-  %v1361 = getelementptr double, ptr %v1360, i64 %v1359
-  %v1362 = load double, ptr %v1361, align 8, !noalias !98
-  %v1363 = getelementptr double, ptr %v667, i64 %v1337
-  %v1364 = load double, ptr %v1363, align 8, !noalias !98
-  %v1365 = fcmp olt double %v1362, %v1364
-  br i1 %v1365, label %v1366, label %v1357
+v1353:
+  %v1355 = icmp slt i64 %v1352, 0
+  %v1356 = select i1 %v1355, i64 %v94, i64 0
+  %v1357 = getelementptr double, ptr %v93, i64 %v1352
+  %v1358 = getelementptr double, ptr %v1357, i64 %v1356
+  %v1359 = load double, ptr %v1358, align 8, !noalias !98
+  %v1360 = getelementptr double, ptr %v665, i64 %v1334
+  %v1361 = load double, ptr %v1360, align 8, !noalias !98
+  %v1362 = fcmp olt double %v1359, %v1361
+  br i1 %v1362, label %v1363, label %v1354
 
-v1366:
-  br label %v1357
+v1363:
+  br label %v1354
 
-v1357:
-  %v1367 = phi i1 [ true, %v1366 ], [ %v1352, %v1356 ], [ %v1352, %v1350 ]
-  %v1368 = mul i64 %v1369, %v127
-  %v1370 = getelementptr i64, ptr %v125, i64 %v1368
-  %v1371 = load i64, ptr %v1370, align 8, !noalias !98
-  %v1372 = and i64 %v1371, 127
-  %v1373 = icmp eq i64 %v1372, 0
-  br i1 %v1373, label %v1374, label %v1375
+v1354:
+  %v1364 = phi i1 [ true, %v1363 ], [ %v1349, %v1353 ], [ %v1349, %v1347 ]
+  %v1365 = mul i64 %v1366, %v127
+  %v1367 = getelementptr i64, ptr %v125, i64 %v1365
+  %v1368 = load i64, ptr %v1367, align 8, !noalias !98
+  %v1369 = and i64 %v1368, 127
+  %v1370 = icmp eq i64 %v1369, 0
+  br i1 %v1370, label %v1371, label %v1372
 
-v1375:
-  %v1376 = getelementptr double, ptr %v669, i64 %v1337
-  %v1377 = load double, ptr %v1376, align 8, !noalias !98
-  %v1378 = fcmp ogt double %v1377, 0.000000e+00
-  br i1 %v1378, label %v1374, label %v1351
+v1372:
+  %v1373 = getelementptr double, ptr %v667, i64 %v1334
+  %v1374 = load double, ptr %v1373, align 8, !noalias !98
+  %v1375 = fcmp ogt double %v1374, 0.000000e+00
+  br i1 %v1375, label %v1371, label %v1348
 
-v1374:
-  store double 1.000000e+00, ptr %v1379, align 8, !noalias !98
-  br label %v1351
+v1371:
+  store double 1.000000e+00, ptr %v1376, align 8, !noalias !98
+  br label %v1348
 
-v1351:
-  %v1380 = phi i1 [ %v1367, %v1374 ], [ %v1367, %v1375 ], [ %v1353, %v1341 ], [ %v1353, %v1301 ]
-  %v1381 = phi i1 [ true, %v1374 ], [ %v1382, %v1375 ], [ %v1382, %v1341 ], [ %v1382, %v1301 ]
-  %v1383 = icmp sgt i64 %v1384, 1
-  br i1 %v1383, label %v1301, label %v1385
-
-v1301:
-  %v1382 = phi i1 [ %v1381, %v1351 ], [ false, %v1300 ]
-  %v1353 = phi i1 [ %v1380, %v1351 ], [ false, %v1300 ]
-  %v1384 = phi i64 [ %v1386, %v1351 ], [ %v295, %v1300 ]
-  %v1337 = phi i64 [ %v1387, %v1351 ], [ 0, %v1300 ]
-  %v1386 = add nsw i64 %v1384, -1
-  %v1387 = add nsw i64 %v1337, 1
-  %v1344 = getelementptr i64, ptr %v143, i64 %v1337
-  %v1369 = load i64, ptr %v1344, align 8, !noalias !98
-  %v1388 = getelementptr i64, ptr %v659, i64 %v1337
-  %v1355 = load i64, ptr %v1388, align 8, !noalias !98
-  %v1379 = getelementptr double, ptr %v661, i64 %v1337
-  store double 0.000000e+00, ptr %v1379, align 8, !noalias !98
-  %v1389 = icmp sgt i64 %v1369, -1
-  br i1 %v1389, label %v1335, label %v1351
-
-v1346:
-  %v1390 = getelementptr i64, ptr %v111, i64 %v1343
-  %v1391 = load i64, ptr %v1390, align 8, !noalias !99
-  %v1392 = icmp eq i64 %v1391, 0
-  br i1 %v1392, label %v1393, label %v1341
-
-v1393:
-  store i64 %v1342, ptr %v1390, align 8, !noalias !99
-  br label %v1341
+v1348:
+  %v1377 = phi i1 [ %v1364, %v1371 ], [ %v1364, %v1372 ], [ %v1350, %v1338 ], [ %v1350, %v1298 ]
+  %v1378 = phi i1 [ true, %v1371 ], [ %v1379, %v1372 ], [ %v1379, %v1338 ], [ %v1379, %v1298 ]
+  %v1380 = icmp sgt i64 %v1381, 1
+  br i1 %v1380, label %v1298, label %v1382
 
 v1298:
-  %v1394 = phi i1 [ true, %v1292 ], [ true, %v1300 ], [ %v1395, %v1385 ]
-  %v1396 = phi i1 [ true, %v1292 ], [ true, %v1300 ], [ %v1397, %v1385 ]
-  %v1398 = and i1 %v670, %v1293
-  br i1 %v1398, label %v1399, label %v1400
+  %v1379 = phi i1 [ %v1378, %v1348 ], [ false, %v1297 ]
+  %v1350 = phi i1 [ %v1377, %v1348 ], [ false, %v1297 ]
+  %v1381 = phi i64 [ %v1383, %v1348 ], [ %v295, %v1297 ]
+  %v1334 = phi i64 [ %v1384, %v1348 ], [ 0, %v1297 ]
+  %v1383 = add nsw i64 %v1381, -1
+  %v1384 = add nsw i64 %v1334, 1
+  %v1341 = getelementptr i64, ptr %v143, i64 %v1334
+  %v1366 = load i64, ptr %v1341, align 8, !noalias !98
+  %v1385 = getelementptr i64, ptr %v657, i64 %v1334
+  %v1352 = load i64, ptr %v1385, align 8, !noalias !98
+  %v1376 = getelementptr double, ptr %v659, i64 %v1334
+  store double 0.000000e+00, ptr %v1376, align 8, !noalias !98
+  %v1386 = icmp sgt i64 %v1366, -1
+  br i1 %v1386, label %v1332, label %v1348
 
-v1399:
-  %v1401 = load i64, ptr %v6, align 8, !noalias !102
-  %v1402 = inttoptr i64 %v1401 to ptr
-  tail call void %v1402(ptr %v675, ptr %v678, ptr %v166, ptr %v173, ptr %v180, ptr %v680), !noalias !102
+v1343:
+  %v1387 = getelementptr i64, ptr %v111, i64 %v1340
+  %v1388 = load i64, ptr %v1387, align 8, !noalias !99
+  %v1389 = icmp eq i64 %v1388, 0
+  br i1 %v1389, label %v1390, label %v1338
+
+v1390:
+  store i64 %v1339, ptr %v1387, align 8, !noalias !99
+  br label %v1338
+
+v1295:
+  %v1391 = phi i1 [ true, %v1289 ], [ true, %v1297 ], [ %v1392, %v1382 ]
+  %v1393 = phi i1 [ true, %v1289 ], [ true, %v1297 ], [ %v1394, %v1382 ]
+  %v1395 = and i1 %v668, %v1290
+  br i1 %v1395, label %v1396, label %v1397
+
+v1396:
+  %v1398 = load i64, ptr %v6, align 8, !noalias !102
+  %v1399 = inttoptr i64 %v1398 to ptr
+  tail call void %v1399(ptr %v673, ptr %v676, ptr %v166, ptr %v173, ptr %v180, ptr %v678), !noalias !102
+  br label %v1397
+
+v1397:
+  br i1 %v1393, label %v1400, label %v1401
+
+v1401:
+  %v1402 = load i64, ptr %v679, align 8, !noalias !108
+  %v1403 = inttoptr i64 %v1402 to ptr
+  tail call void %v1403(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !108
   br label %v1400
 
 v1400:
-  br i1 %v1396, label %v1403, label %v1404
+  %v1404 = select i1 %v1290, i1 %v291, i1 false
+  %v1405 = xor i1 %v1290, true
+  %v1406 = select i1 %v292, i1 %v1290, i1 false
+  %v1407 = xor i1 %v1406, true
+  %v1408 = select i1 %v1407, i1 true, i1 %v1404
+  %v1409 = select i1 %v292, i1 %v1290, i1 %v1404
+  br i1 %v1408, label %v1410, label %v1411
 
-v1404:
-  %v1405 = load i64, ptr %v681, align 8, !noalias !108
-  %v1406 = inttoptr i64 %v1405 to ptr
-  tail call void %v1406(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !108
-  br label %v1403
-
-v1403:
-  %v1407 = select i1 %v1293, i1 %v291, i1 false
-  %v1408 = xor i1 %v1293, true
-  %v1409 = select i1 %v292, i1 %v1293, i1 false
-  %v1410 = xor i1 %v1409, true
-  %v1411 = select i1 %v1410, i1 true, i1 %v1407
-  %v1412 = select i1 %v292, i1 %v1293, i1 %v1407
-  br i1 %v1411, label %v1413, label %v1414
+v1411:
+  %v1412 = load i64, ptr %v680, align 8, !noalias !111
+  %v1413 = inttoptr i64 %v1412 to ptr
+  tail call void %v1413(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !111
+  br label %v1414
 
 v1414:
-  %v1415 = load i64, ptr %v682, align 8, !noalias !111
-  %v1416 = inttoptr i64 %v1415 to ptr
-  tail call void %v1416(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !111
-  br label %v1417
+  %v1415 = phi i64 [ 0, %v1411 ], [ %v1416, %v1417 ]
+  %v1416 = add nsw i64 %v1415, 1
+  %v1418 = icmp ult i64 %v1415, 9
+  br i1 %v1418, label %v1419, label %v1420
+
+v1419:
+  %v1421 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1415
+  %v1422 = load double, ptr %v1421, align 8
+  %v1423 = load double, ptr %v134, align 8, !noalias !114
+  %v1424 = load double, ptr %v683, align 8, !noalias !114
+  %v1425 = fmul double %v1422, %v1424
+  %v1426 = fadd double %v1423, %v1425
+  store double %v1426, ptr %v685, align 8, !noalias !114
+  br i1 %v687, label %v1417, label %v1427
+
+v1427:
+  %v1428 = fsub double 1.000000e+00, %v1422
+  br label %v1429
+
+v1429:
+  %v1430 = phi i64 [ 0, %v1427 ], [ %v1431, %v1429 ]
+  %v1432 = mul i64 %v1430, %v197
+  %v1433 = getelementptr double, ptr %v194, i64 %v1432
+  %v1434 = getelementptr i8, ptr %v1433, i64 %v691
+  %v1435 = load double, ptr %v1434, align 8, !noalias !124
+  %v1436 = fadd double %v1435, 0.000000e+00
+  %v1437 = fmul double %v1422, %v1436
+  %v1438 = getelementptr i8, ptr %v1433, i64 %v692
+  %v1439 = load double, ptr %v1438, align 8, !noalias !124
+  %v1440 = fadd double %v1439, %v1437
+  %v1441 = fmul double %v1428, %v1440
+  %v1442 = getelementptr i8, ptr %v1433, i64 %v693
+  %v1443 = load double, ptr %v1442, align 8, !noalias !124
+  %v1444 = fadd double %v1443, %v1441
+  %v1445 = fmul double %v1422, %v1444
+  %v1446 = getelementptr i8, ptr %v1433, i64 %v694
+  %v1447 = load double, ptr %v1446, align 8, !noalias !124
+  %v1448 = fadd double %v1447, %v1445
+  %v1449 = fmul double %v1428, %v1448
+  %v1450 = getelementptr i8, ptr %v1433, i64 %v695
+  %v1451 = load double, ptr %v1450, align 8, !noalias !124
+  %v1452 = fadd double %v1451, %v1449
+  %v1453 = fmul double %v1422, %v1452
+  %v1454 = getelementptr i8, ptr %v1433, i64 %v696
+  %v1455 = load double, ptr %v1454, align 8, !noalias !124
+  %v1456 = fadd double %v1455, %v1453
+  %v1457 = fmul double %v1428, %v1456
+  %v1458 = getelementptr i8, ptr %v1433, i64 %v697
+  %v1459 = load double, ptr %v1458, align 8, !noalias !124
+  %v1460 = fadd double %v1459, %v1457
+  %v1461 = fmul double %v1422, %v1460
+  %v1431 = add nsw i64 %v1430, 1
+  %v1462 = load double, ptr %v1433, align 8, !noalias !124
+  %v1463 = fadd double %v1462, %v1461
+  %v1464 = getelementptr double, ptr %v688, i64 %v1432
+  store double %v1463, ptr %v1464, align 8, !noalias !114
+  %v1465 = icmp eq i64 %v10, %v1431
+  br i1 %v1465, label %v1417, label %v1429
 
 v1417:
-  %v1418 = phi i64 [ 0, %v1414 ], [ %v1419, %v1420 ]
-  %v1419 = add nsw i64 %v1418, 1
-  %v1421 = icmp ult i64 %v1418, 9
-  br i1 %v1421, label %v1422, label %v1423
-
-v1422:
-  %v1424 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1418
-  %v1425 = load double, ptr %v1424, align 8
-  %v1426 = load double, ptr %v134, align 8, !noalias !114
-  %v1427 = load double, ptr %v685, align 8, !noalias !114
-  %v1428 = fmul double %v1425, %v1427
-  %v1429 = fadd double %v1426, %v1428
-  store double %v1429, ptr %v687, align 8, !noalias !114
-  br i1 %v689, label %v1420, label %v1430
-
-v1430:
-  %v1431 = fsub double 1.000000e+00, %v1425
-  br label %v1432
-
-v1432:
-  %v1433 = phi i64 [ 0, %v1430 ], [ %v1434, %v1432 ]
-  %v1435 = mul i64 %v1433, %v197
-  %v1436 = getelementptr double, ptr %v194, i64 %v1435
-  %v1437 = getelementptr i8, ptr %v1436, i64 %v693
-  %v1438 = load double, ptr %v1437, align 8, !noalias !124
-  %v1439 = fadd double %v1438, 0.000000e+00
-  %v1440 = fmul double %v1425, %v1439
-  %v1441 = getelementptr i8, ptr %v1436, i64 %v694
-  %v1442 = load double, ptr %v1441, align 8, !noalias !124
-  %v1443 = fadd double %v1442, %v1440
-  %v1444 = fmul double %v1431, %v1443
-  %v1445 = getelementptr i8, ptr %v1436, i64 %v695
-  %v1446 = load double, ptr %v1445, align 8, !noalias !124
-  %v1447 = fadd double %v1446, %v1444
-  %v1448 = fmul double %v1425, %v1447
-  %v1449 = getelementptr i8, ptr %v1436, i64 %v696
-  %v1450 = load double, ptr %v1449, align 8, !noalias !124
-  %v1451 = fadd double %v1450, %v1448
-  %v1452 = fmul double %v1431, %v1451
-  %v1453 = getelementptr i8, ptr %v1436, i64 %v697
-  %v1454 = load double, ptr %v1453, align 8, !noalias !124
-  %v1455 = fadd double %v1454, %v1452
-  %v1456 = fmul double %v1425, %v1455
-  %v1457 = getelementptr i8, ptr %v1436, i64 %v698
-  %v1458 = load double, ptr %v1457, align 8, !noalias !124
-  %v1459 = fadd double %v1458, %v1456
-  %v1460 = fmul double %v1431, %v1459
-  %v1461 = getelementptr i8, ptr %v1436, i64 %v699
-  %v1462 = load double, ptr %v1461, align 8, !noalias !124
-  %v1463 = fadd double %v1462, %v1460
-  %v1464 = fmul double %v1425, %v1463
-  %v1434 = add nsw i64 %v1433, 1
-  %v1465 = load double, ptr %v1436, align 8, !noalias !124
-  %v1466 = fadd double %v1465, %v1464
-  %v1467 = getelementptr double, ptr %v690, i64 %v1435
-  store double %v1466, ptr %v1467, align 8, !noalias !114
-  %v1468 = icmp eq i64 %v10, %v1434
-  br i1 %v1468, label %v1420, label %v1432
+  %v1466 = icmp eq i64 %v1415, 8
+  %v1467 = select i1 %v1466, i64 17, i64 16
+  %v1468 = mul i64 %v689, %v1415
+  %v1469 = load i64, ptr %v690, align 8, !noalias !128
+  %v1470 = mul nsw i64 %v1467, %v10
+  %v1471 = getelementptr double, ptr %v159, i64 %v1470
+  %v1472 = getelementptr double, ptr %v187, i64 %v1468
+  %v1473 = inttoptr i64 %v1469 to ptr
+  tail call void %v1473(ptr nonnull %v685, ptr %v1471, ptr %v166, ptr %v173, ptr %v180, ptr %v1472), !noalias !128
+  %v1474 = icmp eq i64 %v1416, 9
+  br i1 %v1474, label %v1420, label %v1414
 
 v1420:
-  %v1469 = icmp eq i64 %v1418, 8
-  %v1470 = select i1 %v1469, i64 17, i64 16
-  %v1471 = mul i64 %v691, %v1418
-  %v1472 = load i64, ptr %v692, align 8, !noalias !128
-  %v1473 = mul nsw i64 %v1470, %v10
-  %v1474 = getelementptr double, ptr %v159, i64 %v1473
-  %v1475 = getelementptr double, ptr %v187, i64 %v1471
-  %v1476 = inttoptr i64 %v1472 to ptr
-  tail call void %v1476(ptr nonnull %v687, ptr %v1474, ptr %v166, ptr %v173, ptr %v180, ptr %v1475), !noalias !128
-  %v1477 = icmp eq i64 %v1419, 9
-  br i1 %v1477, label %v1423, label %v1417
+  %v1475 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1414 ], [ null, %v1417 ]
+  %v1476 = phi i32 [ 1, %v1414 ], [ 0, %v1417 ]
+  br i1 %v1418, label %v1477, label %v1478, !prof !131
 
-v1423:
-  %v1478 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1417 ], [ null, %v1420 ]
-  %v1479 = phi i32 [ 1, %v1417 ], [ 0, %v1420 ]
-  br i1 %v1421, label %v1480, label %v1481, !prof !131
+v1410:
+  %v1479 = phi i1 [ %v1409, %v1400 ], [ %v1480, %v1478 ]
+  %v1481 = xor i1 %v1391, true
+  %v1482 = select i1 %v1481, i1 true, i1 %v1479
+  br i1 %v1482, label %v1483, label %v1484
 
-v1413:
-  %v1482 = phi i1 [ %v1412, %v1403 ], [ %v1483, %v1481 ]
-  %v1484 = xor i1 %v1394, true
-  %v1485 = select i1 %v1484, i1 true, i1 %v1482
-  br i1 %v1485, label %v1486, label %v1487
+v1483:
+  br i1 %v708, label %v1485, label %v1486
+
+v1487:
+  %v1488 = load i64, ptr %v719, align 8, !noalias !132
+  %v1489 = inttoptr i64 %v1488 to ptr
+  tail call void %v1489(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !132
+  br label %v1486
+
+v1485:
+  %v1490 = phi i64 [ %v1491, %v1485 ], [ 1, %v1483 ]
+  %v1491 = add i64 %v1490, 1
+  %v1492 = add nsw i64 %v709, %v1490
+  %v1493 = icmp slt i64 %v1492, 0
+  %v1494 = select i1 %v1493, i64 %v7, i64 0
+  %v1495 = getelementptr i64, ptr %v6, i64 %v1492
+  %v1496 = getelementptr i64, ptr %v1495, i64 %v1494
+  %v1497 = load i64, ptr %v1496, align 8, !noalias !138
+  %v1498 = inttoptr i64 %v1497 to ptr
+  tail call void %v1498(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !138
+  %v1499 = add nsw i64 %v1490, 13
+  %v1500 = load i64, ptr %v6, align 8, !noalias !141
+  %v1501 = mul nsw i64 %v1499, %v712
+  %v1502 = getelementptr double, ptr %v159, i64 %v1501
+  %v1503 = inttoptr i64 %v1500 to ptr
+  tail call void %v1503(ptr %v711, ptr %v714, ptr %v166, ptr %v173, ptr %v180, ptr %v1502), !noalias !141
+  %v1504 = icmp eq i64 %v1490, %v12
+  br i1 %v1504, label %v1487, label %v1485
 
 v1486:
-  br i1 %v710, label %v1488, label %v1489
+  %v1505 = load i64, ptr %v720, align 8, !noalias !144
+  %v1506 = inttoptr i64 %v1505 to ptr
+  tail call void %v1506(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !144
+  %v1507 = select i1 %v671, i1 true, i1 %v1405
+  %v1508 = or i1 %v1507, %v294
+  br i1 %v1508, label %v1509, label %v1510
 
-v1490:
-  %v1491 = load i64, ptr %v721, align 8, !noalias !132
-  %v1492 = inttoptr i64 %v1491 to ptr
-  tail call void %v1492(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !132
-  br label %v1489
+v1511:
+  %v1512 = getelementptr double, ptr %v724, i64 %v1513
+  %v1514 = load double, ptr %v1512, align 8, !noalias !147
+  %v1515 = fcmp uge double %v1514, 5.000000e-01
+  %v1516 = icmp slt i64 %v1517, %v94
+  %v1518 = select i1 %v1515, i1 %v1516, i1 false
+  br i1 %v1518, label %v1519, label %v1520
 
-v1488:
-  %v1493 = phi i64 [ %v1494, %v1488 ], [ 1, %v1486 ]
-  %v1494 = add i64 %v1493, 1
-  %v1495 = add nsw i64 %v711, %v1493
-  %v1496 = icmp slt i64 %v1495, 0
-  %v1497 = select i1 %v1496, i64 %v7, i64 0
-  %v1498 = getelementptr i64, ptr %v6, i64 %v1495
-  %v1499 = getelementptr i64, ptr %v1498, i64 %v1497
-  %v1500 = load i64, ptr %v1499, align 8, !noalias !138
-  %v1501 = inttoptr i64 %v1500 to ptr
-  tail call void %v1501(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !138
-  %v1502 = add nsw i64 %v1493, 13
-  %v1503 = load i64, ptr %v6, align 8, !noalias !141
-  %v1504 = mul nsw i64 %v1502, %v714
-  %v1505 = getelementptr double, ptr %v159, i64 %v1504
-  %v1506 = inttoptr i64 %v1503 to ptr
-  tail call void %v1506(ptr %v713, ptr %v716, ptr %v166, ptr %v173, ptr %v180, ptr %v1505), !noalias !141
-  %v1507 = icmp eq i64 %v1493, %v12
-  br i1 %v1507, label %v1490, label %v1488
+v1519:
+  %v1521 = icmp slt i64 %v1517, 0
+  %v1522 = select i1 %v1521, i64 %v94, i64 0
+  %v1523 = getelementptr double, ptr %v93, i64 %v1517
+  %v1524 = getelementptr double, ptr %v1523, i64 %v1522
+  %v1525 = load double, ptr %v1524, align 8, !noalias !147
+  %v1526 = getelementptr double, ptr %v726, i64 %v1513
+  %v1527 = load double, ptr %v1526, align 8, !noalias !147
+  %v1528 = fcmp olt double %v1525, %v1527
+  br i1 %v1528, label %v1529, label %v1520
 
-v1489:
-  %v1508 = load i64, ptr %v722, align 8, !noalias !144
-  %v1509 = inttoptr i64 %v1508 to ptr
-  tail call void %v1509(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !144
-  %v1510 = select i1 %v673, i1 true, i1 %v1408
-  %v1511 = or i1 %v1510, %v294
-  br i1 %v1511, label %v1512, label %v1513
+v1529:
+  %v1530 = getelementptr double, ptr %v728, i64 %v1513
+  %v1531 = load double, ptr %v1530, align 8, !noalias !147
+  %v1532 = fcmp ogt double %v1531, 1.000000e+00
+  br i1 %v1532, label %v1533, label %v1520
 
-v1514:
-  %v1515 = getelementptr double, ptr %v726, i64 %v1516
-  %v1517 = load double, ptr %v1515, align 8, !noalias !147
-  %v1518 = fcmp uge double %v1517, 5.000000e-01
-  %v1519 = icmp slt i64 %v1520, %v94
-  %v1521 = select i1 %v1518, i1 %v1519, i1 false
-  br i1 %v1521, label %v1522, label %v1523
+v1533:
+  %v1534 = getelementptr double, ptr %v730, i64 %v1513
+  %v1535 = load double, ptr %v1534, align 8, !noalias !147
+  store double 0.000000e+00, ptr %v1512, align 8, !noalias !151
+  %v1536 = getelementptr double, ptr %v732, i64 %v1513
+  store double 0.000000e+00, ptr %v1536, align 8, !noalias !151
+  %v1537 = getelementptr double, ptr %v733, i64 %v1513
+  store double %v1535, ptr %v1537, align 8, !noalias !151
+  %v1538 = load i64, ptr %v1539, align 8, !noalias !151
+  %v1540 = icmp slt i64 %v1538, 0
+  %v1541 = select i1 %v1540, i64 %v126, i64 0
+  %v1542 = add i64 %v1541, %v1538
+  %v1543 = mul i64 %v1542, %v127
+  %v1544 = getelementptr i64, ptr %v125, i64 %v1543
+  %v1545 = load i64, ptr %v1544, align 8, !noalias !151
+  %v1546 = add nsw i64 %v1545, -1
+  store i64 %v1546, ptr %v1544, align 8, !noalias !151
+  %v1547 = load i64, ptr %v1539, align 8, !noalias !151
+  %v1548 = icmp slt i64 %v1547, 0
+  %v1549 = select i1 %v1548, i64 %v126, i64 0
+  %v1550 = add i64 %v1549, %v1547
+  %v1551 = mul i64 %v1550, %v127
+  %v1552 = getelementptr i64, ptr %v125, i64 %v1551
+  %v1553 = getelementptr i8, ptr %v1552, i64 24
+  %v1554 = load i64, ptr %v1553, align 8, !noalias !151
+  %v1555 = add nsw i64 %v1554, 1
+  store i64 %v1555, ptr %v1553, align 8, !noalias !151
+  %v1556 = load double, ptr %v1524, align 8, !noalias !147
+  %v1557 = getelementptr double, ptr %v735, i64 %v1513
+  store double %v1556, ptr %v1557, align 8, !noalias !147
+  %v1558 = mul i64 %v1559, %v127
+  %v1560 = getelementptr i64, ptr %v125, i64 %v1558
+  %v1561 = getelementptr i8, ptr %v1560, i64 8
+  %v1562 = load i64, ptr %v1561, align 8, !noalias !147
+  %v1563 = add nsw i64 %v1562, %v12
+  store i64 %v1563, ptr %v1561, align 8, !noalias !147
+  br label %v1520
 
-v1522:
-  %v1524 = icmp slt i64 %v1520, 0
-  %v1525 = select i1 %v1524, i64 %v94, i64 0
-  %v1526 = getelementptr double, ptr %v93, i64 %v1520
-  %v1527 = getelementptr double, ptr %v1526, i64 %v1525
-  %v1528 = load double, ptr %v1527, align 8, !noalias !147
-  %v1529 = getelementptr double, ptr %v728, i64 %v1516
-  %v1530 = load double, ptr %v1529, align 8, !noalias !147
-  %v1531 = fcmp olt double %v1528, %v1530
-  br i1 %v1531, label %v1532, label %v1523
+v1520:
+  %v1564 = icmp sgt i64 %v1565, 1
+  br i1 %v1564, label %v1510, label %v1509
 
-v1532:
-  %v1533 = getelementptr double, ptr %v730, i64 %v1516
-  %v1534 = load double, ptr %v1533, align 8, !noalias !147
-  %v1535 = fcmp ogt double %v1534, 1.000000e+00
-  br i1 %v1535, label %v1536, label %v1523
+v1510:
+  %v1565 = phi i64 [ %v1566, %v1520 ], [ %v295, %v1486 ]
+  %v1513 = phi i64 [ %v1567, %v1520 ], [ 0, %v1486 ]
+  %v1566 = add nsw i64 %v1565, -1
+  %v1567 = add nsw i64 %v1513, 1
+  %v1539 = getelementptr i64, ptr %v143, i64 %v1513
+  %v1559 = load i64, ptr %v1539, align 8, !noalias !147
+  %v1568 = getelementptr i64, ptr %v722, i64 %v1513
+  %v1517 = load i64, ptr %v1568, align 8, !noalias !147
+  %v1569 = icmp slt i64 %v1559, 0
+  br i1 %v1569, label %v1520, label %v1511
 
-v1536:
-  %v1537 = getelementptr double, ptr %v732, i64 %v1516
-  %v1538 = load double, ptr %v1537, align 8, !noalias !147
-  store double 0.000000e+00, ptr %v1515, align 8, !noalias !151
-  %v1539 = getelementptr double, ptr %v734, i64 %v1516
-  store double 0.000000e+00, ptr %v1539, align 8, !noalias !151
-  %v1540 = getelementptr double, ptr %v735, i64 %v1516
-  store double %v1538, ptr %v1540, align 8, !noalias !151
-  %v1541 = load i64, ptr %v1542, align 8, !noalias !151
-  %v1543 = icmp slt i64 %v1541, 0
-  %v1544 = select i1 %v1543, i64 %v126, i64 0
-  %v1545 = add i64 %v1544, %v1541
-  %v1546 = mul i64 %v1545, %v127
-  %v1547 = getelementptr i64, ptr %v125, i64 %v1546
-  %v1548 = load i64, ptr %v1547, align 8, !noalias !151
-  %v1549 = add nsw i64 %v1548, -1
-  store i64 %v1549, ptr %v1547, align 8, !noalias !151
-  %v1550 = load i64, ptr %v1542, align 8, !noalias !151
-  %v1551 = icmp slt i64 %v1550, 0
-  %v1552 = select i1 %v1551, i64 %v126, i64 0
-  %v1553 = add i64 %v1552, %v1550
-  %v1554 = mul i64 %v1553, %v127
-  %v1555 = getelementptr i64, ptr %v125, i64 %v1554
-  %v1556 = getelementptr i8, ptr %v1555, i64 24
-  %v1557 = load i64, ptr %v1556, align 8, !noalias !151
-  %v1558 = add nsw i64 %v1557, 1
-  store i64 %v1558, ptr %v1556, align 8, !noalias !151
-  %v1559 = load double, ptr %v1527, align 8, !noalias !147
-  %v1560 = getelementptr double, ptr %v737, i64 %v1516
-  store double %v1559, ptr %v1560, align 8, !noalias !147
-  %v1561 = mul i64 %v1562, %v127
-  %v1563 = getelementptr i64, ptr %v125, i64 %v1561
-  %v1564 = getelementptr i8, ptr %v1563, i64 8
-  %v1565 = load i64, ptr %v1564, align 8, !noalias !147
-  %v1566 = add nsw i64 %v1565, %v12
-  store i64 %v1566, ptr %v1564, align 8, !noalias !147
-  br label %v1523
+v1509:
+  br i1 %v1479, label %v1570, label %v1571
 
-v1523:
-  %v1567 = icmp sgt i64 %v1568, 1
-  br i1 %v1567, label %v1513, label %v1512
-
-v1513:
-  %v1568 = phi i64 [ %v1569, %v1523 ], [ %v295, %v1489 ]
-  %v1516 = phi i64 [ %v1570, %v1523 ], [ 0, %v1489 ]
-  %v1569 = add nsw i64 %v1568, -1
-  %v1570 = add nsw i64 %v1516, 1
-  %v1542 = getelementptr i64, ptr %v143, i64 %v1516
-  %v1562 = load i64, ptr %v1542, align 8, !noalias !147
-  %v1571 = getelementptr i64, ptr %v724, i64 %v1516
-  %v1520 = load i64, ptr %v1571, align 8, !noalias !147
-  %v1572 = icmp slt i64 %v1562, 0
-  br i1 %v1572, label %v1523, label %v1514
-
-v1512:
-  br i1 %v1482, label %v1573, label %v1574
-
-v1573:
+v1570:
   call void @llvm.lifetime.start.p0(ptr nonnull %v289)
   call void @llvm.lifetime.start.p0(ptr nonnull %v290)
   store i8 0, ptr %v289, align 1, !noalias !154
   store ptr null, ptr %v290, align 8, !noalias !154
-  br label %v1575
+  br label %v1572
+
+v1572:
+  %v1573 = phi i64 [ 0, %v1570 ], [ %v1574, %v1575 ]
+  %v1574 = add nsw i64 %v1573, 1
+  %v1576 = icmp ult i64 %v1573, 9
+  br i1 %v1576, label %v1577, label %v1578
+
+v1577:
+  %v1579 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1573
+  %v1580 = load double, ptr %v1579, align 8
+  %v1581 = load double, ptr %v134, align 8, !noalias !158
+  %v1582 = load double, ptr %v738, align 8, !noalias !158
+  %v1583 = fmul double %v1580, %v1582
+  %v1584 = fadd double %v1581, %v1583
+  store double %v1584, ptr %v740, align 8, !noalias !158
+  br i1 %v742, label %v1575, label %v1585
+
+v1585:
+  %v1586 = fsub double 1.000000e+00, %v1580
+  br label %v1587
+
+v1587:
+  %v1588 = phi i64 [ 0, %v1585 ], [ %v1589, %v1587 ]
+  %v1590 = mul i64 %v1588, %v197
+  %v1591 = getelementptr double, ptr %v194, i64 %v1590
+  %v1592 = getelementptr i8, ptr %v1591, i64 %v746
+  %v1593 = load double, ptr %v1592, align 8, !noalias !165
+  %v1594 = fadd double %v1593, 0.000000e+00
+  %v1595 = fmul double %v1580, %v1594
+  %v1596 = getelementptr i8, ptr %v1591, i64 %v747
+  %v1597 = load double, ptr %v1596, align 8, !noalias !165
+  %v1598 = fadd double %v1597, %v1595
+  %v1599 = fmul double %v1586, %v1598
+  %v1600 = getelementptr i8, ptr %v1591, i64 %v748
+  %v1601 = load double, ptr %v1600, align 8, !noalias !165
+  %v1602 = fadd double %v1601, %v1599
+  %v1603 = fmul double %v1580, %v1602
+  %v1604 = getelementptr i8, ptr %v1591, i64 %v749
+  %v1605 = load double, ptr %v1604, align 8, !noalias !165
+  %v1606 = fadd double %v1605, %v1603
+  %v1607 = fmul double %v1586, %v1606
+  %v1608 = getelementptr i8, ptr %v1591, i64 %v750
+  %v1609 = load double, ptr %v1608, align 8, !noalias !165
+  %v1610 = fadd double %v1609, %v1607
+  %v1611 = fmul double %v1580, %v1610
+  %v1612 = getelementptr i8, ptr %v1591, i64 %v751
+  %v1613 = load double, ptr %v1612, align 8, !noalias !165
+  %v1614 = fadd double %v1613, %v1611
+  %v1615 = fmul double %v1586, %v1614
+  %v1616 = getelementptr i8, ptr %v1591, i64 %v752
+  %v1617 = load double, ptr %v1616, align 8, !noalias !165
+  %v1618 = fadd double %v1617, %v1615
+  %v1619 = fmul double %v1580, %v1618
+  %v1589 = add nsw i64 %v1588, 1
+  %v1620 = load double, ptr %v1591, align 8, !noalias !165
+  %v1621 = fadd double %v1620, %v1619
+  %v1622 = getelementptr double, ptr %v743, i64 %v1590
+  store double %v1621, ptr %v1622, align 8, !noalias !158
+  %v1623 = icmp eq i64 %v10, %v1589
+  br i1 %v1623, label %v1575, label %v1587
 
 v1575:
-  %v1576 = phi i64 [ 0, %v1573 ], [ %v1577, %v1578 ]
-  %v1577 = add nsw i64 %v1576, 1
-  %v1579 = icmp ult i64 %v1576, 9
-  br i1 %v1579, label %v1580, label %v1581
-
-v1580:
-  %v1582 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1576
-  %v1583 = load double, ptr %v1582, align 8
-  %v1584 = load double, ptr %v134, align 8, !noalias !158
-  %v1585 = load double, ptr %v740, align 8, !noalias !158
-  %v1586 = fmul double %v1583, %v1585
-  %v1587 = fadd double %v1584, %v1586
-  store double %v1587, ptr %v742, align 8, !noalias !158
-  br i1 %v744, label %v1578, label %v1588
-
-v1588:
-  %v1589 = fsub double 1.000000e+00, %v1583
-  br label %v1590
-
-v1590:
-  %v1591 = phi i64 [ 0, %v1588 ], [ %v1592, %v1590 ]
-  %v1593 = mul i64 %v1591, %v197
-  %v1594 = getelementptr double, ptr %v194, i64 %v1593
-  %v1595 = getelementptr i8, ptr %v1594, i64 %v748
-  %v1596 = load double, ptr %v1595, align 8, !noalias !165
-  %v1597 = fadd double %v1596, 0.000000e+00
-  %v1598 = fmul double %v1583, %v1597
-  %v1599 = getelementptr i8, ptr %v1594, i64 %v749
-  %v1600 = load double, ptr %v1599, align 8, !noalias !165
-  %v1601 = fadd double %v1600, %v1598
-  %v1602 = fmul double %v1589, %v1601
-  %v1603 = getelementptr i8, ptr %v1594, i64 %v750
-  %v1604 = load double, ptr %v1603, align 8, !noalias !165
-  %v1605 = fadd double %v1604, %v1602
-  %v1606 = fmul double %v1583, %v1605
-  %v1607 = getelementptr i8, ptr %v1594, i64 %v751
-  %v1608 = load double, ptr %v1607, align 8, !noalias !165
-  %v1609 = fadd double %v1608, %v1606
-  %v1610 = fmul double %v1589, %v1609
-  %v1611 = getelementptr i8, ptr %v1594, i64 %v752
-  %v1612 = load double, ptr %v1611, align 8, !noalias !165
-  %v1613 = fadd double %v1612, %v1610
-  %v1614 = fmul double %v1583, %v1613
-  %v1615 = getelementptr i8, ptr %v1594, i64 %v753
-  %v1616 = load double, ptr %v1615, align 8, !noalias !165
-  %v1617 = fadd double %v1616, %v1614
-  %v1618 = fmul double %v1589, %v1617
-  %v1619 = getelementptr i8, ptr %v1594, i64 %v754
-  %v1620 = load double, ptr %v1619, align 8, !noalias !165
-  %v1621 = fadd double %v1620, %v1618
-  %v1622 = fmul double %v1583, %v1621
-  %v1592 = add nsw i64 %v1591, 1
-  %v1623 = load double, ptr %v1594, align 8, !noalias !165
-  %v1624 = fadd double %v1623, %v1622
-  %v1625 = getelementptr double, ptr %v745, i64 %v1593
-  store double %v1624, ptr %v1625, align 8, !noalias !158
-  %v1626 = icmp eq i64 %v10, %v1592
-  br i1 %v1626, label %v1578, label %v1590
+  %v1624 = icmp eq i64 %v1573, 8
+  %v1625 = select i1 %v1624, i64 17, i64 16
+  %v1626 = mul i64 %v1573, %v744
+  %v1627 = load i64, ptr %v745, align 8, !noalias !169
+  %v1628 = mul nsw i64 %v1625, %v10
+  %v1629 = getelementptr double, ptr %v159, i64 %v1628
+  %v1630 = getelementptr double, ptr %v187, i64 %v1626
+  %v1631 = inttoptr i64 %v1627 to ptr
+  tail call void %v1631(ptr nonnull %v740, ptr %v1629, ptr %v166, ptr %v173, ptr %v180, ptr %v1630), !noalias !169
+  %v1632 = icmp eq i64 %v1574, 9
+  br i1 %v1632, label %v1578, label %v1572
 
 v1578:
-  %v1627 = icmp eq i64 %v1576, 8
-  %v1628 = select i1 %v1627, i64 17, i64 16
-  %v1629 = mul i64 %v1576, %v746
-  %v1630 = load i64, ptr %v747, align 8, !noalias !169
-  %v1631 = mul nsw i64 %v1628, %v10
-  %v1632 = getelementptr double, ptr %v159, i64 %v1631
-  %v1633 = getelementptr double, ptr %v187, i64 %v1629
-  %v1634 = inttoptr i64 %v1630 to ptr
-  tail call void %v1634(ptr nonnull %v742, ptr %v1632, ptr %v166, ptr %v173, ptr %v180, ptr %v1633), !noalias !169
-  %v1635 = icmp eq i64 %v1577, 9
-  br i1 %v1635, label %v1581, label %v1575
+  %v1633 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1572 ], [ null, %v1575 ]
+  %v1634 = phi i32 [ 1, %v1572 ], [ 0, %v1575 ]
+  br i1 %v1576, label %v1635, label %v1636, !prof !131
 
-v1581:
-  %v1636 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1575 ], [ null, %v1578 ]
-  %v1637 = phi i32 [ 1, %v1575 ], [ 0, %v1578 ]
-  br i1 %v1579, label %v1638, label %v1639, !prof !131
+v1635:
+  %v1637 = load double, ptr %v754, align 8, !noalias !172
+  %v1638 = load double, ptr %v93, align 8, !noalias !172
+  %v1639 = fsub double %v1637, %v1638
+  %v1640 = fmul double %v1639, 1.000000e-13
+  %v1641 = load double, ptr %v134, align 8, !noalias !172
+  %v1642 = tail call double @llvm.fabs.f64(double %v1641)
+  %v1643 = fmul double %v1642, 4.000000e-15
+  %v1644 = fcmp ogt double %v1643, %v1640
+  %v1645 = select i1 %v1644, double %v1643, double %v1640
+  %v1646 = load double, ptr %v738, align 8, !noalias !179
+  %v1647 = fdiv double %v1645, %v1646
+  %v1648 = fcmp olt double %v1647, 1.000000e+00
+  %v1649 = select i1 %v1648, double %v1647, double 1.000000e+00
+  br i1 %v755, label %v1650, label %v1651
 
-v1638:
-  %v1640 = load double, ptr %v756, align 8, !noalias !172
-  %v1641 = load double, ptr %v93, align 8, !noalias !172
-  %v1642 = fsub double %v1640, %v1641
-  %v1643 = fmul double %v1642, 1.000000e-13
-  %v1644 = load double, ptr %v134, align 8, !noalias !172
-  %v1645 = tail call double @llvm.fabs.f64(double %v1644)
-  %v1646 = fmul double %v1645, 4.000000e-15
-  %v1647 = fcmp ogt double %v1646, %v1643
-  %v1648 = select i1 %v1647, double %v1646, double %v1643
-  %v1649 = load double, ptr %v740, align 8, !noalias !179
-  %v1650 = fdiv double %v1648, %v1649
-  %v1651 = fcmp olt double %v1650, 1.000000e+00
-  %v1652 = select i1 %v1651, double %v1650, double 1.000000e+00
-  br i1 %v757, label %v1653, label %v1654
+v1652:
+  %v1653 = fcmp olt double %v1654, %v1655
+  %v1656 = select i1 %v1653, double %v1654, double %v1655
+  %v1657 = fcmp ogt double %v1654, %v1658
+  %v1659 = select i1 %v1657, double %v1654, double %v1658
+  br label %v1660
 
-v1655:
-  %v1656 = fcmp olt double %v1657, %v1658
-  %v1659 = select i1 %v1656, double %v1657, double %v1658
-  %v1660 = fcmp ogt double %v1657, %v1661
-  %v1662 = select i1 %v1660, double %v1657, double %v1661
-  br label %v1663
+v1660:
+  %v1661 = phi double [ %v1659, %v1652 ], [ %v1658, %v1662 ]
+  %v1663 = phi double [ %v1656, %v1652 ], [ %v1655, %v1662 ]
+  %v1664 = icmp eq i64 %v1665, 9
+  br i1 %v1664, label %v1666, label %v1662
 
-v1663:
-  %v1664 = phi double [ %v1662, %v1655 ], [ %v1661, %v1665 ]
-  %v1666 = phi double [ %v1659, %v1655 ], [ %v1658, %v1665 ]
-  %v1667 = icmp eq i64 %v1668, 9
-  br i1 %v1667, label %v1669, label %v1665
+v1666:
+  %v1667 = fsub double %v1661, %v1663
+  %v1668 = fmul double %v1649, %v1667
+  %v1669 = tail call i1 @llvm.is.fpclass.f64(double %v1670, i32 543)
+  %v1671 = select i1 %v1669, double 0.000000e+00, double %v1670
+  %v1672 = tail call i1 @llvm.is.fpclass.f64(double %v1668, i32 543)
+  %v1673 = select i1 %v1672, double -0.000000e+00, double %v1668
+  %v1674 = fadd double %v1671, %v1673
+  %v1675 = getelementptr double, ptr %v758, i64 %v1676
+  %v1677 = load double, ptr %v1675, align 8, !noalias !179
+  %v1678 = sub nsw i64 %v1679, %v19
+  %v1680 = getelementptr double, ptr %v216, i64 %v1678
+  %v1681 = load double, ptr %v1680, align 8, !noalias !179
+  %v1682 = getelementptr double, ptr %v759, i64 %v1676
+  store double %v1674, ptr %v1682, align 8, !noalias !179
+  %v1683 = fcmp ule double %v1681, 5.000000e-01
+  %v1684 = fcmp ule double %v1677, 0.000000e+00
+  %v1685 = select i1 %v1683, i1 true, i1 %v1684
+  %v1686 = select i1 %v1685, double %v1674, double 0.000000e+00
+  %v1687 = getelementptr double, ptr %v1682, i64 %v756
+  store double %v1686, ptr %v1687, align 8, !noalias !179
+  %v1688 = getelementptr i8, ptr %v1682, i64 %v760
+  store double %v1686, ptr %v1688, align 8, !noalias !179
+  %v1689 = getelementptr i8, ptr %v1682, i64 %v761
+  store double %v1686, ptr %v1689, align 8, !noalias !179
+  %v1690 = getelementptr i8, ptr %v1682, i64 %v762
+  store double %v1686, ptr %v1690, align 8, !noalias !179
+  %v1691 = getelementptr i8, ptr %v1682, i64 %v763
+  store double %v1686, ptr %v1691, align 8, !noalias !179
+  %v1692 = getelementptr i8, ptr %v1682, i64 %v764
+  store double %v1686, ptr %v1692, align 8, !noalias !179
+  %v1693 = getelementptr i8, ptr %v1682, i64 %v765
+  store double %v1686, ptr %v1693, align 8, !noalias !179
+  %v1694 = getelementptr i8, ptr %v1682, i64 %v766
+  store double %v1686, ptr %v1694, align 8, !noalias !179
+  %v1695 = add nsw i64 %v1696, -1
+  %v1697 = add i64 %v1679, 1
+  %v1698 = icmp sgt i64 %v1696, 1
+  br i1 %v1698, label %v1651, label %v1650
 
-v1669:
-  %v1670 = fsub double %v1664, %v1666
-  %v1671 = fmul double %v1652, %v1670
-  %v1672 = tail call i1 @llvm.is.fpclass.f64(double %v1673, i32 543)
-  %v1674 = select i1 %v1672, double 0.000000e+00, double %v1673
-  %v1675 = tail call i1 @llvm.is.fpclass.f64(double %v1671, i32 543)
-  %v1676 = select i1 %v1675, double -0.000000e+00, double %v1671
-  %v1677 = fadd double %v1674, %v1676
-  %v1678 = getelementptr double, ptr %v760, i64 %v1679
-  %v1680 = load double, ptr %v1678, align 8, !noalias !179
-  %v1681 = sub nsw i64 %v1682, %v19
-  %v1683 = getelementptr double, ptr %v216, i64 %v1681
-  %v1684 = load double, ptr %v1683, align 8, !noalias !179
-  %v1685 = getelementptr double, ptr %v761, i64 %v1679
-  store double %v1677, ptr %v1685, align 8, !noalias !179
-  %v1686 = fcmp ule double %v1684, 5.000000e-01
-  %v1687 = fcmp ule double %v1680, 0.000000e+00
-  %v1688 = select i1 %v1686, i1 true, i1 %v1687
-  %v1689 = select i1 %v1688, double %v1677, double 0.000000e+00
-  %v1690 = getelementptr double, ptr %v1685, i64 %v758
-  store double %v1689, ptr %v1690, align 8, !noalias !179
-  %v1691 = getelementptr i8, ptr %v1685, i64 %v762
-  store double %v1689, ptr %v1691, align 8, !noalias !179
-  %v1692 = getelementptr i8, ptr %v1685, i64 %v763
-  store double %v1689, ptr %v1692, align 8, !noalias !179
-  %v1693 = getelementptr i8, ptr %v1685, i64 %v764
-  store double %v1689, ptr %v1693, align 8, !noalias !179
-  %v1694 = getelementptr i8, ptr %v1685, i64 %v765
-  store double %v1689, ptr %v1694, align 8, !noalias !179
-  %v1695 = getelementptr i8, ptr %v1685, i64 %v766
-  store double %v1689, ptr %v1695, align 8, !noalias !179
-  %v1696 = getelementptr i8, ptr %v1685, i64 %v767
-  store double %v1689, ptr %v1696, align 8, !noalias !179
-  %v1697 = getelementptr i8, ptr %v1685, i64 %v768
-  store double %v1689, ptr %v1697, align 8, !noalias !179
-  %v1698 = add nsw i64 %v1699, -1
-  %v1700 = add i64 %v1682, 1
-  %v1701 = icmp sgt i64 %v1699, 1
-  br i1 %v1701, label %v1654, label %v1653
+v1651:
+  %v1696 = phi i64 [ %v1695, %v1666 ], [ %v16, %v1635 ]
+  %v1679 = phi i64 [ %v1697, %v1666 ], [ %v19, %v1635 ]
+  %v1699 = icmp slt i64 %v1679, 0
+  %v1700 = select i1 %v1699, i64 %v208, i64 0
+  %v1676 = add i64 %v1700, %v1679
+  br label %v1662
 
-v1654:
-  %v1699 = phi i64 [ %v1698, %v1669 ], [ %v16, %v1638 ]
-  %v1682 = phi i64 [ %v1700, %v1669 ], [ %v19, %v1638 ]
-  %v1702 = icmp slt i64 %v1682, 0
-  %v1703 = select i1 %v1702, i64 %v208, i64 0
-  %v1679 = add i64 %v1703, %v1682
-  br label %v1665
+v1662:
+  %v1655 = phi double [ 0x7FF0000000000000, %v1651 ], [ %v1663, %v1660 ]
+  %v1658 = phi double [ 0xFFF0000000000000, %v1651 ], [ %v1661, %v1660 ]
+  %v1701 = phi double [ 0.000000e+00, %v1651 ], [ %v1670, %v1660 ]
+  %v1702 = phi i64 [ 0, %v1651 ], [ %v1665, %v1660 ]
+  %v1665 = add nsw i64 %v1702, 1
+  %v1703 = mul i64 %v1702, %v756
+  %v1704 = getelementptr double, ptr %v205, i64 %v1703
+  %v1705 = getelementptr i8, ptr %v1704, i64 %v757
+  %v1706 = getelementptr double, ptr %v1705, i64 %v1676
+  %v1707 = load double, ptr %v1706, align 8, !noalias !179
+  %v1708 = tail call i1 @llvm.is.fpclass.f64(double %v1707, i32 543)
+  %v1709 = fadd double %v1707, 0.000000e+00
+  %v1710 = select i1 %v1708, double 0.000000e+00, double %v1709
+  %v1711 = fcmp ogt double %v1710, %v1701
+  %v1670 = select i1 %v1711, double %v1710, double %v1701
+  %v1712 = getelementptr double, ptr %v1704, i64 %v208
+  %v1713 = getelementptr double, ptr %v1712, i64 %v1676
+  %v1654 = load double, ptr %v1713, align 8, !noalias !179
+  %v1714 = tail call double @llvm.fabs.f64(double %v1654)
+  %v1715 = fcmp ueq double %v1714, 0x7FF0000000000000
+  br i1 %v1715, label %v1660, label %v1652
 
-v1665:
-  %v1658 = phi double [ 0x7FF0000000000000, %v1654 ], [ %v1666, %v1663 ]
-  %v1661 = phi double [ 0xFFF0000000000000, %v1654 ], [ %v1664, %v1663 ]
-  %v1704 = phi double [ 0.000000e+00, %v1654 ], [ %v1673, %v1663 ]
-  %v1705 = phi i64 [ 0, %v1654 ], [ %v1668, %v1663 ]
-  %v1668 = add nsw i64 %v1705, 1
-  %v1706 = mul i64 %v1705, %v758
-  %v1707 = getelementptr double, ptr %v205, i64 %v1706
-  %v1708 = getelementptr i8, ptr %v1707, i64 %v759
-  %v1709 = getelementptr double, ptr %v1708, i64 %v1679
-  %v1710 = load double, ptr %v1709, align 8, !noalias !179
-  %v1711 = tail call i1 @llvm.is.fpclass.f64(double %v1710, i32 543)
-  %v1712 = fadd double %v1710, 0.000000e+00
-  %v1713 = select i1 %v1711, double 0.000000e+00, double %v1712
-  %v1714 = fcmp ogt double %v1713, %v1704
-  %v1673 = select i1 %v1714, double %v1713, double %v1704
-  %v1715 = getelementptr double, ptr %v1707, i64 %v208
-  %v1716 = getelementptr double, ptr %v1715, i64 %v1679
-  %v1657 = load double, ptr %v1716, align 8, !noalias !179
-  %v1717 = tail call double @llvm.fabs.f64(double %v1657)
-  %v1718 = fcmp ueq double %v1717, 0x7FF0000000000000
-  br i1 %v1718, label %v1663, label %v1655
-
-v1653:
+v1650:
   store i8 0, ptr %v289, align 1, !noalias !154
-  %v1719 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v289, ptr %v290, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double 0.000000e+00)
-  %v1720 = icmp eq i32 %v1719, 0
-  br i1 %v1720, label %v1721, label %v1722, !prof !131
+  %v1716 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v289, ptr %v290, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double 0.000000e+00)
+  %v1717 = icmp eq i32 %v1716, 0
+  br i1 %v1717, label %v1718, label %v1719, !prof !131
 
-v1722:
-  %v1723 = load ptr, ptr %v290, align 8, !noalias !154
-  br label %v1639
+v1719:
+  %v1720 = load ptr, ptr %v290, align 8, !noalias !154
+  br label %v1636
 
-v1721:
-  %v1724 = load i8, ptr %v289, align 1, !noalias !154
-  %v1725 = icmp eq i8 %v1724, 0
-  br label %v1639
+v1718:
+  %v1721 = load i8, ptr %v289, align 1, !noalias !154
+  %v1722 = icmp eq i8 %v1721, 0
+  br label %v1636
 
-v1639:
-  %v1726 = phi i1 [ %v1725, %v1721 ], [ true, %v1722 ], [ true, %v1581 ]
-  %v1727 = phi ptr [ null, %v1721 ], [ %v1723, %v1722 ], [ %v1636, %v1581 ]
-  %v1728 = phi i32 [ 0, %v1721 ], [ 1, %v1722 ], [ %v1637, %v1581 ]
+v1636:
+  %v1723 = phi i1 [ %v1722, %v1718 ], [ true, %v1719 ], [ true, %v1578 ]
+  %v1724 = phi ptr [ null, %v1718 ], [ %v1720, %v1719 ], [ %v1633, %v1578 ]
+  %v1725 = phi i32 [ 0, %v1718 ], [ 1, %v1719 ], [ %v1634, %v1578 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v289)
   call void @llvm.lifetime.end.p0(ptr nonnull %v290)
-  %v1729 = icmp eq i32 %v1728, 0
-  %v1730 = select i1 %v1729, ptr undef, ptr %v1727
-  br i1 %v1729, label %v1731, label %v1487, !prof !131
+  %v1726 = icmp eq i32 %v1725, 0
+  %v1727 = select i1 %v1726, ptr undef, ptr %v1724
+  br i1 %v1726, label %v1728, label %v1484, !prof !131
 
-v1732:
-  %v1733 = load double, ptr %v770, align 8, !noalias !180
-  %v1734 = load double, ptr %v740, align 8, !noalias !180
+v1729:
+  %v1730 = load double, ptr %v768, align 8, !noalias !180
+  %v1731 = load double, ptr %v738, align 8, !noalias !180
+  %v1732 = load double, ptr %v770, align 8, !noalias !180
+  %v1733 = load double, ptr %v93, align 8, !noalias !180
+  %v1734 = fsub double %v1732, %v1733
   %v1735 = load double, ptr %v772, align 8, !noalias !180
-  %v1736 = load double, ptr %v93, align 8, !noalias !180
+  %v1736 = load double, ptr %v774, align 8, !noalias !180
   %v1737 = fsub double %v1735, %v1736
-  %v1738 = load double, ptr %v774, align 8, !noalias !180
-  %v1739 = load double, ptr %v776, align 8, !noalias !180
-  %v1740 = fsub double %v1738, %v1739
-  %v1741 = fmul double %v1737, 5.000000e-06
-  %v1742 = fcmp olt double %v1740, %v1741
-  br label %v1743
+  %v1738 = fmul double %v1734, 5.000000e-06
+  %v1739 = fcmp olt double %v1737, %v1738
+  br label %v1740
 
-v1744:
-  %v1745 = sub nsw i64 45, %v1746
-  %v1747 = load double, ptr %v781, align 8, !noalias !184
-  %v1748 = load double, ptr %v783, align 8, !noalias !184
-  br label %v1749
+v1741:
+  %v1742 = sub nsw i64 45, %v1743
+  %v1744 = load double, ptr %v779, align 8, !noalias !184
+  %v1745 = load double, ptr %v781, align 8, !noalias !184
+  br label %v1746
 
-v1749:
-  %v1750 = phi double [ %v1751, %v1749 ], [ 1.000000e+00, %v1744 ]
-  %v1752 = phi double [ %v1753, %v1749 ], [ 2.000000e+00, %v1744 ]
-  %v1754 = phi i64 [ %v1755, %v1749 ], [ %v1745, %v1744 ]
-  %v1756 = and i64 %v1754, 1
-  %v1757 = icmp eq i64 %v1756, 0
-  %v1758 = fmul double %v1750, %v1752
-  %v1751 = select i1 %v1757, double %v1750, double %v1758
-  %v1755 = lshr i64 %v1754, 1
-  %v1753 = fmul double %v1752, %v1752
-  %v1759 = icmp eq i64 %v1755, 0
-  br i1 %v1759, label %v1760, label %v1749
+v1746:
+  %v1747 = phi double [ %v1748, %v1746 ], [ 1.000000e+00, %v1741 ]
+  %v1749 = phi double [ %v1750, %v1746 ], [ 2.000000e+00, %v1741 ]
+  %v1751 = phi i64 [ %v1752, %v1746 ], [ %v1742, %v1741 ]
+  %v1753 = and i64 %v1751, 1
+  %v1754 = icmp eq i64 %v1753, 0
+  %v1755 = fmul double %v1747, %v1749
+  %v1748 = select i1 %v1754, double %v1747, double %v1755
+  %v1752 = lshr i64 %v1751, 1
+  %v1750 = fmul double %v1749, %v1749
+  %v1756 = icmp eq i64 %v1752, 0
+  br i1 %v1756, label %v1757, label %v1746
 
-v1761:
-  %v1762 = fcmp olt double %v1763, 0.000000e+00
-  %v1764 = select i1 %v1762, double 0.000000e+00, double %v1763
-  %v1765 = fmul double %v1766, %v1764
-  %v1767 = fsub double %v1768, %v1765
-  br label %v1769
+v1758:
+  %v1759 = fcmp olt double %v1760, 0.000000e+00
+  %v1761 = select i1 %v1759, double 0.000000e+00, double %v1760
+  %v1762 = fmul double %v1763, %v1761
+  %v1764 = fsub double %v1765, %v1762
+  br label %v1766
 
-v1760:
-  %v1770 = fadd double %v1771, %v1772
-  %v1768 = fmul double %v1770, 5.000000e-01
-  %v1773 = fmul double %v1751, 1.000000e-13
-  %v1774 = fsub double %v1773, %v1775
-  %v1763 = fmul double %v1774, 5.000000e-01
-  %v1776 = fmul double %v1772, %v1748
-  %v1777 = fmul double %v1771, %v1747
-  %v1778 = fsub double %v1776, %v1777
-  %v1779 = fsub double %v1748, %v1747
-  %v1780 = fdiv double %v1778, %v1779
-  %v1781 = fcmp olt double %v1772, %v1780
-  %v1782 = fcmp olt double %v1780, %v1771
-  %v1783 = and i1 %v1781, %v1782
-  %v1784 = select i1 %v1783, double %v1780, double %v1768
-  %v1785 = fsub double %v1768, %v1784
-  %v1766 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1785)
-  %v1786 = fmul double %v1775, %v1775
-  %v1787 = tail call double @llvm.fabs.f64(double %v1785)
-  %v1788 = fcmp olt double %v1787, %v1786
-  %v1789 = select i1 %v1788, double %v1787, double %v1786
-  %v1790 = fmul double %v1766, %v1789
-  %v1791 = fadd double %v1784, %v1790
-  %v1792 = fsub double %v1791, %v1768
-  %v1793 = tail call double @llvm.fabs.f64(double %v1792)
-  %v1794 = fcmp ugt double %v1793, %v1763
-  br i1 %v1794, label %v1761, label %v1769
+v1757:
+  %v1767 = fadd double %v1768, %v1769
+  %v1765 = fmul double %v1767, 5.000000e-01
+  %v1770 = fmul double %v1748, 1.000000e-13
+  %v1771 = fsub double %v1770, %v1772
+  %v1760 = fmul double %v1771, 5.000000e-01
+  %v1773 = fmul double %v1769, %v1745
+  %v1774 = fmul double %v1768, %v1744
+  %v1775 = fsub double %v1773, %v1774
+  %v1776 = fsub double %v1745, %v1744
+  %v1777 = fdiv double %v1775, %v1776
+  %v1778 = fcmp olt double %v1769, %v1777
+  %v1779 = fcmp olt double %v1777, %v1768
+  %v1780 = and i1 %v1778, %v1779
+  %v1781 = select i1 %v1780, double %v1777, double %v1765
+  %v1782 = fsub double %v1765, %v1781
+  %v1763 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1782)
+  %v1783 = fmul double %v1772, %v1772
+  %v1784 = tail call double @llvm.fabs.f64(double %v1782)
+  %v1785 = fcmp olt double %v1784, %v1783
+  %v1786 = select i1 %v1785, double %v1784, double %v1783
+  %v1787 = fmul double %v1763, %v1786
+  %v1788 = fadd double %v1781, %v1787
+  %v1789 = fsub double %v1788, %v1765
+  %v1790 = tail call double @llvm.fabs.f64(double %v1789)
+  %v1791 = fcmp ugt double %v1790, %v1760
+  br i1 %v1791, label %v1758, label %v1766
+
+v1792:
+  store double %v1793, ptr %v776, align 8, !noalias !190
+  store double %v1794, ptr %v781, align 8, !noalias !190
+  br label %v1795
+
+v1796:
+  store double %v1793, ptr %v768, align 8, !noalias !190
+  store double %v1794, ptr %v779, align 8, !noalias !190
+  br label %v1795
 
 v1795:
-  store double %v1796, ptr %v778, align 8, !noalias !190
-  store double %v1797, ptr %v783, align 8, !noalias !190
-  br label %v1798
+  %v1797 = icmp eq i64 %v1798, 45
+  br i1 %v1797, label %v1799, label %v1740
 
-v1799:
-  store double %v1796, ptr %v770, align 8, !noalias !190
-  store double %v1797, ptr %v781, align 8, !noalias !190
-  br label %v1798
+v1740:
+  %v1743 = phi i64 [ 0, %v1729 ], [ %v1798, %v1795 ]
+  %v1798 = add nsw i64 %v1743, 1
+  %v1768 = load double, ptr %v776, align 8, !noalias !190
+  %v1769 = load double, ptr %v768, align 8, !noalias !190
+  %v1772 = fsub double %v1768, %v1769
+  %v1800 = fcmp ugt double %v1772, 1.000000e-13
+  br i1 %v1800, label %v1741, label %v1799
 
-v1798:
-  %v1800 = icmp eq i64 %v1801, 45
-  br i1 %v1800, label %v1802, label %v1743
+v1766:
+  %v1793 = phi double [ %v1788, %v1757 ], [ %v1764, %v1758 ]
+  %v1801 = load double, ptr %v134, align 8, !noalias !191
+  %v1802 = load double, ptr %v738, align 8, !noalias !191
+  %v1803 = fmul double %v1793, %v1802
+  %v1804 = fadd double %v1801, %v1803
+  store double %v1804, ptr %v740, align 8, !noalias !191
+  br i1 %v782, label %v1805, label %v1806
 
-v1743:
-  %v1746 = phi i64 [ 0, %v1732 ], [ %v1801, %v1798 ]
-  %v1801 = add nsw i64 %v1746, 1
-  %v1771 = load double, ptr %v778, align 8, !noalias !190
-  %v1772 = load double, ptr %v770, align 8, !noalias !190
-  %v1775 = fsub double %v1771, %v1772
-  %v1803 = fcmp ugt double %v1775, 1.000000e-13
-  br i1 %v1803, label %v1744, label %v1802
-
-v1769:
-  %v1796 = phi double [ %v1791, %v1760 ], [ %v1767, %v1761 ]
-  %v1804 = load double, ptr %v134, align 8, !noalias !191
-  %v1805 = load double, ptr %v740, align 8, !noalias !191
-  %v1806 = fmul double %v1796, %v1805
-  %v1807 = fadd double %v1804, %v1806
-  store double %v1807, ptr %v742, align 8, !noalias !191
-  br i1 %v784, label %v1808, label %v1809
+v1805:
+  %v1807 = fsub double 1.000000e+00, %v1793
+  br label %v1808
 
 v1808:
-  %v1810 = fsub double 1.000000e+00, %v1796
-  br label %v1811
+  %v1809 = phi i64 [ 0, %v1805 ], [ %v1810, %v1808 ]
+  %v1811 = mul i64 %v1809, %v197
+  %v1812 = getelementptr double, ptr %v194, i64 %v1811
+  %v1813 = getelementptr i8, ptr %v1812, i64 %v746
+  %v1814 = load double, ptr %v1813, align 8, !noalias !198
+  %v1815 = fadd double %v1814, 0.000000e+00
+  %v1816 = fmul double %v1793, %v1815
+  %v1817 = getelementptr i8, ptr %v1812, i64 %v747
+  %v1818 = load double, ptr %v1817, align 8, !noalias !198
+  %v1819 = fadd double %v1818, %v1816
+  %v1820 = fmul double %v1807, %v1819
+  %v1821 = getelementptr i8, ptr %v1812, i64 %v748
+  %v1822 = load double, ptr %v1821, align 8, !noalias !198
+  %v1823 = fadd double %v1822, %v1820
+  %v1824 = fmul double %v1793, %v1823
+  %v1825 = getelementptr i8, ptr %v1812, i64 %v749
+  %v1826 = load double, ptr %v1825, align 8, !noalias !198
+  %v1827 = fadd double %v1826, %v1824
+  %v1828 = fmul double %v1807, %v1827
+  %v1829 = getelementptr i8, ptr %v1812, i64 %v750
+  %v1830 = load double, ptr %v1829, align 8, !noalias !198
+  %v1831 = fadd double %v1830, %v1828
+  %v1832 = fmul double %v1793, %v1831
+  %v1833 = getelementptr i8, ptr %v1812, i64 %v751
+  %v1834 = load double, ptr %v1833, align 8, !noalias !198
+  %v1835 = fadd double %v1834, %v1832
+  %v1836 = fmul double %v1807, %v1835
+  %v1837 = getelementptr i8, ptr %v1812, i64 %v752
+  %v1838 = load double, ptr %v1837, align 8, !noalias !198
+  %v1839 = fadd double %v1838, %v1836
+  %v1840 = fmul double %v1793, %v1839
+  %v1810 = add nsw i64 %v1809, 1
+  %v1841 = load double, ptr %v1812, align 8, !noalias !198
+  %v1842 = fadd double %v1841, %v1840
+  %v1843 = getelementptr double, ptr %v743, i64 %v1811
+  store double %v1842, ptr %v1843, align 8, !noalias !191
+  %v1844 = icmp eq i64 %v10, %v1810
+  br i1 %v1844, label %v1806, label %v1808
 
-v1811:
-  %v1812 = phi i64 [ 0, %v1808 ], [ %v1813, %v1811 ]
-  %v1814 = mul i64 %v1812, %v197
-  %v1815 = getelementptr double, ptr %v194, i64 %v1814
-  %v1816 = getelementptr i8, ptr %v1815, i64 %v748
-  %v1817 = load double, ptr %v1816, align 8, !noalias !198
-  %v1818 = fadd double %v1817, 0.000000e+00
-  %v1819 = fmul double %v1796, %v1818
-  %v1820 = getelementptr i8, ptr %v1815, i64 %v749
-  %v1821 = load double, ptr %v1820, align 8, !noalias !198
-  %v1822 = fadd double %v1821, %v1819
-  %v1823 = fmul double %v1810, %v1822
-  %v1824 = getelementptr i8, ptr %v1815, i64 %v750
-  %v1825 = load double, ptr %v1824, align 8, !noalias !198
-  %v1826 = fadd double %v1825, %v1823
-  %v1827 = fmul double %v1796, %v1826
-  %v1828 = getelementptr i8, ptr %v1815, i64 %v751
-  %v1829 = load double, ptr %v1828, align 8, !noalias !198
-  %v1830 = fadd double %v1829, %v1827
-  %v1831 = fmul double %v1810, %v1830
-  %v1832 = getelementptr i8, ptr %v1815, i64 %v752
-  %v1833 = load double, ptr %v1832, align 8, !noalias !198
-  %v1834 = fadd double %v1833, %v1831
-  %v1835 = fmul double %v1796, %v1834
-  %v1836 = getelementptr i8, ptr %v1815, i64 %v753
-  %v1837 = load double, ptr %v1836, align 8, !noalias !198
-  %v1838 = fadd double %v1837, %v1835
-  %v1839 = fmul double %v1810, %v1838
-  %v1840 = getelementptr i8, ptr %v1815, i64 %v754
-  %v1841 = load double, ptr %v1840, align 8, !noalias !198
-  %v1842 = fadd double %v1841, %v1839
-  %v1843 = fmul double %v1796, %v1842
-  %v1813 = add nsw i64 %v1812, 1
-  %v1844 = load double, ptr %v1815, align 8, !noalias !198
-  %v1845 = fadd double %v1844, %v1843
-  %v1846 = getelementptr double, ptr %v745, i64 %v1814
-  store double %v1845, ptr %v1846, align 8, !noalias !191
-  %v1847 = icmp eq i64 %v10, %v1813
-  br i1 %v1847, label %v1809, label %v1811
+v1806:
+  %v1845 = load i64, ptr %v745, align 8, !noalias !202
+  %v1846 = inttoptr i64 %v1845 to ptr
+  tail call void %v1846(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !202
+  br i1 %v789, label %v1847, label %v1848
 
-v1809:
-  %v1848 = load i64, ptr %v747, align 8, !noalias !202
-  %v1849 = inttoptr i64 %v1848 to ptr
-  tail call void %v1849(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !202
-  br i1 %v791, label %v1850, label %v1851
+v1847:
+  %v1849 = phi i64 [ %v1850, %v1847 ], [ %v788, %v1806 ]
+  %v1851 = phi i64 [ %v1852, %v1847 ], [ %v19, %v1806 ]
+  %v1850 = add nsw i64 %v1849, -1
+  %v1852 = add i64 %v1851, 1
+  %v1853 = icmp slt i64 %v1851, 0
+  %v1854 = select i1 %v1853, i64 %v208, i64 0
+  %v1855 = add i64 %v1854, %v1851
+  %v1856 = getelementptr double, ptr %v793, i64 %v1855
+  %v1857 = load double, ptr %v1856, align 8, !noalias !205
+  %v1858 = getelementptr double, ptr %v796, i64 %v1855
+  store double %v1857, ptr %v1858, align 8, !noalias !205
+  %v1859 = icmp sgt i64 %v1849, 1
+  br i1 %v1859, label %v1847, label %v1848
 
-v1850:
-  %v1852 = phi i64 [ %v1853, %v1850 ], [ %v790, %v1809 ]
-  %v1854 = phi i64 [ %v1855, %v1850 ], [ %v19, %v1809 ]
-  %v1853 = add nsw i64 %v1852, -1
-  %v1855 = add i64 %v1854, 1
-  %v1856 = icmp slt i64 %v1854, 0
-  %v1857 = select i1 %v1856, i64 %v208, i64 0
-  %v1858 = add i64 %v1857, %v1854
-  %v1859 = getelementptr double, ptr %v795, i64 %v1858
-  %v1860 = load double, ptr %v1859, align 8, !noalias !205
-  %v1861 = getelementptr double, ptr %v798, i64 %v1858
-  store double %v1860, ptr %v1861, align 8, !noalias !205
-  %v1862 = icmp sgt i64 %v1852, 1
-  br i1 %v1862, label %v1850, label %v1851
+v1848:
+  br i1 %v797, label %v1860, label %v1861
 
-v1851:
-  br i1 %v799, label %v1863, label %v1864
+v1861:
+  %v1862 = phi double [ %v1863, %v1861 ], [ 0x7FF0000000000000, %v1848 ]
+  %v1864 = phi i64 [ %v1865, %v1861 ], [ 0, %v1848 ]
+  %v1865 = add nsw i64 %v1864, 1
+  %v1866 = getelementptr double, ptr %v798, i64 %v1864
+  %v1867 = load double, ptr %v1866, align 8, !noalias !206
+  %v1868 = getelementptr double, ptr %v796, i64 %v1864
+  %v1869 = load double, ptr %v1868, align 8, !noalias !206
+  %v1870 = fadd double %v1867, %v1869
+  %v1871 = fcmp olt double %v1870, %v1862
+  %v1863 = select i1 %v1871, double %v1870, double %v1862
+  %v1872 = icmp eq i64 %v208, %v1865
+  br i1 %v1872, label %v1860, label %v1861
 
-v1864:
-  %v1865 = phi double [ %v1866, %v1864 ], [ 0x7FF0000000000000, %v1851 ]
-  %v1867 = phi i64 [ %v1868, %v1864 ], [ 0, %v1851 ]
-  %v1868 = add nsw i64 %v1867, 1
-  %v1869 = getelementptr double, ptr %v800, i64 %v1867
-  %v1870 = load double, ptr %v1869, align 8, !noalias !206
-  %v1871 = getelementptr double, ptr %v798, i64 %v1867
-  %v1872 = load double, ptr %v1871, align 8, !noalias !206
-  %v1873 = fadd double %v1870, %v1872
-  %v1874 = fcmp olt double %v1873, %v1865
-  %v1866 = select i1 %v1874, double %v1873, double %v1865
-  %v1875 = icmp eq i64 %v208, %v1868
-  br i1 %v1875, label %v1863, label %v1864
+v1860:
+  %v1794 = phi double [ 0x7FF0000000000000, %v1848 ], [ %v1863, %v1861 ]
+  %v1873 = fcmp olt double %v1794, 0.000000e+00
+  br i1 %v1873, label %v1792, label %v1796
 
-v1863:
-  %v1797 = phi double [ 0x7FF0000000000000, %v1851 ], [ %v1866, %v1864 ]
-  %v1876 = fcmp olt double %v1797, 0.000000e+00
-  br i1 %v1876, label %v1795, label %v1799
+v1874:
+  %v1875 = load double, ptr %v776, align 8, !noalias !210
+  %v1876 = load double, ptr %v134, align 8, !noalias !214
+  %v1877 = load double, ptr %v738, align 8, !noalias !214
+  %v1878 = fmul double %v1875, %v1877
+  %v1879 = fadd double %v1876, %v1878
+  store double %v1879, ptr %v740, align 8, !noalias !214
+  br i1 %v782, label %v1880, label %v1881
 
-v1877:
-  %v1878 = load double, ptr %v778, align 8, !noalias !210
-  %v1879 = load double, ptr %v134, align 8, !noalias !214
-  %v1880 = load double, ptr %v740, align 8, !noalias !214
-  %v1881 = fmul double %v1878, %v1880
-  %v1882 = fadd double %v1879, %v1881
-  store double %v1882, ptr %v742, align 8, !noalias !214
-  br i1 %v784, label %v1883, label %v1884
+v1880:
+  %v1882 = fsub double 1.000000e+00, %v1875
+  br label %v1883
 
 v1883:
-  %v1885 = fsub double 1.000000e+00, %v1878
-  br label %v1886
+  %v1884 = phi i64 [ 0, %v1880 ], [ %v1885, %v1883 ]
+  %v1886 = mul i64 %v1884, %v197
+  %v1887 = getelementptr double, ptr %v194, i64 %v1886
+  %v1888 = getelementptr i8, ptr %v1887, i64 %v746
+  %v1889 = load double, ptr %v1888, align 8, !noalias !221
+  %v1890 = fadd double %v1889, 0.000000e+00
+  %v1891 = fmul double %v1875, %v1890
+  %v1892 = getelementptr i8, ptr %v1887, i64 %v747
+  %v1893 = load double, ptr %v1892, align 8, !noalias !221
+  %v1894 = fadd double %v1893, %v1891
+  %v1895 = fmul double %v1882, %v1894
+  %v1896 = getelementptr i8, ptr %v1887, i64 %v748
+  %v1897 = load double, ptr %v1896, align 8, !noalias !221
+  %v1898 = fadd double %v1897, %v1895
+  %v1899 = fmul double %v1875, %v1898
+  %v1900 = getelementptr i8, ptr %v1887, i64 %v749
+  %v1901 = load double, ptr %v1900, align 8, !noalias !221
+  %v1902 = fadd double %v1901, %v1899
+  %v1903 = fmul double %v1882, %v1902
+  %v1904 = getelementptr i8, ptr %v1887, i64 %v750
+  %v1905 = load double, ptr %v1904, align 8, !noalias !221
+  %v1906 = fadd double %v1905, %v1903
+  %v1907 = fmul double %v1875, %v1906
+  %v1908 = getelementptr i8, ptr %v1887, i64 %v751
+  %v1909 = load double, ptr %v1908, align 8, !noalias !221
+  %v1910 = fadd double %v1909, %v1907
+  %v1911 = fmul double %v1882, %v1910
+  %v1912 = getelementptr i8, ptr %v1887, i64 %v752
+  %v1913 = load double, ptr %v1912, align 8, !noalias !221
+  %v1914 = fadd double %v1913, %v1911
+  %v1915 = fmul double %v1875, %v1914
+  %v1885 = add nsw i64 %v1884, 1
+  %v1916 = load double, ptr %v1887, align 8, !noalias !221
+  %v1917 = fadd double %v1916, %v1915
+  %v1918 = getelementptr double, ptr %v743, i64 %v1886
+  store double %v1917, ptr %v1918, align 8, !noalias !214
+  %v1919 = icmp eq i64 %v10, %v1885
+  br i1 %v1919, label %v1881, label %v1883
 
-v1886:
-  %v1887 = phi i64 [ 0, %v1883 ], [ %v1888, %v1886 ]
-  %v1889 = mul i64 %v1887, %v197
-  %v1890 = getelementptr double, ptr %v194, i64 %v1889
-  %v1891 = getelementptr i8, ptr %v1890, i64 %v748
-  %v1892 = load double, ptr %v1891, align 8, !noalias !221
-  %v1893 = fadd double %v1892, 0.000000e+00
-  %v1894 = fmul double %v1878, %v1893
-  %v1895 = getelementptr i8, ptr %v1890, i64 %v749
-  %v1896 = load double, ptr %v1895, align 8, !noalias !221
-  %v1897 = fadd double %v1896, %v1894
-  %v1898 = fmul double %v1885, %v1897
-  %v1899 = getelementptr i8, ptr %v1890, i64 %v750
-  %v1900 = load double, ptr %v1899, align 8, !noalias !221
-  %v1901 = fadd double %v1900, %v1898
-  %v1902 = fmul double %v1878, %v1901
-  %v1903 = getelementptr i8, ptr %v1890, i64 %v751
-  %v1904 = load double, ptr %v1903, align 8, !noalias !221
-  %v1905 = fadd double %v1904, %v1902
-  %v1906 = fmul double %v1885, %v1905
-  %v1907 = getelementptr i8, ptr %v1890, i64 %v752
-  %v1908 = load double, ptr %v1907, align 8, !noalias !221
-  %v1909 = fadd double %v1908, %v1906
-  %v1910 = fmul double %v1878, %v1909
-  %v1911 = getelementptr i8, ptr %v1890, i64 %v753
-  %v1912 = load double, ptr %v1911, align 8, !noalias !221
-  %v1913 = fadd double %v1912, %v1910
-  %v1914 = fmul double %v1885, %v1913
-  %v1915 = getelementptr i8, ptr %v1890, i64 %v754
-  %v1916 = load double, ptr %v1915, align 8, !noalias !221
-  %v1917 = fadd double %v1916, %v1914
-  %v1918 = fmul double %v1878, %v1917
-  %v1888 = add nsw i64 %v1887, 1
-  %v1919 = load double, ptr %v1890, align 8, !noalias !221
-  %v1920 = fadd double %v1919, %v1918
-  %v1921 = getelementptr double, ptr %v745, i64 %v1889
-  store double %v1920, ptr %v1921, align 8, !noalias !214
-  %v1922 = icmp eq i64 %v10, %v1888
-  br i1 %v1922, label %v1884, label %v1886
+v1881:
+  %v1920 = load i64, ptr %v745, align 8, !noalias !225
+  %v1921 = inttoptr i64 %v1920 to ptr
+  tail call void %v1921(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !225
+  br i1 %v789, label %v1922, label %v1923
 
-v1884:
-  %v1923 = load i64, ptr %v747, align 8, !noalias !225
-  %v1924 = inttoptr i64 %v1923 to ptr
-  tail call void %v1924(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !225
-  br i1 %v791, label %v1925, label %v1926
+v1923:
+  br label %v1924
 
-v1926:
-  br label %v1927
+v1922:
+  %v1925 = phi i64 [ %v1926, %v1922 ], [ %v788, %v1881 ]
+  %v1927 = phi i64 [ %v1928, %v1922 ], [ %v19, %v1881 ]
+  %v1926 = add nsw i64 %v1925, -1
+  %v1928 = add i64 %v1927, 1
+  %v1929 = icmp slt i64 %v1927, 0
+  %v1930 = select i1 %v1929, i64 %v208, i64 0
+  %v1931 = add i64 %v1930, %v1927
+  %v1932 = getelementptr double, ptr %v793, i64 %v1931
+  %v1933 = load double, ptr %v1932, align 8, !noalias !228
+  %v1934 = getelementptr double, ptr %v796, i64 %v1931
+  store double %v1933, ptr %v1934, align 8, !noalias !228
+  %v1935 = icmp sgt i64 %v1925, 1
+  br i1 %v1935, label %v1922, label %v1923
 
-v1925:
-  %v1928 = phi i64 [ %v1929, %v1925 ], [ %v790, %v1884 ]
-  %v1930 = phi i64 [ %v1931, %v1925 ], [ %v19, %v1884 ]
-  %v1929 = add nsw i64 %v1928, -1
-  %v1931 = add i64 %v1930, 1
-  %v1932 = icmp slt i64 %v1930, 0
-  %v1933 = select i1 %v1932, i64 %v208, i64 0
-  %v1934 = add i64 %v1933, %v1930
-  %v1935 = getelementptr double, ptr %v795, i64 %v1934
-  %v1936 = load double, ptr %v1935, align 8, !noalias !228
-  %v1937 = getelementptr double, ptr %v798, i64 %v1934
-  store double %v1936, ptr %v1937, align 8, !noalias !228
-  %v1938 = icmp sgt i64 %v1928, 1
-  br i1 %v1938, label %v1925, label %v1926
+v1936:
+  %v1937 = icmp slt i64 %v1938, 0
+  %v1939 = select i1 %v1937, i64 %v208, i64 0
+  %v1940 = add i64 %v1939, %v1938
+  %v1941 = getelementptr double, ptr %v798, i64 %v1940
+  %v1942 = load double, ptr %v1941, align 8, !noalias !210
+  store double %v1942, ptr %v781, align 8, !noalias !210
+  br label %v1943
 
-v1939:
-  %v1940 = icmp slt i64 %v1941, 0
-  %v1942 = select i1 %v1940, i64 %v208, i64 0
-  %v1943 = add i64 %v1942, %v1941
-  %v1944 = getelementptr double, ptr %v800, i64 %v1943
-  %v1945 = load double, ptr %v1944, align 8, !noalias !210
-  store double %v1945, ptr %v783, align 8, !noalias !210
-  br label %v1946
+v1944:
+  %v1945 = phi i64 [ 0, %v1946 ], [ %v1947, %v1944 ]
+  %v1948 = mul i64 %v1945, %v197
+  %v1949 = getelementptr double, ptr %v194, i64 %v1948
+  %v1950 = getelementptr i8, ptr %v1949, i64 %v746
+  %v1951 = load double, ptr %v1950, align 8, !noalias !229
+  %v1952 = fadd double %v1951, 0.000000e+00
+  %v1953 = fmul double %v1954, %v1952
+  %v1955 = getelementptr i8, ptr %v1949, i64 %v747
+  %v1956 = load double, ptr %v1955, align 8, !noalias !229
+  %v1957 = fadd double %v1956, %v1953
+  %v1958 = fmul double %v1959, %v1957
+  %v1960 = getelementptr i8, ptr %v1949, i64 %v748
+  %v1961 = load double, ptr %v1960, align 8, !noalias !229
+  %v1962 = fadd double %v1961, %v1958
+  %v1963 = fmul double %v1954, %v1962
+  %v1964 = getelementptr i8, ptr %v1949, i64 %v749
+  %v1965 = load double, ptr %v1964, align 8, !noalias !229
+  %v1966 = fadd double %v1965, %v1963
+  %v1967 = fmul double %v1959, %v1966
+  %v1968 = getelementptr i8, ptr %v1949, i64 %v750
+  %v1969 = load double, ptr %v1968, align 8, !noalias !229
+  %v1970 = fadd double %v1969, %v1967
+  %v1971 = fmul double %v1954, %v1970
+  %v1972 = getelementptr i8, ptr %v1949, i64 %v751
+  %v1973 = load double, ptr %v1972, align 8, !noalias !229
+  %v1974 = fadd double %v1973, %v1971
+  %v1975 = fmul double %v1959, %v1974
+  %v1976 = getelementptr i8, ptr %v1949, i64 %v752
+  %v1977 = load double, ptr %v1976, align 8, !noalias !229
+  %v1978 = fadd double %v1977, %v1975
+  %v1979 = fmul double %v1954, %v1978
+  %v1947 = add nsw i64 %v1945, 1
+  %v1980 = load double, ptr %v1949, align 8, !noalias !229
+  %v1981 = fadd double %v1980, %v1979
+  %v1982 = getelementptr double, ptr %v743, i64 %v1948
+  store double %v1981, ptr %v1982, align 8, !noalias !239
+  %v1983 = icmp eq i64 %v10, %v1947
+  br i1 %v1983, label %v1984, label %v1944
 
-v1947:
-  %v1948 = phi i64 [ 0, %v1949 ], [ %v1950, %v1947 ]
-  %v1951 = mul i64 %v1948, %v197
-  %v1952 = getelementptr double, ptr %v194, i64 %v1951
-  %v1953 = getelementptr i8, ptr %v1952, i64 %v748
-  %v1954 = load double, ptr %v1953, align 8, !noalias !229
-  %v1955 = fadd double %v1954, 0.000000e+00
-  %v1956 = fmul double %v1957, %v1955
-  %v1958 = getelementptr i8, ptr %v1952, i64 %v749
-  %v1959 = load double, ptr %v1958, align 8, !noalias !229
-  %v1960 = fadd double %v1959, %v1956
-  %v1961 = fmul double %v1962, %v1960
-  %v1963 = getelementptr i8, ptr %v1952, i64 %v750
-  %v1964 = load double, ptr %v1963, align 8, !noalias !229
-  %v1965 = fadd double %v1964, %v1961
-  %v1966 = fmul double %v1957, %v1965
-  %v1967 = getelementptr i8, ptr %v1952, i64 %v751
-  %v1968 = load double, ptr %v1967, align 8, !noalias !229
-  %v1969 = fadd double %v1968, %v1966
-  %v1970 = fmul double %v1962, %v1969
-  %v1971 = getelementptr i8, ptr %v1952, i64 %v752
-  %v1972 = load double, ptr %v1971, align 8, !noalias !229
-  %v1973 = fadd double %v1972, %v1970
-  %v1974 = fmul double %v1957, %v1973
-  %v1975 = getelementptr i8, ptr %v1952, i64 %v753
-  %v1976 = load double, ptr %v1975, align 8, !noalias !229
-  %v1977 = fadd double %v1976, %v1974
-  %v1978 = fmul double %v1962, %v1977
-  %v1979 = getelementptr i8, ptr %v1952, i64 %v754
-  %v1980 = load double, ptr %v1979, align 8, !noalias !229
-  %v1981 = fadd double %v1980, %v1978
-  %v1982 = fmul double %v1957, %v1981
-  %v1950 = add nsw i64 %v1948, 1
-  %v1983 = load double, ptr %v1952, align 8, !noalias !229
-  %v1984 = fadd double %v1983, %v1982
-  %v1985 = getelementptr double, ptr %v745, i64 %v1951
-  store double %v1984, ptr %v1985, align 8, !noalias !239
-  %v1986 = icmp eq i64 %v10, %v1950
-  br i1 %v1986, label %v1987, label %v1947
+v1984:
+  %v1985 = load i64, ptr %v745, align 8, !noalias !240
+  %v1986 = inttoptr i64 %v1985 to ptr
+  tail call void %v1986(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !240
+  br i1 %v829, label %v1987, label %v1988
 
-v1987:
-  %v1988 = load i64, ptr %v747, align 8, !noalias !240
-  %v1989 = inttoptr i64 %v1988 to ptr
-  tail call void %v1989(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !240
-  br i1 %v831, label %v1990, label %v1991
+v1988:
+  %v1989 = phi i64 [ %v1990, %v1988 ], [ %v788, %v1984 ]
+  %v1991 = phi i64 [ %v1992, %v1988 ], [ %v19, %v1984 ]
+  %v1990 = add nsw i64 %v1989, -1
+  %v1992 = add i64 %v1991, 1
+  %v1993 = icmp slt i64 %v1991, 0
+  %v1994 = select i1 %v1993, i64 %v208, i64 0
+  %v1995 = add i64 %v1994, %v1991
+  %v1996 = getelementptr double, ptr %v793, i64 %v1995
+  %v1997 = load double, ptr %v1996, align 8, !noalias !243
+  %v1998 = getelementptr double, ptr %v796, i64 %v1995
+  store double %v1997, ptr %v1998, align 8, !noalias !243
+  %v1999 = icmp sgt i64 %v1989, 1
+  br i1 %v1999, label %v1988, label %v1987
 
-v1991:
-  %v1992 = phi i64 [ %v1993, %v1991 ], [ %v790, %v1987 ]
-  %v1994 = phi i64 [ %v1995, %v1991 ], [ %v19, %v1987 ]
-  %v1993 = add nsw i64 %v1992, -1
-  %v1995 = add i64 %v1994, 1
-  %v1996 = icmp slt i64 %v1994, 0
-  %v1997 = select i1 %v1996, i64 %v208, i64 0
-  %v1998 = add i64 %v1997, %v1994
-  %v1999 = getelementptr double, ptr %v795, i64 %v1998
-  %v2000 = load double, ptr %v1999, align 8, !noalias !243
-  %v2001 = getelementptr double, ptr %v798, i64 %v1998
-  store double %v2000, ptr %v2001, align 8, !noalias !243
-  %v2002 = icmp sgt i64 %v1992, 1
-  br i1 %v2002, label %v1991, label %v1990
+v2000:
+  br i1 %v2001, label %v2002, label %v2003
+
+v2002:
+  %v2004 = load double, ptr %v776, align 8, !noalias !210
+  br label %v2003
 
 v2003:
-  br i1 %v2004, label %v2005, label %v2006
+  %v2005 = phi double [ %v2004, %v2002 ], [ %v1954, %v2000 ]
+  %v2006 = fmul double %v2005, 5.000000e-01
+  %v2007 = icmp eq i64 %v2008, 45
+  br i1 %v2007, label %v2009, label %v1943
 
-v2005:
-  %v2007 = load double, ptr %v778, align 8, !noalias !210
-  br label %v2006
-
-v2006:
-  %v2008 = phi double [ %v2007, %v2005 ], [ %v1957, %v2003 ]
-  %v2009 = fmul double %v2008, 5.000000e-01
-  %v2010 = icmp eq i64 %v2011, 45
-  br i1 %v2010, label %v2012, label %v1946
+v2010:
+  %v2011 = getelementptr double, ptr %v793, i64 %v1940
+  store double 0.000000e+00, ptr %v2011, align 8, !noalias !210
+  br label %v2012
 
 v2013:
-  %v2014 = getelementptr double, ptr %v795, i64 %v1943
-  store double 0.000000e+00, ptr %v2014, align 8, !noalias !210
-  br label %v2015
+  %v2014 = sub nsw i64 45, %v2015
+  %v2016 = load double, ptr %v779, align 8, !noalias !244
+  %v2017 = load double, ptr %v781, align 8, !noalias !244
+  br label %v2018
 
-v2016:
-  %v2017 = sub nsw i64 45, %v2018
-  %v2019 = load double, ptr %v781, align 8, !noalias !244
-  %v2020 = load double, ptr %v783, align 8, !noalias !244
-  br label %v2021
+v2018:
+  %v2019 = phi double [ %v2020, %v2018 ], [ 1.000000e+00, %v2013 ]
+  %v2021 = phi double [ %v2022, %v2018 ], [ 2.000000e+00, %v2013 ]
+  %v2023 = phi i64 [ %v2024, %v2018 ], [ %v2014, %v2013 ]
+  %v2025 = and i64 %v2023, 1
+  %v2026 = icmp eq i64 %v2025, 0
+  %v2027 = fmul double %v2019, %v2021
+  %v2020 = select i1 %v2026, double %v2019, double %v2027
+  %v2024 = lshr i64 %v2023, 1
+  %v2022 = fmul double %v2021, %v2021
+  %v2028 = icmp eq i64 %v2024, 0
+  br i1 %v2028, label %v2029, label %v2018
 
-v2021:
-  %v2022 = phi double [ %v2023, %v2021 ], [ 1.000000e+00, %v2016 ]
-  %v2024 = phi double [ %v2025, %v2021 ], [ 2.000000e+00, %v2016 ]
-  %v2026 = phi i64 [ %v2027, %v2021 ], [ %v2017, %v2016 ]
-  %v2028 = and i64 %v2026, 1
-  %v2029 = icmp eq i64 %v2028, 0
-  %v2030 = fmul double %v2022, %v2024
-  %v2023 = select i1 %v2029, double %v2022, double %v2030
-  %v2027 = lshr i64 %v2026, 1
-  %v2025 = fmul double %v2024, %v2024
-  %v2031 = icmp eq i64 %v2027, 0
-  br i1 %v2031, label %v2032, label %v2021
+v2030:
+  %v2031 = fcmp olt double %v2032, 0.000000e+00
+  %v2033 = select i1 %v2031, double 0.000000e+00, double %v2032
+  %v2034 = fmul double %v2035, %v2033
+  %v2036 = fsub double %v2037, %v2034
+  br label %v2038
 
-v2033:
-  %v2034 = fcmp olt double %v2035, 0.000000e+00
-  %v2036 = select i1 %v2034, double 0.000000e+00, double %v2035
-  %v2037 = fmul double %v2038, %v2036
-  %v2039 = fsub double %v2040, %v2037
-  br label %v2041
+v2029:
+  %v2039 = fadd double %v2040, %v2041
+  %v2037 = fmul double %v2039, 5.000000e-01
+  %v2042 = fmul double %v2020, 0x3D06849B86A12B9B
+  %v2043 = fsub double %v2042, %v2044
+  %v2032 = fmul double %v2043, 5.000000e-01
+  %v2045 = fmul double %v2041, %v2017
+  %v2046 = fmul double %v2040, %v2016
+  %v2047 = fsub double %v2045, %v2046
+  %v2048 = fsub double %v2017, %v2016
+  %v2049 = fdiv double %v2047, %v2048
+  %v2050 = fcmp olt double %v2041, %v2049
+  %v2051 = fcmp olt double %v2049, %v2040
+  %v2052 = and i1 %v2050, %v2051
+  %v2053 = select i1 %v2052, double %v2049, double %v2037
+  %v2054 = fsub double %v2037, %v2053
+  %v2035 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2054)
+  %v2055 = fmul double %v2044, %v2044
+  %v2056 = tail call double @llvm.fabs.f64(double %v2054)
+  %v2057 = fcmp olt double %v2056, %v2055
+  %v2058 = select i1 %v2057, double %v2056, double %v2055
+  %v2059 = fmul double %v2035, %v2058
+  %v2060 = fadd double %v2053, %v2059
+  %v2061 = fsub double %v2060, %v2037
+  %v2062 = tail call double @llvm.fabs.f64(double %v2061)
+  %v2063 = fcmp ugt double %v2062, %v2032
+  br i1 %v2063, label %v2030, label %v2038
 
-v2032:
-  %v2042 = fadd double %v2043, %v2044
-  %v2040 = fmul double %v2042, 5.000000e-01
-  %v2045 = fmul double %v2023, 0x3D06849B86A12B9B
-  %v2046 = fsub double %v2045, %v2047
-  %v2035 = fmul double %v2046, 5.000000e-01
-  %v2048 = fmul double %v2044, %v2020
-  %v2049 = fmul double %v2043, %v2019
-  %v2050 = fsub double %v2048, %v2049
-  %v2051 = fsub double %v2020, %v2019
-  %v2052 = fdiv double %v2050, %v2051
-  %v2053 = fcmp olt double %v2044, %v2052
-  %v2054 = fcmp olt double %v2052, %v2043
-  %v2055 = and i1 %v2053, %v2054
-  %v2056 = select i1 %v2055, double %v2052, double %v2040
-  %v2057 = fsub double %v2040, %v2056
-  %v2038 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2057)
-  %v2058 = fmul double %v2047, %v2047
-  %v2059 = tail call double @llvm.fabs.f64(double %v2057)
-  %v2060 = fcmp olt double %v2059, %v2058
-  %v2061 = select i1 %v2060, double %v2059, double %v2058
-  %v2062 = fmul double %v2038, %v2061
-  %v2063 = fadd double %v2056, %v2062
-  %v2064 = fsub double %v2063, %v2040
-  %v2065 = tail call double @llvm.fabs.f64(double %v2064)
-  %v2066 = fcmp ugt double %v2065, %v2035
-  br i1 %v2066, label %v2033, label %v2041
+v2064:
+  store double %v2065, ptr %v776, align 8, !noalias !250
+  store double %v2066, ptr %v781, align 8, !noalias !250
+  br label %v2067
+
+v2068:
+  store double %v2065, ptr %v768, align 8, !noalias !250
+  store double %v2066, ptr %v779, align 8, !noalias !250
+  br label %v2067
 
 v2067:
-  store double %v2068, ptr %v778, align 8, !noalias !250
-  store double %v2069, ptr %v783, align 8, !noalias !250
-  br label %v2070
-
-v2071:
-  store double %v2068, ptr %v770, align 8, !noalias !250
-  store double %v2069, ptr %v781, align 8, !noalias !250
-  br label %v2070
-
-v2070:
-  %v2072 = icmp eq i64 %v2073, 45
-  br i1 %v2072, label %v2074, label %v2015
-
-v2015:
-  %v2018 = phi i64 [ 0, %v2013 ], [ %v2073, %v2070 ]
-  %v2073 = add nsw i64 %v2018, 1
-  %v2043 = load double, ptr %v778, align 8, !noalias !250
-  %v2044 = load double, ptr %v770, align 8, !noalias !250
-  %v2047 = fsub double %v2043, %v2044
-  %v2075 = fcmp ugt double %v2047, 0x3D06849B86A12B9B
-  br i1 %v2075, label %v2016, label %v2074
-
-v2041:
-  %v2068 = phi double [ %v2063, %v2032 ], [ %v2039, %v2033 ]
-  %v2076 = load double, ptr %v134, align 8, !noalias !251
-  %v2077 = load double, ptr %v740, align 8, !noalias !251
-  %v2078 = fmul double %v2068, %v2077
-  %v2079 = fadd double %v2076, %v2078
-  store double %v2079, ptr %v742, align 8, !noalias !251
-  br i1 %v784, label %v2080, label %v2081
-
-v2080:
-  %v2082 = fsub double 1.000000e+00, %v2068
-  br label %v2083
-
-v2083:
-  %v2084 = phi i64 [ 0, %v2080 ], [ %v2085, %v2083 ]
-  %v2086 = mul i64 %v2084, %v197
-  %v2087 = getelementptr double, ptr %v194, i64 %v2086
-  %v2088 = getelementptr i8, ptr %v2087, i64 %v748
-  %v2089 = load double, ptr %v2088, align 8, !noalias !258
-  %v2090 = fadd double %v2089, 0.000000e+00
-  %v2091 = fmul double %v2068, %v2090
-  %v2092 = getelementptr i8, ptr %v2087, i64 %v749
-  %v2093 = load double, ptr %v2092, align 8, !noalias !258
-  %v2094 = fadd double %v2093, %v2091
-  %v2095 = fmul double %v2082, %v2094
-  %v2096 = getelementptr i8, ptr %v2087, i64 %v750
-  %v2097 = load double, ptr %v2096, align 8, !noalias !258
-  %v2098 = fadd double %v2097, %v2095
-  %v2099 = fmul double %v2068, %v2098
-  %v2100 = getelementptr i8, ptr %v2087, i64 %v751
-  %v2101 = load double, ptr %v2100, align 8, !noalias !258
-  %v2102 = fadd double %v2101, %v2099
-  %v2103 = fmul double %v2082, %v2102
-  %v2104 = getelementptr i8, ptr %v2087, i64 %v752
-  %v2105 = load double, ptr %v2104, align 8, !noalias !258
-  %v2106 = fadd double %v2105, %v2103
-  %v2107 = fmul double %v2068, %v2106
-  %v2108 = getelementptr i8, ptr %v2087, i64 %v753
-  %v2109 = load double, ptr %v2108, align 8, !noalias !258
-  %v2110 = fadd double %v2109, %v2107
-  %v2111 = fmul double %v2082, %v2110
-  %v2112 = getelementptr i8, ptr %v2087, i64 %v754
-  %v2113 = load double, ptr %v2112, align 8, !noalias !258
-  %v2114 = fadd double %v2113, %v2111
-  %v2115 = fmul double %v2068, %v2114
-  %v2085 = add nsw i64 %v2084, 1
-  %v2116 = load double, ptr %v2087, align 8, !noalias !258
-  %v2117 = fadd double %v2116, %v2115
-  %v2118 = getelementptr double, ptr %v745, i64 %v2086
-  store double %v2117, ptr %v2118, align 8, !noalias !251
-  %v2119 = icmp eq i64 %v10, %v2085
-  br i1 %v2119, label %v2081, label %v2083
-
-v2081:
-  %v2120 = load i64, ptr %v747, align 8, !noalias !262
-  %v2121 = inttoptr i64 %v2120 to ptr
-  tail call void %v2121(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !262
-  br i1 %v791, label %v2122, label %v2123
-
-v2122:
-  %v2124 = phi i64 [ %v2125, %v2122 ], [ %v790, %v2081 ]
-  %v2126 = phi i64 [ %v2127, %v2122 ], [ %v19, %v2081 ]
-  %v2125 = add nsw i64 %v2124, -1
-  %v2127 = add i64 %v2126, 1
-  %v2128 = icmp slt i64 %v2126, 0
-  %v2129 = select i1 %v2128, i64 %v208, i64 0
-  %v2130 = add i64 %v2129, %v2126
-  %v2131 = getelementptr double, ptr %v795, i64 %v2130
-  %v2132 = load double, ptr %v2131, align 8, !noalias !265
-  %v2133 = getelementptr double, ptr %v798, i64 %v2130
-  store double %v2132, ptr %v2133, align 8, !noalias !265
-  %v2134 = icmp sgt i64 %v2124, 1
-  br i1 %v2134, label %v2122, label %v2123
-
-v2123:
-  br i1 %v799, label %v2135, label %v2136
-
-v2136:
-  %v2137 = phi double [ %v2138, %v2136 ], [ 0x7FF0000000000000, %v2123 ]
-  %v2139 = phi i64 [ %v2140, %v2136 ], [ 0, %v2123 ]
-  %v2140 = add nsw i64 %v2139, 1
-  %v2141 = getelementptr double, ptr %v800, i64 %v2139
-  %v2142 = load double, ptr %v2141, align 8, !noalias !266
-  %v2143 = getelementptr double, ptr %v798, i64 %v2139
-  %v2144 = load double, ptr %v2143, align 8, !noalias !266
-  %v2145 = fadd double %v2142, %v2144
-  %v2146 = fcmp olt double %v2145, %v2137
-  %v2138 = select i1 %v2146, double %v2145, double %v2137
-  %v2147 = icmp eq i64 %v208, %v2140
-  br i1 %v2147, label %v2135, label %v2136
-
-v2135:
-  %v2069 = phi double [ 0x7FF0000000000000, %v2123 ], [ %v2138, %v2136 ]
-  %v2148 = fcmp olt double %v2069, 0.000000e+00
-  br i1 %v2148, label %v2067, label %v2071
+  %v2069 = icmp eq i64 %v2070, 45
+  br i1 %v2069, label %v2071, label %v2012
 
 v2012:
-  store double 0.000000e+00, ptr %v778, align 8, !noalias !210
-  br label %v2074
+  %v2015 = phi i64 [ 0, %v2010 ], [ %v2070, %v2067 ]
+  %v2070 = add nsw i64 %v2015, 1
+  %v2040 = load double, ptr %v776, align 8, !noalias !250
+  %v2041 = load double, ptr %v768, align 8, !noalias !250
+  %v2044 = fsub double %v2040, %v2041
+  %v2072 = fcmp ugt double %v2044, 0x3D06849B86A12B9B
+  br i1 %v2072, label %v2013, label %v2071
 
-v2074:
-  %v2149 = load double, ptr %v134, align 8, !noalias !210
-  %v2150 = load double, ptr %v778, align 8, !noalias !210
-  %v2151 = load double, ptr %v740, align 8, !noalias !210
-  %v2152 = fmul double %v2150, %v2151
-  %v2153 = fadd double %v2149, %v2152
-  %v2154 = load i64, ptr %v143, align 8, !noalias !270
-  %v2155 = load i64, ptr %v833, align 8, !noalias !270
-  %v2156 = icmp slt i64 %v2155, %v94
-  br i1 %v2156, label %v2157, label %v2158
+v2038:
+  %v2065 = phi double [ %v2060, %v2029 ], [ %v2036, %v2030 ]
+  %v2073 = load double, ptr %v134, align 8, !noalias !251
+  %v2074 = load double, ptr %v738, align 8, !noalias !251
+  %v2075 = fmul double %v2065, %v2074
+  %v2076 = fadd double %v2073, %v2075
+  store double %v2076, ptr %v740, align 8, !noalias !251
+  br i1 %v782, label %v2077, label %v2078
 
-v2157:
-  %v2159 = icmp slt i64 %v2155, 0
-  %v2160 = select i1 %v2159, i64 %v94, i64 0
-  %v2161 = getelementptr double, ptr %v93, i64 %v2155
-  %v2162 = getelementptr double, ptr %v2161, i64 %v2160
-  %v2163 = load double, ptr %v2162, align 8, !noalias !270
-  %v2164 = fcmp ugt double %v2163, %v2153
-  br i1 %v2164, label %v2158, label %v2165
+v2077:
+  %v2079 = fsub double 1.000000e+00, %v2065
+  br label %v2080
 
-v2165:
-  %v2166 = icmp slt i64 %v2154, 0
-  %v2167 = select i1 %v2166, i64 %v101, i64 0
-  %v2168 = add i64 %v2167, %v2154
-  %v2169 = mul i64 %v836, %v2168
-  %v2170 = getelementptr double, ptr %v100, i64 %v2169
-  br label %v2171
+v2080:
+  %v2081 = phi i64 [ 0, %v2077 ], [ %v2082, %v2080 ]
+  %v2083 = mul i64 %v2081, %v197
+  %v2084 = getelementptr double, ptr %v194, i64 %v2083
+  %v2085 = getelementptr i8, ptr %v2084, i64 %v746
+  %v2086 = load double, ptr %v2085, align 8, !noalias !258
+  %v2087 = fadd double %v2086, 0.000000e+00
+  %v2088 = fmul double %v2065, %v2087
+  %v2089 = getelementptr i8, ptr %v2084, i64 %v747
+  %v2090 = load double, ptr %v2089, align 8, !noalias !258
+  %v2091 = fadd double %v2090, %v2088
+  %v2092 = fmul double %v2079, %v2091
+  %v2093 = getelementptr i8, ptr %v2084, i64 %v748
+  %v2094 = load double, ptr %v2093, align 8, !noalias !258
+  %v2095 = fadd double %v2094, %v2092
+  %v2096 = fmul double %v2065, %v2095
+  %v2097 = getelementptr i8, ptr %v2084, i64 %v749
+  %v2098 = load double, ptr %v2097, align 8, !noalias !258
+  %v2099 = fadd double %v2098, %v2096
+  %v2100 = fmul double %v2079, %v2099
+  %v2101 = getelementptr i8, ptr %v2084, i64 %v750
+  %v2102 = load double, ptr %v2101, align 8, !noalias !258
+  %v2103 = fadd double %v2102, %v2100
+  %v2104 = fmul double %v2065, %v2103
+  %v2105 = getelementptr i8, ptr %v2084, i64 %v751
+  %v2106 = load double, ptr %v2105, align 8, !noalias !258
+  %v2107 = fadd double %v2106, %v2104
+  %v2108 = fmul double %v2079, %v2107
+  %v2109 = getelementptr i8, ptr %v2084, i64 %v752
+  %v2110 = load double, ptr %v2109, align 8, !noalias !258
+  %v2111 = fadd double %v2110, %v2108
+  %v2112 = fmul double %v2065, %v2111
+  %v2082 = add nsw i64 %v2081, 1
+  %v2113 = load double, ptr %v2084, align 8, !noalias !258
+  %v2114 = fadd double %v2113, %v2112
+  %v2115 = getelementptr double, ptr %v743, i64 %v2083
+  store double %v2114, ptr %v2115, align 8, !noalias !251
+  %v2116 = icmp eq i64 %v10, %v2082
+  br i1 %v2116, label %v2078, label %v2080
+
+v2078:
+  %v2117 = load i64, ptr %v745, align 8, !noalias !262
+  %v2118 = inttoptr i64 %v2117 to ptr
+  tail call void %v2118(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !262
+  br i1 %v789, label %v2119, label %v2120
+
+v2119:
+  %v2121 = phi i64 [ %v2122, %v2119 ], [ %v788, %v2078 ]
+  %v2123 = phi i64 [ %v2124, %v2119 ], [ %v19, %v2078 ]
+  %v2122 = add nsw i64 %v2121, -1
+  %v2124 = add i64 %v2123, 1
+  %v2125 = icmp slt i64 %v2123, 0
+  %v2126 = select i1 %v2125, i64 %v208, i64 0
+  %v2127 = add i64 %v2126, %v2123
+  %v2128 = getelementptr double, ptr %v793, i64 %v2127
+  %v2129 = load double, ptr %v2128, align 8, !noalias !265
+  %v2130 = getelementptr double, ptr %v796, i64 %v2127
+  store double %v2129, ptr %v2130, align 8, !noalias !265
+  %v2131 = icmp sgt i64 %v2121, 1
+  br i1 %v2131, label %v2119, label %v2120
+
+v2120:
+  br i1 %v797, label %v2132, label %v2133
+
+v2133:
+  %v2134 = phi double [ %v2135, %v2133 ], [ 0x7FF0000000000000, %v2120 ]
+  %v2136 = phi i64 [ %v2137, %v2133 ], [ 0, %v2120 ]
+  %v2137 = add nsw i64 %v2136, 1
+  %v2138 = getelementptr double, ptr %v798, i64 %v2136
+  %v2139 = load double, ptr %v2138, align 8, !noalias !266
+  %v2140 = getelementptr double, ptr %v796, i64 %v2136
+  %v2141 = load double, ptr %v2140, align 8, !noalias !266
+  %v2142 = fadd double %v2139, %v2141
+  %v2143 = fcmp olt double %v2142, %v2134
+  %v2135 = select i1 %v2143, double %v2142, double %v2134
+  %v2144 = icmp eq i64 %v208, %v2137
+  br i1 %v2144, label %v2132, label %v2133
+
+v2132:
+  %v2066 = phi double [ 0x7FF0000000000000, %v2120 ], [ %v2135, %v2133 ]
+  %v2145 = fcmp olt double %v2066, 0.000000e+00
+  br i1 %v2145, label %v2064, label %v2068
+
+v2009:
+  store double 0.000000e+00, ptr %v776, align 8, !noalias !210
+  br label %v2071
+
+v2071:
+  %v2146 = load double, ptr %v134, align 8, !noalias !210
+  %v2147 = load double, ptr %v776, align 8, !noalias !210
+  %v2148 = load double, ptr %v738, align 8, !noalias !210
+  %v2149 = fmul double %v2147, %v2148
+  %v2150 = fadd double %v2146, %v2149
+  %v2151 = load i64, ptr %v143, align 8, !noalias !270
+  %v2152 = load i64, ptr %v831, align 8, !noalias !270
+  %v2153 = icmp slt i64 %v2152, %v94
+  br i1 %v2153, label %v2154, label %v2155
+
+v2154:
+  %v2156 = icmp slt i64 %v2152, 0
+  %v2157 = select i1 %v2156, i64 %v94, i64 0
+  %v2158 = getelementptr double, ptr %v93, i64 %v2152
+  %v2159 = getelementptr double, ptr %v2158, i64 %v2157
+  %v2160 = load double, ptr %v2159, align 8, !noalias !270
+  %v2161 = fcmp ugt double %v2160, %v2150
+  br i1 %v2161, label %v2155, label %v2162
+
+v2162:
+  %v2163 = icmp slt i64 %v2151, 0
+  %v2164 = select i1 %v2163, i64 %v101, i64 0
+  %v2165 = add i64 %v2164, %v2151
+  %v2166 = mul i64 %v834, %v2165
+  %v2167 = getelementptr double, ptr %v100, i64 %v2166
+  br label %v2168
+
+v2168:
+  %v2169 = phi i64 [ %v2170, %v2171 ], [ %v2152, %v2162 ]
+  %v2172 = icmp slt i64 %v2169, 0
+  %v2173 = select i1 %v2172, i64 %v94, i64 0
+  %v2174 = getelementptr double, ptr %v93, i64 %v2169
+  %v2175 = getelementptr double, ptr %v2174, i64 %v2173
+  %v2176 = load double, ptr %v2175, align 8, !noalias !270
+  %v2177 = load double, ptr %v134, align 8, !noalias !270
+  %v2178 = fsub double %v2176, %v2177
+  %v2179 = load double, ptr %v738, align 8, !noalias !270
+  %v2180 = fdiv double %v2178, %v2179
+  br i1 %v742, label %v2181, label %v2182
+
+v2182:
+  %v2183 = fsub double 1.000000e+00, %v2180
+  %v2184 = select i1 %v2172, i64 %v102, i64 0
+  %v2185 = add i64 %v2184, %v2169
+  %v2186 = mul i64 %v2185, %v103
+  %v2187 = getelementptr double, ptr %v2167, i64 %v2186
+  br label %v2188
+
+v2189:
+  %v2190 = getelementptr double, ptr %v836, i64 %v2191
+  %v2192 = load double, ptr %v2190, align 8, !noalias !270
+  br label %v2193
+
+v2181:
+  store double 0x7FF0000000000000, ptr %v833, align 8, !noalias !270
+  %v2194 = icmp eq i64 %v2169, %v837
+  br i1 %v2194, label %v2155, label %v2171
 
 v2171:
-  %v2172 = phi i64 [ %v2173, %v2174 ], [ %v2155, %v2165 ]
-  %v2175 = icmp slt i64 %v2172, 0
-  %v2176 = select i1 %v2175, i64 %v94, i64 0
-  %v2177 = getelementptr double, ptr %v93, i64 %v2172
-  %v2178 = getelementptr double, ptr %v2177, i64 %v2176
-  %v2179 = load double, ptr %v2178, align 8, !noalias !270
-  %v2180 = load double, ptr %v134, align 8, !noalias !270
-  %v2181 = fsub double %v2179, %v2180
-  %v2182 = load double, ptr %v740, align 8, !noalias !270
-  %v2183 = fdiv double %v2181, %v2182
-  br i1 %v744, label %v2184, label %v2185
+  %v2170 = add i64 %v2169, 1
+  %v2195 = icmp slt i64 %v2169, -1
+  %v2196 = select i1 %v2195, i64 %v94, i64 0
+  %v2197 = getelementptr double, ptr %v93, i64 %v2170
+  %v2198 = getelementptr double, ptr %v2197, i64 %v2196
+  %v2199 = load double, ptr %v2198, align 8, !noalias !270
+  %v2200 = fcmp ugt double %v2199, %v2150
+  br i1 %v2200, label %v2155, label %v2168
 
-v2185:
-  %v2186 = fsub double 1.000000e+00, %v2183
-  %v2187 = select i1 %v2175, i64 %v102, i64 0
-  %v2188 = add i64 %v2187, %v2172
-  %v2189 = mul i64 %v2188, %v103
-  %v2190 = getelementptr double, ptr %v2170, i64 %v2189
-  br label %v2191
+v2155:
+  %v2201 = phi i64 [ %v2152, %v2154 ], [ %v2152, %v2071 ], [ %v94, %v2181 ], [ %v2170, %v2171 ]
+  store i64 %v2201, ptr %v831, align 8, !noalias !270
+  store i64 %v1938, ptr %v839, align 8, !noalias !210
+  %v2202 = load i64, ptr %v143, align 8, !noalias !274
+  %v2203 = icmp sgt i64 %v2202, -1
+  br i1 %v2203, label %v2204, label %v2205
 
-v2192:
-  %v2193 = getelementptr double, ptr %v838, i64 %v2194
-  %v2195 = load double, ptr %v2193, align 8, !noalias !270
-  br label %v2196
+v2193:
+  %v2206 = phi double [ %v2207, %v2208 ], [ %v2192, %v2189 ]
+  %v2209 = getelementptr double, ptr %v2187, i64 %v2210
+  store double %v2206, ptr %v2209, align 8, !noalias !270
+  %v2211 = icmp eq i64 %v10, %v2212
+  br i1 %v2211, label %v2181, label %v2188
 
-v2184:
-  store double 0x7FF0000000000000, ptr %v835, align 8, !noalias !270
-  %v2197 = icmp eq i64 %v2172, %v839
-  br i1 %v2197, label %v2158, label %v2174
-
-v2174:
-  %v2173 = add i64 %v2172, 1
-  %v2198 = icmp slt i64 %v2172, -1
-  %v2199 = select i1 %v2198, i64 %v94, i64 0
-  %v2200 = getelementptr double, ptr %v93, i64 %v2173
-  %v2201 = getelementptr double, ptr %v2200, i64 %v2199
-  %v2202 = load double, ptr %v2201, align 8, !noalias !270
-  %v2203 = fcmp ugt double %v2202, %v2153
-  br i1 %v2203, label %v2158, label %v2171
-
-v2158:
-  %v2204 = phi i64 [ %v2155, %v2157 ], [ %v2155, %v2074 ], [ %v94, %v2184 ], [ %v2173, %v2174 ]
-  store i64 %v2204, ptr %v833, align 8, !noalias !270
-  store i64 %v1941, ptr %v841, align 8, !noalias !210
-  %v2205 = load i64, ptr %v143, align 8, !noalias !274
-  %v2206 = icmp sgt i64 %v2205, -1
-  br i1 %v2206, label %v2207, label %v2208
-
-v2196:
-  %v2209 = phi double [ %v2210, %v2211 ], [ %v2195, %v2192 ]
-  %v2212 = getelementptr double, ptr %v2190, i64 %v2213
-  store double %v2209, ptr %v2212, align 8, !noalias !270
-  %v2214 = icmp eq i64 %v10, %v2215
-  br i1 %v2214, label %v2184, label %v2191
-
-v2191:
-  %v2213 = phi i64 [ 0, %v2185 ], [ %v2215, %v2196 ]
-  %v2215 = add nsw i64 %v2213, 1
-  %v2216 = load double, ptr %v2178, align 8, !noalias !270
-  %v2217 = load double, ptr %v774, align 8, !noalias !270
-  %v2218 = fcmp oeq double %v2216, %v2217
-  %v2194 = mul i64 %v2213, %v197
-  br i1 %v2218, label %v2192, label %v2211
-
-v2211:
-  %v2219 = getelementptr double, ptr %v194, i64 %v2194
-  %v2220 = getelementptr i8, ptr %v2219, i64 %v748
-  %v2221 = load double, ptr %v2220, align 8, !noalias !277
-  %v2222 = fadd double %v2221, 0.000000e+00
-  %v2223 = fmul double %v2183, %v2222
-  %v2224 = getelementptr i8, ptr %v2219, i64 %v749
-  %v2225 = load double, ptr %v2224, align 8, !noalias !277
-  %v2226 = fadd double %v2225, %v2223
-  %v2227 = fmul double %v2186, %v2226
-  %v2228 = getelementptr i8, ptr %v2219, i64 %v750
-  %v2229 = load double, ptr %v2228, align 8, !noalias !277
-  %v2230 = fadd double %v2229, %v2227
-  %v2231 = fmul double %v2183, %v2230
-  %v2232 = getelementptr i8, ptr %v2219, i64 %v751
-  %v2233 = load double, ptr %v2232, align 8, !noalias !277
-  %v2234 = fadd double %v2233, %v2231
-  %v2235 = fmul double %v2186, %v2234
-  %v2236 = getelementptr i8, ptr %v2219, i64 %v752
-  %v2237 = load double, ptr %v2236, align 8, !noalias !277
-  %v2238 = fadd double %v2237, %v2235
-  %v2239 = fmul double %v2183, %v2238
-  %v2240 = getelementptr i8, ptr %v2219, i64 %v753
-  %v2241 = load double, ptr %v2240, align 8, !noalias !277
-  %v2242 = fadd double %v2241, %v2239
-  %v2243 = fmul double %v2186, %v2242
-  %v2244 = getelementptr i8, ptr %v2219, i64 %v754
-  %v2245 = load double, ptr %v2244, align 8, !noalias !277
-  %v2246 = fadd double %v2245, %v2243
-  %v2247 = fmul double %v2183, %v2246
-  %v2248 = load double, ptr %v2219, align 8, !noalias !277
-  %v2210 = fadd double %v2248, %v2247
-  br label %v2196
-
-v1927:
-  %v2249 = phi i64 [ %v2250, %v2251 ], [ 0, %v1926 ]
-  %v2252 = phi i64 [ %v2253, %v2251 ], [ %v830, %v1926 ]
-  %v2254 = icmp sgt i64 %v2252, 0
-  br i1 %v2254, label %v2251, label %v2255
-
-v2251:
-  %v2253 = add nsw i64 %v2252, -1
-  %v2250 = add i64 %v2249, 1
-  %v2256 = getelementptr double, ptr %v800, i64 %v2249
-  %v2257 = load double, ptr %v2256, align 8, !noalias !281
-  %v2258 = getelementptr double, ptr %v798, i64 %v2249
-  %v2259 = load double, ptr %v2258, align 8, !noalias !281
-  %v2260 = fneg double %v2259
-  %v2261 = fcmp olt double %v2257, %v2260
-  br i1 %v2261, label %v2255, label %v1927
-
-v2255:
-  %v1941 = phi i64 [ %v2249, %v2251 ], [ -1, %v1927 ]
-  %v2262 = icmp slt i64 %v1941, %v19
-  br i1 %v2262, label %v2263, label %v1939
-
-v1946:
-  %v1957 = phi double [ %v1733, %v1939 ], [ %v2009, %v2006 ]
-  %v2264 = phi i64 [ 0, %v1939 ], [ %v2011, %v2006 ]
-  %v2011 = add nsw i64 %v2264, 1
-  %v2004 = icmp eq i64 %v2264, 0
-  %v2265 = load double, ptr %v134, align 8, !noalias !239
-  %v2266 = load double, ptr %v740, align 8, !noalias !239
-  %v2267 = fmul double %v1957, %v2266
-  %v2268 = fadd double %v2265, %v2267
-  store double %v2268, ptr %v742, align 8, !noalias !239
-  br i1 %v744, label %v1987, label %v1949
-
-v1949:
-  %v1962 = fsub double 1.000000e+00, %v1957
-  br label %v1947
-
-v1990:
-  store double %v1957, ptr %v770, align 8, !noalias !210
-  %v2269 = load double, ptr %v1944, align 8, !noalias !210
-  store double %v2269, ptr %v781, align 8, !noalias !210
-  %v2270 = fcmp ogt double %v2269, 0.000000e+00
-  br i1 %v2270, label %v2013, label %v2003
-
-v2207:
-  %v2271 = getelementptr i64, ptr %v111, i64 %v2205
-  %v2272 = load i64, ptr %v2271, align 8, !noalias !274
-  %v2273 = icmp eq i64 %v2272, 0
-  br i1 %v2273, label %v2274, label %v2208
-
-v2274:
-  store i64 4, ptr %v2271, align 8, !noalias !274
-  br label %v2208
+v2188:
+  %v2210 = phi i64 [ 0, %v2182 ], [ %v2212, %v2193 ]
+  %v2212 = add nsw i64 %v2210, 1
+  %v2213 = load double, ptr %v2175, align 8, !noalias !270
+  %v2214 = load double, ptr %v772, align 8, !noalias !270
+  %v2215 = fcmp oeq double %v2213, %v2214
+  %v2191 = mul i64 %v2210, %v197
+  br i1 %v2215, label %v2189, label %v2208
 
 v2208:
-  store double 0.000000e+00, ptr %v843, align 8, !noalias !210
-  br label %v2275
+  %v2216 = getelementptr double, ptr %v194, i64 %v2191
+  %v2217 = getelementptr i8, ptr %v2216, i64 %v746
+  %v2218 = load double, ptr %v2217, align 8, !noalias !277
+  %v2219 = fadd double %v2218, 0.000000e+00
+  %v2220 = fmul double %v2180, %v2219
+  %v2221 = getelementptr i8, ptr %v2216, i64 %v747
+  %v2222 = load double, ptr %v2221, align 8, !noalias !277
+  %v2223 = fadd double %v2222, %v2220
+  %v2224 = fmul double %v2183, %v2223
+  %v2225 = getelementptr i8, ptr %v2216, i64 %v748
+  %v2226 = load double, ptr %v2225, align 8, !noalias !277
+  %v2227 = fadd double %v2226, %v2224
+  %v2228 = fmul double %v2180, %v2227
+  %v2229 = getelementptr i8, ptr %v2216, i64 %v749
+  %v2230 = load double, ptr %v2229, align 8, !noalias !277
+  %v2231 = fadd double %v2230, %v2228
+  %v2232 = fmul double %v2183, %v2231
+  %v2233 = getelementptr i8, ptr %v2216, i64 %v750
+  %v2234 = load double, ptr %v2233, align 8, !noalias !277
+  %v2235 = fadd double %v2234, %v2232
+  %v2236 = fmul double %v2180, %v2235
+  %v2237 = getelementptr i8, ptr %v2216, i64 %v751
+  %v2238 = load double, ptr %v2237, align 8, !noalias !277
+  %v2239 = fadd double %v2238, %v2236
+  %v2240 = fmul double %v2183, %v2239
+  %v2241 = getelementptr i8, ptr %v2216, i64 %v752
+  %v2242 = load double, ptr %v2241, align 8, !noalias !277
+  %v2243 = fadd double %v2242, %v2240
+  %v2244 = fmul double %v2180, %v2243
+  %v2245 = load double, ptr %v2216, align 8, !noalias !277
+  %v2207 = fadd double %v2245, %v2244
+  br label %v2193
 
-v2276:
-  br i1 %v1742, label %v2263, label %v2277
+v1924:
+  %v2246 = phi i64 [ %v2247, %v2248 ], [ 0, %v1923 ]
+  %v2249 = phi i64 [ %v2250, %v2248 ], [ %v828, %v1923 ]
+  %v2251 = icmp sgt i64 %v2249, 0
+  br i1 %v2251, label %v2248, label %v2252
 
-v2277:
+v2248:
+  %v2250 = add nsw i64 %v2249, -1
+  %v2247 = add i64 %v2246, 1
+  %v2253 = getelementptr double, ptr %v798, i64 %v2246
+  %v2254 = load double, ptr %v2253, align 8, !noalias !281
+  %v2255 = getelementptr double, ptr %v796, i64 %v2246
+  %v2256 = load double, ptr %v2255, align 8, !noalias !281
+  %v2257 = fneg double %v2256
+  %v2258 = fcmp olt double %v2254, %v2257
+  br i1 %v2258, label %v2252, label %v1924
+
+v2252:
+  %v1938 = phi i64 [ %v2246, %v2248 ], [ -1, %v1924 ]
+  %v2259 = icmp slt i64 %v1938, %v19
+  br i1 %v2259, label %v2260, label %v1936
+
+v1943:
+  %v1954 = phi double [ %v1730, %v1936 ], [ %v2006, %v2003 ]
+  %v2261 = phi i64 [ 0, %v1936 ], [ %v2008, %v2003 ]
+  %v2008 = add nsw i64 %v2261, 1
+  %v2001 = icmp eq i64 %v2261, 0
+  %v2262 = load double, ptr %v134, align 8, !noalias !239
+  %v2263 = load double, ptr %v738, align 8, !noalias !239
+  %v2264 = fmul double %v1954, %v2263
+  %v2265 = fadd double %v2262, %v2264
+  store double %v2265, ptr %v740, align 8, !noalias !239
+  br i1 %v742, label %v1984, label %v1946
+
+v1946:
+  %v1959 = fsub double 1.000000e+00, %v1954
+  br label %v1944
+
+v1987:
+  store double %v1954, ptr %v768, align 8, !noalias !210
+  %v2266 = load double, ptr %v1941, align 8, !noalias !210
+  store double %v2266, ptr %v779, align 8, !noalias !210
+  %v2267 = fcmp ogt double %v2266, 0.000000e+00
+  br i1 %v2267, label %v2010, label %v2000
+
+v2204:
+  %v2268 = getelementptr i64, ptr %v111, i64 %v2202
+  %v2269 = load i64, ptr %v2268, align 8, !noalias !274
+  %v2270 = icmp eq i64 %v2269, 0
+  br i1 %v2270, label %v2271, label %v2205
+
+v2271:
+  store i64 4, ptr %v2268, align 8, !noalias !274
+  br label %v2205
+
+v2205:
+  store double 0.000000e+00, ptr %v841, align 8, !noalias !210
+  br label %v2272
+
+v2273:
+  br i1 %v1739, label %v2260, label %v2274
+
+v2274:
   call void @llvm.lifetime.start.p0(ptr nonnull %v287), !noalias !180
   call void @llvm.lifetime.start.p0(ptr nonnull %v288), !noalias !180
   store i8 0, ptr %v287, align 1, !noalias !285
   store ptr null, ptr %v288, align 8, !noalias !285
-  %v2278 = load double, ptr %v770, align 8, !noalias !285
-  %v2279 = load double, ptr %v778, align 8, !noalias !285
-  br i1 %v292, label %v2280, label %v2281
+  %v2275 = load double, ptr %v768, align 8, !noalias !285
+  %v2276 = load double, ptr %v776, align 8, !noalias !285
+  br i1 %v292, label %v2277, label %v2278
 
-v2282:
-  %v2283 = phi i64 [ %v2284, %v2285 ], [ 0, %v2286 ]
-  %v2284 = add nsw i64 %v2283, 1
-  %v2287 = icmp ult i64 %v2283, 9
-  br i1 %v2287, label %v2288, label %v2289
-
-v2288:
-  %v2290 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2283
-  %v2291 = load double, ptr %v2290, align 8
-  %v2292 = load double, ptr %v134, align 8, !noalias !289
-  %v2293 = load double, ptr %v740, align 8, !noalias !289
-  %v2294 = fmul double %v2291, %v2293
-  %v2295 = fadd double %v2292, %v2294
-  store double %v2295, ptr %v742, align 8, !noalias !289
-  br i1 %v784, label %v2296, label %v2285
-
-v2296:
-  %v2297 = fsub double 1.000000e+00, %v2291
-  br label %v2298
-
-v2298:
-  %v2299 = phi i64 [ 0, %v2296 ], [ %v2300, %v2298 ]
-  %v2301 = mul i64 %v2299, %v197
-  %v2302 = getelementptr double, ptr %v194, i64 %v2301
-  %v2303 = getelementptr i8, ptr %v2302, i64 %v748
-  %v2304 = load double, ptr %v2303, align 8, !noalias !296
-  %v2305 = fadd double %v2304, 0.000000e+00
-  %v2306 = fmul double %v2291, %v2305
-  %v2307 = getelementptr i8, ptr %v2302, i64 %v749
-  %v2308 = load double, ptr %v2307, align 8, !noalias !296
-  %v2309 = fadd double %v2308, %v2306
-  %v2310 = fmul double %v2297, %v2309
-  %v2311 = getelementptr i8, ptr %v2302, i64 %v750
-  %v2312 = load double, ptr %v2311, align 8, !noalias !296
-  %v2313 = fadd double %v2312, %v2310
-  %v2314 = fmul double %v2291, %v2313
-  %v2315 = getelementptr i8, ptr %v2302, i64 %v751
-  %v2316 = load double, ptr %v2315, align 8, !noalias !296
-  %v2317 = fadd double %v2316, %v2314
-  %v2318 = fmul double %v2297, %v2317
-  %v2319 = getelementptr i8, ptr %v2302, i64 %v752
-  %v2320 = load double, ptr %v2319, align 8, !noalias !296
-  %v2321 = fadd double %v2320, %v2318
-  %v2322 = fmul double %v2291, %v2321
-  %v2323 = getelementptr i8, ptr %v2302, i64 %v753
-  %v2324 = load double, ptr %v2323, align 8, !noalias !296
-  %v2325 = fadd double %v2324, %v2322
-  %v2326 = fmul double %v2297, %v2325
-  %v2327 = getelementptr i8, ptr %v2302, i64 %v754
-  %v2328 = load double, ptr %v2327, align 8, !noalias !296
-  %v2329 = fadd double %v2328, %v2326
-  %v2330 = fmul double %v2291, %v2329
-  %v2300 = add nsw i64 %v2299, 1
-  %v2331 = load double, ptr %v2302, align 8, !noalias !296
-  %v2332 = fadd double %v2331, %v2330
-  %v2333 = getelementptr double, ptr %v745, i64 %v2301
-  store double %v2332, ptr %v2333, align 8, !noalias !289
-  %v2334 = icmp eq i64 %v10, %v2300
-  br i1 %v2334, label %v2285, label %v2298
+v2279:
+  %v2280 = phi i64 [ %v2281, %v2282 ], [ 0, %v2283 ]
+  %v2281 = add nsw i64 %v2280, 1
+  %v2284 = icmp ult i64 %v2280, 9
+  br i1 %v2284, label %v2285, label %v2286
 
 v2285:
-  %v2335 = icmp eq i64 %v2283, 8
-  %v2336 = select i1 %v2335, i64 17, i64 16
-  %v2337 = mul i64 %v2283, %v746
-  %v2338 = load i64, ptr %v747, align 8, !noalias !300
-  %v2339 = mul nsw i64 %v2336, %v10
-  %v2340 = getelementptr double, ptr %v159, i64 %v2339
-  %v2341 = getelementptr double, ptr %v187, i64 %v2337
-  %v2342 = inttoptr i64 %v2338 to ptr
-  tail call void %v2342(ptr nonnull %v742, ptr %v2340, ptr %v166, ptr %v173, ptr %v180, ptr %v2341), !noalias !300
-  %v2343 = icmp eq i64 %v2284, 9
-  br i1 %v2343, label %v2289, label %v2282
+  %v2287 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2280
+  %v2288 = load double, ptr %v2287, align 8
+  %v2289 = load double, ptr %v134, align 8, !noalias !289
+  %v2290 = load double, ptr %v738, align 8, !noalias !289
+  %v2291 = fmul double %v2288, %v2290
+  %v2292 = fadd double %v2289, %v2291
+  store double %v2292, ptr %v740, align 8, !noalias !289
+  br i1 %v782, label %v2293, label %v2282
 
-v2289:
-  %v2344 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2282 ], [ %v2345, %v2285 ]
-  %v2346 = phi i32 [ 1, %v2282 ], [ 0, %v2285 ]
-  br i1 %v2287, label %v2347, label %v2348, !prof !131
+v2293:
+  %v2294 = fsub double 1.000000e+00, %v2288
+  br label %v2295
 
-v2349:
-  %v2350 = load double, ptr %v820, align 8, !noalias !285
-  %v2351 = fcmp ogt double %v2350, 5.000000e-01
-  br i1 %v2351, label %v2352, label %v2353
+v2295:
+  %v2296 = phi i64 [ 0, %v2293 ], [ %v2297, %v2295 ]
+  %v2298 = mul i64 %v2296, %v197
+  %v2299 = getelementptr double, ptr %v194, i64 %v2298
+  %v2300 = getelementptr i8, ptr %v2299, i64 %v746
+  %v2301 = load double, ptr %v2300, align 8, !noalias !296
+  %v2302 = fadd double %v2301, 0.000000e+00
+  %v2303 = fmul double %v2288, %v2302
+  %v2304 = getelementptr i8, ptr %v2299, i64 %v747
+  %v2305 = load double, ptr %v2304, align 8, !noalias !296
+  %v2306 = fadd double %v2305, %v2303
+  %v2307 = fmul double %v2294, %v2306
+  %v2308 = getelementptr i8, ptr %v2299, i64 %v748
+  %v2309 = load double, ptr %v2308, align 8, !noalias !296
+  %v2310 = fadd double %v2309, %v2307
+  %v2311 = fmul double %v2288, %v2310
+  %v2312 = getelementptr i8, ptr %v2299, i64 %v749
+  %v2313 = load double, ptr %v2312, align 8, !noalias !296
+  %v2314 = fadd double %v2313, %v2311
+  %v2315 = fmul double %v2294, %v2314
+  %v2316 = getelementptr i8, ptr %v2299, i64 %v750
+  %v2317 = load double, ptr %v2316, align 8, !noalias !296
+  %v2318 = fadd double %v2317, %v2315
+  %v2319 = fmul double %v2288, %v2318
+  %v2320 = getelementptr i8, ptr %v2299, i64 %v751
+  %v2321 = load double, ptr %v2320, align 8, !noalias !296
+  %v2322 = fadd double %v2321, %v2319
+  %v2323 = fmul double %v2294, %v2322
+  %v2324 = getelementptr i8, ptr %v2299, i64 %v752
+  %v2325 = load double, ptr %v2324, align 8, !noalias !296
+  %v2326 = fadd double %v2325, %v2323
+  %v2327 = fmul double %v2288, %v2326
+  %v2297 = add nsw i64 %v2296, 1
+  %v2328 = load double, ptr %v2299, align 8, !noalias !296
+  %v2329 = fadd double %v2328, %v2327
+  %v2330 = getelementptr double, ptr %v743, i64 %v2298
+  store double %v2329, ptr %v2330, align 8, !noalias !289
+  %v2331 = icmp eq i64 %v10, %v2297
+  br i1 %v2331, label %v2282, label %v2295
 
-v2352:
-  %v2354 = load i64, ptr %v6, align 8, !noalias !303
-  %v2355 = inttoptr i64 %v2354 to ptr
-  tail call void %v2355(ptr nonnull %v774, ptr %v825, ptr %v166, ptr %v173, ptr %v180, ptr %v827), !noalias !303
-  %v2356 = load double, ptr %v774, align 8, !noalias !285
-  store double %v2356, ptr %v776, align 8, !noalias !285
-  br label %v2357
-
-v2358:
-  %v2359 = sub nsw i64 45, %v2360
-  %v2361 = load double, ptr %v781, align 8, !noalias !306
-  %v2362 = load double, ptr %v783, align 8, !noalias !306
-  br label %v2363
-
-v2363:
-  %v2364 = phi double [ %v2365, %v2363 ], [ 1.000000e+00, %v2358 ]
-  %v2366 = phi double [ %v2367, %v2363 ], [ 2.000000e+00, %v2358 ]
-  %v2368 = phi i64 [ %v2369, %v2363 ], [ %v2359, %v2358 ]
-  %v2370 = and i64 %v2368, 1
-  %v2371 = icmp eq i64 %v2370, 0
-  %v2372 = fmul double %v2364, %v2366
-  %v2365 = select i1 %v2371, double %v2364, double %v2372
-  %v2369 = lshr i64 %v2368, 1
-  %v2367 = fmul double %v2366, %v2366
-  %v2373 = icmp eq i64 %v2369, 0
-  br i1 %v2373, label %v2374, label %v2363
-
-v2375:
-  %v2376 = fcmp olt double %v2377, 0.000000e+00
-  %v2378 = select i1 %v2376, double 0.000000e+00, double %v2377
-  %v2379 = fmul double %v2380, %v2378
-  %v2381 = fsub double %v2382, %v2379
-  br label %v2383
-
-v2374:
-  %v2384 = fadd double %v2385, %v2386
-  %v2382 = fmul double %v2384, 5.000000e-01
-  %v2387 = fmul double %v2365, 1.000000e-13
-  %v2388 = fsub double %v2387, %v2389
-  %v2377 = fmul double %v2388, 5.000000e-01
-  %v2390 = fmul double %v2386, %v2362
-  %v2391 = fmul double %v2385, %v2361
-  %v2392 = fsub double %v2390, %v2391
-  %v2393 = fsub double %v2362, %v2361
-  %v2394 = fdiv double %v2392, %v2393
-  %v2395 = fcmp olt double %v2386, %v2394
-  %v2396 = fcmp olt double %v2394, %v2385
-  %v2397 = and i1 %v2395, %v2396
-  %v2398 = select i1 %v2397, double %v2394, double %v2382
-  %v2399 = fsub double %v2382, %v2398
-  %v2380 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2399)
-  %v2400 = fmul double %v2389, %v2389
-  %v2401 = tail call double @llvm.fabs.f64(double %v2399)
-  %v2402 = fcmp olt double %v2401, %v2400
-  %v2403 = select i1 %v2402, double %v2401, double %v2400
-  %v2404 = fmul double %v2380, %v2403
-  %v2405 = fadd double %v2398, %v2404
-  %v2406 = fsub double %v2405, %v2382
-  %v2407 = tail call double @llvm.fabs.f64(double %v2406)
-  %v2408 = fcmp ugt double %v2407, %v2377
-  br i1 %v2408, label %v2375, label %v2383
-
-v2409:
-  store double %v2410, ptr %v778, align 8, !noalias !312
-  store double %v2411, ptr %v783, align 8, !noalias !312
-  br label %v2412
-
-v2413:
-  store double %v2410, ptr %v770, align 8, !noalias !312
-  store double %v2411, ptr %v781, align 8, !noalias !312
-  br label %v2412
-
-v2412:
-  %v2414 = icmp eq i64 %v2415, 45
-  br i1 %v2414, label %v2416, label %v2417
-
-v2417:
-  %v2360 = phi i64 [ %v2415, %v2412 ], [ 0, %v2418 ]
-  %v2415 = add nsw i64 %v2360, 1
-  %v2385 = load double, ptr %v778, align 8, !noalias !312
-  %v2386 = load double, ptr %v770, align 8, !noalias !312
-  %v2389 = fsub double %v2385, %v2386
-  %v2419 = fcmp ugt double %v2389, 1.000000e-13
-  br i1 %v2419, label %v2358, label %v2416
-
-v2383:
-  %v2410 = phi double [ %v2405, %v2374 ], [ %v2381, %v2375 ]
-  %v2420 = load double, ptr %v134, align 8, !noalias !313
-  %v2421 = load double, ptr %v740, align 8, !noalias !313
-  %v2422 = fmul double %v2410, %v2421
-  %v2423 = fadd double %v2420, %v2422
-  store double %v2423, ptr %v742, align 8, !noalias !313
-  br i1 %v784, label %v2424, label %v2425
-
-v2424:
-  %v2426 = fsub double 1.000000e+00, %v2410
-  br label %v2427
-
-v2427:
-  %v2428 = phi i64 [ 0, %v2424 ], [ %v2429, %v2427 ]
-  %v2430 = mul i64 %v2428, %v197
-  %v2431 = getelementptr double, ptr %v194, i64 %v2430
-  %v2432 = getelementptr i8, ptr %v2431, i64 %v748
-  %v2433 = load double, ptr %v2432, align 8, !noalias !320
-  %v2434 = fadd double %v2433, 0.000000e+00
-  %v2435 = fmul double %v2410, %v2434
-  %v2436 = getelementptr i8, ptr %v2431, i64 %v749
-  %v2437 = load double, ptr %v2436, align 8, !noalias !320
-  %v2438 = fadd double %v2437, %v2435
-  %v2439 = fmul double %v2426, %v2438
-  %v2440 = getelementptr i8, ptr %v2431, i64 %v750
-  %v2441 = load double, ptr %v2440, align 8, !noalias !320
-  %v2442 = fadd double %v2441, %v2439
-  %v2443 = fmul double %v2410, %v2442
-  %v2444 = getelementptr i8, ptr %v2431, i64 %v751
-  %v2445 = load double, ptr %v2444, align 8, !noalias !320
-  %v2446 = fadd double %v2445, %v2443
-  %v2447 = fmul double %v2426, %v2446
-  %v2448 = getelementptr i8, ptr %v2431, i64 %v752
-  %v2449 = load double, ptr %v2448, align 8, !noalias !320
-  %v2450 = fadd double %v2449, %v2447
-  %v2451 = fmul double %v2410, %v2450
-  %v2452 = getelementptr i8, ptr %v2431, i64 %v753
-  %v2453 = load double, ptr %v2452, align 8, !noalias !320
-  %v2454 = fadd double %v2453, %v2451
-  %v2455 = fmul double %v2426, %v2454
-  %v2456 = getelementptr i8, ptr %v2431, i64 %v754
-  %v2457 = load double, ptr %v2456, align 8, !noalias !320
-  %v2458 = fadd double %v2457, %v2455
-  %v2459 = fmul double %v2410, %v2458
-  %v2429 = add nsw i64 %v2428, 1
-  %v2460 = load double, ptr %v2431, align 8, !noalias !320
-  %v2461 = fadd double %v2460, %v2459
-  %v2462 = getelementptr double, ptr %v745, i64 %v2430
-  store double %v2461, ptr %v2462, align 8, !noalias !313
-  %v2463 = icmp eq i64 %v10, %v2429
-  br i1 %v2463, label %v2425, label %v2427
-
-v2425:
-  %v2464 = load i64, ptr %v747, align 8, !noalias !324
-  %v2465 = inttoptr i64 %v2464 to ptr
-  tail call void %v2465(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !324
-  br i1 %v791, label %v2466, label %v2467
-
-v2466:
-  %v2468 = phi i64 [ %v2469, %v2466 ], [ %v790, %v2425 ]
-  %v2470 = phi i64 [ %v2471, %v2466 ], [ %v19, %v2425 ]
-  %v2469 = add nsw i64 %v2468, -1
-  %v2471 = add i64 %v2470, 1
-  %v2472 = icmp slt i64 %v2470, 0
-  %v2473 = select i1 %v2472, i64 %v208, i64 0
-  %v2474 = add i64 %v2473, %v2470
-  %v2475 = getelementptr double, ptr %v795, i64 %v2474
-  %v2476 = load double, ptr %v2475, align 8, !noalias !327
-  %v2477 = getelementptr double, ptr %v798, i64 %v2474
-  store double %v2476, ptr %v2477, align 8, !noalias !327
-  %v2478 = icmp sgt i64 %v2468, 1
-  br i1 %v2478, label %v2466, label %v2467
-
-v2467:
-  br i1 %v799, label %v2479, label %v2480
-
-v2480:
-  %v2481 = phi double [ %v2482, %v2480 ], [ 0x7FF0000000000000, %v2467 ]
-  %v2483 = phi i64 [ %v2484, %v2480 ], [ 0, %v2467 ]
-  %v2484 = add nsw i64 %v2483, 1
-  %v2485 = getelementptr double, ptr %v800, i64 %v2483
-  %v2486 = load double, ptr %v2485, align 8, !noalias !328
-  %v2487 = getelementptr double, ptr %v798, i64 %v2483
-  %v2488 = load double, ptr %v2487, align 8, !noalias !328
-  %v2489 = fadd double %v2486, %v2488
-  %v2490 = fcmp olt double %v2489, %v2481
-  %v2482 = select i1 %v2490, double %v2489, double %v2481
-  %v2491 = icmp eq i64 %v208, %v2484
-  br i1 %v2491, label %v2479, label %v2480
-
-v2479:
-  %v2411 = phi double [ 0x7FF0000000000000, %v2467 ], [ %v2482, %v2480 ]
-  %v2492 = fcmp olt double %v2411, 0.000000e+00
-  br i1 %v2492, label %v2409, label %v2413
-
-v2416:
-  %v2493 = icmp ugt i64 %v2494, 1
-  br i1 %v2493, label %v2495, label %v2353
-
-v2353:
-  br i1 %v821, label %v2496, label %v2497
-
-v2496:
-  %v2498 = load i64, ptr %v811, align 8, !noalias !332
-  %v2499 = inttoptr i64 %v2498 to ptr
-  tail call void %v2499(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !332
-  store double %v2278, ptr %v770, align 8, !noalias !285
-  store double %v2279, ptr %v778, align 8, !noalias !285
-  br label %v2357
-
-v2497:
-  %v2500 = phi i64 [ %v2501, %v2497 ], [ 0, %v2353 ]
-  %v2501 = add nsw i64 %v2500, 1
-  %v2502 = add nsw i64 %v2500, %v18
-  %v2503 = icmp slt i64 %v2502, 0
-  %v2504 = select i1 %v2503, i64 %v167, i64 0
-  %v2505 = getelementptr double, ptr %v166, i64 %v2502
-  %v2506 = getelementptr double, ptr %v2505, i64 %v2504
-  %v2507 = load double, ptr %v2506, align 8, !noalias !338
-  %v2508 = getelementptr double, ptr %v823, i64 %v2500
-  %v2509 = load double, ptr %v2508, align 8, !noalias !338
-  store double %v2509, ptr %v2506, align 8, !noalias !338
-  store double %v2507, ptr %v2508, align 8, !noalias !338
-  %v2510 = icmp eq i64 %v19, %v2501
-  br i1 %v2510, label %v2496, label %v2497
-
-v2280:
-  %v2511 = phi i64 [ %v2512, %v2280 ], [ 0, %v2277 ]
-  %v2512 = add nsw i64 %v2511, 1
-  %v2513 = add nsw i64 %v2511, %v18
-  %v2514 = icmp slt i64 %v2513, 0
-  %v2515 = select i1 %v2514, i64 %v167, i64 0
-  %v2516 = getelementptr double, ptr %v166, i64 %v2513
-  %v2517 = getelementptr double, ptr %v2516, i64 %v2515
-  %v2518 = load double, ptr %v2517, align 8, !noalias !285
-  %v2519 = getelementptr double, ptr %v802, i64 %v2511
-  store double %v2518, ptr %v2519, align 8, !noalias !285
-  %v2520 = icmp eq i64 %v19, %v2512
-  br i1 %v2520, label %v2281, label %v2280
-
-v2281:
-  br label %v2495
-
-v2495:
-  %v2345 = phi ptr [ %v2344, %v2416 ], [ null, %v2281 ]
-  %v2521 = phi ptr [ %v2522, %v2416 ], [ null, %v2281 ]
-  %v2494 = phi i64 [ %v2523, %v2416 ], [ 32, %v2281 ]
-  %v2523 = add nsw i64 %v2494, -1
-  %v2524 = load double, ptr %v778, align 8, !noalias !339
-  %v2525 = load double, ptr %v134, align 8, !noalias !343
-  %v2526 = load double, ptr %v740, align 8, !noalias !343
-  %v2527 = fmul double %v2524, %v2526
-  %v2528 = fadd double %v2525, %v2527
-  store double %v2528, ptr %v742, align 8, !noalias !343
-  br i1 %v784, label %v2529, label %v2530
-
-v2529:
-  %v2531 = fsub double 1.000000e+00, %v2524
-  br label %v2532
-
-v2532:
-  %v2533 = phi i64 [ 0, %v2529 ], [ %v2534, %v2532 ]
-  %v2535 = mul i64 %v2533, %v197
-  %v2536 = getelementptr double, ptr %v194, i64 %v2535
-  %v2537 = getelementptr i8, ptr %v2536, i64 %v748
-  %v2538 = load double, ptr %v2537, align 8, !noalias !350
-  %v2539 = fadd double %v2538, 0.000000e+00
-  %v2540 = fmul double %v2524, %v2539
-  %v2541 = getelementptr i8, ptr %v2536, i64 %v749
-  %v2542 = load double, ptr %v2541, align 8, !noalias !350
-  %v2543 = fadd double %v2542, %v2540
-  %v2544 = fmul double %v2531, %v2543
-  %v2545 = getelementptr i8, ptr %v2536, i64 %v750
-  %v2546 = load double, ptr %v2545, align 8, !noalias !350
-  %v2547 = fadd double %v2546, %v2544
-  %v2548 = fmul double %v2524, %v2547
-  %v2549 = getelementptr i8, ptr %v2536, i64 %v751
-  %v2550 = load double, ptr %v2549, align 8, !noalias !350
-  %v2551 = fadd double %v2550, %v2548
-  %v2552 = fmul double %v2531, %v2551
-  %v2553 = getelementptr i8, ptr %v2536, i64 %v752
-  %v2554 = load double, ptr %v2553, align 8, !noalias !350
-  %v2555 = fadd double %v2554, %v2552
-  %v2556 = fmul double %v2524, %v2555
-  %v2557 = getelementptr i8, ptr %v2536, i64 %v753
-  %v2558 = load double, ptr %v2557, align 8, !noalias !350
-  %v2559 = fadd double %v2558, %v2556
-  %v2560 = fmul double %v2531, %v2559
-  %v2561 = getelementptr i8, ptr %v2536, i64 %v754
-  %v2562 = load double, ptr %v2561, align 8, !noalias !350
-  %v2563 = fadd double %v2562, %v2560
-  %v2564 = fmul double %v2524, %v2563
-  %v2534 = add nsw i64 %v2533, 1
-  %v2565 = load double, ptr %v2536, align 8, !noalias !350
-  %v2566 = fadd double %v2565, %v2564
-  %v2567 = getelementptr double, ptr %v805, i64 %v2535
-  store double %v2566, ptr %v2567, align 8, !noalias !343
-  %v2568 = icmp eq i64 %v10, %v2534
-  br i1 %v2568, label %v2530, label %v2532
-
-v2530:
-  %v2569 = load i64, ptr %v747, align 8, !noalias !354
-  %v2570 = inttoptr i64 %v2569 to ptr
-  tail call void %v2570(ptr nonnull %v742, ptr %v786, ptr %v166, ptr %v173, ptr %v180, ptr %v788), !noalias !354
-  br i1 %v791, label %v2571, label %v2572
-
-v2571:
-  %v2573 = phi i64 [ %v2574, %v2571 ], [ %v789, %v2530 ]
-  %v2575 = phi i64 [ %v2576, %v2571 ], [ %v19, %v2530 ]
-  %v2574 = add nsw i64 %v2573, -1
-  %v2576 = add i64 %v2575, 1
-  %v2577 = icmp slt i64 %v2575, 0
-  %v2578 = select i1 %v2577, i64 %v208, i64 0
-  %v2579 = add i64 %v2578, %v2575
-  %v2580 = getelementptr double, ptr %v795, i64 %v2579
-  %v2581 = load double, ptr %v2580, align 8, !noalias !357
-  %v2582 = getelementptr double, ptr %v798, i64 %v2579
-  store double %v2581, ptr %v2582, align 8, !noalias !357
-  %v2583 = icmp sgt i64 %v2573, 1
-  br i1 %v2583, label %v2571, label %v2572
-
-v2572:
-  br label %v2584
-
-v2585:
-  br label %v2586
-
-v2586:
-  %v2587 = phi double [ %v2524, %v2584 ], [ 1.000000e+00, %v2588 ], [ 8.889000e-01, %v2589 ], [ 2.500000e-01, %v2590 ], [ 3.333000e-01, %v2591 ], [ 5.000000e-01, %v2592 ], [ 0x3FE50A3D70A3D70A, %v2593 ], [ 7.500000e-01, %v2594 ], [ 0x3FB48E8A71DE69AD, %v2585 ]
-  %v2595 = fcmp ult double %v2587, %v2524
-  br i1 %v2595, label %v2596, label %v2597
-
-v2597:
-  %v2598 = load double, ptr %v134, align 8, !noalias !358
-  %v2599 = load double, ptr %v740, align 8, !noalias !358
-  %v2600 = fmul double %v2587, %v2599
-  %v2601 = fadd double %v2598, %v2600
-  store double %v2601, ptr %v742, align 8, !noalias !358
-  br i1 %v784, label %v2602, label %v2603
-
-v2602:
-  %v2604 = fsub double 1.000000e+00, %v2587
-  br label %v2605
-
-v2605:
-  %v2606 = phi i64 [ 0, %v2602 ], [ %v2607, %v2605 ]
-  %v2608 = mul i64 %v2606, %v197
-  %v2609 = getelementptr double, ptr %v194, i64 %v2608
-  %v2610 = getelementptr i8, ptr %v2609, i64 %v748
-  %v2611 = load double, ptr %v2610, align 8, !noalias !362
-  %v2612 = fadd double %v2611, 0.000000e+00
-  %v2613 = fmul double %v2587, %v2612
-  %v2614 = getelementptr i8, ptr %v2609, i64 %v749
-  %v2615 = load double, ptr %v2614, align 8, !noalias !362
-  %v2616 = fadd double %v2615, %v2613
-  %v2617 = fmul double %v2604, %v2616
-  %v2618 = getelementptr i8, ptr %v2609, i64 %v750
-  %v2619 = load double, ptr %v2618, align 8, !noalias !362
-  %v2620 = fadd double %v2619, %v2617
-  %v2621 = fmul double %v2587, %v2620
-  %v2622 = getelementptr i8, ptr %v2609, i64 %v751
-  %v2623 = load double, ptr %v2622, align 8, !noalias !362
-  %v2624 = fadd double %v2623, %v2621
-  %v2625 = fmul double %v2604, %v2624
-  %v2626 = getelementptr i8, ptr %v2609, i64 %v752
-  %v2627 = load double, ptr %v2626, align 8, !noalias !362
-  %v2628 = fadd double %v2627, %v2625
-  %v2629 = fmul double %v2587, %v2628
-  %v2630 = getelementptr i8, ptr %v2609, i64 %v753
-  %v2631 = load double, ptr %v2630, align 8, !noalias !362
-  %v2632 = fadd double %v2631, %v2629
-  %v2633 = fmul double %v2604, %v2632
-  %v2634 = getelementptr i8, ptr %v2609, i64 %v754
-  %v2635 = load double, ptr %v2634, align 8, !noalias !362
-  %v2636 = fadd double %v2635, %v2633
-  %v2637 = fmul double %v2587, %v2636
-  %v2607 = add nsw i64 %v2606, 1
-  %v2638 = load double, ptr %v2609, align 8, !noalias !362
-  %v2639 = fadd double %v2638, %v2637
-  %v2640 = getelementptr double, ptr %v745, i64 %v2608
-  store double %v2639, ptr %v2640, align 8, !noalias !358
-  %v2641 = icmp eq i64 %v10, %v2607
-  br i1 %v2641, label %v2603, label %v2605
-
-v2642:
-  %v2643 = load i64, ptr %v811, align 8, !noalias !366
-  %v2644 = inttoptr i64 %v2643 to ptr
-  tail call void %v2644(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !366
-  br label %v2596
-
-v2645:
-  %v2646 = phi i64 [ %v2647, %v2645 ], [ 0, %v2648 ]
-  %v2647 = add nsw i64 %v2646, 1
-  %v2649 = add nsw i64 %v2646, %v18
-  %v2650 = icmp slt i64 %v2649, 0
-  %v2651 = select i1 %v2650, i64 %v167, i64 0
-  %v2652 = getelementptr double, ptr %v166, i64 %v2649
-  %v2653 = getelementptr double, ptr %v2652, i64 %v2651
-  %v2654 = load double, ptr %v2653, align 8, !noalias !372
-  %v2655 = getelementptr double, ptr %v797, i64 %v2646
-  %v2656 = load double, ptr %v2655, align 8, !noalias !372
-  store double %v2656, ptr %v2653, align 8, !noalias !372
-  store double %v2654, ptr %v2655, align 8, !noalias !372
-  %v2657 = icmp eq i64 %v19, %v2647
-  br i1 %v2657, label %v2642, label %v2645
-
-v2596:
-  %v2658 = icmp ugt i64 %v2659, 1
-  br i1 %v2658, label %v2584, label %v2660
-
-v2660:
-  br i1 %v292, label %v2661, label %v2662
-
-v2662:
-  %v2663 = load i64, ptr %v811, align 8, !noalias !373
-  %v2664 = inttoptr i64 %v2663 to ptr
-  tail call void %v2664(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !373
-  br label %v2665
-
-v2661:
-  %v2666 = phi i64 [ %v2667, %v2661 ], [ 0, %v2660 ]
-  %v2667 = add nsw i64 %v2666, 1
-  %v2668 = add nsw i64 %v2666, %v18
-  %v2669 = icmp slt i64 %v2668, 0
-  %v2670 = select i1 %v2669, i64 %v167, i64 0
-  %v2671 = getelementptr double, ptr %v166, i64 %v2668
-  %v2672 = getelementptr double, ptr %v2671, i64 %v2670
-  %v2673 = load double, ptr %v2672, align 8, !noalias !379
-  %v2674 = getelementptr double, ptr %v797, i64 %v2666
-  %v2675 = load double, ptr %v2674, align 8, !noalias !379
-  store double %v2675, ptr %v2672, align 8, !noalias !379
-  store double %v2673, ptr %v2674, align 8, !noalias !379
-  %v2676 = icmp eq i64 %v2667, %v19
-  br i1 %v2676, label %v2662, label %v2661
-
-v2584:
-  %v2659 = phi i64 [ %v2677, %v2596 ], [ 9, %v2572 ]
-  %v2678 = phi i64 [ %v2679, %v2596 ], [ 8, %v2572 ]
-  %v2677 = add nsw i64 %v2659, -1
-  %v2679 = add nsw i64 %v2678, -1
-  switch i64 %v2678, label %v2665 [
-    i64 0, label %v2586
-    i64 -1, label %v2588
-    i64 8, label %v2588
-    i64 1, label %v2585
-    i64 -8, label %v2585
-    i64 2, label %v2590
-    i64 -7, label %v2590
-    i64 3, label %v2591
-    i64 -6, label %v2591
-    i64 4, label %v2592
-    i64 -5, label %v2592
-    i64 5, label %v2593
-    i64 -4, label %v2593
-    i64 6, label %v2594
-    i64 -3, label %v2594
-    i64 7, label %v2589
-    i64 -2, label %v2589
-  ]
-
-v2590:
-  br label %v2586
-
-v2591:
-  br label %v2586
-
-v2592:
-  br label %v2586
-
-v2593:
-  br label %v2586
-
-v2594:
-  br label %v2586
-
-v2589:
-  br label %v2586
-
-v2588:
-  br label %v2586
-
-v2603:
-  %v2680 = load i64, ptr %v6, align 8, !noalias !380
-  %v2681 = inttoptr i64 %v2680 to ptr
-  tail call void %v2681(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v810), !noalias !380
-  br i1 %v292, label %v2682, label %v2683
-
-v2683:
-  %v2684 = load i64, ptr %v811, align 8, !noalias !383
-  %v2685 = inttoptr i64 %v2684 to ptr
-  tail call void %v2685(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !383
-  %v2686 = load i64, ptr %v6, align 8, !noalias !389
-  %v2687 = inttoptr i64 %v2686 to ptr
-  tail call void %v2687(ptr nonnull %v742, ptr %v808, ptr %v166, ptr %v173, ptr %v180, ptr %v813), !noalias !389
-  %v2688 = load double, ptr %v24, align 8, !noalias !392
-  %v2689 = load double, ptr %v814, align 8, !noalias !392
-  br label %v2690
-
-v2682:
-  %v2691 = phi i64 [ %v2692, %v2682 ], [ 0, %v2603 ]
-  %v2692 = add nsw i64 %v2691, 1
-  %v2693 = add nsw i64 %v2691, %v18
-  %v2694 = icmp slt i64 %v2693, 0
-  %v2695 = select i1 %v2694, i64 %v167, i64 0
-  %v2696 = getelementptr double, ptr %v166, i64 %v2693
-  %v2697 = getelementptr double, ptr %v2696, i64 %v2695
-  %v2698 = load double, ptr %v2697, align 8, !noalias !396
-  %v2699 = getelementptr double, ptr %v797, i64 %v2691
-  %v2700 = load double, ptr %v2699, align 8, !noalias !396
-  store double %v2700, ptr %v2697, align 8, !noalias !396
-  store double %v2698, ptr %v2699, align 8, !noalias !396
-  %v2701 = icmp eq i64 %v19, %v2692
-  br i1 %v2701, label %v2683, label %v2682
-
-v2690:
-  %v2702 = phi i64 [ 0, %v2683 ], [ %v2703, %v2704 ]
-  %v2705 = icmp eq i64 %v2702, %v803
-  br i1 %v2705, label %v2648, label %v2704
-
-v2648:
-  br i1 %v292, label %v2645, label %v2642
-
-v2704:
-  %v2703 = add i64 %v2702, 1
-  %v2706 = mul i64 %v2702, %v197
-  %v2707 = getelementptr double, ptr %v816, i64 %v2706
-  %v2708 = load double, ptr %v2707, align 8, !noalias !392
-  %v2709 = getelementptr double, ptr %v818, i64 %v2706
-  %v2710 = load double, ptr %v2709, align 8, !noalias !392
-  %v2711 = fsub double %v2708, %v2710
-  %v2712 = tail call double @llvm.fabs.f64(double %v2711)
-  %v2713 = getelementptr double, ptr %v194, i64 %v2706
-  %v2714 = load double, ptr %v2713, align 8, !noalias !392
-  %v2715 = tail call double @llvm.fabs.f64(double %v2714)
-  %v2716 = fmul double %v2688, %v2715
-  %v2717 = fadd double %v2689, %v2716
-  %v2718 = load double, ptr %v740, align 8, !noalias !392
-  %v2719 = fmul double %v2718, %v2712
-  %v2720 = fmul double %v2717, 1.000000e-01
-  %v2721 = fcmp ugt double %v2719, %v2720
-  br i1 %v2721, label %v2665, label %v2690
-
-v2665:
-  %v2722 = phi i1 [ false, %v2704 ], [ true, %v2662 ], [ true, %v2584 ]
-  %v2522 = phi ptr [ %v2521, %v2704 ], [ %v2521, %v2662 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2584 ]
-  %v2723 = phi i1 [ true, %v2704 ], [ true, %v2662 ], [ false, %v2584 ]
-  %v2724 = phi i32 [ 0, %v2704 ], [ 0, %v2662 ], [ 1, %v2584 ]
-  br i1 %v2723, label %v2286, label %v2348, !prof !131
+v2282:
+  %v2332 = icmp eq i64 %v2280, 8
+  %v2333 = select i1 %v2332, i64 17, i64 16
+  %v2334 = mul i64 %v2280, %v744
+  %v2335 = load i64, ptr %v745, align 8, !noalias !300
+  %v2336 = mul nsw i64 %v2333, %v10
+  %v2337 = getelementptr double, ptr %v159, i64 %v2336
+  %v2338 = getelementptr double, ptr %v187, i64 %v2334
+  %v2339 = inttoptr i64 %v2335 to ptr
+  tail call void %v2339(ptr nonnull %v740, ptr %v2337, ptr %v166, ptr %v173, ptr %v180, ptr %v2338), !noalias !300
+  %v2340 = icmp eq i64 %v2281, 9
+  br i1 %v2340, label %v2286, label %v2279
 
 v2286:
-  br i1 %v2722, label %v2282, label %v2353
+  %v2341 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2279 ], [ %v2342, %v2282 ]
+  %v2343 = phi i32 [ 1, %v2279 ], [ 0, %v2282 ]
+  br i1 %v2284, label %v2344, label %v2345, !prof !131
 
-v2347:
-  %v2725 = load double, ptr %v778, align 8, !noalias !285
+v2346:
+  %v2347 = load double, ptr %v818, align 8, !noalias !285
+  %v2348 = fcmp ogt double %v2347, 5.000000e-01
+  br i1 %v2348, label %v2349, label %v2350
+
+v2349:
+  %v2351 = load i64, ptr %v6, align 8, !noalias !303
+  %v2352 = inttoptr i64 %v2351 to ptr
+  tail call void %v2352(ptr nonnull %v772, ptr %v823, ptr %v166, ptr %v173, ptr %v180, ptr %v825), !noalias !303
+  %v2353 = load double, ptr %v772, align 8, !noalias !285
+  store double %v2353, ptr %v774, align 8, !noalias !285
+  br label %v2354
+
+v2355:
+  %v2356 = sub nsw i64 45, %v2357
+  %v2358 = load double, ptr %v779, align 8, !noalias !306
+  %v2359 = load double, ptr %v781, align 8, !noalias !306
+  br label %v2360
+
+v2360:
+  %v2361 = phi double [ %v2362, %v2360 ], [ 1.000000e+00, %v2355 ]
+  %v2363 = phi double [ %v2364, %v2360 ], [ 2.000000e+00, %v2355 ]
+  %v2365 = phi i64 [ %v2366, %v2360 ], [ %v2356, %v2355 ]
+  %v2367 = and i64 %v2365, 1
+  %v2368 = icmp eq i64 %v2367, 0
+  %v2369 = fmul double %v2361, %v2363
+  %v2362 = select i1 %v2368, double %v2361, double %v2369
+  %v2366 = lshr i64 %v2365, 1
+  %v2364 = fmul double %v2363, %v2363
+  %v2370 = icmp eq i64 %v2366, 0
+  br i1 %v2370, label %v2371, label %v2360
+
+v2372:
+  %v2373 = fcmp olt double %v2374, 0.000000e+00
+  %v2375 = select i1 %v2373, double 0.000000e+00, double %v2374
+  %v2376 = fmul double %v2377, %v2375
+  %v2378 = fsub double %v2379, %v2376
+  br label %v2380
+
+v2371:
+  %v2381 = fadd double %v2382, %v2383
+  %v2379 = fmul double %v2381, 5.000000e-01
+  %v2384 = fmul double %v2362, 1.000000e-13
+  %v2385 = fsub double %v2384, %v2386
+  %v2374 = fmul double %v2385, 5.000000e-01
+  %v2387 = fmul double %v2383, %v2359
+  %v2388 = fmul double %v2382, %v2358
+  %v2389 = fsub double %v2387, %v2388
+  %v2390 = fsub double %v2359, %v2358
+  %v2391 = fdiv double %v2389, %v2390
+  %v2392 = fcmp olt double %v2383, %v2391
+  %v2393 = fcmp olt double %v2391, %v2382
+  %v2394 = and i1 %v2392, %v2393
+  %v2395 = select i1 %v2394, double %v2391, double %v2379
+  %v2396 = fsub double %v2379, %v2395
+  %v2377 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2396)
+  %v2397 = fmul double %v2386, %v2386
+  %v2398 = tail call double @llvm.fabs.f64(double %v2396)
+  %v2399 = fcmp olt double %v2398, %v2397
+  %v2400 = select i1 %v2399, double %v2398, double %v2397
+  %v2401 = fmul double %v2377, %v2400
+  %v2402 = fadd double %v2395, %v2401
+  %v2403 = fsub double %v2402, %v2379
+  %v2404 = tail call double @llvm.fabs.f64(double %v2403)
+  %v2405 = fcmp ugt double %v2404, %v2374
+  br i1 %v2405, label %v2372, label %v2380
+
+v2406:
+  store double %v2407, ptr %v776, align 8, !noalias !312
+  store double %v2408, ptr %v781, align 8, !noalias !312
+  br label %v2409
+
+v2410:
+  store double %v2407, ptr %v768, align 8, !noalias !312
+  store double %v2408, ptr %v779, align 8, !noalias !312
+  br label %v2409
+
+v2409:
+  %v2411 = icmp eq i64 %v2412, 45
+  br i1 %v2411, label %v2413, label %v2414
+
+v2414:
+  %v2357 = phi i64 [ %v2412, %v2409 ], [ 0, %v2415 ]
+  %v2412 = add nsw i64 %v2357, 1
+  %v2382 = load double, ptr %v776, align 8, !noalias !312
+  %v2383 = load double, ptr %v768, align 8, !noalias !312
+  %v2386 = fsub double %v2382, %v2383
+  %v2416 = fcmp ugt double %v2386, 1.000000e-13
+  br i1 %v2416, label %v2355, label %v2413
+
+v2380:
+  %v2407 = phi double [ %v2402, %v2371 ], [ %v2378, %v2372 ]
+  %v2417 = load double, ptr %v134, align 8, !noalias !313
+  %v2418 = load double, ptr %v738, align 8, !noalias !313
+  %v2419 = fmul double %v2407, %v2418
+  %v2420 = fadd double %v2417, %v2419
+  store double %v2420, ptr %v740, align 8, !noalias !313
+  br i1 %v782, label %v2421, label %v2422
+
+v2421:
+  %v2423 = fsub double 1.000000e+00, %v2407
+  br label %v2424
+
+v2424:
+  %v2425 = phi i64 [ 0, %v2421 ], [ %v2426, %v2424 ]
+  %v2427 = mul i64 %v2425, %v197
+  %v2428 = getelementptr double, ptr %v194, i64 %v2427
+  %v2429 = getelementptr i8, ptr %v2428, i64 %v746
+  %v2430 = load double, ptr %v2429, align 8, !noalias !320
+  %v2431 = fadd double %v2430, 0.000000e+00
+  %v2432 = fmul double %v2407, %v2431
+  %v2433 = getelementptr i8, ptr %v2428, i64 %v747
+  %v2434 = load double, ptr %v2433, align 8, !noalias !320
+  %v2435 = fadd double %v2434, %v2432
+  %v2436 = fmul double %v2423, %v2435
+  %v2437 = getelementptr i8, ptr %v2428, i64 %v748
+  %v2438 = load double, ptr %v2437, align 8, !noalias !320
+  %v2439 = fadd double %v2438, %v2436
+  %v2440 = fmul double %v2407, %v2439
+  %v2441 = getelementptr i8, ptr %v2428, i64 %v749
+  %v2442 = load double, ptr %v2441, align 8, !noalias !320
+  %v2443 = fadd double %v2442, %v2440
+  %v2444 = fmul double %v2423, %v2443
+  %v2445 = getelementptr i8, ptr %v2428, i64 %v750
+  %v2446 = load double, ptr %v2445, align 8, !noalias !320
+  %v2447 = fadd double %v2446, %v2444
+  %v2448 = fmul double %v2407, %v2447
+  %v2449 = getelementptr i8, ptr %v2428, i64 %v751
+  %v2450 = load double, ptr %v2449, align 8, !noalias !320
+  %v2451 = fadd double %v2450, %v2448
+  %v2452 = fmul double %v2423, %v2451
+  %v2453 = getelementptr i8, ptr %v2428, i64 %v752
+  %v2454 = load double, ptr %v2453, align 8, !noalias !320
+  %v2455 = fadd double %v2454, %v2452
+  %v2456 = fmul double %v2407, %v2455
+  %v2426 = add nsw i64 %v2425, 1
+  %v2457 = load double, ptr %v2428, align 8, !noalias !320
+  %v2458 = fadd double %v2457, %v2456
+  %v2459 = getelementptr double, ptr %v743, i64 %v2427
+  store double %v2458, ptr %v2459, align 8, !noalias !313
+  %v2460 = icmp eq i64 %v10, %v2426
+  br i1 %v2460, label %v2422, label %v2424
+
+v2422:
+  %v2461 = load i64, ptr %v745, align 8, !noalias !324
+  %v2462 = inttoptr i64 %v2461 to ptr
+  tail call void %v2462(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !324
+  br i1 %v789, label %v2463, label %v2464
+
+v2463:
+  %v2465 = phi i64 [ %v2466, %v2463 ], [ %v788, %v2422 ]
+  %v2467 = phi i64 [ %v2468, %v2463 ], [ %v19, %v2422 ]
+  %v2466 = add nsw i64 %v2465, -1
+  %v2468 = add i64 %v2467, 1
+  %v2469 = icmp slt i64 %v2467, 0
+  %v2470 = select i1 %v2469, i64 %v208, i64 0
+  %v2471 = add i64 %v2470, %v2467
+  %v2472 = getelementptr double, ptr %v793, i64 %v2471
+  %v2473 = load double, ptr %v2472, align 8, !noalias !327
+  %v2474 = getelementptr double, ptr %v796, i64 %v2471
+  store double %v2473, ptr %v2474, align 8, !noalias !327
+  %v2475 = icmp sgt i64 %v2465, 1
+  br i1 %v2475, label %v2463, label %v2464
+
+v2464:
+  br i1 %v797, label %v2476, label %v2477
+
+v2477:
+  %v2478 = phi double [ %v2479, %v2477 ], [ 0x7FF0000000000000, %v2464 ]
+  %v2480 = phi i64 [ %v2481, %v2477 ], [ 0, %v2464 ]
+  %v2481 = add nsw i64 %v2480, 1
+  %v2482 = getelementptr double, ptr %v798, i64 %v2480
+  %v2483 = load double, ptr %v2482, align 8, !noalias !328
+  %v2484 = getelementptr double, ptr %v796, i64 %v2480
+  %v2485 = load double, ptr %v2484, align 8, !noalias !328
+  %v2486 = fadd double %v2483, %v2485
+  %v2487 = fcmp olt double %v2486, %v2478
+  %v2479 = select i1 %v2487, double %v2486, double %v2478
+  %v2488 = icmp eq i64 %v208, %v2481
+  br i1 %v2488, label %v2476, label %v2477
+
+v2476:
+  %v2408 = phi double [ 0x7FF0000000000000, %v2464 ], [ %v2479, %v2477 ]
+  %v2489 = fcmp olt double %v2408, 0.000000e+00
+  br i1 %v2489, label %v2406, label %v2410
+
+v2413:
+  %v2490 = icmp ugt i64 %v2491, 1
+  br i1 %v2490, label %v2492, label %v2350
+
+v2350:
+  br i1 %v819, label %v2493, label %v2494
+
+v2493:
+  %v2495 = load i64, ptr %v809, align 8, !noalias !332
+  %v2496 = inttoptr i64 %v2495 to ptr
+  tail call void %v2496(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !332
+  store double %v2275, ptr %v768, align 8, !noalias !285
+  store double %v2276, ptr %v776, align 8, !noalias !285
+  br label %v2354
+
+v2494:
+  %v2497 = phi i64 [ %v2498, %v2494 ], [ 0, %v2350 ]
+  %v2498 = add nsw i64 %v2497, 1
+  %v2499 = add nsw i64 %v2497, %v18
+  %v2500 = icmp slt i64 %v2499, 0
+  %v2501 = select i1 %v2500, i64 %v167, i64 0
+  %v2502 = getelementptr double, ptr %v166, i64 %v2499
+  %v2503 = getelementptr double, ptr %v2502, i64 %v2501
+  %v2504 = load double, ptr %v2503, align 8, !noalias !338
+  %v2505 = getelementptr double, ptr %v821, i64 %v2497
+  %v2506 = load double, ptr %v2505, align 8, !noalias !338
+  store double %v2506, ptr %v2503, align 8, !noalias !338
+  store double %v2504, ptr %v2505, align 8, !noalias !338
+  %v2507 = icmp eq i64 %v19, %v2498
+  br i1 %v2507, label %v2493, label %v2494
+
+v2277:
+  %v2508 = phi i64 [ %v2509, %v2277 ], [ 0, %v2274 ]
+  %v2509 = add nsw i64 %v2508, 1
+  %v2510 = add nsw i64 %v2508, %v18
+  %v2511 = icmp slt i64 %v2510, 0
+  %v2512 = select i1 %v2511, i64 %v167, i64 0
+  %v2513 = getelementptr double, ptr %v166, i64 %v2510
+  %v2514 = getelementptr double, ptr %v2513, i64 %v2512
+  %v2515 = load double, ptr %v2514, align 8, !noalias !285
+  %v2516 = getelementptr double, ptr %v800, i64 %v2508
+  store double %v2515, ptr %v2516, align 8, !noalias !285
+  %v2517 = icmp eq i64 %v19, %v2509
+  br i1 %v2517, label %v2278, label %v2277
+
+v2278:
+  br label %v2492
+
+v2492:
+  %v2342 = phi ptr [ %v2341, %v2413 ], [ null, %v2278 ]
+  %v2518 = phi ptr [ %v2519, %v2413 ], [ null, %v2278 ]
+  %v2491 = phi i64 [ %v2520, %v2413 ], [ 32, %v2278 ]
+  %v2520 = add nsw i64 %v2491, -1
+  %v2521 = load double, ptr %v776, align 8, !noalias !339
+  %v2522 = load double, ptr %v134, align 8, !noalias !343
+  %v2523 = load double, ptr %v738, align 8, !noalias !343
+  %v2524 = fmul double %v2521, %v2523
+  %v2525 = fadd double %v2522, %v2524
+  store double %v2525, ptr %v740, align 8, !noalias !343
+  br i1 %v782, label %v2526, label %v2527
+
+v2526:
+  %v2528 = fsub double 1.000000e+00, %v2521
+  br label %v2529
+
+v2529:
+  %v2530 = phi i64 [ 0, %v2526 ], [ %v2531, %v2529 ]
+  %v2532 = mul i64 %v2530, %v197
+  %v2533 = getelementptr double, ptr %v194, i64 %v2532
+  %v2534 = getelementptr i8, ptr %v2533, i64 %v746
+  %v2535 = load double, ptr %v2534, align 8, !noalias !350
+  %v2536 = fadd double %v2535, 0.000000e+00
+  %v2537 = fmul double %v2521, %v2536
+  %v2538 = getelementptr i8, ptr %v2533, i64 %v747
+  %v2539 = load double, ptr %v2538, align 8, !noalias !350
+  %v2540 = fadd double %v2539, %v2537
+  %v2541 = fmul double %v2528, %v2540
+  %v2542 = getelementptr i8, ptr %v2533, i64 %v748
+  %v2543 = load double, ptr %v2542, align 8, !noalias !350
+  %v2544 = fadd double %v2543, %v2541
+  %v2545 = fmul double %v2521, %v2544
+  %v2546 = getelementptr i8, ptr %v2533, i64 %v749
+  %v2547 = load double, ptr %v2546, align 8, !noalias !350
+  %v2548 = fadd double %v2547, %v2545
+  %v2549 = fmul double %v2528, %v2548
+  %v2550 = getelementptr i8, ptr %v2533, i64 %v750
+  %v2551 = load double, ptr %v2550, align 8, !noalias !350
+  %v2552 = fadd double %v2551, %v2549
+  %v2553 = fmul double %v2521, %v2552
+  %v2554 = getelementptr i8, ptr %v2533, i64 %v751
+  %v2555 = load double, ptr %v2554, align 8, !noalias !350
+  %v2556 = fadd double %v2555, %v2553
+  %v2557 = fmul double %v2528, %v2556
+  %v2558 = getelementptr i8, ptr %v2533, i64 %v752
+  %v2559 = load double, ptr %v2558, align 8, !noalias !350
+  %v2560 = fadd double %v2559, %v2557
+  %v2561 = fmul double %v2521, %v2560
+  %v2531 = add nsw i64 %v2530, 1
+  %v2562 = load double, ptr %v2533, align 8, !noalias !350
+  %v2563 = fadd double %v2562, %v2561
+  %v2564 = getelementptr double, ptr %v803, i64 %v2532
+  store double %v2563, ptr %v2564, align 8, !noalias !343
+  %v2565 = icmp eq i64 %v10, %v2531
+  br i1 %v2565, label %v2527, label %v2529
+
+v2527:
+  %v2566 = load i64, ptr %v745, align 8, !noalias !354
+  %v2567 = inttoptr i64 %v2566 to ptr
+  tail call void %v2567(ptr nonnull %v740, ptr %v784, ptr %v166, ptr %v173, ptr %v180, ptr %v786), !noalias !354
+  br i1 %v789, label %v2568, label %v2569
+
+v2568:
+  %v2570 = phi i64 [ %v2571, %v2568 ], [ %v787, %v2527 ]
+  %v2572 = phi i64 [ %v2573, %v2568 ], [ %v19, %v2527 ]
+  %v2571 = add nsw i64 %v2570, -1
+  %v2573 = add i64 %v2572, 1
+  %v2574 = icmp slt i64 %v2572, 0
+  %v2575 = select i1 %v2574, i64 %v208, i64 0
+  %v2576 = add i64 %v2575, %v2572
+  %v2577 = getelementptr double, ptr %v793, i64 %v2576
+  %v2578 = load double, ptr %v2577, align 8, !noalias !357
+  %v2579 = getelementptr double, ptr %v796, i64 %v2576
+  store double %v2578, ptr %v2579, align 8, !noalias !357
+  %v2580 = icmp sgt i64 %v2570, 1
+  br i1 %v2580, label %v2568, label %v2569
+
+v2569:
+  br label %v2581
+
+v2582:
+  br label %v2583
+
+v2583:
+  %v2584 = phi double [ %v2521, %v2581 ], [ 1.000000e+00, %v2585 ], [ 8.889000e-01, %v2586 ], [ 2.500000e-01, %v2587 ], [ 3.333000e-01, %v2588 ], [ 5.000000e-01, %v2589 ], [ 0x3FE50A3D70A3D70A, %v2590 ], [ 7.500000e-01, %v2591 ], [ 0x3FB48E8A71DE69AD, %v2582 ]
+  %v2592 = fcmp ult double %v2584, %v2521
+  br i1 %v2592, label %v2593, label %v2594
+
+v2594:
+  %v2595 = load double, ptr %v134, align 8, !noalias !358
+  %v2596 = load double, ptr %v738, align 8, !noalias !358
+  %v2597 = fmul double %v2584, %v2596
+  %v2598 = fadd double %v2595, %v2597
+  store double %v2598, ptr %v740, align 8, !noalias !358
+  br i1 %v782, label %v2599, label %v2600
+
+v2599:
+  %v2601 = fsub double 1.000000e+00, %v2584
+  br label %v2602
+
+v2602:
+  %v2603 = phi i64 [ 0, %v2599 ], [ %v2604, %v2602 ]
+  %v2605 = mul i64 %v2603, %v197
+  %v2606 = getelementptr double, ptr %v194, i64 %v2605
+  %v2607 = getelementptr i8, ptr %v2606, i64 %v746
+  %v2608 = load double, ptr %v2607, align 8, !noalias !362
+  %v2609 = fadd double %v2608, 0.000000e+00
+  %v2610 = fmul double %v2584, %v2609
+  %v2611 = getelementptr i8, ptr %v2606, i64 %v747
+  %v2612 = load double, ptr %v2611, align 8, !noalias !362
+  %v2613 = fadd double %v2612, %v2610
+  %v2614 = fmul double %v2601, %v2613
+  %v2615 = getelementptr i8, ptr %v2606, i64 %v748
+  %v2616 = load double, ptr %v2615, align 8, !noalias !362
+  %v2617 = fadd double %v2616, %v2614
+  %v2618 = fmul double %v2584, %v2617
+  %v2619 = getelementptr i8, ptr %v2606, i64 %v749
+  %v2620 = load double, ptr %v2619, align 8, !noalias !362
+  %v2621 = fadd double %v2620, %v2618
+  %v2622 = fmul double %v2601, %v2621
+  %v2623 = getelementptr i8, ptr %v2606, i64 %v750
+  %v2624 = load double, ptr %v2623, align 8, !noalias !362
+  %v2625 = fadd double %v2624, %v2622
+  %v2626 = fmul double %v2584, %v2625
+  %v2627 = getelementptr i8, ptr %v2606, i64 %v751
+  %v2628 = load double, ptr %v2627, align 8, !noalias !362
+  %v2629 = fadd double %v2628, %v2626
+  %v2630 = fmul double %v2601, %v2629
+  %v2631 = getelementptr i8, ptr %v2606, i64 %v752
+  %v2632 = load double, ptr %v2631, align 8, !noalias !362
+  %v2633 = fadd double %v2632, %v2630
+  %v2634 = fmul double %v2584, %v2633
+  %v2604 = add nsw i64 %v2603, 1
+  %v2635 = load double, ptr %v2606, align 8, !noalias !362
+  %v2636 = fadd double %v2635, %v2634
+  %v2637 = getelementptr double, ptr %v743, i64 %v2605
+  store double %v2636, ptr %v2637, align 8, !noalias !358
+  %v2638 = icmp eq i64 %v10, %v2604
+  br i1 %v2638, label %v2600, label %v2602
+
+v2639:
+  %v2640 = load i64, ptr %v809, align 8, !noalias !366
+  %v2641 = inttoptr i64 %v2640 to ptr
+  tail call void %v2641(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !366
+  br label %v2593
+
+v2642:
+  %v2643 = phi i64 [ %v2644, %v2642 ], [ 0, %v2645 ]
+  %v2644 = add nsw i64 %v2643, 1
+  %v2646 = add nsw i64 %v2643, %v18
+  %v2647 = icmp slt i64 %v2646, 0
+  %v2648 = select i1 %v2647, i64 %v167, i64 0
+  %v2649 = getelementptr double, ptr %v166, i64 %v2646
+  %v2650 = getelementptr double, ptr %v2649, i64 %v2648
+  %v2651 = load double, ptr %v2650, align 8, !noalias !372
+  %v2652 = getelementptr double, ptr %v795, i64 %v2643
+  %v2653 = load double, ptr %v2652, align 8, !noalias !372
+  store double %v2653, ptr %v2650, align 8, !noalias !372
+  store double %v2651, ptr %v2652, align 8, !noalias !372
+  %v2654 = icmp eq i64 %v19, %v2644
+  br i1 %v2654, label %v2639, label %v2642
+
+v2593:
+  %v2655 = icmp ugt i64 %v2656, 1
+  br i1 %v2655, label %v2581, label %v2657
+
+v2657:
+  br i1 %v292, label %v2658, label %v2659
+
+v2659:
+  %v2660 = load i64, ptr %v809, align 8, !noalias !373
+  %v2661 = inttoptr i64 %v2660 to ptr
+  tail call void %v2661(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !373
+  br label %v2662
+
+v2658:
+  %v2663 = phi i64 [ %v2664, %v2658 ], [ 0, %v2657 ]
+  %v2664 = add nsw i64 %v2663, 1
+  %v2665 = add nsw i64 %v2663, %v18
+  %v2666 = icmp slt i64 %v2665, 0
+  %v2667 = select i1 %v2666, i64 %v167, i64 0
+  %v2668 = getelementptr double, ptr %v166, i64 %v2665
+  %v2669 = getelementptr double, ptr %v2668, i64 %v2667
+  %v2670 = load double, ptr %v2669, align 8, !noalias !379
+  %v2671 = getelementptr double, ptr %v795, i64 %v2663
+  %v2672 = load double, ptr %v2671, align 8, !noalias !379
+  store double %v2672, ptr %v2669, align 8, !noalias !379
+  store double %v2670, ptr %v2671, align 8, !noalias !379
+  %v2673 = icmp eq i64 %v2664, %v19
+  br i1 %v2673, label %v2659, label %v2658
+
+v2581:
+  %v2656 = phi i64 [ %v2674, %v2593 ], [ 9, %v2569 ]
+  %v2675 = phi i64 [ %v2676, %v2593 ], [ 8, %v2569 ]
+  %v2674 = add nsw i64 %v2656, -1
+  %v2676 = add nsw i64 %v2675, -1
+  switch i64 %v2675, label %v2662 [
+    i64 0, label %v2583
+    i64 -1, label %v2585
+    i64 8, label %v2585
+    i64 1, label %v2582
+    i64 -8, label %v2582
+    i64 2, label %v2587
+    i64 -7, label %v2587
+    i64 3, label %v2588
+    i64 -6, label %v2588
+    i64 4, label %v2589
+    i64 -5, label %v2589
+    i64 5, label %v2590
+    i64 -4, label %v2590
+    i64 6, label %v2591
+    i64 -3, label %v2591
+    i64 7, label %v2586
+    i64 -2, label %v2586
+  ]
+
+v2587:
+  br label %v2583
+
+v2588:
+  br label %v2583
+
+v2589:
+  br label %v2583
+
+v2590:
+  br label %v2583
+
+v2591:
+  br label %v2583
+
+v2586:
+  br label %v2583
+
+v2585:
+  br label %v2583
+
+v2600:
+  %v2677 = load i64, ptr %v6, align 8, !noalias !380
+  %v2678 = inttoptr i64 %v2677 to ptr
+  tail call void %v2678(ptr nonnull %v740, ptr %v806, ptr %v166, ptr %v173, ptr %v180, ptr %v808), !noalias !380
+  br i1 %v292, label %v2679, label %v2680
+
+v2680:
+  %v2681 = load i64, ptr %v809, align 8, !noalias !383
+  %v2682 = inttoptr i64 %v2681 to ptr
+  tail call void %v2682(ptr nonnull %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !383
+  %v2683 = load i64, ptr %v6, align 8, !noalias !389
+  %v2684 = inttoptr i64 %v2683 to ptr
+  tail call void %v2684(ptr nonnull %v740, ptr %v806, ptr %v166, ptr %v173, ptr %v180, ptr %v811), !noalias !389
+  %v2685 = load double, ptr %v24, align 8, !noalias !392
+  %v2686 = load double, ptr %v812, align 8, !noalias !392
+  br label %v2687
+
+v2679:
+  %v2688 = phi i64 [ %v2689, %v2679 ], [ 0, %v2600 ]
+  %v2689 = add nsw i64 %v2688, 1
+  %v2690 = add nsw i64 %v2688, %v18
+  %v2691 = icmp slt i64 %v2690, 0
+  %v2692 = select i1 %v2691, i64 %v167, i64 0
+  %v2693 = getelementptr double, ptr %v166, i64 %v2690
+  %v2694 = getelementptr double, ptr %v2693, i64 %v2692
+  %v2695 = load double, ptr %v2694, align 8, !noalias !396
+  %v2696 = getelementptr double, ptr %v795, i64 %v2688
+  %v2697 = load double, ptr %v2696, align 8, !noalias !396
+  store double %v2697, ptr %v2694, align 8, !noalias !396
+  store double %v2695, ptr %v2696, align 8, !noalias !396
+  %v2698 = icmp eq i64 %v19, %v2689
+  br i1 %v2698, label %v2680, label %v2679
+
+v2687:
+  %v2699 = phi i64 [ 0, %v2680 ], [ %v2700, %v2701 ]
+  %v2702 = icmp eq i64 %v2699, %v801
+  br i1 %v2702, label %v2645, label %v2701
+
+v2645:
+  br i1 %v292, label %v2642, label %v2639
+
+v2701:
+  %v2700 = add i64 %v2699, 1
+  %v2703 = mul i64 %v2699, %v197
+  %v2704 = getelementptr double, ptr %v814, i64 %v2703
+  %v2705 = load double, ptr %v2704, align 8, !noalias !392
+  %v2706 = getelementptr double, ptr %v816, i64 %v2703
+  %v2707 = load double, ptr %v2706, align 8, !noalias !392
+  %v2708 = fsub double %v2705, %v2707
+  %v2709 = tail call double @llvm.fabs.f64(double %v2708)
+  %v2710 = getelementptr double, ptr %v194, i64 %v2703
+  %v2711 = load double, ptr %v2710, align 8, !noalias !392
+  %v2712 = tail call double @llvm.fabs.f64(double %v2711)
+  %v2713 = fmul double %v2685, %v2712
+  %v2714 = fadd double %v2686, %v2713
+  %v2715 = load double, ptr %v738, align 8, !noalias !392
+  %v2716 = fmul double %v2715, %v2709
+  %v2717 = fmul double %v2714, 1.000000e-01
+  %v2718 = fcmp ugt double %v2716, %v2717
+  br i1 %v2718, label %v2662, label %v2687
+
+v2662:
+  %v2719 = phi i1 [ false, %v2701 ], [ true, %v2659 ], [ true, %v2581 ]
+  %v2519 = phi ptr [ %v2518, %v2701 ], [ %v2518, %v2659 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2581 ]
+  %v2720 = phi i1 [ true, %v2701 ], [ true, %v2659 ], [ false, %v2581 ]
+  %v2721 = phi i32 [ 0, %v2701 ], [ 0, %v2659 ], [ 1, %v2581 ]
+  br i1 %v2720, label %v2283, label %v2345, !prof !131
+
+v2283:
+  br i1 %v2719, label %v2279, label %v2350
+
+v2344:
+  %v2722 = load double, ptr %v776, align 8, !noalias !285
   store i8 0, ptr %v287, align 1, !noalias !285
-  %v2726 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v287, ptr %v288, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double %v2725)
-  %v2727 = icmp eq i32 %v2726, 0
-  br i1 %v2727, label %v2418, label %v2728, !prof !131
+  %v2723 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1314Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2011_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v287, ptr %v288, i64 %v13, ptr nonnull readonly %v93, i64 %v94, ptr %v125, i64 %v126, i64 %v127, ptr nonnull %v134, i64 %v136, ptr %v143, i64 %v145, ptr %v205, i64 %v206, i64 %v207, i64 %v208, double %v2722)
+  %v2724 = icmp eq i32 %v2723, 0
+  br i1 %v2724, label %v2415, label %v2725, !prof !131
 
-v2728:
-  %v2729 = load ptr, ptr %v288, align 8, !noalias !285
-  br label %v2357
+v2725:
+  %v2726 = load ptr, ptr %v288, align 8, !noalias !285
+  br label %v2354
 
-v2418:
-  %v2730 = load i8, ptr %v287, align 1, !noalias !285
-  %v2731 = icmp eq i8 %v2730, 0
-  br i1 %v2731, label %v2349, label %v2417
+v2415:
+  %v2727 = load i8, ptr %v287, align 1, !noalias !285
+  %v2728 = icmp eq i8 %v2727, 0
+  br i1 %v2728, label %v2346, label %v2414
 
-v2348:
-  %v2732 = phi ptr [ %v2344, %v2289 ], [ %v2522, %v2665 ]
-  %v2733 = phi i32 [ %v2346, %v2289 ], [ %v2724, %v2665 ]
-  %v2734 = icmp ne i32 %v2733, 0
-  br label %v2357
+v2345:
+  %v2729 = phi ptr [ %v2341, %v2286 ], [ %v2519, %v2662 ]
+  %v2730 = phi i32 [ %v2343, %v2286 ], [ %v2721, %v2662 ]
+  %v2731 = icmp ne i32 %v2730, 0
+  br label %v2354
 
-v2357:
-  %v2735 = phi i1 [ true, %v2352 ], [ false, %v2496 ], [ true, %v2728 ], [ %v2734, %v2348 ]
-  %v2736 = phi ptr [ null, %v2352 ], [ null, %v2496 ], [ %v2729, %v2728 ], [ %v2732, %v2348 ]
-  %v2737 = phi i1 [ false, %v2352 ], [ false, %v2496 ], [ true, %v2728 ], [ %v2734, %v2348 ]
+v2354:
+  %v2732 = phi i1 [ true, %v2349 ], [ false, %v2493 ], [ true, %v2725 ], [ %v2731, %v2345 ]
+  %v2733 = phi ptr [ null, %v2349 ], [ null, %v2493 ], [ %v2726, %v2725 ], [ %v2729, %v2345 ]
+  %v2734 = phi i1 [ false, %v2349 ], [ false, %v2493 ], [ true, %v2725 ], [ %v2731, %v2345 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v287), !noalias !180
   call void @llvm.lifetime.end.p0(ptr nonnull %v288), !noalias !180
-  %v2738 = select i1 %v2737, ptr %v2736, ptr null, !prof !397
-  %v2739 = xor i1 %v2737, true
-  br i1 %v2735, label %v2275, label %v2740, !prof !398
+  %v2735 = select i1 %v2734, ptr %v2733, ptr null, !prof !397
+  %v2736 = xor i1 %v2734, true
+  br i1 %v2732, label %v2272, label %v2737, !prof !398
 
-v2740:
-  %v2741 = load double, ptr %v829, align 8, !noalias !180
-  %v2742 = fcmp olt double %v2741, 5.000000e-01
-  br i1 %v2742, label %v2275, label %v2263
+v2737:
+  %v2738 = load double, ptr %v827, align 8, !noalias !180
+  %v2739 = fcmp olt double %v2738, 5.000000e-01
+  br i1 %v2739, label %v2272, label %v2260
 
-v2263:
-  store double 1.000000e+00, ptr %v845, align 8, !noalias !180
-  %v2743 = load double, ptr %v772, align 8, !noalias !399
-  %v2744 = load double, ptr %v93, align 8, !noalias !399
-  %v2745 = fsub double %v2743, %v2744
-  %v2746 = fmul double %v2745, 1.000000e-13
-  %v2747 = load double, ptr %v134, align 8, !noalias !399
-  %v2748 = tail call double @llvm.fabs.f64(double %v2747)
-  %v2749 = fmul double %v2748, 4.000000e-15
-  %v2750 = fcmp ogt double %v2749, %v2746
-  %v2751 = select i1 %v2750, double %v2749, double %v2746
-  %v2752 = load double, ptr %v778, align 8, !noalias !180
-  %v2753 = fdiv double %v2751, %v1734
-  %v2754 = fcmp ogt double %v2753, %v2752
-  %v2755 = select i1 %v2754, double %v2753, double %v2752
-  %v2756 = fcmp ult double %v2755, 1.000000e+00
-  br i1 %v2756, label %v2757, label %v2275
+v2260:
+  store double 1.000000e+00, ptr %v843, align 8, !noalias !180
+  %v2740 = load double, ptr %v770, align 8, !noalias !399
+  %v2741 = load double, ptr %v93, align 8, !noalias !399
+  %v2742 = fsub double %v2740, %v2741
+  %v2743 = fmul double %v2742, 1.000000e-13
+  %v2744 = load double, ptr %v134, align 8, !noalias !399
+  %v2745 = tail call double @llvm.fabs.f64(double %v2744)
+  %v2746 = fmul double %v2745, 4.000000e-15
+  %v2747 = fcmp ogt double %v2746, %v2743
+  %v2748 = select i1 %v2747, double %v2746, double %v2743
+  %v2749 = load double, ptr %v776, align 8, !noalias !180
+  %v2750 = fdiv double %v2748, %v1731
+  %v2751 = fcmp ogt double %v2750, %v2749
+  %v2752 = select i1 %v2751, double %v2750, double %v2749
+  %v2753 = fcmp ult double %v2752, 1.000000e+00
+  br i1 %v2753, label %v2754, label %v2272
+
+v2754:
+  %v2755 = fsub double 1.000000e+00, %v2752
+  br i1 %v708, label %v2756, label %v2757
+
+v2756:
+  %v2758 = load double, ptr %v845, align 8, !noalias !180
+  %v2759 = fmul double %v2752, 4.000000e+00
+  %v2760 = fmul double %v2759, %v2755
+  %v2761 = fmul double %v2760, %v2758
+  %v2762 = fmul double %v2760, %v2761
+  %v2763 = fcmp olt double %v2762, 5.000000e-04
+  br i1 %v2763, label %v2764, label %v2757
+
+v2764:
+  %v2765 = load double, ptr %v738, align 8, !noalias !403
+  %v2766 = fmul double %v2752, %v2765
+  %v2767 = fadd double %v2744, %v2766
+  store double %v2767, ptr %v740, align 8, !noalias !403
+  br i1 %v742, label %v2768, label %v2769
+
+v2769:
+  %v2770 = phi i64 [ %v2771, %v2769 ], [ 0, %v2764 ]
+  %v2772 = mul i64 %v2770, %v197
+  %v2773 = getelementptr double, ptr %v194, i64 %v2772
+  %v2774 = getelementptr i8, ptr %v2773, i64 %v746
+  %v2775 = load double, ptr %v2774, align 8, !noalias !410
+  %v2776 = fadd double %v2775, 0.000000e+00
+  %v2777 = fmul double %v2752, %v2776
+  %v2778 = getelementptr i8, ptr %v2773, i64 %v747
+  %v2779 = load double, ptr %v2778, align 8, !noalias !410
+  %v2780 = fadd double %v2779, %v2777
+  %v2781 = fmul double %v2755, %v2780
+  %v2782 = getelementptr i8, ptr %v2773, i64 %v748
+  %v2783 = load double, ptr %v2782, align 8, !noalias !410
+  %v2784 = fadd double %v2783, %v2781
+  %v2785 = fmul double %v2752, %v2784
+  %v2786 = getelementptr i8, ptr %v2773, i64 %v749
+  %v2787 = load double, ptr %v2786, align 8, !noalias !410
+  %v2788 = fadd double %v2787, %v2785
+  %v2789 = fmul double %v2755, %v2788
+  %v2790 = getelementptr i8, ptr %v2773, i64 %v750
+  %v2791 = load double, ptr %v2790, align 8, !noalias !410
+  %v2792 = fadd double %v2791, %v2789
+  %v2793 = fmul double %v2752, %v2792
+  %v2794 = getelementptr i8, ptr %v2773, i64 %v751
+  %v2795 = load double, ptr %v2794, align 8, !noalias !410
+  %v2796 = fadd double %v2795, %v2793
+  %v2797 = fmul double %v2755, %v2796
+  %v2798 = getelementptr i8, ptr %v2773, i64 %v752
+  %v2799 = load double, ptr %v2798, align 8, !noalias !410
+  %v2800 = fadd double %v2799, %v2797
+  %v2801 = fmul double %v2752, %v2800
+  %v2771 = add nsw i64 %v2770, 1
+  %v2802 = load double, ptr %v2773, align 8, !noalias !410
+  %v2803 = fadd double %v2802, %v2801
+  %v2804 = getelementptr double, ptr %v743, i64 %v2772
+  store double %v2803, ptr %v2804, align 8, !noalias !403
+  %v2805 = icmp eq i64 %v10, %v2771
+  br i1 %v2805, label %v2806, label %v2769
+
+v2768:
+  %v2807 = load double, ptr %v740, align 8, !noalias !414
+  store double %v2807, ptr %v772, align 8, !noalias !414
+  br label %v2808
+
+v2808:
+  %v2809 = load i64, ptr %v6, align 8, !noalias !415
+  %v2810 = inttoptr i64 %v2809 to ptr
+  tail call void %v2810(ptr nonnull %v740, ptr %v855, ptr %v166, ptr %v173, ptr %v180, ptr %v857), !noalias !415
+  %v2811 = load i64, ptr %v745, align 8, !noalias !418
+  %v2812 = inttoptr i64 %v2811 to ptr
+  tail call void %v2812(ptr nonnull %v740, ptr %v859, ptr %v166, ptr %v173, ptr %v180, ptr %v861), !noalias !418
+  br label %v2272
+
+v2806:
+  %v2813 = load double, ptr %v740, align 8, !noalias !414
+  store double %v2813, ptr %v772, align 8, !noalias !414
+  br label %v2814
+
+v2814:
+  %v2815 = phi i64 [ 0, %v2806 ], [ %v2816, %v2814 ]
+  %v2816 = add nsw i64 %v2815, 1
+  %v2817 = mul i64 %v2815, %v197
+  %v2818 = getelementptr double, ptr %v743, i64 %v2817
+  %v2819 = load double, ptr %v2818, align 8, !noalias !414
+  %v2820 = getelementptr double, ptr %v852, i64 %v2817
+  store double %v2819, ptr %v2820, align 8, !noalias !414
+  %v2821 = icmp eq i64 %v10, %v2816
+  br i1 %v2821, label %v2808, label %v2814
 
 v2757:
-  %v2758 = fsub double 1.000000e+00, %v2755
-  br i1 %v710, label %v2759, label %v2760
+  %v2822 = fmul double %v2748, 2.000000e+00
+  %v2823 = fcmp ogt double %v1731, %v2822
+  br i1 %v2823, label %v2824, label %v2272
 
-v2759:
-  %v2761 = load double, ptr %v847, align 8, !noalias !180
-  %v2762 = fmul double %v2755, 4.000000e+00
-  %v2763 = fmul double %v2762, %v2758
-  %v2764 = fmul double %v2763, %v2761
-  %v2765 = fmul double %v2763, %v2764
-  %v2766 = fcmp olt double %v2765, 5.000000e-04
-  br i1 %v2766, label %v2767, label %v2760
+v2824:
+  %v2825 = load double, ptr %v772, align 8, !noalias !180
+  %v2826 = tail call double @llvm.fabs.f64(double %v2825)
+  %v2827 = fmul double %v2826, 4.000000e-15
+  %v2828 = fmul double %v1731, 0x3D719799812DEA11
+  %v2829 = fcmp ogt double %v2827, %v2828
+  %v2830 = select i1 %v2829, double %v2827, double %v2828
+  %v2831 = load double, ptr %v768, align 8, !noalias !180
+  %v2832 = fsub double 1.000000e+00, %v2831
+  %v2833 = fmul double %v1731, %v2832
+  %v2834 = fcmp ogt double %v2833, %v2830
+  br i1 %v2834, label %v2835, label %v2272
 
-v2767:
-  %v2768 = load double, ptr %v740, align 8, !noalias !403
-  %v2769 = fmul double %v2755, %v2768
-  %v2770 = fadd double %v2747, %v2769
-  store double %v2770, ptr %v742, align 8, !noalias !403
-  br i1 %v744, label %v2771, label %v2772
-
-v2772:
-  %v2773 = phi i64 [ %v2774, %v2772 ], [ 0, %v2767 ]
-  %v2775 = mul i64 %v2773, %v197
-  %v2776 = getelementptr double, ptr %v194, i64 %v2775
-  %v2777 = getelementptr i8, ptr %v2776, i64 %v748
-  %v2778 = load double, ptr %v2777, align 8, !noalias !410
-  %v2779 = fadd double %v2778, 0.000000e+00
-  %v2780 = fmul double %v2755, %v2779
-  %v2781 = getelementptr i8, ptr %v2776, i64 %v749
-  %v2782 = load double, ptr %v2781, align 8, !noalias !410
-  %v2783 = fadd double %v2782, %v2780
-  %v2784 = fmul double %v2758, %v2783
-  %v2785 = getelementptr i8, ptr %v2776, i64 %v750
-  %v2786 = load double, ptr %v2785, align 8, !noalias !410
-  %v2787 = fadd double %v2786, %v2784
-  %v2788 = fmul double %v2755, %v2787
-  %v2789 = getelementptr i8, ptr %v2776, i64 %v751
-  %v2790 = load double, ptr %v2789, align 8, !noalias !410
-  %v2791 = fadd double %v2790, %v2788
-  %v2792 = fmul double %v2758, %v2791
-  %v2793 = getelementptr i8, ptr %v2776, i64 %v752
-  %v2794 = load double, ptr %v2793, align 8, !noalias !410
-  %v2795 = fadd double %v2794, %v2792
-  %v2796 = fmul double %v2755, %v2795
-  %v2797 = getelementptr i8, ptr %v2776, i64 %v753
-  %v2798 = load double, ptr %v2797, align 8, !noalias !410
-  %v2799 = fadd double %v2798, %v2796
-  %v2800 = fmul double %v2758, %v2799
-  %v2801 = getelementptr i8, ptr %v2776, i64 %v754
-  %v2802 = load double, ptr %v2801, align 8, !noalias !410
-  %v2803 = fadd double %v2802, %v2800
-  %v2804 = fmul double %v2755, %v2803
-  %v2774 = add nsw i64 %v2773, 1
-  %v2805 = load double, ptr %v2776, align 8, !noalias !410
-  %v2806 = fadd double %v2805, %v2804
-  %v2807 = getelementptr double, ptr %v745, i64 %v2775
-  store double %v2806, ptr %v2807, align 8, !noalias !403
-  %v2808 = icmp eq i64 %v10, %v2774
-  br i1 %v2808, label %v2809, label %v2772
-
-v2771:
-  %v2810 = load double, ptr %v742, align 8, !noalias !414
-  store double %v2810, ptr %v774, align 8, !noalias !414
-  br label %v2811
-
-v2811:
-  %v2812 = load i64, ptr %v6, align 8, !noalias !415
-  %v2813 = inttoptr i64 %v2812 to ptr
-  tail call void %v2813(ptr nonnull %v742, ptr %v857, ptr %v166, ptr %v173, ptr %v180, ptr %v859), !noalias !415
-  %v2814 = load i64, ptr %v747, align 8, !noalias !418
-  %v2815 = inttoptr i64 %v2814 to ptr
-  tail call void %v2815(ptr nonnull %v742, ptr %v861, ptr %v166, ptr %v173, ptr %v180, ptr %v863), !noalias !418
-  br label %v2275
-
-v2809:
-  %v2816 = load double, ptr %v742, align 8, !noalias !414
-  store double %v2816, ptr %v774, align 8, !noalias !414
-  br label %v2817
-
-v2817:
-  %v2818 = phi i64 [ 0, %v2809 ], [ %v2819, %v2817 ]
-  %v2819 = add nsw i64 %v2818, 1
-  %v2820 = mul i64 %v2818, %v197
-  %v2821 = getelementptr double, ptr %v745, i64 %v2820
-  %v2822 = load double, ptr %v2821, align 8, !noalias !414
-  %v2823 = getelementptr double, ptr %v854, i64 %v2820
-  store double %v2822, ptr %v2823, align 8, !noalias !414
-  %v2824 = icmp eq i64 %v10, %v2819
-  br i1 %v2824, label %v2811, label %v2817
-
-v2760:
-  %v2825 = fmul double %v2751, 2.000000e+00
-  %v2826 = fcmp ogt double %v1734, %v2825
-  br i1 %v2826, label %v2827, label %v2275
-
-v2827:
-  %v2828 = load double, ptr %v774, align 8, !noalias !180
-  %v2829 = tail call double @llvm.fabs.f64(double %v2828)
-  %v2830 = fmul double %v2829, 4.000000e-15
-  %v2831 = fmul double %v1734, 0x3D719799812DEA11
-  %v2832 = fcmp ogt double %v2830, %v2831
-  %v2833 = select i1 %v2832, double %v2830, double %v2831
-  %v2834 = load double, ptr %v770, align 8, !noalias !180
-  %v2835 = fsub double 1.000000e+00, %v2834
-  %v2836 = fmul double %v1734, %v2835
-  %v2837 = fcmp ogt double %v2836, %v2833
-  br i1 %v2837, label %v2838, label %v2275
-
-v2838:
-  %v2839 = fmul double %v1734, %v2755
+v2835:
+  %v2836 = fmul double %v1731, %v2752
+  store double 0.000000e+00, ptr %v847, align 8, !noalias !421
   store double 0.000000e+00, ptr %v849, align 8, !noalias !421
-  store double 0.000000e+00, ptr %v851, align 8, !noalias !421
-  store double %v2839, ptr %v852, align 8, !noalias !421
-  %v2840 = load i64, ptr %v143, align 8, !noalias !421
-  %v2841 = icmp slt i64 %v2840, 0
-  %v2842 = select i1 %v2841, i64 %v126, i64 0
-  %v2843 = add i64 %v2842, %v2840
-  %v2844 = mul i64 %v2843, %v127
-  %v2845 = getelementptr i64, ptr %v125, i64 %v2844
-  %v2846 = load i64, ptr %v2845, align 8, !noalias !421
-  %v2847 = add nsw i64 %v2846, -1
-  store i64 %v2847, ptr %v2845, align 8, !noalias !421
-  %v2848 = load i64, ptr %v143, align 8, !noalias !421
-  %v2849 = icmp slt i64 %v2848, 0
-  %v2850 = select i1 %v2849, i64 %v126, i64 0
-  %v2851 = add i64 %v2850, %v2848
-  %v2852 = mul i64 %v2851, %v127
-  %v2853 = getelementptr i64, ptr %v125, i64 %v2852
-  %v2854 = getelementptr i8, ptr %v2853, i64 24
-  %v2855 = load i64, ptr %v2854, align 8, !noalias !421
-  %v2856 = add nsw i64 %v2855, 1
-  store i64 %v2856, ptr %v2854, align 8, !noalias !421
-  br label %v2275
+  store double %v2836, ptr %v850, align 8, !noalias !421
+  %v2837 = load i64, ptr %v143, align 8, !noalias !421
+  %v2838 = icmp slt i64 %v2837, 0
+  %v2839 = select i1 %v2838, i64 %v126, i64 0
+  %v2840 = add i64 %v2839, %v2837
+  %v2841 = mul i64 %v2840, %v127
+  %v2842 = getelementptr i64, ptr %v125, i64 %v2841
+  %v2843 = load i64, ptr %v2842, align 8, !noalias !421
+  %v2844 = add nsw i64 %v2843, -1
+  store i64 %v2844, ptr %v2842, align 8, !noalias !421
+  %v2845 = load i64, ptr %v143, align 8, !noalias !421
+  %v2846 = icmp slt i64 %v2845, 0
+  %v2847 = select i1 %v2846, i64 %v126, i64 0
+  %v2848 = add i64 %v2847, %v2845
+  %v2849 = mul i64 %v2848, %v127
+  %v2850 = getelementptr i64, ptr %v125, i64 %v2849
+  %v2851 = getelementptr i8, ptr %v2850, i64 24
+  %v2852 = load i64, ptr %v2851, align 8, !noalias !421
+  %v2853 = add nsw i64 %v2852, 1
+  store i64 %v2853, ptr %v2851, align 8, !noalias !421
+  br label %v2272
 
-v1802:
-  br i1 %v291, label %v1877, label %v2276
+v1799:
+  br i1 %v291, label %v1874, label %v2273
 
-v2275:
-  %v2857 = phi ptr [ null, %v2811 ], [ null, %v2838 ], [ null, %v2760 ], [ null, %v2263 ], [ null, %v2740 ], [ null, %v2208 ], [ null, %v2827 ], [ %v2738, %v2357 ]
-  %v2858 = phi i1 [ true, %v2811 ], [ true, %v2838 ], [ true, %v2760 ], [ true, %v2263 ], [ true, %v2740 ], [ true, %v2208 ], [ true, %v2827 ], [ %v2739, %v2357 ]
-  br i1 %v2858, label %v1574, label %v1487, !prof !131
+v2272:
+  %v2854 = phi ptr [ null, %v2808 ], [ null, %v2835 ], [ null, %v2757 ], [ null, %v2260 ], [ null, %v2737 ], [ null, %v2205 ], [ null, %v2824 ], [ %v2735, %v2354 ]
+  %v2855 = phi i1 [ true, %v2808 ], [ true, %v2835 ], [ true, %v2757 ], [ true, %v2260 ], [ true, %v2737 ], [ true, %v2205 ], [ true, %v2824 ], [ %v2736, %v2354 ]
+  br i1 %v2855, label %v1571, label %v1484, !prof !131
 
-v1574:
-  %v2859 = select i1 %v1394, i1 true, i1 %v673
-  %v2860 = select i1 %v2859, i64 0, i64 %v12
-  br label %v1487
+v1571:
+  %v2856 = select i1 %v1391, i1 true, i1 %v671
+  %v2857 = select i1 %v2856, i64 0, i64 %v12
+  br label %v1484
+
+v2858:
+  %v2859 = phi i64 [ 0, %v1477 ], [ %v2860, %v2861 ]
+  %v2862 = phi i64 [ %v700, %v1477 ], [ %v2863, %v2861 ]
+  %v2864 = icmp sgt i64 %v2862, 0
+  br i1 %v2864, label %v2861, label %v1478
+
+v1477:
+  %v2865 = load double, ptr %v699, align 8, !noalias !424
+  store double %v2865, ptr %v685, align 8, !noalias !424
+  br label %v2858
 
 v2861:
-  %v2862 = phi i64 [ 0, %v1480 ], [ %v2863, %v2864 ]
-  %v2865 = phi i64 [ %v702, %v1480 ], [ %v2866, %v2864 ]
-  %v2867 = icmp sgt i64 %v2865, 0
-  br i1 %v2867, label %v2864, label %v1481
+  %v2863 = add nsw i64 %v2862, -1
+  %v2860 = add i64 %v2859, 1
+  %v2866 = getelementptr double, ptr %v702, i64 %v2859
+  %v2867 = icmp slt i64 %v2859, 0
+  %v2868 = select i1 %v2867, i64 %v208, i64 0
+  %v2869 = getelementptr double, ptr %v2866, i64 %v2868
+  %v2870 = load double, ptr %v2869, align 8, !noalias !424
+  %v2871 = fcmp olt double %v2870, 0x7FF0000000000000
+  %v2872 = select i1 %v2871, double %v2870, double 0x7FF0000000000000
+  %v2873 = fcmp ogt double %v2870, 0xFFF0000000000000
+  %v2874 = select i1 %v2873, double %v2870, double 0xFFF0000000000000
+  %v2875 = getelementptr double, ptr %v2869, i64 %v701
+  %v2876 = load double, ptr %v2875, align 8, !noalias !424
+  %v2877 = fcmp olt double %v2876, %v2872
+  %v2878 = select i1 %v2877, double %v2876, double %v2872
+  %v2879 = fcmp ogt double %v2876, %v2874
+  %v2880 = select i1 %v2879, double %v2876, double %v2874
+  %v2881 = getelementptr i8, ptr %v2869, i64 %v1032
+  %v2882 = load double, ptr %v2881, align 8, !noalias !424
+  %v2883 = fcmp olt double %v2882, %v2878
+  %v2884 = select i1 %v2883, double %v2882, double %v2878
+  %v2885 = fcmp ogt double %v2882, %v2880
+  %v2886 = select i1 %v2885, double %v2882, double %v2880
+  %v2887 = getelementptr i8, ptr %v2869, i64 %v1033
+  %v2888 = load double, ptr %v2887, align 8, !noalias !424
+  %v2889 = fcmp olt double %v2888, %v2884
+  %v2890 = select i1 %v2889, double %v2888, double %v2884
+  %v2891 = fcmp ogt double %v2888, %v2886
+  %v2892 = select i1 %v2891, double %v2888, double %v2886
+  %v2893 = getelementptr i8, ptr %v2869, i64 %v1034
+  %v2894 = load double, ptr %v2893, align 8, !noalias !424
+  %v2895 = fcmp olt double %v2894, %v2890
+  %v2896 = select i1 %v2895, double %v2894, double %v2890
+  %v2897 = fcmp ogt double %v2894, %v2892
+  %v2898 = select i1 %v2897, double %v2894, double %v2892
+  %v2899 = getelementptr i8, ptr %v2869, i64 %v1035
+  %v2900 = load double, ptr %v2899, align 8, !noalias !424
+  %v2901 = fcmp olt double %v2900, %v2896
+  %v2902 = select i1 %v2901, double %v2900, double %v2896
+  %v2903 = fcmp ogt double %v2900, %v2898
+  %v2904 = select i1 %v2903, double %v2900, double %v2898
+  %v2905 = getelementptr i8, ptr %v2869, i64 %v1036
+  %v2906 = load double, ptr %v2905, align 8, !noalias !424
+  %v2907 = fcmp olt double %v2906, %v2902
+  %v2908 = select i1 %v2907, double %v2906, double %v2902
+  %v2909 = fcmp ogt double %v2906, %v2904
+  %v2910 = select i1 %v2909, double %v2906, double %v2904
+  %v2911 = getelementptr i8, ptr %v2869, i64 %v1037
+  %v2912 = load double, ptr %v2911, align 8, !noalias !424
+  %v2913 = fcmp olt double %v2912, %v2908
+  %v2914 = select i1 %v2913, double %v2912, double %v2908
+  %v2915 = fcmp ogt double %v2912, %v2910
+  %v2916 = select i1 %v2915, double %v2912, double %v2910
+  %v2917 = getelementptr i8, ptr %v2869, i64 %v1038
+  %v2918 = load double, ptr %v2917, align 8, !noalias !424
+  %v2919 = fcmp olt double %v2918, %v2914
+  %v2920 = select i1 %v2919, double %v2918, double %v2914
+  %v2921 = fcmp ogt double %v2918, %v2916
+  %v2922 = select i1 %v2921, double %v2918, double %v2916
+  %v2923 = fsub double %v2922, %v2920
+  %v2924 = fmul double %v2923, 2.500000e-01
+  %v2925 = icmp slt i64 %v2859, 0
+  %v2926 = select i1 %v2925, i64 %v208, i64 0
+  %v2927 = add i64 %v2926, %v2859
+  %v2928 = getelementptr double, ptr %v704, i64 %v2927
+  %v2929 = getelementptr double, ptr %v705, i64 %v2927
+  %v2930 = getelementptr double, ptr %v2928, i64 %v703
+  %v2931 = load double, ptr %v2930, align 8, !noalias !425
+  %v2932 = load double, ptr %v2929, align 8, !noalias !425
+  %v2933 = fmul double %v2932, 0x3FDDF27AAAADCB3A
+  %v2934 = fsub double %v2931, %v2933
+  %v2935 = getelementptr i8, ptr %v2929, i64 %v1039
+  %v2936 = load double, ptr %v2935, align 8, !noalias !425
+  %v2937 = fmul double %v2936, 0x3FEC575F1EBC4F2F
+  %v2938 = fsub double %v2934, %v2937
+  %v2939 = getelementptr i8, ptr %v2929, i64 %v1040
+  %v2940 = load double, ptr %v2939, align 8, !noalias !425
+  %v2941 = fmul double %v2940, 0xBFE1306AA3D795F4
+  %v2942 = fsub double %v2938, %v2941
+  %v2943 = getelementptr i8, ptr %v2929, i64 %v1041
+  %v2944 = load double, ptr %v2943, align 8, !noalias !425
+  %v2945 = fmul double %v2944, 0x3FCCB9F574BDCC3A
+  %v2946 = fsub double %v2942, %v2945
+  %v2947 = getelementptr i8, ptr %v2929, i64 %v1042
+  %v2948 = load double, ptr %v2947, align 8, !noalias !425
+  %v2949 = fmul double %v2948, 0xBFA4EAF2D6B11E79
+  %v2950 = fsub double %v2946, %v2949
+  %v2951 = tail call double @llvm.fabs.f64(double %v2950)
+  %v2952 = fcmp ogt double %v2951, 0.000000e+00
+  %v2953 = select i1 %v2952, double %v2951, double 0.000000e+00
+  %v2954 = getelementptr i8, ptr %v2928, i64 %v1043
+  %v2955 = load double, ptr %v2954, align 8, !noalias !425
+  %v2956 = load double, ptr %v2929, align 8, !noalias !425
+  %v2957 = fmul double %v2956, 0xBFA5118805F8B876
+  %v2958 = fsub double %v2955, %v2957
+  %v2959 = getelementptr i8, ptr %v2929, i64 %v1044
+  %v2960 = load double, ptr %v2959, align 8, !noalias !425
+  %v2961 = fmul double %v2960, 0x3FE51326698BC5BD
+  %v2962 = fsub double %v2958, %v2961
+  %v2963 = getelementptr i8, ptr %v2929, i64 %v1045
+  %v2964 = load double, ptr %v2963, align 8, !noalias !425
+  %v2965 = fmul double %v2964, 0x3FDF97DED30D4572
+  %v2966 = fsub double %v2962, %v2965
+  %v2967 = getelementptr i8, ptr %v2929, i64 %v1046
+  %v2968 = load double, ptr %v2967, align 8, !noalias !425
+  %v2969 = fmul double %v2968, 0xBFC0DA0C684D1D67
+  %v2970 = fsub double %v2966, %v2969
+  %v2971 = getelementptr i8, ptr %v2929, i64 %v1047
+  %v2972 = load double, ptr %v2971, align 8, !noalias !425
+  %v2973 = fmul double %v2972, 0x3F9510B8EC0D4D92
+  %v2974 = fsub double %v2970, %v2973
+  %v2975 = tail call double @llvm.fabs.f64(double %v2974)
+  %v2976 = fcmp ogt double %v2975, %v2953
+  %v2977 = select i1 %v2976, double %v2975, double %v2953
+  %v2978 = getelementptr i8, ptr %v2928, i64 %v1048
+  %v2979 = load double, ptr %v2978, align 8, !noalias !425
+  %v2980 = load double, ptr %v2929, align 8, !noalias !425
+  %v2981 = fmul double %v2980, 0x3F9635A30F8F142F
+  %v2982 = fsub double %v2979, %v2981
+  %v2983 = getelementptr i8, ptr %v2929, i64 %v1049
+  %v2984 = load double, ptr %v2983, align 8, !noalias !425
+  %v2985 = fmul double %v2984, 0xBFC1EAE0FF33D241
+  %v2986 = fsub double %v2982, %v2985
+  %v2987 = getelementptr i8, ptr %v2929, i64 %v1050
+  %v2988 = load double, ptr %v2987, align 8, !noalias !425
+  %v2989 = fmul double %v2988, 0x3FE1625D59218460
+  %v2990 = fsub double %v2986, %v2989
+  %v2991 = getelementptr i8, ptr %v2929, i64 %v1051
+  %v2992 = load double, ptr %v2991, align 8, !noalias !425
+  %v2993 = fmul double %v2992, 0x3FE3BBC3E8A29641
+  %v2994 = fsub double %v2990, %v2993
+  %v2995 = getelementptr i8, ptr %v2929, i64 %v1052
+  %v2996 = load double, ptr %v2995, align 8, !noalias !425
+  %v2997 = fmul double %v2996, 0xBFA55161A739EB34
+  %v2998 = fsub double %v2994, %v2997
+  %v2999 = tail call double @llvm.fabs.f64(double %v2998)
+  %v3000 = fcmp ogt double %v2999, %v2977
+  %v3001 = select i1 %v3000, double %v2999, double %v2977
+  %v3002 = getelementptr i8, ptr %v2928, i64 %v1053
+  %v3003 = load double, ptr %v3002, align 8, !noalias !425
+  %v3004 = load double, ptr %v2929, align 8, !noalias !425
+  %v3005 = fmul double %v3004, 0xBFA4F0C0BB579409
+  %v3006 = fsub double %v3003, %v3005
+  %v3007 = getelementptr i8, ptr %v2929, i64 %v1054
+  %v3008 = load double, ptr %v3007, align 8, !noalias !425
+  %v3009 = fmul double %v3008, 0x3FCD2266FBC0D976
+  %v3010 = fsub double %v3006, %v3009
+  %v3011 = getelementptr i8, ptr %v2929, i64 %v1055
+  %v3012 = load double, ptr %v3011, align 8, !noalias !425
+  %v3013 = fmul double %v3012, 0xBFE1F2DB6FEE3151
+  %v3014 = fsub double %v3010, %v3013
+  %v3015 = getelementptr i8, ptr %v2929, i64 %v1056
+  %v3016 = load double, ptr %v3015, align 8, !noalias !425
+  %v3017 = fmul double %v3016, 0x3FF0C05015964CBE
+  %v3018 = fsub double %v3014, %v3017
+  %v3019 = getelementptr i8, ptr %v2929, i64 %v1057
+  %v3020 = load double, ptr %v3019, align 8, !noalias !425
+  %v3021 = fmul double %v3020, 0x3FD4F15B230DB570
+  %v3022 = fsub double %v3018, %v3021
+  %v3023 = tail call double @llvm.fabs.f64(double %v3022)
+  %v3024 = fcmp ogt double %v3023, %v3001
+  %v3025 = select i1 %v3024, double %v3023, double %v3001
+  %v3026 = fmul double %v3025, 1.000000e+01
+  %v3027 = fadd double %v2924, %v3026
+  %v3028 = icmp slt i64 %v2859, 0
+  %v3029 = select i1 %v3028, i64 %v208, i64 0
+  %v3030 = getelementptr double, ptr %v707, i64 %v2859
+  %v3031 = getelementptr double, ptr %v3030, i64 %v3029
+  %v3032 = load double, ptr %v3031, align 8, !noalias !424
+  %v3033 = fcmp ogt double %v3027, %v3032
+  %v3034 = fneg double %v3032
+  %v3035 = select i1 %v3033, double %v3027, double %v3034
+  %v3036 = fcmp olt double %v2920, %v3035
+  br i1 %v3036, label %v1478, label %v2858
 
-v1480:
-  %v2868 = load double, ptr %v701, align 8, !noalias !424
-  store double %v2868, ptr %v687, align 8, !noalias !424
-  br label %v2861
+v1478:
+  %v1480 = phi i1 [ false, %v1420 ], [ %v2864, %v2861 ], [ %v2864, %v2858 ]
+  %v3037 = phi ptr [ %v1475, %v1420 ], [ null, %v2861 ], [ null, %v2858 ]
+  %v3038 = phi i32 [ %v1476, %v1420 ], [ 0, %v2861 ], [ 0, %v2858 ]
+  %v3039 = icmp eq i32 %v3038, 0
+  br i1 %v3039, label %v1410, label %v1484, !prof !131
 
-v2864:
-  %v2866 = add nsw i64 %v2865, -1
-  %v2863 = add i64 %v2862, 1
-  %v2869 = getelementptr double, ptr %v704, i64 %v2862
-  %v2870 = icmp slt i64 %v2862, 0
-  %v2871 = select i1 %v2870, i64 %v208, i64 0
-  %v2872 = getelementptr double, ptr %v2869, i64 %v2871
-  %v2873 = load double, ptr %v2872, align 8, !noalias !424
-  %v2874 = fcmp olt double %v2873, 0x7FF0000000000000
-  %v2875 = select i1 %v2874, double %v2873, double 0x7FF0000000000000
-  %v2876 = fcmp ogt double %v2873, 0xFFF0000000000000
-  %v2877 = select i1 %v2876, double %v2873, double 0xFFF0000000000000
-  %v2878 = getelementptr double, ptr %v2872, i64 %v703
-  %v2879 = load double, ptr %v2878, align 8, !noalias !424
-  %v2880 = fcmp olt double %v2879, %v2875
-  %v2881 = select i1 %v2880, double %v2879, double %v2875
-  %v2882 = fcmp ogt double %v2879, %v2877
-  %v2883 = select i1 %v2882, double %v2879, double %v2877
-  %v2884 = getelementptr i8, ptr %v2872, i64 %v1035
-  %v2885 = load double, ptr %v2884, align 8, !noalias !424
-  %v2886 = fcmp olt double %v2885, %v2881
-  %v2887 = select i1 %v2886, double %v2885, double %v2881
-  %v2888 = fcmp ogt double %v2885, %v2883
-  %v2889 = select i1 %v2888, double %v2885, double %v2883
-  %v2890 = getelementptr i8, ptr %v2872, i64 %v1036
-  %v2891 = load double, ptr %v2890, align 8, !noalias !424
-  %v2892 = fcmp olt double %v2891, %v2887
-  %v2893 = select i1 %v2892, double %v2891, double %v2887
-  %v2894 = fcmp ogt double %v2891, %v2889
-  %v2895 = select i1 %v2894, double %v2891, double %v2889
-  %v2896 = getelementptr i8, ptr %v2872, i64 %v1037
-  %v2897 = load double, ptr %v2896, align 8, !noalias !424
-  %v2898 = fcmp olt double %v2897, %v2893
-  %v2899 = select i1 %v2898, double %v2897, double %v2893
-  %v2900 = fcmp ogt double %v2897, %v2895
-  %v2901 = select i1 %v2900, double %v2897, double %v2895
-  %v2902 = getelementptr i8, ptr %v2872, i64 %v1038
-  %v2903 = load double, ptr %v2902, align 8, !noalias !424
-  %v2904 = fcmp olt double %v2903, %v2899
-  %v2905 = select i1 %v2904, double %v2903, double %v2899
-  %v2906 = fcmp ogt double %v2903, %v2901
-  %v2907 = select i1 %v2906, double %v2903, double %v2901
-  %v2908 = getelementptr i8, ptr %v2872, i64 %v1039
-  %v2909 = load double, ptr %v2908, align 8, !noalias !424
-  %v2910 = fcmp olt double %v2909, %v2905
-  %v2911 = select i1 %v2910, double %v2909, double %v2905
-  %v2912 = fcmp ogt double %v2909, %v2907
-  %v2913 = select i1 %v2912, double %v2909, double %v2907
-  %v2914 = getelementptr i8, ptr %v2872, i64 %v1040
-  %v2915 = load double, ptr %v2914, align 8, !noalias !424
-  %v2916 = fcmp olt double %v2915, %v2911
-  %v2917 = select i1 %v2916, double %v2915, double %v2911
-  %v2918 = fcmp ogt double %v2915, %v2913
-  %v2919 = select i1 %v2918, double %v2915, double %v2913
-  %v2920 = getelementptr i8, ptr %v2872, i64 %v1041
-  %v2921 = load double, ptr %v2920, align 8, !noalias !424
-  %v2922 = fcmp olt double %v2921, %v2917
-  %v2923 = select i1 %v2922, double %v2921, double %v2917
-  %v2924 = fcmp ogt double %v2921, %v2919
-  %v2925 = select i1 %v2924, double %v2921, double %v2919
-  %v2926 = fsub double %v2925, %v2923
-  %v2927 = fmul double %v2926, 2.500000e-01
-  %v2928 = icmp slt i64 %v2862, 0
-  %v2929 = select i1 %v2928, i64 %v208, i64 0
-  %v2930 = add i64 %v2929, %v2862
-  %v2931 = getelementptr double, ptr %v706, i64 %v2930
-  %v2932 = getelementptr double, ptr %v707, i64 %v2930
-  %v2933 = getelementptr double, ptr %v2931, i64 %v705
-  %v2934 = load double, ptr %v2933, align 8, !noalias !425
-  %v2935 = load double, ptr %v2932, align 8, !noalias !425
-  %v2936 = fmul double %v2935, 0x3FDDF27AAAADCB3A
-  %v2937 = fsub double %v2934, %v2936
-  %v2938 = getelementptr i8, ptr %v2932, i64 %v1042
-  %v2939 = load double, ptr %v2938, align 8, !noalias !425
-  %v2940 = fmul double %v2939, 0x3FEC575F1EBC4F2F
-  %v2941 = fsub double %v2937, %v2940
-  %v2942 = getelementptr i8, ptr %v2932, i64 %v1043
-  %v2943 = load double, ptr %v2942, align 8, !noalias !425
-  %v2944 = fmul double %v2943, 0xBFE1306AA3D795F4
-  %v2945 = fsub double %v2941, %v2944
-  %v2946 = getelementptr i8, ptr %v2932, i64 %v1044
-  %v2947 = load double, ptr %v2946, align 8, !noalias !425
-  %v2948 = fmul double %v2947, 0x3FCCB9F574BDCC3A
-  %v2949 = fsub double %v2945, %v2948
-  %v2950 = getelementptr i8, ptr %v2932, i64 %v1045
-  %v2951 = load double, ptr %v2950, align 8, !noalias !425
-  %v2952 = fmul double %v2951, 0xBFA4EAF2D6B11E79
-  %v2953 = fsub double %v2949, %v2952
-  %v2954 = tail call double @llvm.fabs.f64(double %v2953)
-  %v2955 = fcmp ogt double %v2954, 0.000000e+00
-  %v2956 = select i1 %v2955, double %v2954, double 0.000000e+00
-  %v2957 = getelementptr i8, ptr %v2931, i64 %v1046
-  %v2958 = load double, ptr %v2957, align 8, !noalias !425
-  %v2959 = load double, ptr %v2932, align 8, !noalias !425
-  %v2960 = fmul double %v2959, 0xBFA5118805F8B876
-  %v2961 = fsub double %v2958, %v2960
-  %v2962 = getelementptr i8, ptr %v2932, i64 %v1047
-  %v2963 = load double, ptr %v2962, align 8, !noalias !425
-  %v2964 = fmul double %v2963, 0x3FE51326698BC5BD
-  %v2965 = fsub double %v2961, %v2964
-  %v2966 = getelementptr i8, ptr %v2932, i64 %v1048
-  %v2967 = load double, ptr %v2966, align 8, !noalias !425
-  %v2968 = fmul double %v2967, 0x3FDF97DED30D4572
-  %v2969 = fsub double %v2965, %v2968
-  %v2970 = getelementptr i8, ptr %v2932, i64 %v1049
-  %v2971 = load double, ptr %v2970, align 8, !noalias !425
-  %v2972 = fmul double %v2971, 0xBFC0DA0C684D1D67
-  %v2973 = fsub double %v2969, %v2972
-  %v2974 = getelementptr i8, ptr %v2932, i64 %v1050
-  %v2975 = load double, ptr %v2974, align 8, !noalias !425
-  %v2976 = fmul double %v2975, 0x3F9510B8EC0D4D92
-  %v2977 = fsub double %v2973, %v2976
-  %v2978 = tail call double @llvm.fabs.f64(double %v2977)
-  %v2979 = fcmp ogt double %v2978, %v2956
-  %v2980 = select i1 %v2979, double %v2978, double %v2956
-  %v2981 = getelementptr i8, ptr %v2931, i64 %v1051
-  %v2982 = load double, ptr %v2981, align 8, !noalias !425
-  %v2983 = load double, ptr %v2932, align 8, !noalias !425
-  %v2984 = fmul double %v2983, 0x3F9635A30F8F142F
-  %v2985 = fsub double %v2982, %v2984
-  %v2986 = getelementptr i8, ptr %v2932, i64 %v1052
-  %v2987 = load double, ptr %v2986, align 8, !noalias !425
-  %v2988 = fmul double %v2987, 0xBFC1EAE0FF33D241
-  %v2989 = fsub double %v2985, %v2988
-  %v2990 = getelementptr i8, ptr %v2932, i64 %v1053
-  %v2991 = load double, ptr %v2990, align 8, !noalias !425
-  %v2992 = fmul double %v2991, 0x3FE1625D59218460
-  %v2993 = fsub double %v2989, %v2992
-  %v2994 = getelementptr i8, ptr %v2932, i64 %v1054
-  %v2995 = load double, ptr %v2994, align 8, !noalias !425
-  %v2996 = fmul double %v2995, 0x3FE3BBC3E8A29641
-  %v2997 = fsub double %v2993, %v2996
-  %v2998 = getelementptr i8, ptr %v2932, i64 %v1055
-  %v2999 = load double, ptr %v2998, align 8, !noalias !425
-  %v3000 = fmul double %v2999, 0xBFA55161A739EB34
-  %v3001 = fsub double %v2997, %v3000
-  %v3002 = tail call double @llvm.fabs.f64(double %v3001)
-  %v3003 = fcmp ogt double %v3002, %v2980
-  %v3004 = select i1 %v3003, double %v3002, double %v2980
-  %v3005 = getelementptr i8, ptr %v2931, i64 %v1056
-  %v3006 = load double, ptr %v3005, align 8, !noalias !425
-  %v3007 = load double, ptr %v2932, align 8, !noalias !425
-  %v3008 = fmul double %v3007, 0xBFA4F0C0BB579409
-  %v3009 = fsub double %v3006, %v3008
-  %v3010 = getelementptr i8, ptr %v2932, i64 %v1057
-  %v3011 = load double, ptr %v3010, align 8, !noalias !425
-  %v3012 = fmul double %v3011, 0x3FCD2266FBC0D976
-  %v3013 = fsub double %v3009, %v3012
-  %v3014 = getelementptr i8, ptr %v2932, i64 %v1058
-  %v3015 = load double, ptr %v3014, align 8, !noalias !425
-  %v3016 = fmul double %v3015, 0xBFE1F2DB6FEE3151
-  %v3017 = fsub double %v3013, %v3016
-  %v3018 = getelementptr i8, ptr %v2932, i64 %v1059
-  %v3019 = load double, ptr %v3018, align 8, !noalias !425
-  %v3020 = fmul double %v3019, 0x3FF0C05015964CBE
-  %v3021 = fsub double %v3017, %v3020
-  %v3022 = getelementptr i8, ptr %v2932, i64 %v1060
-  %v3023 = load double, ptr %v3022, align 8, !noalias !425
-  %v3024 = fmul double %v3023, 0x3FD4F15B230DB570
-  %v3025 = fsub double %v3021, %v3024
-  %v3026 = tail call double @llvm.fabs.f64(double %v3025)
-  %v3027 = fcmp ogt double %v3026, %v3004
-  %v3028 = select i1 %v3027, double %v3026, double %v3004
-  %v3029 = fmul double %v3028, 1.000000e+01
-  %v3030 = fadd double %v2927, %v3029
-  %v3031 = icmp slt i64 %v2862, 0
-  %v3032 = select i1 %v3031, i64 %v208, i64 0
-  %v3033 = getelementptr double, ptr %v709, i64 %v2862
-  %v3034 = getelementptr double, ptr %v3033, i64 %v3032
-  %v3035 = load double, ptr %v3034, align 8, !noalias !424
-  %v3036 = fcmp ogt double %v3030, %v3035
-  %v3037 = fneg double %v3035
-  %v3038 = select i1 %v3036, double %v3030, double %v3037
-  %v3039 = fcmp olt double %v2923, %v3038
-  br i1 %v3039, label %v1481, label %v2861
+v1728:
+  br i1 %v1723, label %v1571, label %v1729
 
-v1481:
-  %v1483 = phi i1 [ false, %v1423 ], [ %v2867, %v2864 ], [ %v2867, %v2861 ]
-  %v3040 = phi ptr [ %v1478, %v1423 ], [ null, %v2864 ], [ null, %v2861 ]
-  %v3041 = phi i32 [ %v1479, %v1423 ], [ 0, %v2864 ], [ 0, %v2861 ]
-  %v3042 = icmp eq i32 %v3041, 0
-  br i1 %v3042, label %v1413, label %v1487, !prof !131
+v1484:
+  %v3040 = phi i64 [ 0, %v1410 ], [ %v2857, %v1571 ], [ 0, %v1478 ], [ 0, %v1636 ], [ 0, %v2272 ]
+  %v3041 = phi i1 [ true, %v1410 ], [ true, %v1571 ], [ false, %v1478 ], [ false, %v1636 ], [ false, %v2272 ]
+  %v3042 = phi ptr [ undef, %v1410 ], [ undef, %v1571 ], [ %v3037, %v1478 ], [ %v1727, %v1636 ], [ %v2854, %v2272 ]
+  %v3043 = phi i32 [ 0, %v1410 ], [ 0, %v1571 ], [ 1, %v1478 ], [ 1, %v1636 ], [ 1, %v2272 ]
+  br i1 %v3041, label %v3044, label %v3045, !prof !131
 
-v1731:
-  br i1 %v1726, label %v1574, label %v1732
+v3046:
+  %v3047 = getelementptr double, ptr %v864, i64 %v3048
+  %v3049 = load double, ptr %v3047, align 8, !noalias !429
+  %v3050 = fcmp olt double %v3049, 5.000000e-01
+  br i1 %v3050, label %v3051, label %v3052
 
-v1487:
-  %v3043 = phi i64 [ 0, %v1413 ], [ %v2860, %v1574 ], [ 0, %v1481 ], [ 0, %v1639 ], [ 0, %v2275 ]
-  %v3044 = phi i1 [ true, %v1413 ], [ true, %v1574 ], [ false, %v1481 ], [ false, %v1639 ], [ false, %v2275 ]
-  %v3045 = phi ptr [ undef, %v1413 ], [ undef, %v1574 ], [ %v3040, %v1481 ], [ %v1730, %v1639 ], [ %v2857, %v2275 ]
-  %v3046 = phi i32 [ 0, %v1413 ], [ 0, %v1574 ], [ 1, %v1481 ], [ 1, %v1639 ], [ 1, %v2275 ]
-  br i1 %v3044, label %v3047, label %v3048, !prof !131
+v3052:
+  %v3053 = getelementptr i64, ptr %v111, i64 %v3054
+  %v3055 = load i64, ptr %v3053, align 8, !noalias !429
+  %v3056 = icmp eq i64 %v3055, 0
+  br i1 %v3056, label %v3057, label %v3051
 
-v3049:
-  %v3050 = getelementptr double, ptr %v866, i64 %v3051
-  %v3052 = load double, ptr %v3050, align 8, !noalias !429
-  %v3053 = fcmp olt double %v3052, 5.000000e-01
-  br i1 %v3053, label %v3054, label %v3055
+v3057:
+  %v3058 = mul i64 %v3054, %v127
+  %v3059 = getelementptr i64, ptr %v125, i64 %v3058
+  %v3060 = getelementptr i8, ptr %v3059, i64 8
+  %v3061 = load i64, ptr %v3060, align 8, !noalias !429
+  %v3062 = add nsw i64 %v3061, %v3040
+  store i64 %v3062, ptr %v3060, align 8, !noalias !429
+  %v3063 = getelementptr double, ptr %v866, i64 %v3048
+  %v3064 = load double, ptr %v3063, align 8, !noalias !429
+  %v3065 = load i64, ptr %v3066, align 8, !noalias !432
+  %v3067 = getelementptr i64, ptr %v868, i64 %v3048
+  %v3068 = load i64, ptr %v3067, align 8, !noalias !432
+  %v3069 = icmp slt i64 %v3068, %v94
+  br i1 %v3069, label %v3070, label %v3071
 
-v3055:
-  %v3056 = getelementptr i64, ptr %v111, i64 %v3057
-  %v3058 = load i64, ptr %v3056, align 8, !noalias !429
-  %v3059 = icmp eq i64 %v3058, 0
-  br i1 %v3059, label %v3060, label %v3054
+v3070:
+  %v3072 = icmp slt i64 %v3068, 0
+  %v3073 = select i1 %v3072, i64 %v94, i64 0
+  %v3074 = getelementptr double, ptr %v93, i64 %v3068
+  %v3075 = getelementptr double, ptr %v3074, i64 %v3073
+  %v3076 = load double, ptr %v3075, align 8, !noalias !432
+  %v3077 = fcmp ugt double %v3076, %v3064
+  br i1 %v3077, label %v3071, label %v3078
 
-v3060:
-  %v3061 = mul i64 %v3057, %v127
-  %v3062 = getelementptr i64, ptr %v125, i64 %v3061
-  %v3063 = getelementptr i8, ptr %v3062, i64 8
-  %v3064 = load i64, ptr %v3063, align 8, !noalias !429
-  %v3065 = add nsw i64 %v3064, %v3043
-  store i64 %v3065, ptr %v3063, align 8, !noalias !429
-  %v3066 = getelementptr double, ptr %v868, i64 %v3051
-  %v3067 = load double, ptr %v3066, align 8, !noalias !429
-  %v3068 = load i64, ptr %v3069, align 8, !noalias !432
-  %v3070 = getelementptr i64, ptr %v870, i64 %v3051
-  %v3071 = load i64, ptr %v3070, align 8, !noalias !432
-  %v3072 = icmp slt i64 %v3071, %v94
-  br i1 %v3072, label %v3073, label %v3074
+v3078:
+  %v3079 = getelementptr double, ptr %v134, i64 %v3048
+  %v3080 = getelementptr double, ptr %v870, i64 %v3048
+  %v3081 = getelementptr double, ptr %v194, i64 %v3048
+  %v3082 = getelementptr double, ptr %v874, i64 %v3048
+  %v3083 = icmp slt i64 %v3065, 0
+  %v3084 = select i1 %v3083, i64 %v101, i64 0
+  %v3085 = add i64 %v3084, %v3065
+  %v3086 = mul i64 %v875, %v3085
+  %v3087 = getelementptr double, ptr %v100, i64 %v3086
+  %v3088 = getelementptr double, ptr %v876, i64 %v3048
+  br label %v3089
 
-v3073:
-  %v3075 = icmp slt i64 %v3071, 0
-  %v3076 = select i1 %v3075, i64 %v94, i64 0
-  %v3077 = getelementptr double, ptr %v93, i64 %v3071
-  %v3078 = getelementptr double, ptr %v3077, i64 %v3076
-  %v3079 = load double, ptr %v3078, align 8, !noalias !432
-  %v3080 = fcmp ugt double %v3079, %v3067
-  br i1 %v3080, label %v3074, label %v3081
+v3089:
+  %v3090 = phi i64 [ %v3091, %v3092 ], [ %v3068, %v3078 ]
+  %v3093 = icmp slt i64 %v3090, 0
+  %v3094 = select i1 %v3093, i64 %v94, i64 0
+  %v3095 = getelementptr double, ptr %v93, i64 %v3090
+  %v3096 = getelementptr double, ptr %v3095, i64 %v3094
+  %v3097 = load double, ptr %v3096, align 8, !noalias !432
+  %v3098 = load double, ptr %v3079, align 8, !noalias !432
+  %v3099 = fsub double %v3097, %v3098
+  %v3100 = load double, ptr %v3080, align 8, !noalias !432
+  %v3101 = fdiv double %v3099, %v3100
+  br i1 %v872, label %v3102, label %v3103
 
-v3081:
-  %v3082 = getelementptr double, ptr %v134, i64 %v3051
-  %v3083 = getelementptr double, ptr %v872, i64 %v3051
-  %v3084 = getelementptr double, ptr %v194, i64 %v3051
-  %v3085 = getelementptr double, ptr %v876, i64 %v3051
-  %v3086 = icmp slt i64 %v3068, 0
-  %v3087 = select i1 %v3086, i64 %v101, i64 0
-  %v3088 = add i64 %v3087, %v3068
-  %v3089 = mul i64 %v877, %v3088
-  %v3090 = getelementptr double, ptr %v100, i64 %v3089
-  %v3091 = getelementptr double, ptr %v878, i64 %v3051
-  br label %v3092
+v3103:
+  %v3104 = fsub double 1.000000e+00, %v3101
+  %v3105 = select i1 %v3093, i64 %v102, i64 0
+  %v3106 = add i64 %v3105, %v3090
+  %v3107 = mul i64 %v3106, %v103
+  %v3108 = getelementptr double, ptr %v3087, i64 %v3107
+  br label %v3109
+
+v3110:
+  %v3111 = getelementptr double, ptr %v3088, i64 %v3112
+  %v3113 = load double, ptr %v3111, align 8, !noalias !432
+  br label %v3114
+
+v3102:
+  store double 0x7FF0000000000000, ptr %v3082, align 8, !noalias !432
+  %v3115 = icmp eq i64 %v3090, %v877
+  br i1 %v3115, label %v3071, label %v3092
 
 v3092:
-  %v3093 = phi i64 [ %v3094, %v3095 ], [ %v3071, %v3081 ]
-  %v3096 = icmp slt i64 %v3093, 0
-  %v3097 = select i1 %v3096, i64 %v94, i64 0
-  %v3098 = getelementptr double, ptr %v93, i64 %v3093
-  %v3099 = getelementptr double, ptr %v3098, i64 %v3097
-  %v3100 = load double, ptr %v3099, align 8, !noalias !432
-  %v3101 = load double, ptr %v3082, align 8, !noalias !432
-  %v3102 = fsub double %v3100, %v3101
-  %v3103 = load double, ptr %v3083, align 8, !noalias !432
-  %v3104 = fdiv double %v3102, %v3103
-  br i1 %v874, label %v3105, label %v3106
+  %v3091 = add i64 %v3090, 1
+  %v3116 = icmp slt i64 %v3090, -1
+  %v3117 = select i1 %v3116, i64 %v94, i64 0
+  %v3118 = getelementptr double, ptr %v93, i64 %v3091
+  %v3119 = getelementptr double, ptr %v3118, i64 %v3117
+  %v3120 = load double, ptr %v3119, align 8, !noalias !432
+  %v3121 = fcmp ugt double %v3120, %v3064
+  br i1 %v3121, label %v3071, label %v3089
 
-v3106:
-  %v3107 = fsub double 1.000000e+00, %v3104
-  %v3108 = select i1 %v3096, i64 %v102, i64 0
-  %v3109 = add i64 %v3108, %v3093
-  %v3110 = mul i64 %v3109, %v103
-  %v3111 = getelementptr double, ptr %v3090, i64 %v3110
-  br label %v3112
+v3071:
+  %v3122 = phi i64 [ %v3068, %v3070 ], [ %v3068, %v3057 ], [ %v94, %v3102 ], [ %v3091, %v3092 ]
+  store i64 %v3122, ptr %v3067, align 8, !noalias !432
+  br label %v3051
 
-v3113:
-  %v3114 = getelementptr double, ptr %v3091, i64 %v3115
-  %v3116 = load double, ptr %v3114, align 8, !noalias !432
-  br label %v3117
+v3114:
+  %v3123 = phi double [ %v3124, %v3125 ], [ %v3113, %v3110 ]
+  %v3126 = getelementptr double, ptr %v3108, i64 %v3127
+  store double %v3123, ptr %v3126, align 8, !noalias !432
+  %v3128 = icmp eq i64 %v10, %v3129
+  br i1 %v3128, label %v3102, label %v3109
 
-v3105:
-  store double 0x7FF0000000000000, ptr %v3085, align 8, !noalias !432
-  %v3118 = icmp eq i64 %v3093, %v879
-  br i1 %v3118, label %v3074, label %v3095
+v3109:
+  %v3127 = phi i64 [ 0, %v3103 ], [ %v3129, %v3114 ]
+  %v3129 = add nsw i64 %v3127, 1
+  %v3130 = load double, ptr %v3096, align 8, !noalias !432
+  %v3131 = load double, ptr %v3063, align 8, !noalias !432
+  %v3132 = fcmp oeq double %v3130, %v3131
+  %v3112 = mul i64 %v3127, %v197
+  br i1 %v3132, label %v3110, label %v3125
 
-v3095:
-  %v3094 = add i64 %v3093, 1
-  %v3119 = icmp slt i64 %v3093, -1
-  %v3120 = select i1 %v3119, i64 %v94, i64 0
-  %v3121 = getelementptr double, ptr %v93, i64 %v3094
-  %v3122 = getelementptr double, ptr %v3121, i64 %v3120
-  %v3123 = load double, ptr %v3122, align 8, !noalias !432
-  %v3124 = fcmp ugt double %v3123, %v3067
-  br i1 %v3124, label %v3074, label %v3092
+v3125:
+  %v3133 = getelementptr double, ptr %v3081, i64 %v3112
+  %v3134 = getelementptr i8, ptr %v3133, i64 %v878
+  %v3135 = load double, ptr %v3134, align 8, !noalias !436
+  %v3136 = fadd double %v3135, 0.000000e+00
+  %v3137 = fmul double %v3101, %v3136
+  %v3138 = getelementptr i8, ptr %v3133, i64 %v879
+  %v3139 = load double, ptr %v3138, align 8, !noalias !436
+  %v3140 = fadd double %v3139, %v3137
+  %v3141 = fmul double %v3104, %v3140
+  %v3142 = getelementptr i8, ptr %v3133, i64 %v880
+  %v3143 = load double, ptr %v3142, align 8, !noalias !436
+  %v3144 = fadd double %v3143, %v3141
+  %v3145 = fmul double %v3101, %v3144
+  %v3146 = getelementptr i8, ptr %v3133, i64 %v881
+  %v3147 = load double, ptr %v3146, align 8, !noalias !436
+  %v3148 = fadd double %v3147, %v3145
+  %v3149 = fmul double %v3104, %v3148
+  %v3150 = getelementptr i8, ptr %v3133, i64 %v882
+  %v3151 = load double, ptr %v3150, align 8, !noalias !436
+  %v3152 = fadd double %v3151, %v3149
+  %v3153 = fmul double %v3101, %v3152
+  %v3154 = getelementptr i8, ptr %v3133, i64 %v883
+  %v3155 = load double, ptr %v3154, align 8, !noalias !436
+  %v3156 = fadd double %v3155, %v3153
+  %v3157 = fmul double %v3104, %v3156
+  %v3158 = getelementptr i8, ptr %v3133, i64 %v884
+  %v3159 = load double, ptr %v3158, align 8, !noalias !436
+  %v3160 = fadd double %v3159, %v3157
+  %v3161 = fmul double %v3101, %v3160
+  %v3162 = load double, ptr %v3133, align 8, !noalias !436
+  %v3124 = fadd double %v3162, %v3161
+  br label %v3114
 
-v3074:
-  %v3125 = phi i64 [ %v3071, %v3073 ], [ %v3071, %v3060 ], [ %v94, %v3105 ], [ %v3094, %v3095 ]
-  store i64 %v3125, ptr %v3070, align 8, !noalias !432
-  br label %v3054
+v3051:
+  %v3163 = icmp eq i64 %v3164, %v9
+  br i1 %v3163, label %v3165, label %v3166
 
-v3117:
-  %v3126 = phi double [ %v3127, %v3128 ], [ %v3116, %v3113 ]
-  %v3129 = getelementptr double, ptr %v3111, i64 %v3130
-  store double %v3126, ptr %v3129, align 8, !noalias !432
-  %v3131 = icmp eq i64 %v10, %v3132
-  br i1 %v3131, label %v3105, label %v3112
+v3166:
+  %v3048 = phi i64 [ %v3164, %v3051 ], [ 0, %v3044 ]
+  %v3164 = add nsw i64 %v3048, 1
+  %v3066 = getelementptr i64, ptr %v143, i64 %v3048
+  %v3054 = load i64, ptr %v3066, align 8, !noalias !429
+  %v3167 = icmp slt i64 %v3054, 0
+  br i1 %v3167, label %v3051, label %v3046
 
-v3112:
-  %v3130 = phi i64 [ 0, %v3106 ], [ %v3132, %v3117 ]
-  %v3132 = add nsw i64 %v3130, 1
-  %v3133 = load double, ptr %v3099, align 8, !noalias !432
-  %v3134 = load double, ptr %v3066, align 8, !noalias !432
-  %v3135 = fcmp oeq double %v3133, %v3134
-  %v3115 = mul i64 %v3130, %v197
-  br i1 %v3135, label %v3113, label %v3128
-
-v3128:
-  %v3136 = getelementptr double, ptr %v3084, i64 %v3115
-  %v3137 = getelementptr i8, ptr %v3136, i64 %v880
-  %v3138 = load double, ptr %v3137, align 8, !noalias !436
-  %v3139 = fadd double %v3138, 0.000000e+00
-  %v3140 = fmul double %v3104, %v3139
-  %v3141 = getelementptr i8, ptr %v3136, i64 %v881
-  %v3142 = load double, ptr %v3141, align 8, !noalias !436
-  %v3143 = fadd double %v3142, %v3140
-  %v3144 = fmul double %v3107, %v3143
-  %v3145 = getelementptr i8, ptr %v3136, i64 %v882
-  %v3146 = load double, ptr %v3145, align 8, !noalias !436
-  %v3147 = fadd double %v3146, %v3144
-  %v3148 = fmul double %v3104, %v3147
-  %v3149 = getelementptr i8, ptr %v3136, i64 %v883
-  %v3150 = load double, ptr %v3149, align 8, !noalias !436
-  %v3151 = fadd double %v3150, %v3148
-  %v3152 = fmul double %v3107, %v3151
-  %v3153 = getelementptr i8, ptr %v3136, i64 %v884
-  %v3154 = load double, ptr %v3153, align 8, !noalias !436
-  %v3155 = fadd double %v3154, %v3152
-  %v3156 = fmul double %v3104, %v3155
-  %v3157 = getelementptr i8, ptr %v3136, i64 %v885
-  %v3158 = load double, ptr %v3157, align 8, !noalias !436
-  %v3159 = fadd double %v3158, %v3156
-  %v3160 = fmul double %v3107, %v3159
-  %v3161 = getelementptr i8, ptr %v3136, i64 %v886
-  %v3162 = load double, ptr %v3161, align 8, !noalias !436
-  %v3163 = fadd double %v3162, %v3160
-  %v3164 = fmul double %v3104, %v3163
-  %v3165 = load double, ptr %v3136, align 8, !noalias !436
-  %v3127 = fadd double %v3165, %v3164
-  br label %v3117
-
-v3054:
-  %v3166 = icmp eq i64 %v3167, %v9
-  br i1 %v3166, label %v3168, label %v3169
+v3165:
+  br i1 %v885, label %v3168, label %v3169
 
 v3169:
-  %v3051 = phi i64 [ %v3167, %v3054 ], [ 0, %v3047 ]
-  %v3167 = add nsw i64 %v3051, 1
-  %v3069 = getelementptr i64, ptr %v143, i64 %v3051
-  %v3057 = load i64, ptr %v3069, align 8, !noalias !429
-  %v3170 = icmp slt i64 %v3057, 0
-  br i1 %v3170, label %v3054, label %v3049
+  %v3170 = load double, ptr %v887, align 8
+  %v3171 = fcmp ogt double %v3170, 5.000000e-01
+  br i1 %v3171, label %v3168, label %v3172
 
 v3168:
-  br i1 %v887, label %v3171, label %v3172
+  %v3173 = load i64, ptr %v888, align 8, !noalias !440
+  %v3174 = inttoptr i64 %v3173 to ptr
+  tail call void %v3174(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !440
+  br label %v3172
 
 v3172:
-  %v3173 = load double, ptr %v889, align 8
-  %v3174 = fcmp ogt double %v3173, 5.000000e-01
-  br i1 %v3174, label %v3171, label %v3175
-
-v3171:
-  %v3176 = load i64, ptr %v890, align 8, !noalias !440
-  %v3177 = inttoptr i64 %v3176 to ptr
-  tail call void %v3177(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !440
-  br label %v3175
+  br i1 %v1406, label %v3175, label %v3176
 
 v3175:
-  br i1 %v1409, label %v3178, label %v3179
-
-v3178:
-  %v3180 = load double, ptr %v892, align 8, !noalias !443
-  %v3181 = fcmp olt double %v3180, 5.000000e-01
-  br i1 %v3181, label %v3179, label %v3182
-
-v3182:
-  br i1 %v894, label %v3183, label %v3184
-
-v3185:
-  %v3186 = getelementptr double, ptr %v895, i64 %v3187
-  %v3188 = load double, ptr %v3186, align 8, !noalias !443
-  %v3189 = add nsw i64 %v3187, %v18
-  %v3190 = icmp slt i64 %v3189, 0
-  %v3191 = select i1 %v3190, i64 %v167, i64 0
-  %v3192 = getelementptr double, ptr %v166, i64 %v3189
-  %v3193 = getelementptr double, ptr %v3192, i64 %v3191
-  %v3194 = load double, ptr %v3193, align 8, !noalias !443
-  %v3195 = fcmp une double %v3188, %v3194
-  br label %v3196
-
-v3196:
-  %v3197 = phi i1 [ true, %v3183 ], [ %v3195, %v3185 ]
-  %v3198 = icmp eq i64 %v3199, %v19
-  br i1 %v3198, label %v3184, label %v3183
-
-v3184:
-  %v3200 = phi i1 [ false, %v3182 ], [ %v3197, %v3196 ]
-  %v3201 = load double, ptr %v897, align 8, !noalias !443
-  %v3202 = fcmp oeq double %v3201, 1.000000e+00
-  %v3203 = select i1 %v3202, i1 %v3200, i1 false
-  br i1 %v3203, label %v3204, label %v3205
-
-v3204:
-  %v3206 = load double, ptr %v134, align 8, !noalias !443
-  %v3207 = load double, ptr %v899, align 8, !noalias !443
-  %v3208 = fsub double %v3206, %v3207
-  br i1 %v900, label %v3209, label %v3210
-
-v3211:
-  %v3212 = load double, ptr %v901, align 8, !noalias !443
-  %v3213 = load double, ptr %v24, align 8, !noalias !443
-  %v3214 = mul i64 %v3215, %v197
-  %v3216 = getelementptr double, ptr %v194, i64 %v3214
-  %v3217 = load double, ptr %v3216, align 8, !noalias !443
-  %v3218 = tail call double @llvm.fabs.f64(double %v3217)
-  %v3219 = fmul double %v3213, %v3218
-  %v3220 = fadd double %v3212, %v3219
-  %v3221 = add i64 %v3215, %v196
-  %v3222 = mul i64 %v3221, %v197
-  %v3223 = getelementptr double, ptr %v194, i64 %v3222
-  %v3224 = load double, ptr %v3223, align 8, !noalias !443
-  %v3225 = tail call double @llvm.fabs.f64(double %v3224)
-  %v3226 = fmul double %v3208, %v3225
-  %v3227 = fcmp ogt double %v3226, %v3220
-  br label %v3228
-
-v3228:
-  %v3229 = phi i1 [ true, %v3210 ], [ %v3227, %v3211 ]
-  %v3230 = icmp eq i64 %v10, %v3231
-  br i1 %v3230, label %v3232, label %v3210
-
-v3232:
-  %v3233 = select i1 %v3229, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v3209
-
-v3209:
-  %v3234 = phi double [ 5.000000e-06, %v3204 ], [ %v3233, %v3232 ]
-  %v3235 = load double, ptr %v903, align 8, !noalias !443
-  %v3236 = load double, ptr %v93, align 8, !noalias !443
-  %v3237 = fsub double %v3235, %v3236
-  %v3238 = fmul double %v3234, %v3237
-  %v3239 = fcmp olt double %v3208, %v3238
-  br i1 %v3239, label %v3240, label %v3241
-
-v3240:
-  %v3242 = load i64, ptr %v905, align 8, !noalias !443
-  %v3243 = add nsw i64 %v3242, 1
-  br label %v3241
-
-v3241:
-  %v3244 = phi i64 [ %v3243, %v3240 ], [ 0, %v3209 ]
-  store i64 %v3244, ptr %v907, align 8, !noalias !443
-  %v3245 = load double, ptr %v134, align 8, !noalias !443
-  store double %v3245, ptr %v899, align 8, !noalias !443
-  store double 1.000000e+00, ptr %v909, align 8, !noalias !443
-  store i64 2, ptr %v485, align 8, !noalias !443
-  %v3246 = load i64, ptr %v907, align 8, !noalias !443
-  %v3247 = icmp sgt i64 %v3246, 1000
-  br i1 %v3247, label %v3248, label %v3205
-
-v3248:
-  %v3249 = load i64, ptr %v143, align 8, !noalias !447
-  %v3250 = icmp sgt i64 %v3249, -1
-  br i1 %v3250, label %v3251, label %v3205
-
-v3251:
-  %v3252 = getelementptr i64, ptr %v111, i64 %v3249
-  %v3253 = load i64, ptr %v3252, align 8, !noalias !447
-  %v3254 = icmp eq i64 %v3253, 0
-  br i1 %v3254, label %v3255, label %v3205
-
-v3255:
-  store i64 6, ptr %v3252, align 8, !noalias !447
-  br label %v3205
-
-v3205:
-  store double 0.000000e+00, ptr %v897, align 8, !noalias !443
-  br label %v3179
-
-v3183:
-  %v3256 = phi i1 [ %v3197, %v3196 ], [ false, %v3182 ]
-  %v3187 = phi i64 [ %v3199, %v3196 ], [ 0, %v3182 ]
-  %v3199 = add nsw i64 %v3187, 1
-  br i1 %v3256, label %v3196, label %v3185
-
-v3210:
-  %v3257 = phi i1 [ %v3229, %v3228 ], [ false, %v3204 ]
-  %v3215 = phi i64 [ %v3231, %v3228 ], [ 0, %v3204 ]
-  %v3231 = add nsw i64 %v3215, 1
-  br i1 %v3257, label %v3228, label %v3211
+  %v3177 = load double, ptr %v890, align 8, !noalias !443
+  %v3178 = fcmp olt double %v3177, 5.000000e-01
+  br i1 %v3178, label %v3176, label %v3179
 
 v3179:
-  %v3258 = and i1 %v910, %v1295
-  %v3259 = xor i1 %v3258, true
-  %v3260 = or i1 %v294, %v3259
-  br i1 %v3260, label %v3261, label %v3262
+  br i1 %v892, label %v3180, label %v3181
 
-v3263:
-  %v3264 = getelementptr i64, ptr %v111, i64 %v3265
-  %v3266 = load i64, ptr %v3264, align 8, !noalias !450
-  %v3267 = icmp eq i64 %v3266, 0
-  br i1 %v3267, label %v3268, label %v3269
+v3182:
+  %v3183 = getelementptr double, ptr %v893, i64 %v3184
+  %v3185 = load double, ptr %v3183, align 8, !noalias !443
+  %v3186 = add nsw i64 %v3184, %v18
+  %v3187 = icmp slt i64 %v3186, 0
+  %v3188 = select i1 %v3187, i64 %v167, i64 0
+  %v3189 = getelementptr double, ptr %v166, i64 %v3186
+  %v3190 = getelementptr double, ptr %v3189, i64 %v3188
+  %v3191 = load double, ptr %v3190, align 8, !noalias !443
+  %v3192 = fcmp une double %v3185, %v3191
+  br label %v3193
 
-v3268:
-  %v3270 = getelementptr double, ptr %v913, i64 %v3271
-  %v3272 = load double, ptr %v3270, align 8, !noalias !450
-  %v3273 = fcmp olt double %v3272, 5.000000e-01
-  br i1 %v3273, label %v3269, label %v3274
+v3193:
+  %v3194 = phi i1 [ true, %v3180 ], [ %v3192, %v3182 ]
+  %v3195 = icmp eq i64 %v3196, %v19
+  br i1 %v3195, label %v3181, label %v3180
 
-v3274:
-  %v3275 = getelementptr double, ptr %v134, i64 %v3271
-  %v3276 = load double, ptr %v3275, align 8, !noalias !450
-  %v3277 = getelementptr double, ptr %v915, i64 %v3271
-  %v3278 = load double, ptr %v3277, align 8, !noalias !450
-  %v3279 = fcmp une double %v3276, %v3278
-  %v3280 = select i1 %v3279, i1 true, i1 %v917
-  %v3281 = xor i1 %v3279, true
-  %v3282 = select i1 %v3281, i1 true, i1 %v3283
-  br i1 %v3280, label %v3269, label %v3284
+v3181:
+  %v3197 = phi i1 [ false, %v3179 ], [ %v3194, %v3193 ]
+  %v3198 = load double, ptr %v895, align 8, !noalias !443
+  %v3199 = fcmp oeq double %v3198, 1.000000e+00
+  %v3200 = select i1 %v3199, i1 %v3197, i1 false
+  br i1 %v3200, label %v3201, label %v3202
 
-v3284:
-  %v3285 = getelementptr i64, ptr %v916, i64 %v3271
-  %v3286 = load i64, ptr %v3285, align 8, !noalias !455
-  %v3287 = add nsw i64 %v3286, 1
-  %v3288 = icmp slt i64 %v3286, -1
-  %v3289 = select i1 %v3288, i64 %v78, i64 0
-  %v3290 = add i64 %v3287, %v3289
-  %v3291 = mul i64 %v3290, %v79
-  %v3292 = getelementptr double, ptr %v77, i64 %v3291
-  br label %v3293
+v3201:
+  %v3203 = load double, ptr %v134, align 8, !noalias !443
+  %v3204 = load double, ptr %v897, align 8, !noalias !443
+  %v3205 = fsub double %v3203, %v3204
+  br i1 %v898, label %v3206, label %v3207
 
-v3293:
-  %v3294 = phi i64 [ 0, %v3284 ], [ %v3295, %v3293 ]
-  %v3295 = add nsw i64 %v3294, 1
-  %v3296 = getelementptr double, ptr %v3292, i64 %v3294
-  %v3297 = load double, ptr %v3296, align 8, !noalias !456
-  %v3298 = getelementptr i64, ptr %v63, i64 %v3294
-  %v3299 = load i64, ptr %v3298, align 8, !noalias !456
-  %v3300 = mul nsw i64 %v3299, %v9
-  %v3301 = add nsw i64 %v3300, %v3271
-  %v3302 = icmp slt i64 %v3301, 0
-  %v3303 = select i1 %v3302, i64 %v167, i64 0
-  %v3304 = getelementptr double, ptr %v166, i64 %v3301
-  %v3305 = getelementptr double, ptr %v3304, i64 %v3303
-  store double %v3297, ptr %v3305, align 8, !noalias !456
-  %v3306 = icmp eq i64 %v64, %v3295
-  br i1 %v3306, label %v3269, label %v3293
+v3208:
+  %v3209 = load double, ptr %v899, align 8, !noalias !443
+  %v3210 = load double, ptr %v24, align 8, !noalias !443
+  %v3211 = mul i64 %v3212, %v197
+  %v3213 = getelementptr double, ptr %v194, i64 %v3211
+  %v3214 = load double, ptr %v3213, align 8, !noalias !443
+  %v3215 = tail call double @llvm.fabs.f64(double %v3214)
+  %v3216 = fmul double %v3210, %v3215
+  %v3217 = fadd double %v3209, %v3216
+  %v3218 = add i64 %v3212, %v196
+  %v3219 = mul i64 %v3218, %v197
+  %v3220 = getelementptr double, ptr %v194, i64 %v3219
+  %v3221 = load double, ptr %v3220, align 8, !noalias !443
+  %v3222 = tail call double @llvm.fabs.f64(double %v3221)
+  %v3223 = fmul double %v3205, %v3222
+  %v3224 = fcmp ogt double %v3223, %v3217
+  br label %v3225
 
-v3269:
-  %v3307 = phi i1 [ %v3282, %v3274 ], [ %v3283, %v3268 ], [ %v3283, %v3262 ], [ %v3283, %v3263 ], [ true, %v3293 ]
-  %v3308 = icmp eq i64 %v9, %v3309
-  br i1 %v3308, label %v3310, label %v3262
+v3225:
+  %v3226 = phi i1 [ true, %v3207 ], [ %v3224, %v3208 ]
+  %v3227 = icmp eq i64 %v10, %v3228
+  br i1 %v3227, label %v3229, label %v3207
 
-v3310:
-  br i1 %v3307, label %v3311, label %v3261
+v3229:
+  %v3230 = select i1 %v3226, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3206
 
-v3311:
-  %v3312 = load i64, ptr %v918, align 8, !noalias !460
-  %v3313 = inttoptr i64 %v3312 to ptr
-  tail call void %v3313(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !460
-  %v3314 = load i64, ptr %v920, align 8, !noalias !455
-  %v3315 = inttoptr i64 %v3314 to ptr
-  tail call void %v3315(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v922), !noalias !455
-  br label %v3316
+v3206:
+  %v3231 = phi double [ 5.000000e-06, %v3201 ], [ %v3230, %v3229 ]
+  %v3232 = load double, ptr %v901, align 8, !noalias !443
+  %v3233 = load double, ptr %v93, align 8, !noalias !443
+  %v3234 = fsub double %v3232, %v3233
+  %v3235 = fmul double %v3231, %v3234
+  %v3236 = fcmp olt double %v3205, %v3235
+  br i1 %v3236, label %v3237, label %v3238
 
-v3316:
-  %v3317 = phi i64 [ 0, %v3311 ], [ %v3318, %v3319 ]
-  %v3320 = phi i64 [ %v924, %v3311 ], [ %v3321, %v3319 ]
-  %v3322 = phi i64 [ 1, %v3311 ], [ %v3323, %v3319 ]
-  %v3324 = icmp slt i64 %v3317, 0
-  %v3325 = select i1 %v3324, i64 %v145, i64 0
-  %v3326 = add i64 %v3325, %v3317
-  %v3327 = getelementptr i64, ptr %v143, i64 %v3326
-  %v3328 = load i64, ptr %v3327, align 8, !noalias !463
-  %v3329 = icmp slt i64 %v3328, 0
-  br i1 %v3329, label %v3319, label %v3330
+v3237:
+  %v3239 = load i64, ptr %v903, align 8, !noalias !443
+  %v3240 = add nsw i64 %v3239, 1
+  br label %v3238
 
-v3330:
-  %v3331 = getelementptr i64, ptr %v111, i64 %v3328
-  %v3332 = load i64, ptr %v3331, align 8, !noalias !463
-  %v3333 = icmp eq i64 %v3332, 0
-  br i1 %v3333, label %v3334, label %v3319
+v3238:
+  %v3241 = phi i64 [ %v3240, %v3237 ], [ 0, %v3206 ]
+  store i64 %v3241, ptr %v905, align 8, !noalias !443
+  %v3242 = load double, ptr %v134, align 8, !noalias !443
+  store double %v3242, ptr %v897, align 8, !noalias !443
+  store double 1.000000e+00, ptr %v907, align 8, !noalias !443
+  store i64 2, ptr %v483, align 8, !noalias !443
+  %v3243 = load i64, ptr %v905, align 8, !noalias !443
+  %v3244 = icmp sgt i64 %v3243, 1000
+  br i1 %v3244, label %v3245, label %v3202
 
-v3334:
-  %v3335 = select i1 %v3324, i64 %v136, i64 0
-  %v3336 = add i64 %v3335, %v3317
-  %v3337 = getelementptr double, ptr %v913, i64 %v3336
-  %v3338 = load double, ptr %v3337, align 8, !noalias !463
-  %v3339 = fcmp olt double %v3338, 5.000000e-01
-  br i1 %v3339, label %v3319, label %v3340
+v3245:
+  %v3246 = load i64, ptr %v143, align 8, !noalias !447
+  %v3247 = icmp sgt i64 %v3246, -1
+  br i1 %v3247, label %v3248, label %v3202
 
-v3340:
-  %v3341 = getelementptr double, ptr %v134, i64 %v3336
-  %v3342 = load double, ptr %v3341, align 8, !noalias !463
-  %v3343 = getelementptr double, ptr %v915, i64 %v3336
-  %v3344 = load double, ptr %v3343, align 8, !noalias !463
-  %v3345 = fcmp une double %v3342, %v3344
-  br i1 %v3345, label %v3319, label %v3346
+v3248:
+  %v3249 = getelementptr i64, ptr %v111, i64 %v3246
+  %v3250 = load i64, ptr %v3249, align 8, !noalias !447
+  %v3251 = icmp eq i64 %v3250, 0
+  br i1 %v3251, label %v3252, label %v3202
 
-v3346:
-  %v3347 = getelementptr i64, ptr %v927, i64 %v3326
-  %v3348 = load i64, ptr %v3347, align 8, !noalias !466
-  %v3349 = icmp sgt i64 %v3348, 0
-  br i1 %v3349, label %v3350, label %v3351
+v3252:
+  store i64 6, ptr %v3249, align 8, !noalias !447
+  br label %v3202
 
-v3350:
-  %v3352 = getelementptr double, ptr %v93, i64 %v3348
-  %v3353 = getelementptr i8, ptr %v3352, i64 -8
+v3202:
+  store double 0.000000e+00, ptr %v895, align 8, !noalias !443
+  br label %v3176
+
+v3180:
+  %v3253 = phi i1 [ %v3194, %v3193 ], [ false, %v3179 ]
+  %v3184 = phi i64 [ %v3196, %v3193 ], [ 0, %v3179 ]
+  %v3196 = add nsw i64 %v3184, 1
+  br i1 %v3253, label %v3193, label %v3182
+
+v3207:
+  %v3254 = phi i1 [ %v3226, %v3225 ], [ false, %v3201 ]
+  %v3212 = phi i64 [ %v3228, %v3225 ], [ 0, %v3201 ]
+  %v3228 = add nsw i64 %v3212, 1
+  br i1 %v3254, label %v3225, label %v3208
+
+v3176:
+  %v3255 = and i1 %v908, %v1292
+  %v3256 = xor i1 %v3255, true
+  %v3257 = or i1 %v294, %v3256
+  br i1 %v3257, label %v3258, label %v3259
+
+v3260:
+  %v3261 = getelementptr i64, ptr %v111, i64 %v3262
+  %v3263 = load i64, ptr %v3261, align 8, !noalias !450
+  %v3264 = icmp eq i64 %v3263, 0
+  br i1 %v3264, label %v3265, label %v3266
+
+v3265:
+  %v3267 = getelementptr double, ptr %v911, i64 %v3268
+  %v3269 = load double, ptr %v3267, align 8, !noalias !450
+  %v3270 = fcmp olt double %v3269, 5.000000e-01
+  br i1 %v3270, label %v3266, label %v3271
+
+v3271:
+  %v3272 = getelementptr double, ptr %v134, i64 %v3268
+  %v3273 = load double, ptr %v3272, align 8, !noalias !450
+  %v3274 = getelementptr double, ptr %v913, i64 %v3268
+  %v3275 = load double, ptr %v3274, align 8, !noalias !450
+  %v3276 = fcmp une double %v3273, %v3275
+  %v3277 = select i1 %v3276, i1 true, i1 %v915
+  %v3278 = xor i1 %v3276, true
+  %v3279 = select i1 %v3278, i1 true, i1 %v3280
+  br i1 %v3277, label %v3266, label %v3281
+
+v3281:
+  %v3282 = getelementptr i64, ptr %v914, i64 %v3268
+  %v3283 = load i64, ptr %v3282, align 8, !noalias !455
+  %v3284 = add nsw i64 %v3283, 1
+  %v3285 = icmp slt i64 %v3283, -1
+  %v3286 = select i1 %v3285, i64 %v78, i64 0
+  %v3287 = add i64 %v3284, %v3286
+  %v3288 = mul i64 %v3287, %v79
+  %v3289 = getelementptr double, ptr %v77, i64 %v3288
+  br label %v3290
+
+v3290:
+  %v3291 = phi i64 [ 0, %v3281 ], [ %v3292, %v3290 ]
+  %v3292 = add nsw i64 %v3291, 1
+  %v3293 = getelementptr double, ptr %v3289, i64 %v3291
+  %v3294 = load double, ptr %v3293, align 8, !noalias !456
+  %v3295 = getelementptr i64, ptr %v63, i64 %v3291
+  %v3296 = load i64, ptr %v3295, align 8, !noalias !456
+  %v3297 = mul nsw i64 %v3296, %v9
+  %v3298 = add nsw i64 %v3297, %v3268
+  %v3299 = icmp slt i64 %v3298, 0
+  %v3300 = select i1 %v3299, i64 %v167, i64 0
+  %v3301 = getelementptr double, ptr %v166, i64 %v3298
+  %v3302 = getelementptr double, ptr %v3301, i64 %v3300
+  store double %v3294, ptr %v3302, align 8, !noalias !456
+  %v3303 = icmp eq i64 %v64, %v3292
+  br i1 %v3303, label %v3266, label %v3290
+
+v3266:
+  %v3304 = phi i1 [ %v3279, %v3271 ], [ %v3280, %v3265 ], [ %v3280, %v3259 ], [ %v3280, %v3260 ], [ true, %v3290 ]
+  %v3305 = icmp eq i64 %v9, %v3306
+  br i1 %v3305, label %v3307, label %v3259
+
+v3307:
+  br i1 %v3304, label %v3308, label %v3258
+
+v3308:
+  %v3309 = load i64, ptr %v916, align 8, !noalias !460
+  %v3310 = inttoptr i64 %v3309 to ptr
+  tail call void %v3310(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v187), !noalias !460
+  %v3311 = load i64, ptr %v918, align 8, !noalias !455
+  %v3312 = inttoptr i64 %v3311 to ptr
+  tail call void %v3312(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v920), !noalias !455
+  br label %v3313
+
+v3313:
+  %v3314 = phi i64 [ 0, %v3308 ], [ %v3315, %v3316 ]
+  %v3317 = phi i64 [ %v922, %v3308 ], [ %v3318, %v3316 ]
+  %v3319 = phi i64 [ 1, %v3308 ], [ %v3320, %v3316 ]
+  %v3321 = icmp slt i64 %v3314, 0
+  %v3322 = select i1 %v3321, i64 %v145, i64 0
+  %v3323 = add i64 %v3322, %v3314
+  %v3324 = getelementptr i64, ptr %v143, i64 %v3323
+  %v3325 = load i64, ptr %v3324, align 8, !noalias !463
+  %v3326 = icmp slt i64 %v3325, 0
+  br i1 %v3326, label %v3316, label %v3327
+
+v3327:
+  %v3328 = getelementptr i64, ptr %v111, i64 %v3325
+  %v3329 = load i64, ptr %v3328, align 8, !noalias !463
+  %v3330 = icmp eq i64 %v3329, 0
+  br i1 %v3330, label %v3331, label %v3316
+
+v3331:
+  %v3332 = select i1 %v3321, i64 %v136, i64 0
+  %v3333 = add i64 %v3332, %v3314
+  %v3334 = getelementptr double, ptr %v911, i64 %v3333
+  %v3335 = load double, ptr %v3334, align 8, !noalias !463
+  %v3336 = fcmp olt double %v3335, 5.000000e-01
+  br i1 %v3336, label %v3316, label %v3337
+
+v3337:
+  %v3338 = getelementptr double, ptr %v134, i64 %v3333
+  %v3339 = load double, ptr %v3338, align 8, !noalias !463
+  %v3340 = getelementptr double, ptr %v913, i64 %v3333
+  %v3341 = load double, ptr %v3340, align 8, !noalias !463
+  %v3342 = fcmp une double %v3339, %v3341
+  br i1 %v3342, label %v3316, label %v3343
+
+v3343:
+  %v3344 = getelementptr i64, ptr %v925, i64 %v3323
+  %v3345 = load i64, ptr %v3344, align 8, !noalias !466
+  %v3346 = icmp sgt i64 %v3345, 0
+  br i1 %v3346, label %v3347, label %v3348
+
+v3347:
+  %v3349 = getelementptr double, ptr %v93, i64 %v3345
+  %v3350 = getelementptr i8, ptr %v3349, i64 -8
+  %v3351 = load double, ptr %v3350, align 8, !noalias !466
+  %v3352 = getelementptr double, ptr %v134, i64 %v3314
+  %v3353 = getelementptr double, ptr %v3352, i64 %v3332
   %v3354 = load double, ptr %v3353, align 8, !noalias !466
-  %v3355 = getelementptr double, ptr %v134, i64 %v3317
-  %v3356 = getelementptr double, ptr %v3355, i64 %v3335
-  %v3357 = load double, ptr %v3356, align 8, !noalias !466
-  %v3358 = fcmp oeq double %v3354, %v3357
-  br label %v3351
+  %v3355 = fcmp oeq double %v3351, %v3354
+  br label %v3348
 
-v3351:
-  %v3359 = phi i1 [ %v3358, %v3350 ], [ false, %v3346 ]
-  br i1 %v929, label %v3360, label %v3361
+v3348:
+  %v3356 = phi i1 [ %v3355, %v3347 ], [ false, %v3343 ]
+  br i1 %v927, label %v3357, label %v3358
 
-v3361:
-  %v3362 = mul i64 %v923, %v3328
-  %v3363 = select i1 %v3324, i64 %v197, i64 0
-  %v3364 = add i64 %v3363, %v3317
-  %v3365 = getelementptr double, ptr %v930, i64 %v3364
-  %v3366 = getelementptr double, ptr %v194, i64 %v3364
-  %v3367 = add nsw i64 %v3348, -1
-  %v3368 = select i1 %v3349, i64 0, i64 %v102
-  %v3369 = add i64 %v3367, %v3368
-  %v3370 = mul i64 %v3369, %v103
-  %v3371 = getelementptr double, ptr %v100, i64 %v3362
-  %v3372 = getelementptr double, ptr %v3371, i64 %v3370
-  br label %v3373
+v3358:
+  %v3359 = mul i64 %v921, %v3325
+  %v3360 = select i1 %v3321, i64 %v197, i64 0
+  %v3361 = add i64 %v3360, %v3314
+  %v3362 = getelementptr double, ptr %v928, i64 %v3361
+  %v3363 = getelementptr double, ptr %v194, i64 %v3361
+  %v3364 = add nsw i64 %v3345, -1
+  %v3365 = select i1 %v3346, i64 0, i64 %v102
+  %v3366 = add i64 %v3364, %v3365
+  %v3367 = mul i64 %v3366, %v103
+  %v3368 = getelementptr double, ptr %v100, i64 %v3359
+  %v3369 = getelementptr double, ptr %v3368, i64 %v3367
+  br label %v3370
 
-v3374:
-  %v3375 = getelementptr double, ptr %v3372, i64 %v3376
-  store double %v3377, ptr %v3375, align 8, !noalias !466
-  br label %v3378
+v3371:
+  %v3372 = getelementptr double, ptr %v3369, i64 %v3373
+  store double %v3374, ptr %v3372, align 8, !noalias !466
+  br label %v3375
+
+v3375:
+  %v3376 = icmp eq i64 %v10, %v3377
+  br i1 %v3376, label %v3378, label %v3370
 
 v3378:
-  %v3379 = icmp eq i64 %v10, %v3380
-  br i1 %v3379, label %v3381, label %v3373
+  %v3379 = fcmp une double %v3380, 0.000000e+00
+  br i1 %v3379, label %v3381, label %v3357
 
 v3381:
-  %v3382 = fcmp une double %v3383, 0.000000e+00
-  br i1 %v3382, label %v3384, label %v3360
+  %v3382 = load i64, ptr %v3324, align 8, !noalias !470
+  %v3383 = icmp sgt i64 %v3382, -1
+  br i1 %v3383, label %v3384, label %v3357
 
 v3384:
-  %v3385 = load i64, ptr %v3327, align 8, !noalias !470
-  %v3386 = icmp sgt i64 %v3385, -1
-  br i1 %v3386, label %v3387, label %v3360
+  %v3385 = getelementptr i64, ptr %v111, i64 %v3382
+  %v3386 = load i64, ptr %v3385, align 8, !noalias !470
+  %v3387 = icmp eq i64 %v3386, 0
+  br i1 %v3387, label %v3388, label %v3357
 
-v3387:
-  %v3388 = getelementptr i64, ptr %v111, i64 %v3385
-  %v3389 = load i64, ptr %v3388, align 8, !noalias !470
-  %v3390 = icmp eq i64 %v3389, 0
-  br i1 %v3390, label %v3391, label %v3360
+v3388:
+  store i64 3, ptr %v3385, align 8, !noalias !470
+  br label %v3357
 
-v3391:
-  store i64 3, ptr %v3388, align 8, !noalias !470
-  br label %v3360
+v3357:
+  br i1 %v291, label %v3389, label %v3316
 
-v3360:
-  br i1 %v291, label %v3392, label %v3319
+v3389:
+  %v3390 = load double, ptr %v930, align 8, !noalias !473
+  %v3391 = load double, ptr %v93, align 8, !noalias !473
+  %v3392 = fsub double %v3390, %v3391
+  %v3393 = fmul double %v3392, 1.000000e-13
+  %v3394 = load double, ptr %v134, align 8, !noalias !473
+  %v3395 = tail call double @llvm.fabs.f64(double %v3394)
+  %v3396 = fmul double %v3395, 4.000000e-15
+  %v3397 = fcmp ogt double %v3396, %v3393
+  %v3398 = select i1 %v3397, double %v3396, double %v3393
+  %v3399 = fadd double %v3394, %v3398
+  store double %v3399, ptr %v932, align 8, !noalias !483
+  %v3400 = load i64, ptr %v6, align 8, !noalias !484
+  %v3401 = inttoptr i64 %v3400 to ptr
+  tail call void %v3401(ptr nonnull %v134, ptr %v920, ptr %v166, ptr %v173, ptr %v180, ptr %v934), !noalias !484
+  br i1 %v927, label %v3402, label %v3403
 
-v3392:
-  %v3393 = load double, ptr %v932, align 8, !noalias !473
-  %v3394 = load double, ptr %v93, align 8, !noalias !473
-  %v3395 = fsub double %v3393, %v3394
-  %v3396 = fmul double %v3395, 1.000000e-13
-  %v3397 = load double, ptr %v134, align 8, !noalias !473
-  %v3398 = tail call double @llvm.fabs.f64(double %v3397)
-  %v3399 = fmul double %v3398, 4.000000e-15
-  %v3400 = fcmp ogt double %v3399, %v3396
-  %v3401 = select i1 %v3400, double %v3399, double %v3396
-  %v3402 = fadd double %v3397, %v3401
-  store double %v3402, ptr %v934, align 8, !noalias !483
-  %v3403 = load i64, ptr %v6, align 8, !noalias !484
-  %v3404 = inttoptr i64 %v3403 to ptr
-  tail call void %v3404(ptr nonnull %v134, ptr %v922, ptr %v166, ptr %v173, ptr %v180, ptr %v936), !noalias !484
-  br i1 %v929, label %v3405, label %v3406
+v3402:
+  %v3404 = load i64, ptr %v939, align 8, !noalias !487
+  %v3405 = inttoptr i64 %v3404 to ptr
+  tail call void %v3405(ptr nonnull %v134, ptr %v941, ptr %v166, ptr %v173, ptr %v180, ptr %v943), !noalias !487
+  %v3406 = load i64, ptr %v939, align 8, !noalias !490
+  %v3407 = inttoptr i64 %v3406 to ptr
+  tail call void %v3407(ptr nonnull %v932, ptr %v945, ptr %v166, ptr %v173, ptr %v180, ptr %v947), !noalias !490
+  br label %v3408
 
-v3405:
-  %v3407 = load i64, ptr %v941, align 8, !noalias !487
-  %v3408 = inttoptr i64 %v3407 to ptr
-  tail call void %v3408(ptr nonnull %v134, ptr %v943, ptr %v166, ptr %v173, ptr %v180, ptr %v945), !noalias !487
-  %v3409 = load i64, ptr %v941, align 8, !noalias !490
-  %v3410 = inttoptr i64 %v3409 to ptr
-  tail call void %v3410(ptr nonnull %v934, ptr %v947, ptr %v166, ptr %v173, ptr %v180, ptr %v949), !noalias !490
-  br label %v3411
+v3408:
+  %v3409 = phi i64 [ %v19, %v3402 ], [ %v3410, %v3411 ]
+  %v3412 = phi i64 [ %v949, %v3402 ], [ %v3413, %v3411 ]
+  %v3414 = icmp sgt i64 %v3412, 0
+  br i1 %v3414, label %v3411, label %v3415
 
 v3411:
-  %v3412 = phi i64 [ %v19, %v3405 ], [ %v3413, %v3414 ]
-  %v3415 = phi i64 [ %v951, %v3405 ], [ %v3416, %v3414 ]
-  %v3417 = icmp sgt i64 %v3415, 0
-  br i1 %v3417, label %v3414, label %v3418
+  %v3413 = add nsw i64 %v3412, -1
+  %v3410 = add i64 %v3409, 1
+  %v3416 = icmp slt i64 %v3409, 0
+  %v3417 = select i1 %v3416, i64 %v208, i64 0
+  %v3418 = add i64 %v3417, %v3409
+  %v3419 = getelementptr double, ptr %v953, i64 %v3418
+  %v3420 = load double, ptr %v3419, align 8, !noalias !483
+  %v3421 = getelementptr double, ptr %v956, i64 %v3418
+  %v3422 = load double, ptr %v3421, align 8, !noalias !483
+  %v3423 = fsub double %v3420, %v3422
+  %v3424 = tail call double @llvm.fabs.f64(double %v3423)
+  %v3425 = getelementptr double, ptr %v958, i64 %v3418
+  %v3426 = load double, ptr %v3425, align 8, !noalias !483
+  %v3427 = tail call i1 @llvm.is.fpclass.f64(double %v3426, i32 543)
+  %v3428 = select i1 %v3427, double 0.000000e+00, double %v3426
+  %v3429 = fcmp ueq double %v3424, 0x7FF0000000000000
+  %v3430 = select i1 %v3429, double -0.000000e+00, double %v3424
+  %v3431 = fadd double %v3428, %v3430
+  %v3432 = getelementptr double, ptr %v955, i64 %v3418
+  %v3433 = load double, ptr %v3432, align 8, !noalias !483
+  %v3434 = fneg double %v3431
+  %v3435 = fcmp olt double %v3433, %v3434
+  br i1 %v3435, label %v3415, label %v3408
 
-v3414:
-  %v3416 = add nsw i64 %v3415, -1
-  %v3413 = add i64 %v3412, 1
-  %v3419 = icmp slt i64 %v3412, 0
-  %v3420 = select i1 %v3419, i64 %v208, i64 0
-  %v3421 = add i64 %v3420, %v3412
-  %v3422 = getelementptr double, ptr %v955, i64 %v3421
-  %v3423 = load double, ptr %v3422, align 8, !noalias !483
-  %v3424 = getelementptr double, ptr %v958, i64 %v3421
-  %v3425 = load double, ptr %v3424, align 8, !noalias !483
-  %v3426 = fsub double %v3423, %v3425
-  %v3427 = tail call double @llvm.fabs.f64(double %v3426)
-  %v3428 = getelementptr double, ptr %v960, i64 %v3421
-  %v3429 = load double, ptr %v3428, align 8, !noalias !483
-  %v3430 = tail call i1 @llvm.is.fpclass.f64(double %v3429, i32 543)
-  %v3431 = select i1 %v3430, double 0.000000e+00, double %v3429
-  %v3432 = fcmp ueq double %v3427, 0x7FF0000000000000
-  %v3433 = select i1 %v3432, double -0.000000e+00, double %v3427
-  %v3434 = fadd double %v3431, %v3433
-  %v3435 = getelementptr double, ptr %v957, i64 %v3421
-  %v3436 = load double, ptr %v3435, align 8, !noalias !483
-  %v3437 = fneg double %v3434
-  %v3438 = fcmp olt double %v3436, %v3437
-  br i1 %v3438, label %v3418, label %v3411
+v3403:
+  %v3436 = phi i64 [ %v3437, %v3403 ], [ 0, %v3389 ]
+  %v3437 = add nsw i64 %v3436, 1
+  %v3438 = mul i64 %v3436, %v197
+  %v3439 = getelementptr double, ptr %v928, i64 %v3438
+  %v3440 = load double, ptr %v3439, align 8, !noalias !483
+  %v3441 = getelementptr double, ptr %v936, i64 %v3438
+  %v3442 = load double, ptr %v3441, align 8, !noalias !483
+  %v3443 = fmul double %v3398, %v3442
+  %v3444 = fadd double %v3440, %v3443
+  %v3445 = getelementptr double, ptr %v938, i64 %v3438
+  store double %v3444, ptr %v3445, align 8, !noalias !483
+  %v3446 = icmp eq i64 %v10, %v3437
+  br i1 %v3446, label %v3402, label %v3403
 
-v3406:
-  %v3439 = phi i64 [ %v3440, %v3406 ], [ 0, %v3392 ]
-  %v3440 = add nsw i64 %v3439, 1
-  %v3441 = mul i64 %v3439, %v197
-  %v3442 = getelementptr double, ptr %v930, i64 %v3441
-  %v3443 = load double, ptr %v3442, align 8, !noalias !483
-  %v3444 = getelementptr double, ptr %v938, i64 %v3441
-  %v3445 = load double, ptr %v3444, align 8, !noalias !483
-  %v3446 = fmul double %v3401, %v3445
-  %v3447 = fadd double %v3443, %v3446
-  %v3448 = getelementptr double, ptr %v940, i64 %v3441
-  store double %v3447, ptr %v3448, align 8, !noalias !483
-  %v3449 = icmp eq i64 %v10, %v3440
-  br i1 %v3449, label %v3405, label %v3406
+v3447:
+  %v3448 = getelementptr i64, ptr %v960, i64 %v3323
+  store i64 %v3449, ptr %v3448, align 8, !noalias !493
+  %v3450 = load i64, ptr %v3324, align 8, !noalias !494
+  %v3451 = icmp sgt i64 %v3450, -1
+  br i1 %v3451, label %v3452, label %v3453
 
-v3450:
-  %v3451 = getelementptr i64, ptr %v962, i64 %v3326
-  store i64 %v3452, ptr %v3451, align 8, !noalias !493
-  %v3453 = load i64, ptr %v3327, align 8, !noalias !494
-  %v3454 = icmp sgt i64 %v3453, -1
-  br i1 %v3454, label %v3455, label %v3456
+v3452:
+  %v3454 = getelementptr i64, ptr %v111, i64 %v3450
+  %v3455 = load i64, ptr %v3454, align 8, !noalias !494
+  %v3456 = icmp eq i64 %v3455, 0
+  br i1 %v3456, label %v3457, label %v3453
 
-v3455:
-  %v3457 = getelementptr i64, ptr %v111, i64 %v3453
-  %v3458 = load i64, ptr %v3457, align 8, !noalias !494
-  %v3459 = icmp eq i64 %v3458, 0
-  br i1 %v3459, label %v3460, label %v3456
+v3457:
+  store i64 4, ptr %v3454, align 8, !noalias !494
+  br label %v3453
 
-v3460:
-  store i64 4, ptr %v3457, align 8, !noalias !494
-  br label %v3456
+v3453:
+  %v3458 = load double, ptr %v3338, align 8, !noalias !493
+  store double %v3458, ptr %v3340, align 8, !noalias !493
+  %v3459 = getelementptr double, ptr %v962, i64 %v3333
+  store double 0.000000e+00, ptr %v3459, align 8, !noalias !493
+  br label %v3316
 
-v3456:
-  %v3461 = load double, ptr %v3341, align 8, !noalias !493
-  store double %v3461, ptr %v3343, align 8, !noalias !493
-  %v3462 = getelementptr double, ptr %v964, i64 %v3336
-  store double 0.000000e+00, ptr %v3462, align 8, !noalias !493
-  br label %v3319
+v3415:
+  %v3449 = phi i64 [ %v3409, %v3411 ], [ -1, %v3408 ]
+  %v3460 = icmp sgt i64 %v3449, -1
+  br i1 %v3460, label %v3447, label %v3316
 
-v3418:
-  %v3452 = phi i64 [ %v3412, %v3414 ], [ -1, %v3411 ]
-  %v3463 = icmp sgt i64 %v3452, -1
-  br i1 %v3463, label %v3450, label %v3319
+v3370:
+  %v3461 = phi double [ 0.000000e+00, %v3358 ], [ %v3380, %v3375 ]
+  %v3373 = phi i64 [ 0, %v3358 ], [ %v3377, %v3375 ]
+  %v3377 = add nsw i64 %v3373, 1
+  %v3462 = mul i64 %v3373, %v197
+  %v3463 = getelementptr double, ptr %v3362, i64 %v3462
+  %v3374 = load double, ptr %v3463, align 8, !noalias !466
+  %v3464 = fmul double %v3374, 0.000000e+00
+  %v3380 = fadd double %v3461, %v3464
+  %v3465 = getelementptr double, ptr %v3363, i64 %v3462
+  store double %v3374, ptr %v3465, align 8, !noalias !466
+  br i1 %v3356, label %v3371, label %v3375
 
-v3373:
-  %v3464 = phi double [ 0.000000e+00, %v3361 ], [ %v3383, %v3378 ]
-  %v3376 = phi i64 [ 0, %v3361 ], [ %v3380, %v3378 ]
-  %v3380 = add nsw i64 %v3376, 1
-  %v3465 = mul i64 %v3376, %v197
-  %v3466 = getelementptr double, ptr %v3365, i64 %v3465
-  %v3377 = load double, ptr %v3466, align 8, !noalias !466
-  %v3467 = fmul double %v3377, 0.000000e+00
-  %v3383 = fadd double %v3464, %v3467
-  %v3468 = getelementptr double, ptr %v3366, i64 %v3465
-  store double %v3377, ptr %v3468, align 8, !noalias !466
-  br i1 %v3359, label %v3374, label %v3378
+v3316:
+  %v3466 = icmp sgt i64 %v3317, 0
+  %v3467 = zext i1 %v3466 to i64
+  %v3320 = add i64 %v3319, %v3467
+  %v3468 = sext i1 %v3466 to i64
+  %v3318 = add nsw i64 %v3317, %v3468
+  %v3315 = select i1 %v3466, i64 %v3319, i64 0
+  br i1 %v3466, label %v3313, label %v3258
 
-v3319:
-  %v3469 = icmp sgt i64 %v3320, 0
-  %v3470 = zext i1 %v3469 to i64
-  %v3323 = add i64 %v3322, %v3470
-  %v3471 = sext i1 %v3469 to i64
-  %v3321 = add nsw i64 %v3320, %v3471
-  %v3318 = select i1 %v3469, i64 %v3322, i64 0
-  br i1 %v3469, label %v3316, label %v3261
+v3259:
+  %v3280 = phi i1 [ %v3304, %v3266 ], [ false, %v3176 ]
+  %v3268 = phi i64 [ %v3306, %v3266 ], [ 0, %v3176 ]
+  %v3306 = add nsw i64 %v3268, 1
+  %v3469 = getelementptr i64, ptr %v143, i64 %v3268
+  %v3262 = load i64, ptr %v3469, align 8, !noalias !450
+  %v3470 = icmp slt i64 %v3262, 0
+  br i1 %v3470, label %v3266, label %v3260
 
-v3262:
-  %v3283 = phi i1 [ %v3307, %v3269 ], [ false, %v3179 ]
-  %v3271 = phi i64 [ %v3309, %v3269 ], [ 0, %v3179 ]
-  %v3309 = add nsw i64 %v3271, 1
-  %v3472 = getelementptr i64, ptr %v143, i64 %v3271
-  %v3265 = load i64, ptr %v3472, align 8, !noalias !450
-  %v3473 = icmp slt i64 %v3265, 0
-  br i1 %v3473, label %v3269, label %v3263
+v3258:
+  %v3471 = xor i1 %v1292, true
+  %v3472 = or i1 %v294, %v3471
+  %v3473 = select i1 %v1292, i64 0, i64 %v1062
+  br i1 %v3472, label %v1061, label %v3474
 
-v3261:
-  %v3474 = xor i1 %v1295, true
-  %v3475 = or i1 %v294, %v3474
-  %v3476 = select i1 %v1295, i64 0, i64 %v1065
-  br i1 %v3475, label %v1064, label %v3477
+v3475:
+  %v3476 = mul i64 %v3477, %v127
+  %v3478 = getelementptr i64, ptr %v125, i64 %v3476
+  %v3479 = load i64, ptr %v3478, align 8, !noalias !497
+  %v3480 = getelementptr i8, ptr %v3478, i64 24
+  %v3481 = load i64, ptr %v3480, align 8, !noalias !497
+  %v3482 = add i64 %v3479, %v3481
+  %v3483 = sub i64 %v285, %v3482
+  %v3484 = icmp slt i64 %v3483, 1
+  br i1 %v3484, label %v3485, label %v3486
 
-v3478:
-  %v3479 = mul i64 %v3480, %v127
-  %v3481 = getelementptr i64, ptr %v125, i64 %v3479
-  %v3482 = load i64, ptr %v3481, align 8, !noalias !497
-  %v3483 = getelementptr i8, ptr %v3481, i64 24
-  %v3484 = load i64, ptr %v3483, align 8, !noalias !497
-  %v3485 = add i64 %v3482, %v3484
-  %v3486 = sub i64 %v285, %v3485
-  %v3487 = icmp slt i64 %v3486, 1
-  br i1 %v3487, label %v3488, label %v3489
+v3485:
+  %v3487 = getelementptr i64, ptr %v111, i64 %v3477
+  %v3488 = load i64, ptr %v3487, align 8, !noalias !501
+  %v3489 = icmp eq i64 %v3488, 0
+  br i1 %v3489, label %v3490, label %v3486
 
-v3488:
-  %v3490 = getelementptr i64, ptr %v111, i64 %v3480
-  %v3491 = load i64, ptr %v3490, align 8, !noalias !501
-  %v3492 = icmp eq i64 %v3491, 0
-  br i1 %v3492, label %v3493, label %v3489
+v3490:
+  store i64 5, ptr %v3487, align 8, !noalias !501
+  br label %v3486
 
-v3493:
-  store i64 5, ptr %v3490, align 8, !noalias !501
-  br label %v3489
+v3486:
+  %v3491 = getelementptr double, ptr %v964, i64 %v3492
+  %v3493 = load double, ptr %v3491, align 8, !noalias !497
+  %v3494 = fcmp ogt double %v3493, 5.000000e-01
+  br i1 %v3494, label %v3495, label %v3496
 
-v3489:
-  %v3494 = getelementptr double, ptr %v966, i64 %v3495
-  %v3496 = load double, ptr %v3494, align 8, !noalias !497
-  %v3497 = fcmp ogt double %v3496, 5.000000e-01
-  br i1 %v3497, label %v3498, label %v3499
+v3495:
+  %v3497 = getelementptr double, ptr %v134, i64 %v3492
+  %v3498 = load double, ptr %v3497, align 8, !noalias !497
+  %v3499 = getelementptr double, ptr %v966, i64 %v3492
+  %v3500 = load double, ptr %v3499, align 8, !noalias !497
+  %v3501 = fcmp oeq double %v3498, %v3500
+  br i1 %v3501, label %v3502, label %v3496
 
-v3498:
-  %v3500 = getelementptr double, ptr %v134, i64 %v3495
-  %v3501 = load double, ptr %v3500, align 8, !noalias !497
-  %v3502 = getelementptr double, ptr %v968, i64 %v3495
-  %v3503 = load double, ptr %v3502, align 8, !noalias !497
-  %v3504 = fcmp oeq double %v3501, %v3503
-  br i1 %v3504, label %v3505, label %v3499
+v3502:
+  %v3503 = getelementptr i64, ptr %v967, i64 %v3492
+  %v3504 = load i64, ptr %v3503, align 8, !noalias !504
+  %v3505 = add nsw i64 %v3504, 1
+  store i64 %v3505, ptr %v3503, align 8, !noalias !504
+  %v3506 = icmp slt i64 %v3504, -1
+  %v3507 = select i1 %v3506, i64 %v71, i64 0
+  %v3508 = getelementptr double, ptr %v70, i64 %v3505
+  %v3509 = getelementptr double, ptr %v3508, i64 %v3507
+  %v3510 = load double, ptr %v3509, align 8, !noalias !504
+  %v3511 = fcmp oeq double %v3510, 0x7FF0000000000000
+  br i1 %v3511, label %v3512, label %v3513
 
-v3505:
-  %v3506 = getelementptr i64, ptr %v969, i64 %v3495
-  %v3507 = load i64, ptr %v3506, align 8, !noalias !504
-  %v3508 = add nsw i64 %v3507, 1
-  store i64 %v3508, ptr %v3506, align 8, !noalias !504
-  %v3509 = icmp slt i64 %v3507, -1
-  %v3510 = select i1 %v3509, i64 %v71, i64 0
-  %v3511 = getelementptr double, ptr %v70, i64 %v3508
-  %v3512 = getelementptr double, ptr %v3511, i64 %v3510
-  %v3513 = load double, ptr %v3512, align 8, !noalias !504
-  %v3514 = fcmp oeq double %v3513, 0x7FF0000000000000
-  br i1 %v3514, label %v3515, label %v3516
+v3512:
+  %v3514 = load i64, ptr %v3515, align 8, !noalias !504
+  %v3516 = icmp slt i64 %v3514, 0
+  %v3517 = select i1 %v3516, i64 %v112, i64 0
+  %v3518 = getelementptr i64, ptr %v111, i64 %v3514
+  %v3519 = getelementptr i64, ptr %v3518, i64 %v3517
+  %v3520 = load i64, ptr %v3519, align 8, !noalias !504
+  %v3521 = icmp eq i64 %v3520, 0
+  br i1 %v3521, label %v3522, label %v3496
 
-v3515:
-  %v3517 = load i64, ptr %v3518, align 8, !noalias !504
-  %v3519 = icmp slt i64 %v3517, 0
-  %v3520 = select i1 %v3519, i64 %v112, i64 0
-  %v3521 = getelementptr i64, ptr %v111, i64 %v3517
-  %v3522 = getelementptr i64, ptr %v3521, i64 %v3520
-  %v3523 = load i64, ptr %v3522, align 8, !noalias !504
-  %v3524 = icmp eq i64 %v3523, 0
-  br i1 %v3524, label %v3525, label %v3499
+v3522:
+  store i64 1, ptr %v3519, align 8, !noalias !504
+  br label %v3496
 
-v3525:
-  store i64 1, ptr %v3522, align 8, !noalias !504
-  br label %v3499
+v3513:
+  store double %v3510, ptr %v3499, align 8, !noalias !504
+  %v3523 = select i1 %v3506, i64 %v87, i64 0
+  %v3524 = getelementptr i64, ptr %v86, i64 %v3505
+  %v3525 = getelementptr i64, ptr %v3524, i64 %v3523
+  %v3526 = load i64, ptr %v3525, align 8, !noalias !504
+  %v3527 = icmp eq i64 %v3526, 0
+  br i1 %v3527, label %v3528, label %v3529
 
-v3516:
-  store double %v3513, ptr %v3502, align 8, !noalias !504
-  %v3526 = select i1 %v3509, i64 %v87, i64 0
-  %v3527 = getelementptr i64, ptr %v86, i64 %v3508
-  %v3528 = getelementptr i64, ptr %v3527, i64 %v3526
-  %v3529 = load i64, ptr %v3528, align 8, !noalias !504
-  %v3530 = icmp eq i64 %v3529, 0
-  br i1 %v3530, label %v3531, label %v3532
+v3528:
+  %v3530 = getelementptr double, ptr %v971, i64 %v3492
+  store double 1.000000e+00, ptr %v3530, align 8, !noalias !504
+  br label %v3531
+
+v3529:
+  %v3532 = getelementptr double, ptr %v969, i64 %v3492
+  %v3533 = load double, ptr %v3532, align 8, !noalias !504
+  %v3534 = fcmp olt double %v3533, 2.500000e-01
+  %v3535 = select i1 %v3534, double 2.500000e-01, double %v3533
+  store double %v3535, ptr %v3532, align 8, !noalias !504
+  %v3536 = load i64, ptr %v483, align 8, !noalias !504
+  %v3537 = tail call i64 @llvm.smax.i64(i64 %v3536, i64 1)
+  br label %v3531
 
 v3531:
-  %v3533 = getelementptr double, ptr %v973, i64 %v3495
-  store double 1.000000e+00, ptr %v3533, align 8, !noalias !504
-  br label %v3534
+  %v3538 = phi i64 [ %v3537, %v3529 ], [ 2, %v3528 ]
+  store i64 %v3538, ptr %v483, align 8, !noalias !504
+  br i1 %v972, label %v3496, label %v3539
 
-v3532:
-  %v3535 = getelementptr double, ptr %v971, i64 %v3495
-  %v3536 = load double, ptr %v3535, align 8, !noalias !504
-  %v3537 = fcmp olt double %v3536, 2.500000e-01
-  %v3538 = select i1 %v3537, double 2.500000e-01, double %v3536
-  store double %v3538, ptr %v3535, align 8, !noalias !504
-  %v3539 = load i64, ptr %v485, align 8, !noalias !504
-  %v3540 = tail call i64 @llvm.smax.i64(i64 %v3539, i64 1)
-  br label %v3534
+v3539:
+  %v3540 = select i1 %v3506, i64 %v78, i64 0
+  %v3541 = add i64 %v3540, %v3505
+  %v3542 = mul i64 %v3541, %v79
+  %v3543 = getelementptr double, ptr %v77, i64 %v3542
+  br label %v3544
 
-v3534:
-  %v3541 = phi i64 [ %v3540, %v3532 ], [ 2, %v3531 ]
-  store i64 %v3541, ptr %v485, align 8, !noalias !504
-  br i1 %v974, label %v3499, label %v3542
+v3544:
+  %v3545 = phi i64 [ 0, %v3539 ], [ %v3546, %v3544 ]
+  %v3546 = add nsw i64 %v3545, 1
+  %v3547 = getelementptr double, ptr %v3543, i64 %v3545
+  %v3548 = load double, ptr %v3547, align 8, !noalias !508
+  %v3549 = getelementptr i64, ptr %v63, i64 %v3545
+  %v3550 = load i64, ptr %v3549, align 8, !noalias !508
+  %v3551 = mul nsw i64 %v3550, %v9
+  %v3552 = add nsw i64 %v3551, %v3492
+  %v3553 = icmp slt i64 %v3552, 0
+  %v3554 = select i1 %v3553, i64 %v167, i64 0
+  %v3555 = getelementptr double, ptr %v166, i64 %v3552
+  %v3556 = getelementptr double, ptr %v3555, i64 %v3554
+  store double %v3548, ptr %v3556, align 8, !noalias !508
+  %v3557 = icmp eq i64 %v64, %v3546
+  br i1 %v3557, label %v3496, label %v3544
 
-v3542:
-  %v3543 = select i1 %v3509, i64 %v78, i64 0
-  %v3544 = add i64 %v3543, %v3508
-  %v3545 = mul i64 %v3544, %v79
-  %v3546 = getelementptr double, ptr %v77, i64 %v3545
-  br label %v3547
+v3496:
+  %v3558 = getelementptr i64, ptr %v111, i64 %v3477
+  %v3559 = load i64, ptr %v3558, align 8, !noalias !497
+  %v3560 = icmp eq i64 %v3559, 0
+  br i1 %v3560, label %v3561, label %v3562
 
-v3547:
-  %v3548 = phi i64 [ 0, %v3542 ], [ %v3549, %v3547 ]
-  %v3549 = add nsw i64 %v3548, 1
-  %v3550 = getelementptr double, ptr %v3546, i64 %v3548
-  %v3551 = load double, ptr %v3550, align 8, !noalias !508
-  %v3552 = getelementptr i64, ptr %v63, i64 %v3548
-  %v3553 = load i64, ptr %v3552, align 8, !noalias !508
-  %v3554 = mul nsw i64 %v3553, %v9
-  %v3555 = add nsw i64 %v3554, %v3495
-  %v3556 = icmp slt i64 %v3555, 0
-  %v3557 = select i1 %v3556, i64 %v167, i64 0
-  %v3558 = getelementptr double, ptr %v166, i64 %v3555
-  %v3559 = getelementptr double, ptr %v3558, i64 %v3557
-  store double %v3551, ptr %v3559, align 8, !noalias !508
-  %v3560 = icmp eq i64 %v64, %v3549
-  br i1 %v3560, label %v3499, label %v3547
+v3562:
+  %v3563 = getelementptr i64, ptr %v974, i64 %v3492
+  %v3564 = load i64, ptr %v3563, align 8, !noalias !497
+  %v3565 = getelementptr i64, ptr %v118, i64 %v3477
+  store i64 %v3564, ptr %v3565, align 8, !noalias !497
+  store i64 -1, ptr %v3515, align 8, !noalias !497
+  %v3566 = getelementptr double, ptr %v976, i64 %v3492
+  store double 0.000000e+00, ptr %v3566, align 8, !noalias !512
+  %v3567 = load i64, ptr %v152, align 8, !noalias !512
+  %v3568 = load i64, ptr %v977, align 8, !noalias !512
+  %v3569 = icmp eq i64 %v3567, %v3568
+  br i1 %v3569, label %v3570, label %v3571
 
-v3499:
-  %v3561 = getelementptr i64, ptr %v111, i64 %v3480
-  %v3562 = load i64, ptr %v3561, align 8, !noalias !497
-  %v3563 = icmp eq i64 %v3562, 0
-  br i1 %v3563, label %v3564, label %v3565
+v3571:
+  %v3572 = add nsw i64 %v3567, 1
+  store i64 %v3572, ptr %v152, align 8, !noalias !512
+  store i64 2, ptr %v483, align 8, !noalias !512
+  store i64 %v3567, ptr %v3515, align 8, !noalias !512
+  %v3573 = icmp slt i64 %v3567, 0
+  %v3574 = select i1 %v3573, i64 %v50, i64 0
+  %v3575 = getelementptr i64, ptr %v49, i64 %v3567
+  %v3576 = getelementptr i64, ptr %v3575, i64 %v3574
+  %v3577 = load i64, ptr %v3576, align 8, !noalias !512
+  %v3578 = icmp slt i64 %v3577, 0
+  %v3579 = select i1 %v3578, i64 %v57, i64 0
+  %v3580 = getelementptr i64, ptr %v56, i64 %v3577
+  %v3581 = getelementptr i64, ptr %v3580, i64 %v3579
+  %v3582 = load i64, ptr %v3581, align 8, !noalias !512
+  %v3583 = getelementptr i64, ptr %v978, i64 %v3492
+  store i64 %v3582, ptr %v3583, align 8, !noalias !512
+  store i64 1, ptr %v3563, align 8, !noalias !512
+  %v3584 = getelementptr i64, ptr %v980, i64 %v3492
+  store i64 0, ptr %v3584, align 8, !noalias !512
+  br i1 %v981, label %v3585, label %v3586
 
-v3565:
-  %v3566 = getelementptr i64, ptr %v976, i64 %v3495
-  %v3567 = load i64, ptr %v3566, align 8, !noalias !497
-  %v3568 = getelementptr i64, ptr %v118, i64 %v3480
-  store i64 %v3567, ptr %v3568, align 8, !noalias !497
-  store i64 -1, ptr %v3518, align 8, !noalias !497
-  %v3569 = getelementptr double, ptr %v978, i64 %v3495
-  store double 0.000000e+00, ptr %v3569, align 8, !noalias !512
-  %v3570 = load i64, ptr %v152, align 8, !noalias !512
-  %v3571 = load i64, ptr %v979, align 8, !noalias !512
-  %v3572 = icmp eq i64 %v3570, %v3571
-  br i1 %v3572, label %v3573, label %v3574
+v3586:
+  %v3587 = select i1 %v3573, i64 %v41, i64 0
+  %v3588 = add i64 %v3587, %v3567
+  %v3589 = mul i64 %v3588, %v42
+  %v3590 = getelementptr double, ptr %v40, i64 %v3589
+  %v3591 = getelementptr double, ptr %v166, i64 %v3492
+  br label %v3592
 
-v3574:
-  %v3575 = add nsw i64 %v3570, 1
-  store i64 %v3575, ptr %v152, align 8, !noalias !512
-  store i64 2, ptr %v485, align 8, !noalias !512
-  store i64 %v3570, ptr %v3518, align 8, !noalias !512
-  %v3576 = icmp slt i64 %v3570, 0
-  %v3577 = select i1 %v3576, i64 %v50, i64 0
-  %v3578 = getelementptr i64, ptr %v49, i64 %v3570
-  %v3579 = getelementptr i64, ptr %v3578, i64 %v3577
-  %v3580 = load i64, ptr %v3579, align 8, !noalias !512
-  %v3581 = icmp slt i64 %v3580, 0
-  %v3582 = select i1 %v3581, i64 %v57, i64 0
-  %v3583 = getelementptr i64, ptr %v56, i64 %v3580
-  %v3584 = getelementptr i64, ptr %v3583, i64 %v3582
-  %v3585 = load i64, ptr %v3584, align 8, !noalias !512
-  %v3586 = getelementptr i64, ptr %v980, i64 %v3495
-  store i64 %v3585, ptr %v3586, align 8, !noalias !512
-  store i64 1, ptr %v3566, align 8, !noalias !512
-  %v3587 = getelementptr i64, ptr %v982, i64 %v3495
-  store i64 0, ptr %v3587, align 8, !noalias !512
-  br i1 %v983, label %v3588, label %v3589
+v3585:
+  br i1 %v982, label %v3593, label %v3594
 
-v3589:
-  %v3590 = select i1 %v3576, i64 %v41, i64 0
-  %v3591 = add i64 %v3590, %v3570
-  %v3592 = mul i64 %v3591, %v42
-  %v3593 = getelementptr double, ptr %v40, i64 %v3592
-  %v3594 = getelementptr double, ptr %v166, i64 %v3495
-  br label %v3595
+v3594:
+  %v3595 = load i64, ptr %v3583, align 8, !noalias !512
+  %v3596 = icmp slt i64 %v3595, 0
+  %v3597 = select i1 %v3596, i64 %v78, i64 0
+  %v3598 = add i64 %v3597, %v3595
+  %v3599 = mul i64 %v3598, %v79
+  %v3600 = getelementptr double, ptr %v77, i64 %v3599
+  br label %v3601
 
-v3588:
-  br i1 %v984, label %v3596, label %v3597
+v3601:
+  %v3602 = phi i64 [ 0, %v3594 ], [ %v3603, %v3601 ]
+  %v3603 = add nsw i64 %v3602, 1
+  %v3604 = getelementptr double, ptr %v3600, i64 %v3602
+  %v3605 = load double, ptr %v3604, align 8, !noalias !515
+  %v3606 = getelementptr i64, ptr %v63, i64 %v3602
+  %v3607 = load i64, ptr %v3606, align 8, !noalias !515
+  %v3608 = mul nsw i64 %v3607, %v9
+  %v3609 = add nsw i64 %v3608, %v3492
+  %v3610 = icmp slt i64 %v3609, 0
+  %v3611 = select i1 %v3610, i64 %v167, i64 0
+  %v3612 = getelementptr double, ptr %v166, i64 %v3609
+  %v3613 = getelementptr double, ptr %v3612, i64 %v3611
+  store double %v3605, ptr %v3613, align 8, !noalias !515
+  %v3614 = icmp eq i64 %v3603, %v64
+  br i1 %v3614, label %v3593, label %v3601
 
-v3597:
-  %v3598 = load i64, ptr %v3586, align 8, !noalias !512
-  %v3599 = icmp slt i64 %v3598, 0
-  %v3600 = select i1 %v3599, i64 %v78, i64 0
-  %v3601 = add i64 %v3600, %v3598
-  %v3602 = mul i64 %v3601, %v79
-  %v3603 = getelementptr double, ptr %v77, i64 %v3602
-  br label %v3604
-
-v3604:
-  %v3605 = phi i64 [ 0, %v3597 ], [ %v3606, %v3604 ]
-  %v3606 = add nsw i64 %v3605, 1
-  %v3607 = getelementptr double, ptr %v3603, i64 %v3605
-  %v3608 = load double, ptr %v3607, align 8, !noalias !515
-  %v3609 = getelementptr i64, ptr %v63, i64 %v3605
-  %v3610 = load i64, ptr %v3609, align 8, !noalias !515
-  %v3611 = mul nsw i64 %v3610, %v9
-  %v3612 = add nsw i64 %v3611, %v3495
-  %v3613 = icmp slt i64 %v3612, 0
-  %v3614 = select i1 %v3613, i64 %v167, i64 0
-  %v3615 = getelementptr double, ptr %v166, i64 %v3612
-  %v3616 = getelementptr double, ptr %v3615, i64 %v3614
-  store double %v3608, ptr %v3616, align 8, !noalias !515
-  %v3617 = icmp eq i64 %v3606, %v64
-  br i1 %v3617, label %v3596, label %v3604
-
-v3618:
-  %v3619 = getelementptr double, ptr %v134, i64 %v3495
-  %v3620 = getelementptr double, ptr %v987, i64 %v3495
-  %v3621 = load double, ptr %v3620, align 8, !noalias !519
-  %v3622 = getelementptr double, ptr %v989, i64 %v3495
-  %v3623 = load double, ptr %v3622, align 8, !noalias !519
-  %v3624 = getelementptr double, ptr %v991, i64 %v3495
-  %v3625 = load double, ptr %v3624, align 8, !noalias !519
-  store double 0.000000e+00, ptr %v3619, align 8, !noalias !519
-  %v3626 = getelementptr double, ptr %v3619, i64 %v136
+v3615:
+  %v3616 = getelementptr double, ptr %v134, i64 %v3492
+  %v3617 = getelementptr double, ptr %v985, i64 %v3492
+  %v3618 = load double, ptr %v3617, align 8, !noalias !519
+  %v3619 = getelementptr double, ptr %v987, i64 %v3492
+  %v3620 = load double, ptr %v3619, align 8, !noalias !519
+  %v3621 = getelementptr double, ptr %v989, i64 %v3492
+  %v3622 = load double, ptr %v3621, align 8, !noalias !519
+  store double 0.000000e+00, ptr %v3616, align 8, !noalias !519
+  %v3623 = getelementptr double, ptr %v3616, i64 %v136
+  store double 0.000000e+00, ptr %v3623, align 8, !noalias !519
+  %v3624 = getelementptr i8, ptr %v3616, i64 %v990
+  store double 0.000000e+00, ptr %v3624, align 8, !noalias !519
+  %v3625 = getelementptr i8, ptr %v3616, i64 %v975
+  store double 0.000000e+00, ptr %v3625, align 8, !noalias !519
+  %v3626 = getelementptr i8, ptr %v3616, i64 %v991
   store double 0.000000e+00, ptr %v3626, align 8, !noalias !519
-  %v3627 = getelementptr i8, ptr %v3619, i64 %v992
+  %v3627 = getelementptr i8, ptr %v3616, i64 %v963
   store double 0.000000e+00, ptr %v3627, align 8, !noalias !519
-  %v3628 = getelementptr i8, ptr %v3619, i64 %v977
+  %v3628 = getelementptr i8, ptr %v3616, i64 %v992
   store double 0.000000e+00, ptr %v3628, align 8, !noalias !519
-  %v3629 = getelementptr i8, ptr %v3619, i64 %v993
+  %v3629 = getelementptr i8, ptr %v3616, i64 %v993
   store double 0.000000e+00, ptr %v3629, align 8, !noalias !519
-  %v3630 = getelementptr i8, ptr %v3619, i64 %v965
+  %v3630 = getelementptr i8, ptr %v3616, i64 %v994
   store double 0.000000e+00, ptr %v3630, align 8, !noalias !519
-  %v3631 = getelementptr i8, ptr %v3619, i64 %v994
+  %v3631 = getelementptr i8, ptr %v3616, i64 %v995
   store double 0.000000e+00, ptr %v3631, align 8, !noalias !519
-  %v3632 = getelementptr i8, ptr %v3619, i64 %v995
+  %v3632 = getelementptr i8, ptr %v3616, i64 %v996
   store double 0.000000e+00, ptr %v3632, align 8, !noalias !519
-  %v3633 = getelementptr i8, ptr %v3619, i64 %v996
+  %v3633 = getelementptr i8, ptr %v3616, i64 %v997
   store double 0.000000e+00, ptr %v3633, align 8, !noalias !519
-  %v3634 = getelementptr i8, ptr %v3619, i64 %v997
+  %v3634 = getelementptr i8, ptr %v3616, i64 %v998
   store double 0.000000e+00, ptr %v3634, align 8, !noalias !519
-  %v3635 = getelementptr i8, ptr %v3619, i64 %v998
+  %v3635 = getelementptr i8, ptr %v3616, i64 %v999
   store double 0.000000e+00, ptr %v3635, align 8, !noalias !519
-  %v3636 = getelementptr i8, ptr %v3619, i64 %v999
+  %v3636 = getelementptr i8, ptr %v3616, i64 %v1000
   store double 0.000000e+00, ptr %v3636, align 8, !noalias !519
-  %v3637 = getelementptr i8, ptr %v3619, i64 %v1000
+  %v3637 = getelementptr i8, ptr %v3616, i64 %v1001
   store double 0.000000e+00, ptr %v3637, align 8, !noalias !519
-  %v3638 = getelementptr i8, ptr %v3619, i64 %v1001
+  %v3638 = getelementptr i8, ptr %v3616, i64 %v1002
   store double 0.000000e+00, ptr %v3638, align 8, !noalias !519
-  %v3639 = getelementptr i8, ptr %v3619, i64 %v1002
+  %v3639 = getelementptr i8, ptr %v3616, i64 %v1003
   store double 0.000000e+00, ptr %v3639, align 8, !noalias !519
-  %v3640 = getelementptr i8, ptr %v3619, i64 %v1003
+  %v3640 = getelementptr i8, ptr %v3616, i64 %v984
   store double 0.000000e+00, ptr %v3640, align 8, !noalias !519
-  %v3641 = getelementptr i8, ptr %v3619, i64 %v1004
+  %v3641 = getelementptr i8, ptr %v3616, i64 %v1004
   store double 0.000000e+00, ptr %v3641, align 8, !noalias !519
-  %v3642 = getelementptr i8, ptr %v3619, i64 %v1005
+  %v3642 = getelementptr i8, ptr %v3616, i64 %v1005
   store double 0.000000e+00, ptr %v3642, align 8, !noalias !519
-  %v3643 = getelementptr i8, ptr %v3619, i64 %v1006
+  %v3643 = getelementptr i8, ptr %v3616, i64 %v1006
   store double 0.000000e+00, ptr %v3643, align 8, !noalias !519
-  %v3644 = getelementptr i8, ptr %v3619, i64 %v1007
+  %v3644 = getelementptr i8, ptr %v3616, i64 %v1007
   store double 0.000000e+00, ptr %v3644, align 8, !noalias !519
-  %v3645 = getelementptr i8, ptr %v3619, i64 %v1008
+  %v3645 = getelementptr i8, ptr %v3616, i64 %v1008
   store double 0.000000e+00, ptr %v3645, align 8, !noalias !519
-  %v3646 = getelementptr i8, ptr %v3619, i64 %v1009
+  %v3646 = getelementptr i8, ptr %v3616, i64 %v1009
   store double 0.000000e+00, ptr %v3646, align 8, !noalias !519
-  %v3647 = getelementptr i8, ptr %v3619, i64 %v1010
+  %v3647 = getelementptr i8, ptr %v3616, i64 %v1010
   store double 0.000000e+00, ptr %v3647, align 8, !noalias !519
-  %v3648 = getelementptr i8, ptr %v3619, i64 %v1011
+  %v3648 = getelementptr i8, ptr %v3616, i64 %v1011
   store double 0.000000e+00, ptr %v3648, align 8, !noalias !519
-  %v3649 = getelementptr i8, ptr %v3619, i64 %v1012
+  %v3649 = getelementptr i8, ptr %v3616, i64 %v1012
   store double 0.000000e+00, ptr %v3649, align 8, !noalias !519
-  %v3650 = getelementptr i8, ptr %v3619, i64 %v1013
+  %v3650 = getelementptr i8, ptr %v3616, i64 %v1013
   store double 0.000000e+00, ptr %v3650, align 8, !noalias !519
-  %v3651 = getelementptr i8, ptr %v3619, i64 %v1014
+  %v3651 = getelementptr i8, ptr %v3616, i64 %v988
   store double 0.000000e+00, ptr %v3651, align 8, !noalias !519
-  %v3652 = getelementptr i8, ptr %v3619, i64 %v1015
+  %v3652 = getelementptr i8, ptr %v3616, i64 %v986
   store double 0.000000e+00, ptr %v3652, align 8, !noalias !519
-  %v3653 = getelementptr i8, ptr %v3619, i64 %v1016
-  store double 0.000000e+00, ptr %v3653, align 8, !noalias !519
-  %v3654 = getelementptr i8, ptr %v3619, i64 %v990
-  store double 0.000000e+00, ptr %v3654, align 8, !noalias !519
-  %v3655 = getelementptr i8, ptr %v3619, i64 %v988
-  store double 0.000000e+00, ptr %v3655, align 8, !noalias !519
-  %v3656 = getelementptr i8, ptr %v3619, i64 %v986
-  store double 0.000000e+00, ptr %v3656, align 8, !noalias !519
-  %v3657 = fcmp oeq double %v3625, 0xFFF0000000000000
-  %v3658 = select i1 %v3657, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v3658, ptr %v3624, align 8, !noalias !519
-  store double %v3623, ptr %v3622, align 8, !noalias !519
-  store double %v3621, ptr %v3620, align 8, !noalias !519
-  store double 1.000000e+00, ptr %v3569, align 8, !noalias !519
-  %v3659 = getelementptr double, ptr %v1017, i64 %v3495
-  store double 0xFFF0000000000000, ptr %v3659, align 8, !noalias !519
-  %v3660 = getelementptr double, ptr %v1018, i64 %v3495
-  store double 0x7FF0000000000000, ptr %v3660, align 8, !noalias !519
-  %v3661 = load double, ptr %v93, align 8, !noalias !512
-  store double %v3661, ptr %v3619, align 8, !noalias !512
-  %v3662 = load i64, ptr %v3586, align 8, !noalias !512
-  %v3663 = icmp slt i64 %v3662, 0
-  %v3664 = select i1 %v3663, i64 %v71, i64 0
-  %v3665 = getelementptr double, ptr %v70, i64 %v3662
-  %v3666 = getelementptr double, ptr %v3665, i64 %v3664
-  %v3667 = load double, ptr %v3666, align 8, !noalias !512
-  %v3668 = getelementptr double, ptr %v1019, i64 %v3495
-  store double %v3667, ptr %v3668, align 8, !noalias !512
-  br label %v3573
+  %v3653 = fcmp oeq double %v3622, 0xFFF0000000000000
+  %v3654 = select i1 %v3653, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v3654, ptr %v3621, align 8, !noalias !519
+  store double %v3620, ptr %v3619, align 8, !noalias !519
+  store double %v3618, ptr %v3617, align 8, !noalias !519
+  store double 1.000000e+00, ptr %v3566, align 8, !noalias !519
+  %v3655 = getelementptr double, ptr %v1014, i64 %v3492
+  store double 0xFFF0000000000000, ptr %v3655, align 8, !noalias !519
+  %v3656 = getelementptr double, ptr %v1015, i64 %v3492
+  store double 0x7FF0000000000000, ptr %v3656, align 8, !noalias !519
+  %v3657 = load double, ptr %v93, align 8, !noalias !512
+  store double %v3657, ptr %v3616, align 8, !noalias !512
+  %v3658 = load i64, ptr %v3583, align 8, !noalias !512
+  %v3659 = icmp slt i64 %v3658, 0
+  %v3660 = select i1 %v3659, i64 %v71, i64 0
+  %v3661 = getelementptr double, ptr %v70, i64 %v3658
+  %v3662 = getelementptr double, ptr %v3661, i64 %v3660
+  %v3663 = load double, ptr %v3662, align 8, !noalias !512
+  %v3664 = getelementptr double, ptr %v1016, i64 %v3492
+  store double %v3663, ptr %v3664, align 8, !noalias !512
+  br label %v3570
 
-v3595:
-  %v3669 = phi i64 [ 0, %v3589 ], [ %v3670, %v3595 ]
-  %v3670 = add nsw i64 %v3669, 1
-  %v3671 = getelementptr double, ptr %v3593, i64 %v3669
-  %v3672 = load double, ptr %v3671, align 8, !noalias !512
-  %v3673 = mul nsw i64 %v3669, %v9
-  %v3674 = getelementptr double, ptr %v3594, i64 %v3673
-  store double %v3672, ptr %v3674, align 8, !noalias !512
-  %v3675 = icmp eq i64 %v3670, %v42
-  br i1 %v3675, label %v3588, label %v3595
+v3592:
+  %v3665 = phi i64 [ 0, %v3586 ], [ %v3666, %v3592 ]
+  %v3666 = add nsw i64 %v3665, 1
+  %v3667 = getelementptr double, ptr %v3590, i64 %v3665
+  %v3668 = load double, ptr %v3667, align 8, !noalias !512
+  %v3669 = mul nsw i64 %v3665, %v9
+  %v3670 = getelementptr double, ptr %v3591, i64 %v3669
+  store double %v3668, ptr %v3670, align 8, !noalias !512
+  %v3671 = icmp eq i64 %v3666, %v42
+  br i1 %v3671, label %v3585, label %v3592
 
-v3596:
-  br i1 %v985, label %v3618, label %v3676
+v3593:
+  br i1 %v983, label %v3615, label %v3672
 
-v3676:
-  %v3677 = getelementptr double, ptr %v194, i64 %v3495
-  %v3678 = select i1 %v3576, i64 %v32, i64 0
-  %v3679 = add i64 %v3678, %v3570
-  %v3680 = mul i64 %v3679, %v33
-  %v3681 = getelementptr double, ptr %v31, i64 %v3680
-  br label %v3682
+v3672:
+  %v3673 = getelementptr double, ptr %v194, i64 %v3492
+  %v3674 = select i1 %v3573, i64 %v32, i64 0
+  %v3675 = add i64 %v3674, %v3567
+  %v3676 = mul i64 %v3675, %v33
+  %v3677 = getelementptr double, ptr %v31, i64 %v3676
+  br label %v3678
 
-v3682:
-  %v3683 = phi i64 [ 0, %v3676 ], [ %v3684, %v3682 ]
-  %v3684 = add nsw i64 %v3683, 1
-  %v3685 = getelementptr double, ptr %v3681, i64 %v3683
-  %v3686 = load double, ptr %v3685, align 8, !noalias !512
-  %v3687 = mul i64 %v3683, %v197
-  %v3688 = getelementptr double, ptr %v3677, i64 %v3687
-  store double %v3686, ptr %v3688, align 8, !noalias !512
-  %v3689 = icmp eq i64 %v3684, %v10
-  br i1 %v3689, label %v3618, label %v3682
+v3678:
+  %v3679 = phi i64 [ 0, %v3672 ], [ %v3680, %v3678 ]
+  %v3680 = add nsw i64 %v3679, 1
+  %v3681 = getelementptr double, ptr %v3677, i64 %v3679
+  %v3682 = load double, ptr %v3681, align 8, !noalias !512
+  %v3683 = mul i64 %v3679, %v197
+  %v3684 = getelementptr double, ptr %v3673, i64 %v3683
+  store double %v3682, ptr %v3684, align 8, !noalias !512
+  %v3685 = icmp eq i64 %v3680, %v10
+  br i1 %v3685, label %v3615, label %v3678
 
-v3564:
-  %v3690 = getelementptr double, ptr %v1021, i64 %v3495
-  %v3691 = load double, ptr %v3690, align 8, !noalias !497
-  %v3692 = fcmp ult double %v3691, 1.500000e+01
-  br i1 %v3692, label %v3573, label %v3693
+v3561:
+  %v3686 = getelementptr double, ptr %v1018, i64 %v3492
+  %v3687 = load double, ptr %v3686, align 8, !noalias !497
+  %v3688 = fcmp ult double %v3687, 1.500000e+01
+  br i1 %v3688, label %v3570, label %v3689
 
-v3693:
-  %v3694 = load double, ptr %v1023, align 8, !noalias !497
-  %v3695 = getelementptr double, ptr %v134, i64 %v3495
-  %v3696 = load double, ptr %v3695, align 8, !noalias !497
-  %v3697 = fsub double %v3694, %v3696
-  %v3698 = getelementptr double, ptr %v1024, i64 %v3495
-  %v3699 = load double, ptr %v3698, align 8, !noalias !497
-  %v3700 = fmul double %v3699, 2.500000e+02
-  %v3701 = fcmp ogt double %v3697, %v3700
-  br i1 %v3701, label %v3573, label %v3702
+v3689:
+  %v3690 = load double, ptr %v1020, align 8, !noalias !497
+  %v3691 = getelementptr double, ptr %v134, i64 %v3492
+  %v3692 = load double, ptr %v3691, align 8, !noalias !497
+  %v3693 = fsub double %v3690, %v3692
+  %v3694 = getelementptr double, ptr %v1021, i64 %v3492
+  %v3695 = load double, ptr %v3694, align 8, !noalias !497
+  %v3696 = fmul double %v3695, 2.500000e+02
+  %v3697 = fcmp ogt double %v3693, %v3696
+  br i1 %v3697, label %v3570, label %v3698
 
-v3702:
-  store double 0.000000e+00, ptr %v3690, align 8, !noalias !497
-  br label %v3573
+v3698:
+  store double 0.000000e+00, ptr %v3686, align 8, !noalias !497
+  br label %v3570
 
-v3573:
-  %v3703 = phi i1 [ %v3704, %v3564 ], [ true, %v3693 ], [ %v3704, %v3702 ], [ %v3704, %v3565 ], [ %v3704, %v3618 ]
-  %v3705 = load i64, ptr %v3518, align 8, !noalias !497
-  %v3706 = icmp sgt i64 %v3705, -1
-  br i1 %v3706, label %v3707, label %v3708
+v3570:
+  %v3699 = phi i1 [ %v3700, %v3561 ], [ true, %v3689 ], [ %v3700, %v3698 ], [ %v3700, %v3562 ], [ %v3700, %v3615 ]
+  %v3701 = load i64, ptr %v3515, align 8, !noalias !497
+  %v3702 = icmp sgt i64 %v3701, -1
+  br i1 %v3702, label %v3703, label %v3704
 
-v3707:
-  %v3709 = add nsw i64 %v3710, 1
-  %v3711 = getelementptr double, ptr %v1026, i64 %v3495
-  %v3712 = load double, ptr %v3711, align 8, !noalias !497
-  %v3713 = fcmp ogt double %v3712, 0.000000e+00
-  br i1 %v3713, label %v3714, label %v3715
+v3703:
+  %v3705 = add nsw i64 %v3706, 1
+  %v3707 = getelementptr double, ptr %v1023, i64 %v3492
+  %v3708 = load double, ptr %v3707, align 8, !noalias !497
+  %v3709 = fcmp ogt double %v3708, 0.000000e+00
+  br i1 %v3709, label %v3710, label %v3711
 
-v3715:
-  %v3716 = mul i64 %v3705, %v127
-  %v3717 = getelementptr i64, ptr %v125, i64 %v3716
-  %v3718 = load i64, ptr %v3717, align 8, !noalias !497
-  %v3719 = and i64 %v3718, 127
-  %v3720 = sub nsw i64 128, %v3719
-  %v3721 = tail call i64 @llvm.smin.i64(i64 %v3720, i64 %v3486)
-  %v3722 = sitofp i64 %v3721 to double
-  br label %v3714
+v3711:
+  %v3712 = mul i64 %v3701, %v127
+  %v3713 = getelementptr i64, ptr %v125, i64 %v3712
+  %v3714 = load i64, ptr %v3713, align 8, !noalias !497
+  %v3715 = and i64 %v3714, 127
+  %v3716 = sub nsw i64 128, %v3715
+  %v3717 = tail call i64 @llvm.smin.i64(i64 %v3716, i64 %v3483)
+  %v3718 = sitofp i64 %v3717 to double
+  br label %v3710
 
-v3714:
-  %v3723 = phi double [ %v3722, %v3715 ], [ 1.000000e+00, %v3707 ]
-  %v3724 = getelementptr double, ptr %v1028, i64 %v3495
-  store double %v3723, ptr %v3724, align 8, !noalias !497
-  %v3725 = getelementptr double, ptr %v1030, i64 %v3495
-  %v3726 = load double, ptr %v3725, align 8, !noalias !523
-  %v3727 = getelementptr double, ptr %v1032, i64 %v3495
-  store double %v3726, ptr %v3727, align 8, !noalias !523
-  %v3728 = getelementptr i64, ptr %v1034, i64 %v3495
-  %v3729 = load i64, ptr %v3728, align 8, !noalias !523
-  %v3730 = icmp slt i64 %v3729, %v94
-  br i1 %v3730, label %v3731, label %v3708
+v3710:
+  %v3719 = phi double [ %v3718, %v3711 ], [ 1.000000e+00, %v3703 ]
+  %v3720 = getelementptr double, ptr %v1025, i64 %v3492
+  store double %v3719, ptr %v3720, align 8, !noalias !497
+  %v3721 = getelementptr double, ptr %v1027, i64 %v3492
+  %v3722 = load double, ptr %v3721, align 8, !noalias !523
+  %v3723 = getelementptr double, ptr %v1029, i64 %v3492
+  store double %v3722, ptr %v3723, align 8, !noalias !523
+  %v3724 = getelementptr i64, ptr %v1031, i64 %v3492
+  %v3725 = load i64, ptr %v3724, align 8, !noalias !523
+  %v3726 = icmp slt i64 %v3725, %v94
+  br i1 %v3726, label %v3727, label %v3704
 
-v3731:
-  %v3732 = icmp slt i64 %v3729, 0
-  %v3733 = select i1 %v3732, i64 %v94, i64 0
-  %v3734 = getelementptr double, ptr %v93, i64 %v3729
-  %v3735 = getelementptr double, ptr %v3734, i64 %v3733
-  %v3736 = load double, ptr %v3735, align 8, !noalias !523
-  %v3737 = load double, ptr %v3725, align 8, !noalias !523
-  %v3738 = fcmp olt double %v3737, %v3736
-  %v3739 = select i1 %v3738, double %v3737, double %v3736
-  store double %v3739, ptr %v3727, align 8, !noalias !523
-  br label %v3708
+v3727:
+  %v3728 = icmp slt i64 %v3725, 0
+  %v3729 = select i1 %v3728, i64 %v94, i64 0
+  %v3730 = getelementptr double, ptr %v93, i64 %v3725
+  %v3731 = getelementptr double, ptr %v3730, i64 %v3729
+  %v3732 = load double, ptr %v3731, align 8, !noalias !523
+  %v3733 = load double, ptr %v3721, align 8, !noalias !523
+  %v3734 = fcmp olt double %v3733, %v3732
+  %v3735 = select i1 %v3734, double %v3733, double %v3732
+  store double %v3735, ptr %v3723, align 8, !noalias !523
+  br label %v3704
 
-v3708:
-  %v3740 = phi i64 [ %v3710, %v3477 ], [ %v3710, %v3573 ], [ %v3709, %v3714 ], [ %v3709, %v3731 ]
-  %v3741 = phi i1 [ %v3704, %v3477 ], [ %v3703, %v3573 ], [ %v3703, %v3714 ], [ %v3703, %v3731 ]
-  %v3742 = icmp sgt i64 %v3743, 1
-  br i1 %v3742, label %v3477, label %v3744
+v3704:
+  %v3736 = phi i64 [ %v3706, %v3474 ], [ %v3706, %v3570 ], [ %v3705, %v3710 ], [ %v3705, %v3727 ]
+  %v3737 = phi i1 [ %v3700, %v3474 ], [ %v3699, %v3570 ], [ %v3699, %v3710 ], [ %v3699, %v3727 ]
+  %v3738 = icmp sgt i64 %v3739, 1
+  br i1 %v3738, label %v3474, label %v3740
 
-v3477:
-  %v3704 = phi i1 [ %v3741, %v3708 ], [ false, %v3261 ]
-  %v3710 = phi i64 [ %v3740, %v3708 ], [ 0, %v3261 ]
-  %v3495 = phi i64 [ %v3745, %v3708 ], [ 0, %v3261 ]
-  %v3743 = phi i64 [ %v3746, %v3708 ], [ %v295, %v3261 ]
-  %v3746 = add nsw i64 %v3743, -1
-  %v3745 = add nsw i64 %v3495, 1
-  %v3518 = getelementptr i64, ptr %v143, i64 %v3495
-  %v3480 = load i64, ptr %v3518, align 8, !noalias !497
-  %v3747 = icmp slt i64 %v3480, 0
-  br i1 %v3747, label %v3708, label %v3478
+v3474:
+  %v3700 = phi i1 [ %v3737, %v3704 ], [ false, %v3258 ]
+  %v3706 = phi i64 [ %v3736, %v3704 ], [ 0, %v3258 ]
+  %v3492 = phi i64 [ %v3741, %v3704 ], [ 0, %v3258 ]
+  %v3739 = phi i64 [ %v3742, %v3704 ], [ %v295, %v3258 ]
+  %v3742 = add nsw i64 %v3739, -1
+  %v3741 = add nsw i64 %v3492, 1
+  %v3515 = getelementptr i64, ptr %v143, i64 %v3492
+  %v3477 = load i64, ptr %v3515, align 8, !noalias !497
+  %v3743 = icmp slt i64 %v3477, 0
+  br i1 %v3743, label %v3704, label %v3475
 
-v1064:
-  %v1063 = phi i64 [ %v1067, %v3261 ], [ %v3748, %v3744 ]
-  %v1066 = phi i64 [ %v3476, %v3261 ], [ %v3740, %v3744 ]
-  %v3749 = icmp sgt i64 %v1066, 0
-  %v3750 = icmp sgt i64 %v1063, 0
-  %v3751 = select i1 %v3749, i1 %v3750, i1 false
-  br i1 %v3751, label %v1061, label %v484
+v1061:
+  %v1060 = phi i64 [ %v1064, %v3258 ], [ %v3744, %v3740 ]
+  %v1063 = phi i64 [ %v3473, %v3258 ], [ %v3736, %v3740 ]
+  %v3745 = icmp sgt i64 %v1063, 0
+  %v3746 = icmp sgt i64 %v1060, 0
+  %v3747 = select i1 %v3745, i1 %v3746, i1 false
+  br i1 %v3747, label %v1058, label %v482
 
-v484:
-  %v3752 = phi i64 [ %v479, %v296 ], [ %v1066, %v1064 ]
-  br i1 %v294, label %v3753, label %v3754
+v482:
+  %v3748 = phi i64 [ %v477, %v296 ], [ %v1063, %v1061 ]
+  br i1 %v294, label %v3749, label %v3750
 
-v3754:
-  %v3755 = mul i64 %v136, 192
-  %v3756 = getelementptr i8, ptr %v134, i64 %v3755
-  %v3757 = mul i64 %v136, 200
-  %v3758 = getelementptr i8, ptr %v134, i64 %v3757
-  %v3759 = add nsw i64 %v11, -1
-  %v3760 = mul i64 %v136, 176
-  %v3761 = getelementptr i8, ptr %v134, i64 %v3760
-  br label %v3762
+v3750:
+  %v3751 = mul i64 %v136, 192
+  %v3752 = getelementptr i8, ptr %v134, i64 %v3751
+  %v3753 = mul i64 %v136, 200
+  %v3754 = getelementptr i8, ptr %v134, i64 %v3753
+  %v3755 = add nsw i64 %v11, -1
+  %v3756 = mul i64 %v136, 176
+  %v3757 = getelementptr i8, ptr %v134, i64 %v3756
+  br label %v3758
 
-v3763:
-  %v3764 = getelementptr double, ptr %v3756, i64 %v3765
-  %v3766 = load double, ptr %v3764, align 8, !noalias !527
-  %v3767 = fptosi double %v3766 to i64
-  %v3768 = getelementptr double, ptr %v3758, i64 %v3765
-  %v3769 = load double, ptr %v3768, align 8, !noalias !527
-  %v3770 = fptosi double %v3769 to i64
-  %v3771 = mul i64 %v3772, %v127
-  %v3773 = getelementptr i64, ptr %v125, i64 %v3771
-  %v3774 = load i64, ptr %v3773, align 8, !noalias !527
-  %v3775 = add nsw i64 %v3774, %v3767
-  store i64 %v3775, ptr %v3773, align 8, !noalias !527
-  %v3776 = getelementptr i8, ptr %v3773, i64 24
-  %v3777 = load i64, ptr %v3776, align 8, !noalias !527
-  %v3778 = add nsw i64 %v3777, %v3770
-  store i64 %v3778, ptr %v3776, align 8, !noalias !527
-  %v3779 = getelementptr i8, ptr %v3773, i64 8
-  %v3780 = load i64, ptr %v3779, align 8, !noalias !527
-  %v3781 = add nsw i64 %v3770, %v3767
-  %v3782 = mul nsw i64 %v3781, %v3759
-  %v3783 = add nsw i64 %v3782, %v3767
-  %v3784 = add nsw i64 %v3783, %v3780
-  store i64 %v3784, ptr %v3779, align 8, !noalias !527
+v3759:
+  %v3760 = getelementptr double, ptr %v3752, i64 %v3761
+  %v3762 = load double, ptr %v3760, align 8, !noalias !527
+  %v3763 = fptosi double %v3762 to i64
+  %v3764 = getelementptr double, ptr %v3754, i64 %v3761
+  %v3765 = load double, ptr %v3764, align 8, !noalias !527
+  %v3766 = fptosi double %v3765 to i64
+  %v3767 = mul i64 %v3768, %v127
+  %v3769 = getelementptr i64, ptr %v125, i64 %v3767
+  %v3770 = load i64, ptr %v3769, align 8, !noalias !527
+  %v3771 = add nsw i64 %v3770, %v3763
+  store i64 %v3771, ptr %v3769, align 8, !noalias !527
+  %v3772 = getelementptr i8, ptr %v3769, i64 24
+  %v3773 = load i64, ptr %v3772, align 8, !noalias !527
+  %v3774 = add nsw i64 %v3773, %v3766
+  store i64 %v3774, ptr %v3772, align 8, !noalias !527
+  %v3775 = getelementptr i8, ptr %v3769, i64 8
+  %v3776 = load i64, ptr %v3775, align 8, !noalias !527
+  %v3777 = add nsw i64 %v3766, %v3763
+  %v3778 = mul nsw i64 %v3777, %v3755
+  %v3779 = add nsw i64 %v3778, %v3763
+  %v3780 = add nsw i64 %v3779, %v3776
+  store i64 %v3780, ptr %v3775, align 8, !noalias !527
+  store double 0.000000e+00, ptr %v3760, align 8, !noalias !527
   store double 0.000000e+00, ptr %v3764, align 8, !noalias !527
-  store double 0.000000e+00, ptr %v3768, align 8, !noalias !527
-  %v3785 = getelementptr double, ptr %v3761, i64 %v3765
-  %v3786 = load double, ptr %v3785, align 8, !noalias !527
-  %v3787 = sitofp i64 %v3781 to double
-  %v3788 = fsub double %v3786, %v3787
-  store double %v3788, ptr %v3785, align 8, !noalias !527
-  br label %v3789
+  %v3781 = getelementptr double, ptr %v3757, i64 %v3761
+  %v3782 = load double, ptr %v3781, align 8, !noalias !527
+  %v3783 = sitofp i64 %v3777 to double
+  %v3784 = fsub double %v3782, %v3783
+  store double %v3784, ptr %v3781, align 8, !noalias !527
+  br label %v3785
 
-v3789:
-  %v3790 = icmp sgt i64 %v3791, 1
-  br i1 %v3790, label %v3762, label %v3753
+v3785:
+  %v3786 = icmp sgt i64 %v3787, 1
+  br i1 %v3786, label %v3758, label %v3749
 
-v3762:
-  %v3765 = phi i64 [ 0, %v3754 ], [ %v3792, %v3789 ]
-  %v3791 = phi i64 [ %v295, %v3754 ], [ %v3793, %v3789 ]
-  %v3793 = add nsw i64 %v3791, -1
-  %v3792 = add nsw i64 %v3765, 1
-  %v3794 = getelementptr i64, ptr %v143, i64 %v3765
-  %v3772 = load i64, ptr %v3794, align 8, !noalias !527
-  %v3795 = icmp sgt i64 %v3772, -1
-  br i1 %v3795, label %v3763, label %v3789
+v3758:
+  %v3761 = phi i64 [ 0, %v3750 ], [ %v3788, %v3785 ]
+  %v3787 = phi i64 [ %v295, %v3750 ], [ %v3789, %v3785 ]
+  %v3789 = add nsw i64 %v3787, -1
+  %v3788 = add nsw i64 %v3761, 1
+  %v3790 = getelementptr i64, ptr %v143, i64 %v3761
+  %v3768 = load i64, ptr %v3790, align 8, !noalias !527
+  %v3791 = icmp sgt i64 %v3768, -1
+  br i1 %v3791, label %v3759, label %v3785
 
-v3796:
-  %v3797 = phi i32 [ 0, %v3753 ], [ %v3046, %v3048 ]
-  ret i32 %v3797
+v3792:
+  %v3793 = phi i32 [ 0, %v3749 ], [ %v3043, %v3045 ]
+  ret i32 %v3793
 
-v345:
-  %v476 = phi i64 [ 0, %v297 ], [ %v475, %v352 ]
-  %v478 = phi i64 [ %v295, %v297 ], [ %v3798, %v352 ]
-  %v348 = phi i64 [ 0, %v297 ], [ %v3799, %v352 ]
-  %v3798 = add nsw i64 %v478, -1
-  %v3799 = add nsw i64 %v348, 1
-  %v472 = getelementptr i64, ptr %v143, i64 %v348
-  %v3800 = load i64, ptr %v472, align 8
-  %v3801 = icmp slt i64 %v3800, 0
-  br i1 %v3801, label %v346, label %v352
+v344:
+  %v474 = phi i64 [ 0, %v297 ], [ %v473, %v351 ]
+  %v476 = phi i64 [ %v295, %v297 ], [ %v3794, %v351 ]
+  %v347 = phi i64 [ 0, %v297 ], [ %v3795, %v351 ]
+  %v3794 = add nsw i64 %v476, -1
+  %v3795 = add nsw i64 %v347, 1
+  %v470 = getelementptr i64, ptr %v143, i64 %v347
+  %v3796 = load i64, ptr %v470, align 8
+  %v3797 = icmp slt i64 %v3796, 0
+  br i1 %v3797, label %v345, label %v351
 
-v1273:
-  %v3802 = load i64, ptr %v6, align 8, !noalias !531
-  %v3803 = inttoptr i64 %v3802 to ptr
-  tail call void %v3803(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v567), !noalias !531
-  br label %v1274
+v1270:
+  %v3798 = load i64, ptr %v6, align 8, !noalias !531
+  %v3799 = inttoptr i64 %v3798 to ptr
+  tail call void %v3799(ptr %v134, ptr %v159, ptr %v166, ptr %v173, ptr %v180, ptr %v565), !noalias !531
+  br label %v1271
 
-v1274:
-  br i1 %v568, label %v3804, label %v3805
+v1271:
+  br i1 %v566, label %v3800, label %v3801
+
+v3800:
+  %v3802 = load double, ptr %v568, align 8, !noalias !534
+  %v3803 = fcmp olt double %v3802, 5.000000e-01
+  br i1 %v3803, label %v3804, label %v3805
 
 v3804:
-  %v3806 = load double, ptr %v570, align 8, !noalias !534
-  %v3807 = fcmp olt double %v3806, 5.000000e-01
-  br i1 %v3807, label %v3808, label %v3809
+  br i1 %v569, label %v3806, label %v3807
 
-v3808:
-  br i1 %v571, label %v3810, label %v3811
+v3806:
+  br i1 %v581, label %v3808, label %v3809, !prof !397
 
 v3810:
-  br i1 %v583, label %v3812, label %v3813, !prof !397
+  %v3811 = icmp eq i64 %v3812, %v614
+  br i1 %v3811, label %v3805, label %v3813
 
 v3814:
-  %v3815 = icmp eq i64 %v3816, %v616
-  br i1 %v3815, label %v3809, label %v3817
-
-v3818:
-  %v3819 = load i64, ptr %v593, align 8, !noalias !538
-  %v3820 = icmp eq i64 %v3819, %v3816
-  br i1 %v3820, label %v3821, label %v3822
-
-v3821:
-  %v3823 = load double, ptr %v595, align 8, !noalias !538
-  %v3824 = fmul double %v3823, 1.000000e-03
-  br label %v3822
-
-v3822:
-  %v3825 = phi double [ %v3824, %v3821 ], [ 0.000000e+00, %v3818 ]
-  store double %v3825, ptr %v3826, align 8, !noalias !538
-  br i1 %v571, label %v3827, label %v3828
-
-v3829:
-  %v3830 = phi i64 [ %v3831, %v3829 ], [ 0, %v3817 ]
-  %v3831 = add nsw i64 %v3830, 1
-  %v3832 = mul i64 %v3830, %v197
-  %v3833 = getelementptr double, ptr %v194, i64 %v3832
-  %v3834 = load double, ptr %v3833, align 8, !noalias !538
-  %v3835 = tail call double @llvm.fabs.f64(double %v3834)
-  %v3836 = fcmp ogt double %v3837, %v3835
-  %v3838 = select i1 %v3836, double %v3837, double %v3835
-  %v3839 = fcmp ogt double %v3838, 0.000000e+00
-  %v3840 = fmul double %v3838, 1.200000e-05
-  %v3841 = select i1 %v3839, double %v3840, double 1.200000e-05
-  %v3842 = getelementptr i64, ptr %v253, i64 %v3830
-  %v3843 = load i64, ptr %v3842, align 8, !noalias !538
-  %v3844 = icmp eq i64 %v3843, %v3816
-  %v3845 = select i1 %v3844, double %v3841, double 0.000000e+00
-  %v3846 = getelementptr double, ptr %v3847, i64 %v3830
-  store double %v3845, ptr %v3846, align 8, !noalias !538
-  %v3848 = icmp eq i64 %v10, %v3831
-  br i1 %v3848, label %v3818, label %v3829
-
-v3849:
-  %v3850 = getelementptr double, ptr %v609, i64 %v3851
-  store double %v3852, ptr %v3850, align 8, !noalias !544
-  br label %v3853
-
-v3854:
-  %v3855 = select i1 %v3856, i64 %v282, i64 0
-  %v3857 = getelementptr i64, ptr %v281, i64 %v3858
-  %v3859 = getelementptr i64, ptr %v3857, i64 %v3855
-  %v3860 = load i64, ptr %v3859, align 8, !noalias !544
-  %v3861 = icmp slt i64 %v3860, 0
-  %v3862 = select i1 %v3861, i64 %v224, i64 0
-  %v3863 = getelementptr double, ptr %v223, i64 %v3860
-  %v3864 = getelementptr double, ptr %v3863, i64 %v3862
-  store double %v3852, ptr %v3864, align 8, !noalias !544
-  br label %v3853
-
-v3853:
-  %v3865 = icmp sgt i64 %v3866, 1
-  br i1 %v3865, label %v3867, label %v3814
-
-v3811:
-  %v3868 = phi i64 [ %v3869, %v3811 ], [ 0, %v3808 ]
-  %v3869 = add nsw i64 %v3868, 1
-  %v3870 = mul i64 %v3868, %v197
-  %v3871 = getelementptr double, ptr %v194, i64 %v3870
-  %v3872 = load double, ptr %v3871, align 8, !noalias !544
-  %v3873 = getelementptr double, ptr %v574, i64 %v3870
-  store double %v3872, ptr %v3873, align 8, !noalias !544
-  %v3874 = getelementptr double, ptr %v576, i64 %v3870
-  store double 0.000000e+00, ptr %v3874, align 8, !noalias !544
-  %v3875 = icmp eq i64 %v10, %v3869
-  br i1 %v3875, label %v3810, label %v3811
-
-v3876:
-  %v3877 = phi i64 [ %v160, %v3878 ], [ %v3879, %v3880 ]
-  %v3881 = sub i64 %v3877, %v3882
-  %v3883 = tail call i64 @llvm.smax.i64(i64 %v3881, i64 0)
-  %v3847 = getelementptr double, ptr %v159, i64 %v3882
-  br i1 %v588, label %v3884, label %v3809
-
-v3884:
-  %v3885 = select i1 %v580, i64 %v3883, i64 0
-  %v3886 = getelementptr double, ptr %v3847, i64 %v10
-  %v3826 = getelementptr double, ptr %v3886, i64 %v3885
-  br label %v3817
-
-v3812:
-  br label %v3813
-
-v3813:
-  %v3887 = phi i64 [ 0, %v3812 ], [ %v582, %v3810 ]
-  br i1 %v584, label %v3888, label %v3889, !prof !131
-
-v3889:
-  br label %v3888
-
-v3888:
-  %v3882 = phi i64 [ %v160, %v3889 ], [ %v3887, %v3813 ]
-  br i1 %v586, label %v3890, label %v3880, !prof !397
-
-v3890:
-  br label %v3880
-
-v3880:
-  %v3879 = phi i64 [ 0, %v3890 ], [ %v585, %v3888 ]
-  br i1 %v587, label %v3876, label %v3878, !prof !131
-
-v3878:
-  br label %v3876
+  %v3815 = load i64, ptr %v591, align 8, !noalias !538
+  %v3816 = icmp eq i64 %v3815, %v3812
+  br i1 %v3816, label %v3817, label %v3818
 
 v3817:
-  %v3816 = phi i64 [ 0, %v3884 ], [ %v3891, %v3814 ]
-  %v3891 = add nsw i64 %v3816, 1
-  %v3892 = load double, ptr %v590, align 8, !noalias !538
-  %v3893 = load double, ptr %v24, align 8, !noalias !538
-  %v3837 = fdiv double %v3892, %v3893
-  br i1 %v571, label %v3818, label %v3829
+  %v3819 = load double, ptr %v593, align 8, !noalias !538
+  %v3820 = fmul double %v3819, 1.000000e-03
+  br label %v3818
 
-v3894:
-  %v3895 = load double, ptr %v134, align 8, !noalias !545
-  %v3896 = load double, ptr %v3826, align 8, !noalias !545
-  %v3897 = fmul double %v3896, 5.000000e-01
-  %v3898 = fadd double %v3895, %v3897
-  store double %v3898, ptr %v598, align 8, !noalias !545
-  %v3899 = load i64, ptr %v6, align 8, !noalias !549
-  %v3900 = inttoptr i64 %v3899 to ptr
-  tail call void %v3900(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v611), !noalias !549
-  br label %v3901
+v3818:
+  %v3821 = phi double [ %v3820, %v3817 ], [ 0.000000e+00, %v3814 ]
+  store double %v3821, ptr %v3822, align 8, !noalias !538
+  br i1 %v569, label %v3823, label %v3824
 
-v3901:
-  %v3902 = phi i64 [ %v3903, %v3901 ], [ 0, %v3894 ]
-  %v3903 = add nsw i64 %v3902, 1
-  %v3904 = mul i64 %v3902, %v197
-  %v3905 = getelementptr double, ptr %v194, i64 %v3904
-  %v3906 = load double, ptr %v3905, align 8, !noalias !545
-  %v3907 = getelementptr double, ptr %v3847, i64 %v3902
-  %v3908 = load double, ptr %v3907, align 8, !noalias !545
-  %v3909 = fmul double %v3908, 5.000000e-01
-  %v3910 = fsub double %v3906, %v3909
-  %v3911 = getelementptr double, ptr %v602, i64 %v3904
-  store double %v3910, ptr %v3911, align 8, !noalias !545
-  %v3912 = icmp eq i64 %v10, %v3903
-  br i1 %v3912, label %v3913, label %v3901
+v3825:
+  %v3826 = phi i64 [ %v3827, %v3825 ], [ 0, %v3813 ]
+  %v3827 = add nsw i64 %v3826, 1
+  %v3828 = mul i64 %v3826, %v197
+  %v3829 = getelementptr double, ptr %v194, i64 %v3828
+  %v3830 = load double, ptr %v3829, align 8, !noalias !538
+  %v3831 = tail call double @llvm.fabs.f64(double %v3830)
+  %v3832 = fcmp ogt double %v3833, %v3831
+  %v3834 = select i1 %v3832, double %v3833, double %v3831
+  %v3835 = fcmp ogt double %v3834, 0.000000e+00
+  %v3836 = fmul double %v3834, 1.200000e-05
+  %v3837 = select i1 %v3835, double %v3836, double 1.200000e-05
+  %v3838 = getelementptr i64, ptr %v253, i64 %v3826
+  %v3839 = load i64, ptr %v3838, align 8, !noalias !538
+  %v3840 = icmp eq i64 %v3839, %v3812
+  %v3841 = select i1 %v3840, double %v3837, double 0.000000e+00
+  %v3842 = getelementptr double, ptr %v3843, i64 %v3826
+  store double %v3841, ptr %v3842, align 8, !noalias !538
+  %v3844 = icmp eq i64 %v10, %v3827
+  br i1 %v3844, label %v3814, label %v3825
 
-v3827:
-  %v3914 = load double, ptr %v134, align 8, !noalias !545
-  %v3915 = fmul double %v3825, 5.000000e-01
-  %v3916 = fadd double %v3915, %v3914
-  store double %v3916, ptr %v598, align 8, !noalias !545
-  %v3917 = load i64, ptr %v6, align 8, !noalias !549
-  %v3918 = inttoptr i64 %v3917 to ptr
-  tail call void %v3918(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v613), !noalias !549
-  br label %v3913
+v3845:
+  %v3846 = getelementptr double, ptr %v607, i64 %v3847
+  store double %v3848, ptr %v3846, align 8, !noalias !544
+  br label %v3849
 
-v3913:
-  %v3919 = load double, ptr %v134, align 8, !noalias !545
-  %v3920 = load double, ptr %v3826, align 8, !noalias !545
-  %v3921 = fmul double %v3920, 5.000000e-01
-  %v3922 = fsub double %v3919, %v3921
-  store double %v3922, ptr %v598, align 8, !noalias !545
-  %v3923 = load i64, ptr %v6, align 8, !noalias !549
-  %v3924 = inttoptr i64 %v3923 to ptr
-  tail call void %v3924(ptr nonnull %v598, ptr %v601, ptr %v166, ptr %v173, ptr %v180, ptr %v615), !noalias !549
-  br i1 %v571, label %v3925, label %v3926
+v3850:
+  %v3851 = select i1 %v3852, i64 %v282, i64 0
+  %v3853 = getelementptr i64, ptr %v281, i64 %v3854
+  %v3855 = getelementptr i64, ptr %v3853, i64 %v3851
+  %v3856 = load i64, ptr %v3855, align 8, !noalias !544
+  %v3857 = icmp slt i64 %v3856, 0
+  %v3858 = select i1 %v3857, i64 %v224, i64 0
+  %v3859 = getelementptr double, ptr %v223, i64 %v3856
+  %v3860 = getelementptr double, ptr %v3859, i64 %v3858
+  store double %v3848, ptr %v3860, align 8, !noalias !544
+  br label %v3849
 
-v3927:
-  %v3928 = fsub double %v3929, %v3930
-  br label %v3931
+v3849:
+  %v3861 = icmp sgt i64 %v3862, 1
+  br i1 %v3861, label %v3863, label %v3810
 
-v3932:
-  %v3933 = getelementptr double, ptr %v607, i64 %v3934
-  %v3935 = load double, ptr %v3933, align 8, !noalias !545
-  %v3936 = fsub double %v3929, %v3935
-  %v3937 = fmul double %v3936, 2.000000e+00
-  br label %v3931
+v3807:
+  %v3864 = phi i64 [ %v3865, %v3807 ], [ 0, %v3804 ]
+  %v3865 = add nsw i64 %v3864, 1
+  %v3866 = mul i64 %v3864, %v197
+  %v3867 = getelementptr double, ptr %v194, i64 %v3866
+  %v3868 = load double, ptr %v3867, align 8, !noalias !544
+  %v3869 = getelementptr double, ptr %v572, i64 %v3866
+  store double %v3868, ptr %v3869, align 8, !noalias !544
+  %v3870 = getelementptr double, ptr %v574, i64 %v3866
+  store double 0.000000e+00, ptr %v3870, align 8, !noalias !544
+  %v3871 = icmp eq i64 %v10, %v3865
+  br i1 %v3871, label %v3806, label %v3807
 
-v3931:
-  %v3938 = phi double [ %v3937, %v3932 ], [ %v3928, %v3927 ]
-  store double %v3938, ptr %v3939, align 8, !noalias !545
-  %v3940 = icmp eq i64 %v10, %v3941
-  br i1 %v3940, label %v3925, label %v3926
+v3872:
+  %v3873 = phi i64 [ %v160, %v3874 ], [ %v3875, %v3876 ]
+  %v3877 = sub i64 %v3873, %v3878
+  %v3879 = tail call i64 @llvm.smax.i64(i64 %v3877, i64 0)
+  %v3843 = getelementptr double, ptr %v159, i64 %v3878
+  br i1 %v586, label %v3880, label %v3805
 
-v3828:
-  %v3942 = phi i64 [ %v3943, %v3828 ], [ 0, %v3822 ]
-  %v3943 = add nsw i64 %v3942, 1
-  %v3944 = mul i64 %v3942, %v197
-  %v3945 = getelementptr double, ptr %v194, i64 %v3944
-  %v3946 = load double, ptr %v3945, align 8, !noalias !545
-  %v3947 = getelementptr double, ptr %v3847, i64 %v3942
-  %v3948 = load double, ptr %v3947, align 8, !noalias !545
-  %v3949 = fmul double %v3948, 5.000000e-01
-  %v3950 = fadd double %v3946, %v3949
-  %v3951 = getelementptr double, ptr %v602, i64 %v3944
-  store double %v3950, ptr %v3951, align 8, !noalias !545
-  %v3952 = icmp eq i64 %v10, %v3943
-  br i1 %v3952, label %v3894, label %v3828
+v3880:
+  %v3881 = select i1 %v578, i64 %v3879, i64 0
+  %v3882 = getelementptr double, ptr %v3843, i64 %v10
+  %v3822 = getelementptr double, ptr %v3882, i64 %v3881
+  br label %v3813
 
-v3926:
-  %v3953 = phi i64 [ %v3941, %v3931 ], [ 0, %v3913 ]
-  %v3941 = add nsw i64 %v3953, 1
-  %v3934 = mul i64 %v3953, %v197
-  %v3954 = getelementptr double, ptr %v194, i64 %v3934
-  %v3955 = load double, ptr %v3954, align 8, !noalias !545
-  %v3956 = getelementptr double, ptr %v602, i64 %v3934
-  store double %v3955, ptr %v3956, align 8, !noalias !545
-  %v3939 = getelementptr double, ptr %v604, i64 %v3934
-  %v3929 = load double, ptr %v3939, align 8, !noalias !545
-  %v3957 = getelementptr double, ptr %v606, i64 %v3934
-  %v3930 = load double, ptr %v3957, align 8, !noalias !545
-  %v3958 = fsub double %v3930, %v3930
-  %v3959 = fcmp oeq double %v3958, 0.000000e+00
-  br i1 %v3959, label %v3927, label %v3932
-
-v3925:
-  %v3960 = getelementptr i64, ptr %v260, i64 %v3816
-  %v3961 = load i64, ptr %v3960, align 8, !noalias !544
-  %v3962 = getelementptr i8, ptr %v3960, i64 8
-  %v3963 = load i64, ptr %v3962, align 8, !noalias !544
-  %v3964 = sub i64 %v3963, %v3961
-  %v3965 = icmp slt i64 %v3964, 1
-  br i1 %v3965, label %v3814, label %v3867
-
-v3867:
-  %v3866 = phi i64 [ %v3966, %v3853 ], [ %v3964, %v3925 ]
-  %v3858 = phi i64 [ %v3967, %v3853 ], [ %v3961, %v3925 ]
-  %v3966 = add nsw i64 %v3866, -1
-  %v3967 = add i64 %v3858, 1
-  %v3856 = icmp slt i64 %v3858, 0
-  %v3968 = select i1 %v3856, i64 %v268, i64 0
-  %v3969 = getelementptr i64, ptr %v267, i64 %v3858
-  %v3970 = getelementptr i64, ptr %v3969, i64 %v3968
-  %v3971 = load i64, ptr %v3970, align 8, !noalias !544
-  %v3972 = select i1 %v3856, i64 %v275, i64 0
-  %v3973 = getelementptr i64, ptr %v274, i64 %v3858
-  %v3974 = getelementptr i64, ptr %v3973, i64 %v3972
-  %v3975 = load i64, ptr %v3974, align 8, !noalias !544
-  %v3976 = icmp slt i64 %v3971, 0
-  %v3977 = select i1 %v3976, i64 %v196, i64 0
-  %v3978 = add i64 %v3977, %v3971
-  %v3851 = mul i64 %v3978, %v197
-  %v3979 = getelementptr double, ptr %v604, i64 %v3851
-  %v3980 = load double, ptr %v3979, align 8, !noalias !544
-  %v3981 = icmp slt i64 %v3975, 0
-  %v3982 = select i1 %v3981, i64 %v3883, i64 0
-  %v3983 = getelementptr double, ptr %v3847, i64 %v3975
-  %v3984 = getelementptr double, ptr %v3983, i64 %v3982
-  %v3985 = load double, ptr %v3984, align 8, !noalias !544
-  %v3986 = fdiv double %v3980, %v3985
-  %v3987 = fsub double %v3986, %v3986
-  %v3988 = fcmp oeq double %v3987, 0.000000e+00
-  %v3852 = select i1 %v3988, double %v3986, double 0.000000e+00
-  %v3989 = icmp eq i64 %v3975, %v10
-  br i1 %v3989, label %v3849, label %v3854
+v3808:
+  br label %v3809
 
 v3809:
-  br i1 %v617, label %v3990, label %v3805
+  %v3883 = phi i64 [ 0, %v3808 ], [ %v580, %v3806 ]
+  br i1 %v582, label %v3884, label %v3885, !prof !131
 
-v3991:
-  %v3992 = mul i64 %v3993, %v620
-  %v3994 = icmp slt i64 %v3992, 0
-  %v3995 = select i1 %v3994, i64 %v231, i64 0
-  %v3996 = getelementptr double, ptr %v230, i64 %v3992
-  %v3997 = getelementptr double, ptr %v3996, i64 %v3995
-  %v3998 = load double, ptr %v3997, align 8, !noalias !534
-  %v3999 = load double, ptr %v622, align 8, !noalias !534
-  %v4000 = fadd double %v3998, %v3999
-  store double %v4000, ptr %v3997, align 8, !noalias !534
-  %v4001 = icmp eq i64 %v10, %v4002
-  br i1 %v4001, label %v4003, label %v3990
+v3885:
+  br label %v3884
 
-v4004:
-  %v4005 = icmp eq i64 %v4006, %v10
-  br i1 %v4005, label %v3805, label %v4003
+v3884:
+  %v3878 = phi i64 [ %v160, %v3885 ], [ %v3883, %v3809 ]
+  br i1 %v584, label %v3886, label %v3876, !prof !397
 
-v4007:
-  %v4008 = phi i64 [ %v4009, %v4003 ], [ %v4010, %v4011 ]
-  %v4012 = getelementptr i64, ptr %v237, i64 %v4009
-  store i64 %v4008, ptr %v4012, align 8, !noalias !552
-  %v4013 = add nsw i64 %v4008, %v4014
-  %v4015 = icmp slt i64 %v4013, 0
-  %v4016 = select i1 %v4015, i64 %v231, i64 0
-  %v4017 = getelementptr double, ptr %v230, i64 %v4013
-  %v4018 = getelementptr double, ptr %v4017, i64 %v4016
-  %v4019 = load double, ptr %v4018, align 8, !noalias !552
-  %v4020 = load double, ptr %v4021, align 8, !noalias !552
-  store double %v4019, ptr %v4021, align 8, !noalias !552
-  store double %v4020, ptr %v4018, align 8, !noalias !552
-  br i1 %v4022, label %v4023, label %v4024
+v3886:
+  br label %v3876
 
-v4023:
-  %v4025 = sub i64 %v4026, %v4006
-  %v4027 = icmp slt i64 %v4025, 1
-  br i1 %v4027, label %v4004, label %v4028
+v3876:
+  %v3875 = phi i64 [ 0, %v3886 ], [ %v583, %v3884 ]
+  br i1 %v585, label %v3872, label %v3874, !prof !131
 
-v4029:
-  %v4030 = icmp sgt i64 %v4031, 1
-  br i1 %v4030, label %v4028, label %v4004
+v3874:
+  br label %v3872
 
-v4003:
-  %v4009 = phi i64 [ %v4006, %v4004 ], [ 0, %v3991 ]
-  %v4006 = add nsw i64 %v4009, 1
-  %v4014 = mul nsw i64 %v4009, %v10
-  %v4032 = add nsw i64 %v4009, %v240
-  %v4033 = add nsw i64 %v4032, 1
-  %v4034 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4033, i64 %v10)
-  %v4035 = add i64 %v623, %v4032
-  %v4026 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4035, i64 %v10)
-  %v4036 = getelementptr double, ptr %v230, i64 %v4014
-  %v4021 = getelementptr double, ptr %v4036, i64 %v4009
-  %v4037 = sub i64 %v4034, %v4006
-  %v4038 = tail call i64 @llvm.smax.i64(i64 %v4037, i64 0)
-  %v4022 = icmp slt i64 %v4037, 1
-  br i1 %v4022, label %v4007, label %v4039
+v3813:
+  %v3812 = phi i64 [ 0, %v3880 ], [ %v3887, %v3810 ]
+  %v3887 = add nsw i64 %v3812, 1
+  %v3888 = load double, ptr %v588, align 8, !noalias !538
+  %v3889 = load double, ptr %v24, align 8, !noalias !538
+  %v3833 = fdiv double %v3888, %v3889
+  br i1 %v569, label %v3814, label %v3825
 
-v4039:
-  %v4040 = load double, ptr %v4021, align 8, !noalias !552
-  %v4041 = tail call double @llvm.fabs.f64(double %v4040)
-  br label %v4011
+v3890:
+  %v3891 = load double, ptr %v134, align 8, !noalias !545
+  %v3892 = load double, ptr %v3822, align 8, !noalias !545
+  %v3893 = fmul double %v3892, 5.000000e-01
+  %v3894 = fadd double %v3891, %v3893
+  store double %v3894, ptr %v596, align 8, !noalias !545
+  %v3895 = load i64, ptr %v6, align 8, !noalias !549
+  %v3896 = inttoptr i64 %v3895 to ptr
+  tail call void %v3896(ptr nonnull %v596, ptr %v599, ptr %v166, ptr %v173, ptr %v180, ptr %v609), !noalias !549
+  br label %v3897
 
-v4011:
-  %v4042 = phi i64 [ %v4010, %v4011 ], [ %v4009, %v4039 ]
-  %v4043 = phi double [ %v4044, %v4011 ], [ %v4041, %v4039 ]
-  %v4045 = phi i64 [ %v4046, %v4011 ], [ %v4038, %v4039 ]
-  %v4047 = phi i64 [ %v4048, %v4011 ], [ %v4006, %v4039 ]
-  %v4046 = add nsw i64 %v4045, -1
-  %v4048 = add i64 %v4047, 1
-  %v4049 = add nsw i64 %v4047, %v4014
-  %v4050 = icmp slt i64 %v4049, 0
-  %v4051 = select i1 %v4050, i64 %v231, i64 0
-  %v4052 = getelementptr double, ptr %v230, i64 %v4049
-  %v4053 = getelementptr double, ptr %v4052, i64 %v4051
-  %v4054 = load double, ptr %v4053, align 8, !noalias !552
-  %v4055 = tail call double @llvm.fabs.f64(double %v4054)
-  %v4056 = fcmp ogt double %v4055, %v4043
-  %v4044 = select i1 %v4056, double %v4055, double %v4043
-  %v4010 = select i1 %v4056, i64 %v4047, i64 %v4042
-  %v4057 = icmp sgt i64 %v4045, 1
-  br i1 %v4057, label %v4011, label %v4007
+v3897:
+  %v3898 = phi i64 [ %v3899, %v3897 ], [ 0, %v3890 ]
+  %v3899 = add nsw i64 %v3898, 1
+  %v3900 = mul i64 %v3898, %v197
+  %v3901 = getelementptr double, ptr %v194, i64 %v3900
+  %v3902 = load double, ptr %v3901, align 8, !noalias !545
+  %v3903 = getelementptr double, ptr %v3843, i64 %v3898
+  %v3904 = load double, ptr %v3903, align 8, !noalias !545
+  %v3905 = fmul double %v3904, 5.000000e-01
+  %v3906 = fsub double %v3902, %v3905
+  %v3907 = getelementptr double, ptr %v600, i64 %v3900
+  store double %v3906, ptr %v3907, align 8, !noalias !545
+  %v3908 = icmp eq i64 %v10, %v3899
+  br i1 %v3908, label %v3909, label %v3897
 
-v4024:
-  %v4058 = phi i64 [ %v4059, %v4024 ], [ %v4038, %v4007 ]
-  %v4060 = phi i64 [ %v4061, %v4024 ], [ %v4006, %v4007 ]
-  %v4059 = add nsw i64 %v4058, -1
-  %v4061 = add i64 %v4060, 1
-  %v4062 = add nsw i64 %v4060, %v4014
-  %v4063 = icmp slt i64 %v4062, 0
-  %v4064 = select i1 %v4063, i64 %v231, i64 0
-  %v4065 = getelementptr double, ptr %v230, i64 %v4062
-  %v4066 = getelementptr double, ptr %v4065, i64 %v4064
-  %v4067 = load double, ptr %v4066, align 8, !noalias !552
-  %v4068 = load double, ptr %v4021, align 8, !noalias !552
-  %v4069 = fdiv double %v4067, %v4068
-  store double %v4069, ptr %v4066, align 8, !noalias !552
-  %v4070 = icmp sgt i64 %v4058, 1
-  br i1 %v4070, label %v4024, label %v4023
+v3823:
+  %v3910 = load double, ptr %v134, align 8, !noalias !545
+  %v3911 = fmul double %v3821, 5.000000e-01
+  %v3912 = fadd double %v3911, %v3910
+  store double %v3912, ptr %v596, align 8, !noalias !545
+  %v3913 = load i64, ptr %v6, align 8, !noalias !549
+  %v3914 = inttoptr i64 %v3913 to ptr
+  tail call void %v3914(ptr nonnull %v596, ptr %v599, ptr %v166, ptr %v173, ptr %v180, ptr %v611), !noalias !549
+  br label %v3909
 
-v4028:
-  %v4031 = phi i64 [ %v4071, %v4029 ], [ %v4025, %v4023 ]
-  %v4072 = phi i64 [ %v4073, %v4029 ], [ %v4006, %v4023 ]
-  %v4071 = add nsw i64 %v4031, -1
-  %v4073 = add i64 %v4072, 1
-  %v4074 = mul nsw i64 %v4072, %v10
-  %v4075 = add nsw i64 %v4074, %v4008
-  %v4076 = icmp slt i64 %v4075, 0
-  %v4077 = select i1 %v4076, i64 %v231, i64 0
-  %v4078 = getelementptr double, ptr %v230, i64 %v4075
-  %v4079 = getelementptr double, ptr %v4078, i64 %v4077
-  %v4080 = load double, ptr %v4079, align 8, !noalias !552
-  %v4081 = add nsw i64 %v4074, %v4009
-  %v4082 = icmp slt i64 %v4081, 0
-  %v4083 = select i1 %v4082, i64 %v231, i64 0
-  %v4084 = getelementptr double, ptr %v230, i64 %v4081
-  %v4085 = getelementptr double, ptr %v4084, i64 %v4083
-  %v4086 = load double, ptr %v4085, align 8, !noalias !552
-  store double %v4086, ptr %v4079, align 8, !noalias !552
-  store double %v4080, ptr %v4085, align 8, !noalias !552
-  %v4087 = fcmp oeq double %v4080, 0.000000e+00
-  %v4088 = or i1 %v4022, %v4087
-  br i1 %v4088, label %v4029, label %v4089
+v3909:
+  %v3915 = load double, ptr %v134, align 8, !noalias !545
+  %v3916 = load double, ptr %v3822, align 8, !noalias !545
+  %v3917 = fmul double %v3916, 5.000000e-01
+  %v3918 = fsub double %v3915, %v3917
+  store double %v3918, ptr %v596, align 8, !noalias !545
+  %v3919 = load i64, ptr %v6, align 8, !noalias !549
+  %v3920 = inttoptr i64 %v3919 to ptr
+  tail call void %v3920(ptr nonnull %v596, ptr %v599, ptr %v166, ptr %v173, ptr %v180, ptr %v613), !noalias !549
+  br i1 %v569, label %v3921, label %v3922
 
-v4089:
-  %v4090 = phi i64 [ %v4091, %v4089 ], [ %v4038, %v4028 ]
-  %v4092 = phi i64 [ %v4093, %v4089 ], [ %v4006, %v4028 ]
-  %v4091 = add nsw i64 %v4090, -1
-  %v4093 = add i64 %v4092, 1
-  %v4094 = add nsw i64 %v4092, %v4074
-  %v4095 = icmp slt i64 %v4094, 0
-  %v4096 = select i1 %v4095, i64 %v231, i64 0
-  %v4097 = getelementptr double, ptr %v230, i64 %v4094
-  %v4098 = getelementptr double, ptr %v4097, i64 %v4096
-  %v4099 = load double, ptr %v4098, align 8, !noalias !552
-  %v4100 = add nsw i64 %v4092, %v4014
-  %v4101 = icmp slt i64 %v4100, 0
-  %v4102 = select i1 %v4101, i64 %v231, i64 0
-  %v4103 = getelementptr double, ptr %v230, i64 %v4100
-  %v4104 = getelementptr double, ptr %v4103, i64 %v4102
-  %v4105 = load double, ptr %v4104, align 8, !noalias !552
-  %v4106 = fmul double %v4080, %v4105
-  %v4107 = fsub double %v4099, %v4106
-  store double %v4107, ptr %v4098, align 8, !noalias !552
-  %v4108 = icmp sgt i64 %v4090, 1
-  br i1 %v4108, label %v4089, label %v4029
+v3923:
+  %v3924 = fsub double %v3925, %v3926
+  br label %v3927
 
-v3990:
-  %v3993 = phi i64 [ %v4002, %v3991 ], [ 0, %v3809 ]
-  %v4002 = add nsw i64 %v3993, 1
-  %v4109 = sub i64 %v3993, %v618
-  %v4110 = tail call i64 @llvm.smax.i64(i64 %v4109, i64 0)
-  %v4111 = add i64 %v619, %v3993
-  %v4112 = tail call i64 @llvm.smin.i64(i64 %v4111, i64 %v10)
-  %v4113 = sub i64 %v4112, %v4110
-  %v4114 = icmp slt i64 %v4113, 1
-  br i1 %v4114, label %v3991, label %v4115
+v3928:
+  %v3929 = getelementptr double, ptr %v605, i64 %v3930
+  %v3931 = load double, ptr %v3929, align 8, !noalias !545
+  %v3932 = fsub double %v3925, %v3931
+  %v3933 = fmul double %v3932, 2.000000e+00
+  br label %v3927
 
-v4115:
-  %v4116 = mul nsw i64 %v3993, %v10
-  br label %v4117
+v3927:
+  %v3934 = phi double [ %v3933, %v3928 ], [ %v3924, %v3923 ]
+  store double %v3934, ptr %v3935, align 8, !noalias !545
+  %v3936 = icmp eq i64 %v10, %v3937
+  br i1 %v3936, label %v3921, label %v3922
 
-v4117:
-  %v4118 = phi i64 [ %v4113, %v4115 ], [ %v4119, %v4117 ]
-  %v4120 = phi i64 [ %v4110, %v4115 ], [ %v4121, %v4117 ]
-  %v4119 = add nsw i64 %v4118, -1
-  %v4121 = add i64 %v4120, 1
-  %v4122 = add nsw i64 %v4120, %v4116
-  %v4123 = icmp slt i64 %v4122, 0
-  %v4124 = select i1 %v4123, i64 %v224, i64 0
-  %v4125 = getelementptr double, ptr %v223, i64 %v4122
-  %v4126 = getelementptr double, ptr %v4125, i64 %v4124
-  %v4127 = load double, ptr %v4126, align 8, !noalias !534
-  %v4128 = fneg double %v4127
-  %v4129 = select i1 %v4123, i64 %v231, i64 0
-  %v4130 = getelementptr double, ptr %v230, i64 %v4122
-  %v4131 = getelementptr double, ptr %v4130, i64 %v4129
-  store double %v4128, ptr %v4131, align 8, !noalias !534
-  %v4132 = icmp sgt i64 %v4118, 1
-  br i1 %v4132, label %v4117, label %v3991
+v3824:
+  %v3938 = phi i64 [ %v3939, %v3824 ], [ 0, %v3818 ]
+  %v3939 = add nsw i64 %v3938, 1
+  %v3940 = mul i64 %v3938, %v197
+  %v3941 = getelementptr double, ptr %v194, i64 %v3940
+  %v3942 = load double, ptr %v3941, align 8, !noalias !545
+  %v3943 = getelementptr double, ptr %v3843, i64 %v3938
+  %v3944 = load double, ptr %v3943, align 8, !noalias !545
+  %v3945 = fmul double %v3944, 5.000000e-01
+  %v3946 = fadd double %v3942, %v3945
+  %v3947 = getelementptr double, ptr %v600, i64 %v3940
+  store double %v3946, ptr %v3947, align 8, !noalias !545
+  %v3948 = icmp eq i64 %v10, %v3939
+  br i1 %v3948, label %v3890, label %v3824
+
+v3922:
+  %v3949 = phi i64 [ %v3937, %v3927 ], [ 0, %v3909 ]
+  %v3937 = add nsw i64 %v3949, 1
+  %v3930 = mul i64 %v3949, %v197
+  %v3950 = getelementptr double, ptr %v194, i64 %v3930
+  %v3951 = load double, ptr %v3950, align 8, !noalias !545
+  %v3952 = getelementptr double, ptr %v600, i64 %v3930
+  store double %v3951, ptr %v3952, align 8, !noalias !545
+  %v3935 = getelementptr double, ptr %v602, i64 %v3930
+  %v3925 = load double, ptr %v3935, align 8, !noalias !545
+  %v3953 = getelementptr double, ptr %v604, i64 %v3930
+  %v3926 = load double, ptr %v3953, align 8, !noalias !545
+  %v3954 = fsub double %v3926, %v3926
+  %v3955 = fcmp oeq double %v3954, 0.000000e+00
+  br i1 %v3955, label %v3923, label %v3928
+
+v3921:
+  %v3956 = getelementptr i64, ptr %v260, i64 %v3812
+  %v3957 = load i64, ptr %v3956, align 8, !noalias !544
+  %v3958 = getelementptr i8, ptr %v3956, i64 8
+  %v3959 = load i64, ptr %v3958, align 8, !noalias !544
+  %v3960 = sub i64 %v3959, %v3957
+  %v3961 = icmp slt i64 %v3960, 1
+  br i1 %v3961, label %v3810, label %v3863
+
+v3863:
+  %v3862 = phi i64 [ %v3962, %v3849 ], [ %v3960, %v3921 ]
+  %v3854 = phi i64 [ %v3963, %v3849 ], [ %v3957, %v3921 ]
+  %v3962 = add nsw i64 %v3862, -1
+  %v3963 = add i64 %v3854, 1
+  %v3852 = icmp slt i64 %v3854, 0
+  %v3964 = select i1 %v3852, i64 %v268, i64 0
+  %v3965 = getelementptr i64, ptr %v267, i64 %v3854
+  %v3966 = getelementptr i64, ptr %v3965, i64 %v3964
+  %v3967 = load i64, ptr %v3966, align 8, !noalias !544
+  %v3968 = select i1 %v3852, i64 %v275, i64 0
+  %v3969 = getelementptr i64, ptr %v274, i64 %v3854
+  %v3970 = getelementptr i64, ptr %v3969, i64 %v3968
+  %v3971 = load i64, ptr %v3970, align 8, !noalias !544
+  %v3972 = icmp slt i64 %v3967, 0
+  %v3973 = select i1 %v3972, i64 %v196, i64 0
+  %v3974 = add i64 %v3973, %v3967
+  %v3847 = mul i64 %v3974, %v197
+  %v3975 = getelementptr double, ptr %v602, i64 %v3847
+  %v3976 = load double, ptr %v3975, align 8, !noalias !544
+  %v3977 = icmp slt i64 %v3971, 0
+  %v3978 = select i1 %v3977, i64 %v3879, i64 0
+  %v3979 = getelementptr double, ptr %v3843, i64 %v3971
+  %v3980 = getelementptr double, ptr %v3979, i64 %v3978
+  %v3981 = load double, ptr %v3980, align 8, !noalias !544
+  %v3982 = fdiv double %v3976, %v3981
+  %v3983 = fsub double %v3982, %v3982
+  %v3984 = fcmp oeq double %v3983, 0.000000e+00
+  %v3848 = select i1 %v3984, double %v3982, double 0.000000e+00
+  %v3985 = icmp eq i64 %v3971, %v10
+  br i1 %v3985, label %v3845, label %v3850
 
 v3805:
-  br i1 %v626, label %v1294, label %v4133
+  br i1 %v615, label %v3986, label %v3801
 
-v4134:
-  %v4135 = mul i64 %v4136, %v634
-  %v4137 = getelementptr double, ptr %v194, i64 %v4135
-  br label %v4138
+v3987:
+  %v3988 = mul i64 %v3989, %v618
+  %v3990 = icmp slt i64 %v3988, 0
+  %v3991 = select i1 %v3990, i64 %v231, i64 0
+  %v3992 = getelementptr double, ptr %v230, i64 %v3988
+  %v3993 = getelementptr double, ptr %v3992, i64 %v3991
+  %v3994 = load double, ptr %v3993, align 8, !noalias !534
+  %v3995 = load double, ptr %v620, align 8, !noalias !534
+  %v3996 = fadd double %v3994, %v3995
+  store double %v3996, ptr %v3993, align 8, !noalias !534
+  %v3997 = icmp eq i64 %v10, %v3998
+  br i1 %v3997, label %v3999, label %v3986
 
-v4139:
-  %v4140 = icmp eq i64 %v10, %v4141
-  br i1 %v4140, label %v4142, label %v4143
+v4000:
+  %v4001 = icmp eq i64 %v4002, %v10
+  br i1 %v4001, label %v3801, label %v3999
 
-v4144:
-  %v4145 = icmp sgt i64 %v4146, 1
-  br i1 %v4145, label %v4142, label %v4147
+v4003:
+  %v4004 = phi i64 [ %v4005, %v3999 ], [ %v4006, %v4007 ]
+  %v4008 = getelementptr i64, ptr %v237, i64 %v4005
+  store i64 %v4004, ptr %v4008, align 8, !noalias !552
+  %v4009 = add nsw i64 %v4004, %v4010
+  %v4011 = icmp slt i64 %v4009, 0
+  %v4012 = select i1 %v4011, i64 %v231, i64 0
+  %v4013 = getelementptr double, ptr %v230, i64 %v4009
+  %v4014 = getelementptr double, ptr %v4013, i64 %v4012
+  %v4015 = load double, ptr %v4014, align 8, !noalias !552
+  %v4016 = load double, ptr %v4017, align 8, !noalias !552
+  store double %v4015, ptr %v4017, align 8, !noalias !552
+  store double %v4016, ptr %v4014, align 8, !noalias !552
+  br i1 %v4018, label %v4019, label %v4020
 
-v4147:
-  %v4148 = mul i64 %v4136, %v643
-  %v4149 = getelementptr double, ptr %v194, i64 %v4148
-  br label %v4150
+v4019:
+  %v4021 = sub i64 %v4022, %v4002
+  %v4023 = icmp slt i64 %v4021, 1
+  br i1 %v4023, label %v4000, label %v4024
+
+v4025:
+  %v4026 = icmp sgt i64 %v4027, 1
+  br i1 %v4026, label %v4024, label %v4000
+
+v3999:
+  %v4005 = phi i64 [ %v4002, %v4000 ], [ 0, %v3987 ]
+  %v4002 = add nsw i64 %v4005, 1
+  %v4010 = mul nsw i64 %v4005, %v10
+  %v4028 = add nsw i64 %v4005, %v240
+  %v4029 = add nsw i64 %v4028, 1
+  %v4030 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4029, i64 %v10)
+  %v4031 = add i64 %v621, %v4028
+  %v4022 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4031, i64 %v10)
+  %v4032 = getelementptr double, ptr %v230, i64 %v4010
+  %v4017 = getelementptr double, ptr %v4032, i64 %v4005
+  %v4033 = sub i64 %v4030, %v4002
+  %v4034 = tail call i64 @llvm.smax.i64(i64 %v4033, i64 0)
+  %v4018 = icmp slt i64 %v4033, 1
+  br i1 %v4018, label %v4003, label %v4035
+
+v4035:
+  %v4036 = load double, ptr %v4017, align 8, !noalias !552
+  %v4037 = tail call double @llvm.fabs.f64(double %v4036)
+  br label %v4007
+
+v4007:
+  %v4038 = phi i64 [ %v4006, %v4007 ], [ %v4005, %v4035 ]
+  %v4039 = phi double [ %v4040, %v4007 ], [ %v4037, %v4035 ]
+  %v4041 = phi i64 [ %v4042, %v4007 ], [ %v4034, %v4035 ]
+  %v4043 = phi i64 [ %v4044, %v4007 ], [ %v4002, %v4035 ]
+  %v4042 = add nsw i64 %v4041, -1
+  %v4044 = add i64 %v4043, 1
+  %v4045 = add nsw i64 %v4043, %v4010
+  %v4046 = icmp slt i64 %v4045, 0
+  %v4047 = select i1 %v4046, i64 %v231, i64 0
+  %v4048 = getelementptr double, ptr %v230, i64 %v4045
+  %v4049 = getelementptr double, ptr %v4048, i64 %v4047
+  %v4050 = load double, ptr %v4049, align 8, !noalias !552
+  %v4051 = tail call double @llvm.fabs.f64(double %v4050)
+  %v4052 = fcmp ogt double %v4051, %v4039
+  %v4040 = select i1 %v4052, double %v4051, double %v4039
+  %v4006 = select i1 %v4052, i64 %v4043, i64 %v4038
+  %v4053 = icmp sgt i64 %v4041, 1
+  br i1 %v4053, label %v4007, label %v4003
+
+v4020:
+  %v4054 = phi i64 [ %v4055, %v4020 ], [ %v4034, %v4003 ]
+  %v4056 = phi i64 [ %v4057, %v4020 ], [ %v4002, %v4003 ]
+  %v4055 = add nsw i64 %v4054, -1
+  %v4057 = add i64 %v4056, 1
+  %v4058 = add nsw i64 %v4056, %v4010
+  %v4059 = icmp slt i64 %v4058, 0
+  %v4060 = select i1 %v4059, i64 %v231, i64 0
+  %v4061 = getelementptr double, ptr %v230, i64 %v4058
+  %v4062 = getelementptr double, ptr %v4061, i64 %v4060
+  %v4063 = load double, ptr %v4062, align 8, !noalias !552
+  %v4064 = load double, ptr %v4017, align 8, !noalias !552
+  %v4065 = fdiv double %v4063, %v4064
+  store double %v4065, ptr %v4062, align 8, !noalias !552
+  %v4066 = icmp sgt i64 %v4054, 1
+  br i1 %v4066, label %v4020, label %v4019
+
+v4024:
+  %v4027 = phi i64 [ %v4067, %v4025 ], [ %v4021, %v4019 ]
+  %v4068 = phi i64 [ %v4069, %v4025 ], [ %v4002, %v4019 ]
+  %v4067 = add nsw i64 %v4027, -1
+  %v4069 = add i64 %v4068, 1
+  %v4070 = mul nsw i64 %v4068, %v10
+  %v4071 = add nsw i64 %v4070, %v4004
+  %v4072 = icmp slt i64 %v4071, 0
+  %v4073 = select i1 %v4072, i64 %v231, i64 0
+  %v4074 = getelementptr double, ptr %v230, i64 %v4071
+  %v4075 = getelementptr double, ptr %v4074, i64 %v4073
+  %v4076 = load double, ptr %v4075, align 8, !noalias !552
+  %v4077 = add nsw i64 %v4070, %v4005
+  %v4078 = icmp slt i64 %v4077, 0
+  %v4079 = select i1 %v4078, i64 %v231, i64 0
+  %v4080 = getelementptr double, ptr %v230, i64 %v4077
+  %v4081 = getelementptr double, ptr %v4080, i64 %v4079
+  %v4082 = load double, ptr %v4081, align 8, !noalias !552
+  store double %v4082, ptr %v4075, align 8, !noalias !552
+  store double %v4076, ptr %v4081, align 8, !noalias !552
+  %v4083 = fcmp oeq double %v4076, 0.000000e+00
+  %v4084 = or i1 %v4018, %v4083
+  br i1 %v4084, label %v4025, label %v4085
+
+v4085:
+  %v4086 = phi i64 [ %v4087, %v4085 ], [ %v4034, %v4024 ]
+  %v4088 = phi i64 [ %v4089, %v4085 ], [ %v4002, %v4024 ]
+  %v4087 = add nsw i64 %v4086, -1
+  %v4089 = add i64 %v4088, 1
+  %v4090 = add nsw i64 %v4088, %v4070
+  %v4091 = icmp slt i64 %v4090, 0
+  %v4092 = select i1 %v4091, i64 %v231, i64 0
+  %v4093 = getelementptr double, ptr %v230, i64 %v4090
+  %v4094 = getelementptr double, ptr %v4093, i64 %v4092
+  %v4095 = load double, ptr %v4094, align 8, !noalias !552
+  %v4096 = add nsw i64 %v4088, %v4010
+  %v4097 = icmp slt i64 %v4096, 0
+  %v4098 = select i1 %v4097, i64 %v231, i64 0
+  %v4099 = getelementptr double, ptr %v230, i64 %v4096
+  %v4100 = getelementptr double, ptr %v4099, i64 %v4098
+  %v4101 = load double, ptr %v4100, align 8, !noalias !552
+  %v4102 = fmul double %v4076, %v4101
+  %v4103 = fsub double %v4095, %v4102
+  store double %v4103, ptr %v4094, align 8, !noalias !552
+  %v4104 = icmp sgt i64 %v4086, 1
+  br i1 %v4104, label %v4085, label %v4025
+
+v3986:
+  %v3989 = phi i64 [ %v3998, %v3987 ], [ 0, %v3805 ]
+  %v3998 = add nsw i64 %v3989, 1
+  %v4105 = sub i64 %v3989, %v616
+  %v4106 = tail call i64 @llvm.smax.i64(i64 %v4105, i64 0)
+  %v4107 = add i64 %v617, %v3989
+  %v4108 = tail call i64 @llvm.smin.i64(i64 %v4107, i64 %v10)
+  %v4109 = sub i64 %v4108, %v4106
+  %v4110 = icmp slt i64 %v4109, 1
+  br i1 %v4110, label %v3987, label %v4111
+
+v4111:
+  %v4112 = mul nsw i64 %v3989, %v10
+  br label %v4113
+
+v4113:
+  %v4114 = phi i64 [ %v4109, %v4111 ], [ %v4115, %v4113 ]
+  %v4116 = phi i64 [ %v4106, %v4111 ], [ %v4117, %v4113 ]
+  %v4115 = add nsw i64 %v4114, -1
+  %v4117 = add i64 %v4116, 1
+  %v4118 = add nsw i64 %v4116, %v4112
+  %v4119 = icmp slt i64 %v4118, 0
+  %v4120 = select i1 %v4119, i64 %v224, i64 0
+  %v4121 = getelementptr double, ptr %v223, i64 %v4118
+  %v4122 = getelementptr double, ptr %v4121, i64 %v4120
+  %v4123 = load double, ptr %v4122, align 8, !noalias !534
+  %v4124 = fneg double %v4123
+  %v4125 = select i1 %v4119, i64 %v231, i64 0
+  %v4126 = getelementptr double, ptr %v230, i64 %v4118
+  %v4127 = getelementptr double, ptr %v4126, i64 %v4125
+  store double %v4124, ptr %v4127, align 8, !noalias !534
+  %v4128 = icmp sgt i64 %v4114, 1
+  br i1 %v4128, label %v4113, label %v3987
+
+v3801:
+  br i1 %v624, label %v1291, label %v4129
+
+v4130:
+  %v4131 = mul i64 %v4132, %v632
+  %v4133 = getelementptr double, ptr %v194, i64 %v4131
+  br label %v4134
+
+v4135:
+  %v4136 = icmp eq i64 %v10, %v4137
+  br i1 %v4136, label %v4138, label %v4139
+
+v4140:
+  %v4141 = icmp sgt i64 %v4142, 1
+  br i1 %v4141, label %v4138, label %v4143
 
 v4143:
-  %v4151 = phi i64 [ %v4141, %v4139 ], [ 0, %v4138 ]
-  %v4141 = add nsw i64 %v4151, 1
-  %v4152 = getelementptr i64, ptr %v237, i64 %v4151
-  %v4153 = load i64, ptr %v4152, align 8, !noalias !555
-  %v4154 = add nsw i64 %v4153, %v639
-  %v4155 = icmp slt i64 %v4154, 0
-  %v4156 = select i1 %v4155, i64 %v160, i64 0
-  %v4157 = getelementptr double, ptr %v159, i64 %v4154
-  %v4158 = getelementptr double, ptr %v4157, i64 %v4156
-  %v4159 = load double, ptr %v4158, align 8, !noalias !555
-  %v4160 = getelementptr double, ptr %v641, i64 %v4151
-  %v4161 = load double, ptr %v4160, align 8, !noalias !555
-  store double %v4161, ptr %v4158, align 8, !noalias !555
-  store double %v4159, ptr %v4160, align 8, !noalias !555
-  %v4162 = add i64 %v640, %v4151
-  %v4163 = tail call i64 @llvm.smin.i64(i64 %v4162, i64 %v10)
-  %v4164 = sub i64 %v4163, %v4141
-  %v4165 = icmp slt i64 %v4164, 1
-  br i1 %v4165, label %v4139, label %v4166
+  %v4144 = mul i64 %v4132, %v641
+  %v4145 = getelementptr double, ptr %v194, i64 %v4144
+  br label %v4146
 
-v4166:
-  %v4167 = mul nsw i64 %v4151, %v10
-  br label %v4168
+v4139:
+  %v4147 = phi i64 [ %v4137, %v4135 ], [ 0, %v4134 ]
+  %v4137 = add nsw i64 %v4147, 1
+  %v4148 = getelementptr i64, ptr %v237, i64 %v4147
+  %v4149 = load i64, ptr %v4148, align 8, !noalias !555
+  %v4150 = add nsw i64 %v4149, %v637
+  %v4151 = icmp slt i64 %v4150, 0
+  %v4152 = select i1 %v4151, i64 %v160, i64 0
+  %v4153 = getelementptr double, ptr %v159, i64 %v4150
+  %v4154 = getelementptr double, ptr %v4153, i64 %v4152
+  %v4155 = load double, ptr %v4154, align 8, !noalias !555
+  %v4156 = getelementptr double, ptr %v639, i64 %v4147
+  %v4157 = load double, ptr %v4156, align 8, !noalias !555
+  store double %v4157, ptr %v4154, align 8, !noalias !555
+  store double %v4155, ptr %v4156, align 8, !noalias !555
+  %v4158 = add i64 %v638, %v4147
+  %v4159 = tail call i64 @llvm.smin.i64(i64 %v4158, i64 %v10)
+  %v4160 = sub i64 %v4159, %v4137
+  %v4161 = icmp slt i64 %v4160, 1
+  br i1 %v4161, label %v4135, label %v4162
 
-v4168:
-  %v4169 = phi i64 [ %v4164, %v4166 ], [ %v4170, %v4168 ]
-  %v4171 = phi i64 [ %v4141, %v4166 ], [ %v4172, %v4168 ]
-  %v4170 = add nsw i64 %v4169, -1
-  %v4172 = add i64 %v4171, 1
-  %v4173 = add nsw i64 %v4171, %v639
-  %v4174 = icmp slt i64 %v4173, 0
-  %v4175 = select i1 %v4174, i64 %v160, i64 0
-  %v4176 = getelementptr double, ptr %v159, i64 %v4173
-  %v4177 = getelementptr double, ptr %v4176, i64 %v4175
-  %v4178 = load double, ptr %v4177, align 8, !noalias !555
-  %v4179 = add nsw i64 %v4171, %v4167
-  %v4180 = icmp slt i64 %v4179, 0
-  %v4181 = select i1 %v4180, i64 %v231, i64 0
-  %v4182 = getelementptr double, ptr %v230, i64 %v4179
-  %v4183 = getelementptr double, ptr %v4182, i64 %v4181
-  %v4184 = load double, ptr %v4183, align 8, !noalias !555
-  %v4185 = fmul double %v4159, %v4184
-  %v4186 = fsub double %v4178, %v4185
-  store double %v4186, ptr %v4177, align 8, !noalias !555
-  %v4187 = icmp sgt i64 %v4169, 1
-  br i1 %v4187, label %v4168, label %v4139
+v4162:
+  %v4163 = mul nsw i64 %v4147, %v10
+  br label %v4164
 
-v4142:
-  %v4146 = phi i64 [ %v4188, %v4144 ], [ %v10, %v4139 ]
-  %v4188 = add nsw i64 %v4146, -1
-  %v4189 = add nsw i64 %v4188, %v639
-  %v4190 = icmp slt i64 %v4189, 0
-  %v4191 = select i1 %v4190, i64 %v160, i64 0
-  %v4192 = getelementptr double, ptr %v159, i64 %v4189
-  %v4193 = getelementptr double, ptr %v4192, i64 %v4191
-  %v4194 = load double, ptr %v4193, align 8, !noalias !555
-  %v4195 = mul nsw i64 %v4188, %v10
-  %v4196 = add nsw i64 %v4195, %v4188
-  %v4197 = icmp slt i64 %v4196, 0
-  %v4198 = select i1 %v4197, i64 %v231, i64 0
-  %v4199 = getelementptr double, ptr %v230, i64 %v4196
-  %v4200 = getelementptr double, ptr %v4199, i64 %v4198
-  %v4201 = load double, ptr %v4200, align 8, !noalias !555
-  %v4202 = fdiv double %v4194, %v4201
-  store double %v4202, ptr %v4193, align 8, !noalias !555
-  %v4203 = sub i64 %v4188, %v642
-  %v4204 = tail call i64 @llvm.smax.i64(i64 %v4203, i64 0)
-  %v4205 = sub i64 %v4188, %v4204
-  %v4206 = icmp slt i64 %v4205, 1
-  br i1 %v4206, label %v4144, label %v4207
-
-v4207:
-  %v4208 = phi i64 [ %v4209, %v4207 ], [ %v4205, %v4142 ]
-  %v4210 = phi i64 [ %v4211, %v4207 ], [ %v4204, %v4142 ]
-  %v4209 = add nsw i64 %v4208, -1
-  %v4211 = add i64 %v4210, 1
-  %v4212 = add nsw i64 %v4210, %v639
-  %v4213 = icmp slt i64 %v4212, 0
-  %v4214 = select i1 %v4213, i64 %v160, i64 0
-  %v4215 = getelementptr double, ptr %v159, i64 %v4212
-  %v4216 = getelementptr double, ptr %v4215, i64 %v4214
-  %v4217 = load double, ptr %v4216, align 8, !noalias !555
-  %v4218 = add nsw i64 %v4210, %v4195
-  %v4219 = icmp slt i64 %v4218, 0
-  %v4220 = select i1 %v4219, i64 %v231, i64 0
-  %v4221 = getelementptr double, ptr %v230, i64 %v4218
-  %v4222 = getelementptr double, ptr %v4221, i64 %v4220
-  %v4223 = load double, ptr %v4222, align 8, !noalias !555
-  %v4224 = fmul double %v4202, %v4223
-  %v4225 = fsub double %v4217, %v4224
-  store double %v4225, ptr %v4216, align 8, !noalias !555
-  %v4226 = icmp sgt i64 %v4208, 1
-  br i1 %v4226, label %v4207, label %v4144
+v4164:
+  %v4165 = phi i64 [ %v4160, %v4162 ], [ %v4166, %v4164 ]
+  %v4167 = phi i64 [ %v4137, %v4162 ], [ %v4168, %v4164 ]
+  %v4166 = add nsw i64 %v4165, -1
+  %v4168 = add i64 %v4167, 1
+  %v4169 = add nsw i64 %v4167, %v637
+  %v4170 = icmp slt i64 %v4169, 0
+  %v4171 = select i1 %v4170, i64 %v160, i64 0
+  %v4172 = getelementptr double, ptr %v159, i64 %v4169
+  %v4173 = getelementptr double, ptr %v4172, i64 %v4171
+  %v4174 = load double, ptr %v4173, align 8, !noalias !555
+  %v4175 = add nsw i64 %v4167, %v4163
+  %v4176 = icmp slt i64 %v4175, 0
+  %v4177 = select i1 %v4176, i64 %v231, i64 0
+  %v4178 = getelementptr double, ptr %v230, i64 %v4175
+  %v4179 = getelementptr double, ptr %v4178, i64 %v4177
+  %v4180 = load double, ptr %v4179, align 8, !noalias !555
+  %v4181 = fmul double %v4155, %v4180
+  %v4182 = fsub double %v4174, %v4181
+  store double %v4182, ptr %v4173, align 8, !noalias !555
+  %v4183 = icmp sgt i64 %v4165, 1
+  br i1 %v4183, label %v4164, label %v4135
 
 v4138:
-  %v4227 = phi i64 [ 0, %v4134 ], [ %v4228, %v4138 ]
-  %v4228 = add nsw i64 %v4227, 1
-  %v4229 = mul i64 %v4227, %v197
-  %v4230 = getelementptr double, ptr %v4137, i64 %v4229
-  %v4231 = load double, ptr %v4230, align 8, !noalias !561
-  %v4232 = getelementptr double, ptr %v636, i64 %v4229
-  %v4233 = load double, ptr %v4232, align 8, !noalias !561
-  %v4234 = fadd double %v4231, %v4233
-  %v4235 = getelementptr i64, ptr %v246, i64 %v4227
-  %v4236 = load i64, ptr %v4235, align 8, !noalias !561
-  %v4237 = icmp slt i64 %v4236, 0
-  %v4238 = select i1 %v4237, i64 %v196, i64 0
-  %v4239 = add i64 %v4238, %v4236
-  %v4240 = mul i64 %v4239, %v197
-  %v4241 = getelementptr double, ptr %v638, i64 %v4240
-  store double %v4234, ptr %v4241, align 8, !noalias !561
-  %v4242 = icmp eq i64 %v10, %v4228
-  br i1 %v4242, label %v4143, label %v4138
+  %v4142 = phi i64 [ %v4184, %v4140 ], [ %v10, %v4135 ]
+  %v4184 = add nsw i64 %v4142, -1
+  %v4185 = add nsw i64 %v4184, %v637
+  %v4186 = icmp slt i64 %v4185, 0
+  %v4187 = select i1 %v4186, i64 %v160, i64 0
+  %v4188 = getelementptr double, ptr %v159, i64 %v4185
+  %v4189 = getelementptr double, ptr %v4188, i64 %v4187
+  %v4190 = load double, ptr %v4189, align 8, !noalias !555
+  %v4191 = mul nsw i64 %v4184, %v10
+  %v4192 = add nsw i64 %v4191, %v4184
+  %v4193 = icmp slt i64 %v4192, 0
+  %v4194 = select i1 %v4193, i64 %v231, i64 0
+  %v4195 = getelementptr double, ptr %v230, i64 %v4192
+  %v4196 = getelementptr double, ptr %v4195, i64 %v4194
+  %v4197 = load double, ptr %v4196, align 8, !noalias !555
+  %v4198 = fdiv double %v4190, %v4197
+  store double %v4198, ptr %v4189, align 8, !noalias !555
+  %v4199 = sub i64 %v4184, %v640
+  %v4200 = tail call i64 @llvm.smax.i64(i64 %v4199, i64 0)
+  %v4201 = sub i64 %v4184, %v4200
+  %v4202 = icmp slt i64 %v4201, 1
+  br i1 %v4202, label %v4140, label %v4203
 
-v4150:
-  %v4243 = phi i64 [ 0, %v4147 ], [ %v4244, %v4150 ]
-  %v4244 = add nsw i64 %v4243, 1
-  %v4245 = getelementptr i64, ptr %v246, i64 %v4243
-  %v4246 = load i64, ptr %v4245, align 8, !noalias !561
-  %v4247 = icmp slt i64 %v4246, 0
-  %v4248 = select i1 %v4247, i64 %v196, i64 0
-  %v4249 = add i64 %v4248, %v4246
-  %v4250 = mul i64 %v4249, %v197
-  %v4251 = getelementptr double, ptr %v645, i64 %v4250
-  %v4252 = load double, ptr %v4251, align 8, !noalias !561
-  %v4253 = mul i64 %v4243, %v197
-  %v4254 = getelementptr double, ptr %v4149, i64 %v4253
-  store double %v4252, ptr %v4254, align 8, !noalias !561
-  %v4255 = icmp eq i64 %v10, %v4244
-  br i1 %v4255, label %v4256, label %v4150
+v4203:
+  %v4204 = phi i64 [ %v4205, %v4203 ], [ %v4201, %v4138 ]
+  %v4206 = phi i64 [ %v4207, %v4203 ], [ %v4200, %v4138 ]
+  %v4205 = add nsw i64 %v4204, -1
+  %v4207 = add i64 %v4206, 1
+  %v4208 = add nsw i64 %v4206, %v637
+  %v4209 = icmp slt i64 %v4208, 0
+  %v4210 = select i1 %v4209, i64 %v160, i64 0
+  %v4211 = getelementptr double, ptr %v159, i64 %v4208
+  %v4212 = getelementptr double, ptr %v4211, i64 %v4210
+  %v4213 = load double, ptr %v4212, align 8, !noalias !555
+  %v4214 = add nsw i64 %v4206, %v4191
+  %v4215 = icmp slt i64 %v4214, 0
+  %v4216 = select i1 %v4215, i64 %v231, i64 0
+  %v4217 = getelementptr double, ptr %v230, i64 %v4214
+  %v4218 = getelementptr double, ptr %v4217, i64 %v4216
+  %v4219 = load double, ptr %v4218, align 8, !noalias !555
+  %v4220 = fmul double %v4198, %v4219
+  %v4221 = fsub double %v4213, %v4220
+  store double %v4221, ptr %v4212, align 8, !noalias !555
+  %v4222 = icmp sgt i64 %v4204, 1
+  br i1 %v4222, label %v4203, label %v4140
 
-v4256:
-  %v4257 = icmp eq i64 %v4258, %v625
-  br i1 %v4257, label %v1294, label %v4133
+v4134:
+  %v4223 = phi i64 [ 0, %v4130 ], [ %v4224, %v4134 ]
+  %v4224 = add nsw i64 %v4223, 1
+  %v4225 = mul i64 %v4223, %v197
+  %v4226 = getelementptr double, ptr %v4133, i64 %v4225
+  %v4227 = load double, ptr %v4226, align 8, !noalias !561
+  %v4228 = getelementptr double, ptr %v634, i64 %v4225
+  %v4229 = load double, ptr %v4228, align 8, !noalias !561
+  %v4230 = fadd double %v4227, %v4229
+  %v4231 = getelementptr i64, ptr %v246, i64 %v4223
+  %v4232 = load i64, ptr %v4231, align 8, !noalias !561
+  %v4233 = icmp slt i64 %v4232, 0
+  %v4234 = select i1 %v4233, i64 %v196, i64 0
+  %v4235 = add i64 %v4234, %v4232
+  %v4236 = mul i64 %v4235, %v197
+  %v4237 = getelementptr double, ptr %v636, i64 %v4236
+  store double %v4230, ptr %v4237, align 8, !noalias !561
+  %v4238 = icmp eq i64 %v10, %v4224
+  br i1 %v4238, label %v4139, label %v4134
 
-v1294:
-  %v4259 = load i64, ptr %v646, align 8, !noalias !562
+v4146:
+  %v4239 = phi i64 [ 0, %v4143 ], [ %v4240, %v4146 ]
+  %v4240 = add nsw i64 %v4239, 1
+  %v4241 = getelementptr i64, ptr %v246, i64 %v4239
+  %v4242 = load i64, ptr %v4241, align 8, !noalias !561
+  %v4243 = icmp slt i64 %v4242, 0
+  %v4244 = select i1 %v4243, i64 %v196, i64 0
+  %v4245 = add i64 %v4244, %v4242
+  %v4246 = mul i64 %v4245, %v197
+  %v4247 = getelementptr double, ptr %v643, i64 %v4246
+  %v4248 = load double, ptr %v4247, align 8, !noalias !561
+  %v4249 = mul i64 %v4239, %v197
+  %v4250 = getelementptr double, ptr %v4145, i64 %v4249
+  store double %v4248, ptr %v4250, align 8, !noalias !561
+  %v4251 = icmp eq i64 %v10, %v4240
+  br i1 %v4251, label %v4252, label %v4146
+
+v4252:
+  %v4253 = icmp eq i64 %v4254, %v623
+  br i1 %v4253, label %v1291, label %v4129
+
+v1291:
+  %v4255 = load i64, ptr %v644, align 8, !noalias !562
+  %v4256 = inttoptr i64 %v4255 to ptr
+  tail call void %v4256(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !562
+  br i1 %v294, label %v1289, label %v1279
+
+v4129:
+  %v4254 = phi i64 [ %v4132, %v4252 ], [ 1, %v3801 ]
+  %v4132 = add i64 %v4254, 1
+  %v4257 = getelementptr i64, ptr %v6, i64 %v4254
+  %v4258 = getelementptr i8, ptr %v4257, i64 104
+  %v4259 = load i64, ptr %v4258, align 8, !noalias !565
   %v4260 = inttoptr i64 %v4259 to ptr
-  tail call void %v4260(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !562
-  br i1 %v294, label %v1292, label %v1282
+  tail call void %v4260(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !565
+  %v4261 = load i64, ptr %v6, align 8, !noalias !568
+  %v4262 = mul nsw i64 %v4132, %v627
+  %v4263 = getelementptr double, ptr %v159, i64 %v4262
+  %v4264 = inttoptr i64 %v4261 to ptr
+  tail call void %v4264(ptr %v626, ptr %v629, ptr %v166, ptr %v173, ptr %v180, ptr %v4263), !noalias !568
+  br i1 %v631, label %v4130, label %v4252
 
-v4133:
-  %v4258 = phi i64 [ %v4136, %v4256 ], [ 1, %v3805 ]
-  %v4136 = add i64 %v4258, 1
-  %v4261 = getelementptr i64, ptr %v6, i64 %v4258
-  %v4262 = getelementptr i8, ptr %v4261, i64 104
-  %v4263 = load i64, ptr %v4262, align 8, !noalias !565
-  %v4264 = inttoptr i64 %v4263 to ptr
-  tail call void %v4264(ptr %v134, ptr %v159, ptr %v166, ptr %v24, ptr %v180, ptr %v187), !noalias !565
-  %v4265 = load i64, ptr %v6, align 8, !noalias !568
-  %v4266 = mul nsw i64 %v4136, %v629
-  %v4267 = getelementptr double, ptr %v159, i64 %v4266
-  %v4268 = inttoptr i64 %v4265 to ptr
-  tail call void %v4268(ptr %v628, ptr %v631, ptr %v166, ptr %v173, ptr %v180, ptr %v4267), !noalias !568
-  br i1 %v633, label %v4134, label %v4256
+v1279:
+  %v1280 = phi i1 [ %v1286, %v1281 ], [ %v1267, %v1291 ]
+  %v4265 = phi i1 [ %v1278, %v1281 ], [ false, %v1291 ]
+  %v1288 = phi i64 [ %v4266, %v1281 ], [ %v295, %v1291 ]
+  %v1274 = phi i64 [ %v4267, %v1281 ], [ 0, %v1291 ]
+  %v4266 = add nsw i64 %v1288, -1
+  %v4267 = add nsw i64 %v1274, 1
+  br i1 %v4265, label %v1277, label %v1272
 
-v1282:
-  %v1283 = phi i1 [ %v1289, %v1284 ], [ %v1270, %v1294 ]
-  %v4269 = phi i1 [ %v1281, %v1284 ], [ false, %v1294 ]
-  %v1291 = phi i64 [ %v4270, %v1284 ], [ %v295, %v1294 ]
-  %v1277 = phi i64 [ %v4271, %v1284 ], [ 0, %v1294 ]
-  %v4270 = add nsw i64 %v1291, -1
-  %v4271 = add nsw i64 %v1277, 1
-  br i1 %v4269, label %v1280, label %v1275
+v1382:
+  %v1392 = xor i1 %v1377, true
+  %v4268 = xor i1 %v1378, true
+  %v1394 = select i1 %v4268, i1 true, i1 %v671
+  br label %v1295
 
-v1385:
-  %v1395 = xor i1 %v1380, true
-  %v4272 = xor i1 %v1381, true
-  %v1397 = select i1 %v4272, i1 true, i1 %v673
-  br label %v1298
+v3045:
+  store ptr %v3042, ptr %v1, align 8
+  br label %v3792
 
-v3048:
-  store ptr %v3045, ptr %v1, align 8
-  br label %v3796
+v3044:
+  %v4269 = select i1 %v1292, i1 %v1290, i1 false
+  %v4270 = xor i1 %v4269, true
+  %v4271 = or i1 %v294, %v4270
+  br i1 %v4271, label %v3165, label %v3166
 
-v3047:
-  %v4273 = select i1 %v1295, i1 %v1293, i1 false
-  %v4274 = xor i1 %v4273, true
-  %v4275 = or i1 %v294, %v4274
-  br i1 %v4275, label %v3168, label %v3169
+v3740:
+  %v3744 = select i1 %v3737, i64 0, i64 %v1064
+  br label %v1061
 
-v3744:
-  %v3748 = select i1 %v3741, i64 0, i64 %v1067
-  br label %v1064
-
-v3753:
-  store i64 %v3752, ptr %v0, align 8
-  br label %v3796
+v3749:
+  store i64 %v3748, ptr %v0, align 8
+  br label %v3792
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)

@@ -83,7 +83,7 @@ LAST_EVENT = 15  # time of the last event
 # distance of the nearest switching condition from its change at `low`
 DISTANCE_LOW = 16
 DISTANCE_HIGH = 17  # and at `high`, below 0
-CUT_SIZE = 18  # of the step before it was cut at an event
+FIRST_STEP = 18  # to try, or 0
 CALM_STEPS = 19  # checked steps since a stiff one
 DIAGONAL = 20  # 1/(h gamma) of the matrix of the implicit method
 NEXT_STOP = 21  # next sample, or the end of the segment
@@ -96,8 +96,7 @@ INTERPOLANT_ERROR = 27  # above 1 no sample is taken from the interpolant
 STOP_AT = 28  # time up to which a step may go, for a sample at its end
 STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
 MAX_STEP = 30
-FIRST_STEP = 31  # to try, or 0
-REALS = 32
+REALS = 31
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run
 SEGMENT = 1
