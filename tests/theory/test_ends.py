@@ -6,21 +6,13 @@ a closed form in the comment of its row.
 
 import numpy as np
 import pytest
+from lyapunov_cases import ORDER as STRONGEST_FIRST
 from text_systems import TICKS, signals, written
 
 import clpt_control as clpt
 from clpt_control.engine.model.declaration import Each
 
-ORDER = (  # each conclusion is true where one before it is
-    "asymptotically stable",
-    "comes to rest",
-    "all rates go to zero",
-    "goes to zero",
-    "square-integrable",
-    "stable",
-    "V does not increase",
-    "",
-)
+ORDER = (*STRONGEST_FIRST, "")
 AS, REST, RATES, ZERO, INTEGRAL, STABLE, *_ = ORDER
 SIZE = "V = x**2 + y**2"
 TURNED = "V = v**2/2 + 1 - cos(x)"
