@@ -77,11 +77,12 @@ def exact(model: Model, start: Any) -> np.ndarray:
     return solve_ivp(rates, (0.0, model.end), start, **tight).y[:, -1]
 
 
-def compiled(model: Model) -> Run:
+def compiled(model: Model, method: str = "auto") -> Run:
     """Prepare the compiled diagram."""
     native = compile(system(model))
     times = [0.0, model.end]
-    run = lambda: native.run(model.start, times, rtol=RTOL, atol=ATOL).x[-1]  # noqa: E731
+    given = {"rtol": RTOL, "atol": ATOL, "method": method}
+    run = lambda: native.run(model.start, times, **given).x[-1]  # noqa: E731
     return lambda: timed(run)
 
 
@@ -150,7 +151,7 @@ def ensemble(model: Model, first: np.ndarray) -> Run:
     return lambda: timed(run)
 
 
-def in_lanes(model: Model, first: np.ndarray) -> Run:
+def in_lanes(model: Model, first: np.ndarray, method: str = "auto") -> Run:
     """Prepare members of the compiled diagram in SIMD lanes."""
     from clpt_control.ensemble.members import Ensemble
     from clpt_control.ensemble.sampled_parameters import read_vary
@@ -164,6 +165,7 @@ def in_lanes(model: Model, first: np.ndarray) -> Run:
         initial_state=model.start,
         rtol=RTOL,
         atol=ATOL,
+        method=method,
     )
     many = Ensemble(varied, ["x0"])
     members = many.members({"x0": first})
@@ -175,10 +177,13 @@ def cases() -> Iterator[tuple[str, np.ndarray, dict[str, Callable[[], Run]]]]:
     for model in MODELS:
         prepare = {
             "native": compiled,
+            "taylor": partial(compiled, method="taylor"),
             "simulate": simulated,
             "heyoka": by_heyoka,
             "diffrax": by_diffrax,
         }
+        if model is MODELS[-1]:  # a series of 100 states is refused
+            del prepare["taylor"]
         runs = {name: partial(made, model) for name, made in prepare.items()}
         yield model.name, exact(model, model.start), runs
     model, first = MODELS[1], np.linspace(0.5, 1.5, MEMBERS)
@@ -186,6 +191,7 @@ def cases() -> Iterator[tuple[str, np.ndarray, dict[str, Callable[[], Run]]]]:
     starts[:, 0] = first
     runs = {
         "native": partial(in_lanes, model, first),
+        "taylor": partial(in_lanes, model, first, "taylor"),
         "simulate": partial(ensemble, model, first),
         "diffrax": partial(by_diffrax, model, starts),
     }
@@ -196,10 +202,12 @@ def cases() -> Iterator[tuple[str, np.ndarray, dict[str, Callable[[], Run]]]]:
 def measure(chosen: list[str], rounds: int, budget: float, say: Callable) -> list[dict]:
     """Time each row's engines in turn; return model, engine, seconds and error of each."""
     rows = []
+    if "native" in chosen:  # which has two methods
+        chosen = [*chosen, "taylor"]
     for model, ends, prepare in cases():
         runs, errors = {}, {}
         for name in [name for name in prepare if name in chosen]:
-            say(f"{model}: {ENGINES[name].title}")
+            say(f"{model}: {ENGINES[name].title if name in ENGINES else name}")
             run = prepare[name]()
             found = run()[0]
             found = found[:: len(found) // len(ends)] if ends.ndim == 2 else found

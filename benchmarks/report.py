@@ -34,9 +34,10 @@ at 1e-12.
 MODELS = """
 ## Small models
 
-rtol 1e-8, atol 1e-10, median time of a run in ms. Taylor series (heyoka) are 3 to 5 times quicker
-on small smooth models, with a smaller error. clpt-control is quicker from about 100 states, with
-switches, and in ensembles, here on all cores.
+rtol 1e-8, atol 1e-10, median time of a run in ms. Series: `method="taylor"`. heyoka's Taylor series
+are 3 to 5 times quicker than DOP853 on small smooth models, with a smaller error. clpt-control is
+quicker from about 100 states, with switches, and in ensembles, here on all cores. `python -m
+benchmarks.bench --sections models` runs these rows with the engines that are installed.
 
 """
 PARTICLES = """
@@ -109,6 +110,7 @@ def _models(rows: list[dict]) -> str:
     found = {(row["model"], row["engine"]): cell(row) for row in rows}
     engines = {
         "native": "compiled diagram",
+        "taylor": "series",
         "simulate": "`simulate`, `run_ensemble`",
         "heyoka": "heyoka",
         "diffrax": "diffrax",

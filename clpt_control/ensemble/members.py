@@ -14,7 +14,7 @@ pickled for workers: threads and other machines run and summarise members in the
 import hashlib
 import pickle
 import threading
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from importlib.metadata import version
@@ -26,12 +26,15 @@ from ..base.errors import DiagramError, SimulationError
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
+from ..engine.methods.table import TAYLOR
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch
 from ..engine.solver.callee import Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.filippov import continue_run, continued_ends
+from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
+from ..engine.solver.series_runs import run_members
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import STUCK, Solution, sampled_start
 
@@ -211,8 +214,7 @@ class Ensemble:
         if not self.compiled:
             return self._run_in_python(members, times)
         # 1. all members, in lanes
-        runs = rows(slice(None))
-        result = self._solve(self.native, runs, self.lanes).results
+        result = self._results(rows)
         # 2. members that were stopped by a locked switch, without locks
         stuck = np.flatnonzero(np.isin(result[1], STUCK))
         if self.native.code.program.decided and len(stuck):
@@ -250,6 +252,17 @@ class Ensemble:
             states[m, : reached[m]] = rows[: reached[m]]
         return States(states, status, reached, counts)
 
+    def _results(self, rows: Callable[[Any], tuple]) -> Any:
+        """Integrate all members; return their results."""
+        every = rows(slice(None))
+        options = RunOptions(**self.varied.options)
+        if options.method != TAYLOR:
+            return self._solve(self.native, every, self.lanes).results
+        result, unended = run_members(self.native, every, self.lanes, options)
+        if len(unended):
+            replace_rows(result, unended, self._solve(self.native, rows(unended)))
+        return result
+
     def _solve(self, runner: Any, runs: tuple, lanes: int = 1) -> Batch:
         """Integrate runs, the arguments of a `Batch`, up to their end."""
         options = self.varied.options
@@ -257,7 +270,7 @@ class Ensemble:
         if method.implicit:
             lanes = 1
         batch = Batch(runner.callee(lanes, None, method), *runs)
-        may_switch = options["method"] == "auto"
+        may_switch = options["method"] in ("auto", TAYLOR)
         implicit = runner.implicit if may_switch else None
         batch.adaptive(options["rtol"], options["atol"], implicit=implicit)
         return batch

@@ -87,7 +87,8 @@ def simulate(
         For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
         it falls to 0. Of a truth value it ends where that is no longer true.
     method : str, optional
-        ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
+        ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5;
+        ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps; or
         ``"auto"``: DOP853, and Rodas5P from where the equations are stiff. The scenario's own, or
         ``"auto"`` for a diagram. The attribute ``method`` says what ran, and from when.
     max_step, first_step : float, optional

@@ -91,12 +91,13 @@ class LLVMPrinter(LoopPrinter):
     ) -> None:
         """Declare the function, its arrays and the array of constants, K."""
         pointer = DOUBLE.as_pointer()
-        signature = ir.FunctionType(ir.VoidType(), [pointer] * len(ARRAYS))
+        arguments = self.signature()
+        signature = ir.FunctionType(ir.VoidType(), [*arguments.values()])
         function = ir.Function(module, signature, name)
         function.attributes.add("nounwind")
         # a register that is saved lies in one line of cache
         function.attributes.alignstack = 64
-        self.arrays: dict[str, Any] = dict(zip(ARRAYS, function.args, strict=True))
+        self.arrays: dict[str, Any] = dict(zip(arguments, function.args, strict=True))
         for array, argument in self.arrays.items():
             argument.add_attribute("noalias")
             argument.name = array
@@ -113,6 +114,10 @@ class LLVMPrinter(LoopPrinter):
             table.align = 8
             table.initializer = ir.Constant(kind, numbers)
         self.arrays["K"] = self.builder.bitcast(module.globals["K"], pointer)
+
+    def signature(self) -> dict[str, ir.Type]:
+        """Return names and types of the arguments."""
+        return dict.fromkeys(ARRAYS, DOUBLE.as_pointer())
 
     def print_function(self) -> None:
         """Print the nests of the function."""

@@ -198,7 +198,7 @@ def numbers_of(*arguments: Any) -> np.ndarray:
     return np.array(flattened(arguments, []), dtype=np.int64)
 
 
-def _address(array: np.ndarray) -> int:
+def address_of(array: np.ndarray) -> int:
     """Return where the elements of a contiguous array are."""
     flags = array.flags
     if not flags.c_contiguous or array.dtype.char not in "dl":
@@ -212,7 +212,7 @@ def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
     """Return numbers, and behind them those that stand for arguments, one after the other."""
     for value in arguments:
         if type(value) is np.ndarray:
-            address = _address(value) if value.size else 0
+            address = address_of(value) if value.size else 0
             size, item = value.size, value.itemsize
             numbers += (0, 0, size, item, address, *value.shape, *value.strides)
         elif isinstance(value, tuple):

@@ -233,7 +233,10 @@ PRIMITIVES: dict[str, Primitive] = {
         if row.llvm not in ("function", "inline")
     },
     "rem": _instruction("frem"),
-    **{name: _intrinsic(name) for name in ("fma", "fmuladd", "copysign")},
+    **{
+        name: _intrinsic(name)
+        for name in ("fma", "fmuladd", "copysign", "maxnum", "minnum")
+    },
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
     "power_of_two": _power_of_two,

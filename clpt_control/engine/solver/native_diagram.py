@@ -15,6 +15,7 @@ from ..codegen.directional_derivatives import Directions, add_derivatives
 from ..codegen.llvm_text import print_program
 from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
+from ..codegen.series_loop import print_series
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
 from ..methods.table import EXPLICIT
@@ -88,6 +89,18 @@ class Code:
             for name in missing:
                 self._machines[name, lanes] = machine
         return [self._machines[name, lanes].addresses[name] for name in names]
+
+    @one_at_a_time
+    def series(self, lanes: int, order: int) -> Machine:
+        """Return the Taylor series of the rates, up to an order, as machine code."""
+        key = f"series {order}", lanes
+        if key not in self._machines:
+            program = self.program
+            text = repr((program._replace(tables=NO_TABLES), key))
+            self._machines[key] = Machine(
+                ["series"], text, lambda: print_series(program, lanes, order)
+            )
+        return self._machines[key]
 
 
 def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
@@ -235,6 +248,7 @@ class NativeDiagram(NativeRuns):
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
         self._callees: dict[tuple[int, Method], Callee] = {}
         self.kept = {}
+        self.kept_series = {}
 
     def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
         """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
@@ -270,6 +284,7 @@ class NativeDiagram(NativeRuns):
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
         diagram._callees = {}
         diagram.kept = {}
+        diagram.kept_series = {}
         return diagram
 
     def _with_derivatives(self, form: Form) -> Form:

@@ -8,12 +8,13 @@ import numpy as np
 
 from ...base.errors import SimulationError
 from ..methods.method import Method
-from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4
+from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4, TAYLOR
 from .batch import ANY, Batch, pace
 from .callee import MOST_KEPT, Callee, keep
 from .filippov import continue_run, continued_ends
 from .runner import PythonDiagram, RunOptions
 from .schedule import Inputs, Schedule
+from .series_runs import SeriesCode, series_solution
 from .solver_layout import SIGNALS, Status
 from .termination import STUCK, Solution, ended, sampled_start
 
@@ -31,6 +32,7 @@ class NativeRuns(PythonDiagram):
     over_kinks: Any
     unlocked: Any
     kept: dict[Any, Batch]  # by shape, while no thread runs them
+    kept_series: dict[Any, SeriesCode]
     _last_schedule: tuple = None, None  # times and inputs, and their schedule
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
@@ -63,6 +65,8 @@ class NativeRuns(PythonDiagram):
         options: RunOptions,
     ) -> Solution:
         """Integrate, and once more without located switches if the first run is stuck on one."""
+        if options.method == TAYLOR:
+            return series_solution(self, start, times, inputs, options)
         batch = self._prepare(start, times, inputs, options)
         error = None
         try:

@@ -71,7 +71,7 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
 def test_small_models_end_where_scipy_does():
     rows = models.measure(["native", "simulate"], 1, 1.0, lambda text: None)
     found = {(row["model"], row["engine"]) for row in rows}
-    assert len(found) == len(rows) == 8
+    assert len(found) == len(rows) == 11
     assert max(row["error"] for row in rows) < 1e-6
 
 

@@ -1,0 +1,267 @@
+"""Coefficients of Taylor series, from the components of a program's rates.
+
+    x(t + s tau) = x + sum a_k tau^k,    a_k = s/k (coefficient k - 1 of the rates),  k = 1 ... p
+
+Each smooth operation has a recurrence of its coefficients: a sum, a product, a quotient, a root and
+a power their own; every other one by its slopes in the table of operations,
+
+    k f_k = sum over j of j a_j f'_(k - j)
+
+(Jorba and Zou 2005, Experimental Mathematics 14).  s is the scale of a step.
+"""
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+from llvmlite import ir
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
+from ...base.errors import Uncompiled
+from ..record.operations import SMOOTH, TABLE, UFUNCS, Smoothness
+from .fused_expressions import Component
+from .llvm_text import LLVMPrinter
+from .plan import Program
+from .vectors import PRIMITIVES
+
+MOST_LINES = 5000  # of coefficients; LLVM takes a second for them
+WHOLE_POWERS = {float(k) for k in range(1, 65)}
+ALL_SMOOTH = (SMOOTH, Smoothness.FOLDS)
+
+
+class Node(NDArrayOperatorsMixin):
+    """A component as a number, for the slopes of the table of operations."""
+
+    def __init__(self, printer: "Coefficients", argument: Any):
+        self.printer = printer
+        self.argument = argument
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *values: Any) -> "Node":
+        arguments = [v.argument if isinstance(v, Node) else float(v) for v in values]
+        return Node(self.printer, self.printer.new(UFUNCS[ufunc], *arguments))
+
+    def __bool__(self) -> bool:
+        raise Uncompiled("has a function whose slope is not smooth")
+
+
+class Coefficients(LLVMPrinter):
+    """Printer of coefficients; each is a value, or a number known now."""
+
+    def __init__(self, module: ir.Module, program: Program, lanes: int, order: int):
+        super().__init__(module, "derivative", lanes, program, set())
+        self.order = order
+        self.components: Any = list(program.components)
+        self.known = {component: c for c, component in enumerate(self.components)}
+        self.constants: dict[int, bool] = {}  # whether a component is one along the run
+        self.coefficients: dict[Any, Any] = {}
+        self.lines = 0
+        # time, states and scale of the step, once they are known
+        self.time: Any = None
+        self.states: list[Any] = []
+        self.scale: Any = None
+        items = [item for nest in self.nests for item in nest.items]
+        if any(nest.lengths for nest in self.nests):
+            raise Uncompiled("has loops")
+        values = {item.first: item.value for item in items if item.array == "D"}
+        self.rates = [values[k] for k in range(len(values))]
+
+    # --- numbers known now, and values --------------------------------------------------------
+
+    def operate(self, name: str, *values: Any) -> Any:
+        """Return a sum, product, quotient, difference or fused sum of coefficients."""
+        a, b = values[:2]
+        if all(type(value) is float for value in values):
+            return {"fadd": a + b, "fsub": a - b, "fmul": a * b}[name]
+        if name == "fmul" and 0.0 in (a, b):
+            return 0.0
+        if name == "fmul" and 1.0 in (a, b):
+            return b if a == 1.0 else a
+        if b == 0.0 or (name == "fadd" and a == 0.0):
+            return b if a == 0.0 else a
+        self.lines += 1
+        if self.lines > MOST_LINES:
+            raise Uncompiled(f"has more than {MOST_LINES} operations")
+        return getattr(self.builder, name)(*map(self.as_value, values))
+
+    def as_value(self, value: Any) -> Any:
+        """Return a number as a constant, a value as it is."""
+        return self.number(value, False) if type(value) is float else value
+
+    def call(self, name: str, *values: Any) -> Any:
+        """Return the result of a primitive or an intrinsic."""
+        return PRIMITIVES[name](self.builder, *map(self.as_value, values))
+
+    def sum_of_products(
+        self, pairs: Iterable[tuple[Any, Any]], total: Any = 0.0
+    ) -> Any:
+        """Return a sum of products, one after the other."""
+        for a, b in pairs:
+            if total == 0.0 or {0.0, 1.0} & {x for x in (a, b) if type(x) is float}:
+                total = self.operate("fadd", self.operate("fmul", a, b), total)
+            else:
+                self.lines += 1
+                total = self.call("fmuladd", a, b, total)
+        return total
+
+    # --- coefficients -------------------------------------------------------------------------
+
+    def load(self, element: Any) -> Any:
+        """Read a number; states and time are those of the step."""
+        if element.array == "X":
+            return self.states[element.offset]
+        return self.time if element.array == "t" else super().load(element)
+
+    def new(self, name: str, *arguments: Any) -> Any:
+        """Return a component as an argument; an equal one is the same."""
+        component = Component(name, arguments, ())
+        if component not in self.known:
+            self.known[component] = len(self.components)
+            self.components.append(component)
+        return self.known[component], ()
+
+    def is_constant(self, argument: Any) -> bool:
+        """Return whether an argument is constant along a segment of time."""
+        if type(argument) is float:
+            return True
+        c = argument[0]
+        if c not in self.constants:
+            name, arguments, _ = self.components[c]
+            reads = name in ("load", "table")
+            self.constants[c] = c in self.prepared or (
+                arguments[0] in "PTK"
+                if reads
+                else all(map(self.is_constant, arguments))
+            )
+        return self.constants[c]
+
+    def at(self, argument: Any, k: int) -> Any:
+        """Return coefficient k of an argument."""
+        if k and self.is_constant(argument):
+            return 0.0
+        if k == 0:
+            return (
+                self.argument(argument, (), False)
+                if type(argument) is tuple
+                else argument
+            )
+        key = argument[0], k
+        if key not in self.coefficients:
+            self.coefficients[key] = self.coefficient(argument, k)
+        return self.coefficients[key]
+
+    def cached(self, key: Any, make: Callable[[], Any]) -> Any:
+        """Return a value that several coefficients use."""
+        if key not in self.coefficients:
+            self.coefficients[key] = make()
+        return self.coefficients[key]
+
+    def coefficient(self, argument: Any, k: int) -> Any:
+        """Return coefficient k > 0 of a component that varies along a step."""
+        name, arguments, _ = self.components[argument[0]]
+        at = self.at
+        if name == "load":
+            if arguments[0] == "X":
+                return self.state_coefficient(arguments[1], k)
+            return self.scale if k == 1 else 0.0  # of time
+        if name in ("add", "sub"):
+            return self.operate(f"f{name}", *(at(a, k) for a in arguments))
+        if name == "neg":
+            return self.operate("fsub", 0.0, at(arguments[0], k))
+        if name == "mul":
+            a, b = arguments
+            return self.product(a, b, k)
+        if name == "div":
+            a, b = arguments
+            pairs = [(at(argument, j), at(b, k - j)) for j in outside_in(0, k - 1)]
+            rest = self.operate("fsub", at(a, k), self.sum_of_products(pairs))
+            return self.operate("fmul", rest, self.inverse(b, 1.0))
+        if name == "sqrt":
+            rest = self.operate(
+                "fsub", at(arguments[0], k), self.square(argument, k, 1)
+            )
+            return self.operate("fmul", rest, self.inverse(argument, 2.0))
+        if name == "pow" and self.is_constant(arguments[1]):
+            return self.power(argument, k)
+        return self.by_slopes(argument, k)
+
+    def power(self, argument: Any, k: int) -> Any:
+        """Return coefficient k of f = a^b: sum of (b (k - j) - j) / k a_(k - j) f_j over a_0."""
+        a, exponent = self.components[argument[0]].arguments
+        if exponent in WHOLE_POWERS:
+            return self.at(self.whole_power(a, int(exponent)), k)
+        pairs = []
+        for j in outside_in(0, k - 1):
+            product = self.operate("fmul", self.at(exponent, 0), (k - j) / k)
+            factor = self.operate("fsub", product, j / k)
+            term = self.operate("fmul", factor, self.at(a, k - j))
+            pairs.append((term, self.at(argument, j)))
+        return self.operate("fmul", self.sum_of_products(pairs), self.inverse(a, 1.0))
+
+    def whole_power(self, a: Any, exponent: int) -> Any:
+        """Return a power as products of squares: it has a series where a is 0."""
+        if exponent == 1:
+            return a
+        root = self.whole_power(a, exponent // 2)
+        square = self.new("mul", root, root)
+        return self.new("mul", square, a) if exponent % 2 else square
+
+    def state_coefficient(self, state: int, k: int) -> Any:
+        """Return coefficient k of a state, s/k times coefficient k - 1 of its rate."""
+        make = partial(self.operate, "fmul", 1.0 / k, self.scale)
+        scale = self.cached(("scale", k), make)
+        make = partial(self.operate, "fmul", scale, self.at(self.rates[state], k - 1))
+        return self.cached(("state", state, k), make)
+
+    def product(self, a: Any, b: Any, k: int) -> Any:
+        """Return coefficient k of a product."""
+        if self.is_constant(b):
+            a, b = b, a
+        if self.is_constant(a):
+            return self.operate("fmul", self.at(a, 0), self.at(b, k))
+        if a == b:
+            return self.square(a, k, 0)
+        return self.sum_of_products(
+            (self.at(a, j), self.at(b, k - j)) for j in outside_in(0, k)
+        )
+
+    def square(self, a: Any, k: int, first: int) -> Any:
+        """Return the sum of a_j a_(k - j) for j from `first` to k - `first`."""
+        pairs = [(self.at(a, j), self.at(a, k - j)) for j in range(first, (k + 1) // 2)]
+        half = self.sum_of_products(reversed(pairs))
+        total = self.operate("fmul", 2.0, half)
+        if k % 2 or k // 2 < first:
+            return total
+        middle = self.at(a, k // 2)
+        return self.sum_of_products([(middle, middle)], total)
+
+    def inverse(self, argument: Any, factor: float) -> Any:
+        """Return 1 / (factor a_0)."""
+        value = self.operate("fmul", factor, self.at(argument, 0))
+        make = partial(self.call, "div", 1.0, value)
+        return self.cached(("inverse", argument, factor), make)
+
+    def by_slopes(self, argument: Any, k: int) -> Any:
+        """Return coefficient k of an operation with the slopes of its row."""
+        name, arguments, _ = self.components[argument[0]]
+        row = TABLE.get(name)
+        if row is None or not row.slopes or row.smoothness not in ALL_SMOOTH:
+            raise Uncompiled(f"has the operation {name}")
+        nodes = [
+            Node(self, a) if type(a) is tuple else a for a in (*arguments, argument)
+        ]
+        pairs = []
+        for a, slope in zip(arguments, row.slopes, strict=True):
+            if self.is_constant(a):
+                continue
+            value = slope(*nodes)
+            of_slope = value.argument if isinstance(value, Node) else float(value)
+            for j in outside_in(1, k):
+                make = partial(self.operate, "fmul", float(j), self.at(a, j))
+                times_j = self.cached(("times", a, j), make)
+                pairs.append((times_j, self.at(of_slope, k - j)))
+        return self.operate("fmul", 1.0 / k, self.sum_of_products(pairs))
+
+
+def outside_in(first: int, last: int) -> list[int]:
+    """Return numbers from the middle to the ends: products of the latest coefficients come last."""
+    return sorted(range(first, last + 1), key=lambda j: -min(j, last - j))

@@ -1,0 +1,302 @@
+"""Runs by Taylor series: machine code takes all steps of a run (`codegen.series_loop`).
+
+Where a series ends, as at a pole, at the root of 0 or after too many steps, the run goes on with
+DOP853 and Rodas5P.
+"""
+
+from collections.abc import Callable, Sequence
+from ctypes import CFUNCTYPE, c_void_p
+from dataclasses import replace
+from math import ceil, log
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...base.errors import SimulationError, Uncompiled
+from ...base.progress.interrupt import check
+from ..codegen import series_loop as series
+from ..codegen.machine import LANES, address_of
+from ..codegen.plan import Program
+from .batch import PARTS
+from .callee import MOST_KEPT, aligned, keep
+from .schedule import Inputs, Schedule
+from .solver_layout import Results, Status
+from .termination import Solution
+
+MOST_ORDER = 20
+CALL_STEPS = 20_000  # of a call of machine code
+MOST_STEPS = 2_000_000  # of a run
+FIRST_SHARE = 2.0**-6  # of the run or the longest step: the first scale
+LEAST_RTOL = 2.3e-14
+NUMBERS, INTEGERS = series.SCALE + LANES, series.STEPS + LANES
+ENTRY = CFUNCTYPE(None, *[c_void_p] * len(series.ARRAYS))
+
+
+def order_of(rtol: float) -> int:
+    """Return the order of the series for a tolerance."""
+    return min(ceil(1 - log(max(rtol, LEAST_RTOL)) / 2) + 2, MOST_ORDER)
+
+
+class SeriesCode(NamedTuple):
+    """The compiled series of a diagram, and the arrays of its last runs by shape."""
+
+    program: Program
+    order: int
+    lanes: int
+    entry: Callable
+    tables: np.ndarray
+    kept: dict[Any, "SeriesArrays"]
+    machine: Any  # must live as long as the entry is used
+
+
+def refused(why: str) -> SimulationError:
+    """Return the error of a diagram that has no series."""
+    return SimulationError(
+        f"method = 'taylor': the model {why}, so it has no Taylor series. Use method = 'dop853'"
+    )
+
+
+def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
+    """Return the compiled series of a diagram; refuse one that is not smooth."""
+    order = order_of(rtol)
+    key = "series", order, lanes
+    if key in diagram.kept_series:
+        return diagram.kept_series[key]
+    program = diagram.code.program
+    if diagram.wiring.dt:
+        raise refused("is in discrete time")
+    if program.decided or program.guarded:
+        raise refused("has conditions or kinks of its signals, or a guard")
+    if diagram.jumps:
+        raise refused("has states that jump, or blocks that sample")
+    code = diagram.code
+    try:
+        if any(nest.lengths for nest in program.functions["derivative"]):
+            code = diagram.in_form("unrolled").code
+        machine = code.series(lanes, order)
+    except Uncompiled as error:
+        raise refused(str(error)) from None
+    entry = ENTRY(machine.addresses["series"])
+    tables = np.concatenate([diagram.layout.T, code.program.tables])
+    made = SeriesCode(code.program, order, lanes, entry, tables, {}, machine)
+    diagram.kept_series[key] = made
+    return made
+
+
+class SeriesArrays:
+    """Arrays of machine code for groups of runs side by side, and their addresses."""
+
+    def __init__(
+        self, code: SeriesCode, count: int, n: int, samples: int, segments: Schedule
+    ):
+        lanes = code.lanes
+        groups = -(-count // lanes)
+        size, room = code.program.parameters + 1, code.program.room + 1
+        self.memory, arrays = aligned(
+            *(groups * lanes * rows for rows in (n, size)),
+            lanes * room,
+            groups * NUMBERS,
+        )
+        self.states = arrays[0].reshape(groups, n, lanes)
+        self.parameters = arrays[1].reshape(groups, size, lanes)
+        self.numbers = arrays[3].reshape(groups, NUMBERS)
+        self.integers = np.zeros((groups, INTEGERS), dtype=np.int64)
+        # behind the samples of a group is a row that is not read
+        self.out = np.empty((groups, lanes * samples + 1, n))
+        self.samples = self.out[:, :-1].reshape(groups, lanes, samples, n)
+        self.times = np.empty(samples)
+        self.edges = np.empty(len(segments.edges))
+        self.indices = np.zeros(max(1, len(segments.indices)), dtype=np.int64)
+        self.values = np.empty(max(1, segments.values.size))
+        of_all = (
+            code.tables,
+            arrays[2],
+            self.times,
+            self.edges,
+            self.values,
+            self.indices,
+        )
+        T, W, times, edges, values, indices = map(address_of, of_all)
+        of_groups = self.states, self.parameters, self.out, self.numbers, self.integers
+        begins = [address_of(array.reshape(-1)) for array in of_groups]
+        self._calls = []
+        for g in range(groups):
+            steps = [g * array.strides[0] for array in of_groups]
+            X, P, out, numbers, integers = map(sum, zip(begins, steps, strict=True))
+            call = X, P, T, W, times, edges, values, out, numbers, indices, integers
+            self._calls.append(call)
+        self._entry = code.entry
+        self._segments: Any = None
+        self._limits: Any = None
+        self.is_small = self.memory.size + self.out.size + self.values.size < MOST_KEPT
+
+    def run(
+        self,
+        starts: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        segments: Schedule,
+        limits: Sequence[float],
+        progress: Callable[[float], None] | None = None,
+    ) -> None:
+        """Run from states (m, n) with parameters (m, nP), the last ones repeated to fill a group.
+
+        `limits` are tolerances, the longest step and the first.
+        """
+        # 1. what all runs share, as the last ones may have done
+        begin = float(times[0])
+        span = float(times[-1]) - begin
+        if segments is not self._segments or limits != self._limits:
+            self._share(times, segments, limits)
+        self.numbers[:] = self._numbers
+        self.integers[:] = self._integers
+        # 2. states and parameters of each
+        groups, n, lanes = self.states.shape
+        if groups * lanes > len(starts):
+            members = np.minimum(np.arange(groups * lanes), len(starts) - 1)
+            starts = starts[members]
+            parameters = parameters[members]
+        starts = starts.reshape(groups, lanes, n)
+        self.states[:] = starts.transpose(0, 2, 1)
+        size = parameters.shape[1]
+        in_groups = parameters.reshape(groups, lanes, size)
+        self.parameters[:, :size] = in_groups.transpose(0, 2, 1)
+        self.samples[:, :, 0] = starts
+        # 3. steps
+        for g, call in enumerate(self._calls):
+            self._entry(*call)
+            tries = 0
+            running = self.status[g] == series.RUNNING
+            while running.any():
+                check()
+                tries += CALL_STEPS
+                now = float(self.time[g].min())
+                if progress is not None:
+                    progress(now)
+                if (now - begin) * MOST_STEPS < span * tries:
+                    self.status[g][running] = series.FAILED
+                    break
+                self._entry(*call)
+                running = self.status[g] == series.RUNNING
+
+    def _share(
+        self, times: np.ndarray, segments: Schedule, limits: Sequence[float]
+    ) -> None:
+        """Write segments, and prepare the numbers with which each group begins."""
+        self._segments, self._limits = segments, limits
+        self.times[:] = times
+        self.edges[:] = segments.edges
+        self.indices[: len(segments.indices)] = segments.indices
+        self.values[: segments.values.size] = segments.values.ravel()
+        *shared, first = limits
+        numbers = self._numbers = np.zeros(NUMBERS)
+        numbers[:3] = shared
+        numbers[series.TIME : series.SCALE] = times[0]
+        scale = FIRST_SHARE * min(times[-1] - times[0], limits[series.LONGEST])
+        numbers[series.SCALE :] = first / series.GROWTH if first else scale
+        integers = self._integers = np.zeros(INTEGERS, dtype=np.int64)
+        integers[:4] = (
+            len(times),
+            len(segments.edges) - 1,
+            len(segments.indices),
+            CALL_STEPS,
+        )
+        integers[series.NEXT : series.STATUS] = 1
+
+    @property
+    def time(self) -> np.ndarray:
+        """The time that each run has reached."""
+        return self.numbers[:, series.TIME :][:, : self.states.shape[2]]
+
+    @property
+    def status(self) -> np.ndarray:
+        """The status of each run."""
+        return self.integers[:, series.STATUS :][:, : self.states.shape[2]]
+
+
+def limits_of(code: SeriesCode, times: np.ndarray, options: Any) -> tuple[float, ...]:
+    """Return tolerances, the longest step and the first one, 0 if it is not given."""
+    longest = min(options.max_step, 1e300)
+    if code.program.timed:
+        longest = min(longest, float(times[-1] - times[0]) / PARTS)
+    return max(options.rtol, LEAST_RTOL), options.atol, longest, options.first_step
+
+
+def series_solution(
+    diagram: Any,
+    start: np.ndarray,
+    times: np.ndarray,
+    inputs: Inputs | None,
+    options: Any,
+) -> Solution:
+    """Integrate by Taylor series, and from where the series ends by DOP853."""
+    segments = diagram._schedule(times, inputs)
+    code = series_of(diagram, options.rtol)
+    shape = len(times), segments.values.shape
+    arrays = code.kept.pop(shape, None)
+    if arrays is None:
+        arrays = SeriesArrays(code, 1, len(start), len(times), segments)
+    limits = limits_of(code, times, options)
+    run = start[None], diagram.layout.P[None], times, segments, limits
+    arrays.run(*run, options.progress)
+    x = arrays.samples[0, 0].copy()
+    at = [series.NEXT, series.STATUS, series.STEPS]
+    following, status, steps = arrays.integers[0, at].tolist()
+    now, state = float(arrays.time[0, 0]), arrays.states[0, :, 0].copy()
+    if arrays.is_small:
+        keep(code.kept, shape, arrays)
+    statistics = {
+        "steps": steps,
+        "evaluations": steps,
+        "restarts": len(segments.edges) - 1,
+    }
+    solution = Solution(
+        times.copy(), x, statistics=statistics, engine="native", pieces=segments
+    )
+    solution.method = f"Taylor {code.order}"
+    if status == series.ARRIVED:
+        return solution
+    rest = np.append(now, times[following:])
+    auto = replace(
+        options, method="auto", max_step=limits[series.LONGEST], first_step=0.0
+    )
+    other = diagram._solution(state, rest, inputs, auto)
+    solution.x[following:] = other.x[1:]
+    solution.method += f", from t = {now:.9g} {other.method}"
+    for name, count in other.statistics.items():
+        statistics[name] += count
+    return solution
+
+
+def run_members(
+    diagram: Any, runs: tuple, lanes: int, options: Any
+) -> tuple[Results, np.ndarray]:
+    """Run members of an ensemble side by side; return results, and the members without an end.
+
+    `runs` are initial states, parameters, times, schedules and the schedule of each member.
+    """
+    starts, parameters, times, schedules, group = runs
+    count, n = starts.shape
+    results = Results(
+        np.empty((count, len(times), n)),
+        np.full(count, Status.FINISHED),
+        np.full(count, len(times)),
+        np.zeros((count, 4), dtype=np.int64),
+    )
+    ended = np.empty(count, dtype=bool)
+    for k, segments in enumerate(schedules):
+        members = np.flatnonzero(group == k)
+        m = len(members)
+        if not m:
+            continue
+        code = series_of(diagram, options.rtol, lanes if m >= lanes else 1)
+        arrays = SeriesArrays(code, m, n, len(times), segments)
+        limits = limits_of(code, times, options)
+        own = parameters[members, : len(diagram.layout.P)]
+        arrays.run(starts[members], own, times, segments, limits)
+        results.states[members] = arrays.samples.reshape(-1, len(times), n)[:m]
+        ended[members] = arrays.status.ravel()[:m] == series.ARRIVED
+        steps = arrays.integers[:, series.STEPS :][:, : code.lanes].ravel()[:m]
+        restarts = np.full(m, len(segments.edges) - 1)
+        results.counts[members] = np.transpose([steps, steps, restarts, 0 * steps])
+    return results, np.flatnonzero(~ended)

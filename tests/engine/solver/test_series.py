@@ -1,0 +1,275 @@
+"""Taylor series: smooth runs against closed forms, SciPy and DOP853; what has none is refused."""
+
+from itertools import pairwise
+
+import control
+import numpy as np
+import pytest
+from engine_runs import NativeDiagram
+from refusals import refuses
+from scipy.integrate import solve_ivp
+
+import clpt_control as clpt
+
+SERIES = {"method": "taylor"}
+
+
+def system(rates, states=1, inputs=0, **params):
+    return control.nlsys(
+        rates, None, states=states, inputs=inputs, params=params, name="smooth"
+    )
+
+
+def of_state(rate):
+    return system(lambda t, x, u, p: [rate(x[0])])
+
+
+def of_time(rate):
+    return system(lambda t, x, u, p: [rate(t)])
+
+
+def end(diagram, start, times, **given):
+    run = clpt.simulate(diagram, times, initial_state=start, **SERIES, **given)
+    return run.states.values[-1], run.attrs["method"]
+
+
+# --- every operation ---------------------------------------------------------------------------
+
+FUNCTIONS = [
+    *(np.exp, np.expm1, np.log, np.log1p, np.log2, np.log10, np.sqrt, np.tanh),
+    *(np.sin, np.cos, np.tan, np.arctan, np.arcsin, np.arccos, np.arcsinh),
+    *(np.sinh, np.cosh, np.arctanh, np.square, np.reciprocal),
+    lambda a: np.arccosh(1.0 + a),
+    lambda a: np.hypot(a, 0.3),
+    lambda a: a**-1.5 + a**0.7 + a**9 + a**11.3,
+    lambda a: (0.3 + a) ** a / (1.0 + a**2),
+]
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_each_function_has_its_series(function):
+    def rates(t, x, u, p):
+        inner = 0.4 + 0.2 * np.cos(2.0 * t) + 0.1 * np.sin(x[1])
+        return [function(inner) - x[0], x[0] - 0.5 * x[1]]
+
+    tight = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13}
+    exact = solve_ivp(lambda t, x: rates(t, x, None, None), (0, 5), [0.3, 0.2], **tight)
+    found, method = end(system(rates, 2), [0.3, 0.2], [0.0, 5.0])
+    assert method == "Taylor 13"
+    np.testing.assert_allclose(found, exact.y[:, -1], rtol=1e-8, atol=1e-8)
+
+
+# --- traps -------------------------------------------------------------------------------------
+
+RUNS = {  # rate, start, end, value there, error
+    "flat at the start": (of_time(lambda t: t**16.0), 0.0, 1.5, 1.5**17 / 17, 1e-9),
+    "flat for long": (of_time(lambda t: t**30.0), 0.0, 1.5, 1.5**31 / 31, 1e-6),
+    "a pulse": (
+        of_time(lambda t: np.exp(-(((t - 5.0) / 0.05) ** 2))),
+        *(0.0, 10.0, 0.05 * np.sqrt(np.pi), 1e-9),
+    ),
+    "a fast sine": (
+        of_time(lambda t: np.sin(50 * t)),
+        *(0.0, 3.0, (1 - np.cos(150.0)) / 50, 1e-9),
+    ),
+    "near a pole": (of_state(lambda x: x * x), 1.0, 0.9, 10.0, 1e-6),
+    "a root": (of_state(lambda x: -np.sqrt(x)), 1.0, 1.9, 0.0025, 1e-9),
+    "a power": (of_state(lambda x: -(x**1.5)), 1.0, 10.0, 1 / 36.0, 1e-9),
+    "slow": (of_state(lambda x: -1e-18 * x), 1.0, 2e18, np.exp(-2.0), 1e-9),
+    "quick": (of_state(lambda x: -1e18 * x), 1.0, 2e-18, np.exp(-2.0), 1e-9),
+    "gone": (of_state(lambda x: -x), 1.0, 1000.0, 0.0, 1e-9),
+    "at rest": (of_state(lambda x: 0.0 * x), 3.0, 10.0, 3.0, 0.0),
+    "a constant rate": (of_state(lambda x: 1.0 + 0.0 * x), 3.0, 10.0, 13.0, 1e-13),
+}
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_traps(name):
+    diagram, start, last, expected, error = RUNS[name]
+    found, method = end(diagram, [start], [0.0, last])
+    assert abs(found[0] - expected) <= error
+    assert method == "Taylor 13"
+
+
+def test_a_late_start_and_a_quick_state():
+    rate = of_time(lambda t: 1e6 * np.cos(1e6 * t))
+    found, _ = end(rate, [np.sin(1e6)], [1.0, 1.0 + 1e-5])
+    assert found[0] == pytest.approx(np.sin(1e6 + 10.0), abs=1e-7)
+
+
+# --- what ends a series ------------------------------------------------------------------------
+
+
+def test_a_root_that_begins_at_zero_is_that_of_dop853():
+    root = system(lambda t, x, u, p: [1.0 + 0.0 * x[0], np.sqrt(x[0])], 2)
+    found, method = end(root, [0.0, 0.0], [0.0, 1.0])
+    assert method == "Taylor 13, from t = 0 DOP853"
+    assert found[1] == pytest.approx(2.0 / 3.0, rel=1e-6)
+
+
+def test_a_stiff_run_goes_on_with_other_methods():
+    stiff = system(lambda t, x, u, p: [-1e7 * (x[0] - np.cos(t))])
+    times = np.linspace(0.0, 10.0, 11)
+    run = clpt.simulate(stiff, times, initial_state=[0.0], **SERIES)
+    assert "DOP853, from t" in run.attrs["method"]
+    expected = (1e14 * np.cos(times) + 1e7 * np.sin(times)) / (1e14 + 1)
+    np.testing.assert_allclose(run.states[1:, 0], expected[1:], atol=1e-7)
+
+
+def test_a_pole_is_the_error_of_dop853():
+    diagram = of_state(lambda x: x * x)
+    said = "stopped at t = (1|0.99999)"
+    refuses(said, end, diagram, [1.0], [0.0, 2.0], error=clpt.SimulationError)
+
+
+# --- refusals ----------------------------------------------------------------------------------
+
+
+def many(t, x, u, p):
+    return [np.sin(np.roll(x, k) @ x) * np.exp(np.cos(x[k])) for k in range(12)]
+
+
+REFUSED = {
+    "conditions or kinks": of_state(lambda x: 1.0 - np.abs(x - 1.0)),
+    "conditions": of_state(lambda x: -1.0 if x > 0.5 else -0.5),
+    "kinks": of_state(lambda x: np.minimum(x, 0.5)),
+    "more than 5000 operations": system(many, 12),
+    "discrete time": control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=1.0),
+}
+
+
+@pytest.mark.parametrize("why", REFUSED)
+def test_what_has_no_series_is_refused(why):
+    diagram = REFUSED[why]
+    start = [0.1] * diagram.nstates
+    run = (clpt.simulate, diagram, [0.0, 1.0], 0.0 if diagram.ninputs else None, start)
+    refuses(f"{why}|{why}", *run, **SERIES, error=clpt.SimulationError)
+
+
+def test_sampled_blocks_are_refused():
+    law = clpt.Block(
+        "law", output=lambda t, x, u, p: -u.y, inputs={"y": 1}, outputs={"u": 1}
+    )
+    plant = control.ss(
+        [[-1.0]], [[1.0]], [[1.0]], 0, inputs="u", outputs="y", name="plant"
+    )
+    loop = clpt.connect([plant, clpt.Sampled(law, 0.1)])
+    run = (clpt.simulate, loop, [0.0, 1.0])
+    refuses("sample", *run, **SERIES, error=clpt.SimulationError)
+
+
+# --- samples, inputs, steps --------------------------------------------------------------------
+
+
+def test_samples_within_steps_are_exact():
+    times = np.sort(np.random.default_rng(3).uniform(0.0, 20.0, 400))
+    turn = system(lambda t, x, u, p: [x[1], -x[0]], 2)
+    run = clpt.simulate(
+        turn, times, initial_state=[np.sin(times[0]), np.cos(times[0])], **SERIES
+    )
+    np.testing.assert_allclose(run.states[:, 0], np.sin(times), atol=1e-9)
+    assert run.solver_steps < 40
+    short = clpt.simulate(
+        turn, [0.0, 20.0], initial_state=[0, 1], max_step=0.1, **SERIES
+    )
+    assert short.solver_steps >= 200
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e9])
+def test_inputs_are_segments_of_time(scale):
+    times = np.array([0.0, 1.0, 1.0, 1.7, 3.0, 3.2, 5.0]) * scale
+    u = np.array([[0.0, 1.0, -2.0, 0.5, 0.5, 3.0, 0.0]])
+    lag = system(lambda t, x, u, p: [(u[0] - x[0]) / scale], inputs=1)
+    run = clpt.simulate(lag, times, u, [0.3], **SERIES)
+    x, expected = 0.3, [0.3]
+    for (t0, u0), (t1, u1) in pairwise(zip(times / scale, u[0], strict=True)):
+        if t1 > t0:  # x = line - slope + c exp(-t)
+            slope = (u1 - u0) / (t1 - t0)
+            x = u1 - slope + (x - u0 + slope) * np.exp(t0 - t1)
+            expected.append(x)
+    np.testing.assert_allclose(run.states[:, 0], expected, atol=1e-9)
+    assert run.solver_restarts >= 5
+
+
+def test_parameters_count_and_runs_repeat():
+    decay = system(
+        lambda t, x, u, p: [-(p["k"] ** 1.1) / (1 + p["c"]) * x[0]], k=1.0, c=0
+    )
+    for k in (1.0, 2.0, 1.0):
+        found, _ = end(decay, [1.0], [0.0, 2.0], params={"k": k, "c": 1.0})
+        assert found[0] == pytest.approx(np.exp(-(k**1.1)), rel=1e-8)
+
+
+def test_long_orbits_stay_exact():
+    def orbit(t, x, u, p):
+        cube = (x[0] ** 2 + x[1] ** 2) ** -1.5
+        return [x[2], x[3], -x[0] * cube, -x[1] * cube]
+
+    last, e = 2000.0, 0.6
+    anomaly = last
+    for _ in range(50):  # Kepler's equation
+        anomaly -= (anomaly - e * np.sin(anomaly) - last) / (1 - e * np.cos(anomaly))
+    tight = {"rtol": 1e-15, "atol": 1e-16}
+    found, method = end(system(orbit, 4), [0.4, 0, 0, 2.0], [0.0, last], **tight)
+    expected = np.cos(anomaly) - e, np.sqrt(1 - e * e) * np.sin(anomaly)
+    np.testing.assert_allclose(found[:2], expected, atol=1e-9)
+    assert method == "Taylor 19"
+
+
+def test_loops_are_unrolled_and_progress_is_told():
+    chain = clpt.Block(
+        "chain",
+        update=lambda t, x, u, p: {"q": x.v, "v": -x.q},
+        states={"q": 9, "v": 9},
+    )
+    told = []
+    run = clpt.simulate(
+        chain, [0.0, 40.0], initial_state=[1.0] * 9 + [0.0] * 9, **SERIES, max_step=1e-3,
+        progress=told.append,
+    )  # fmt: skip
+    np.testing.assert_allclose(run.states[-1, :9], np.cos(40.0), atol=1e-8)
+    assert told
+
+
+# --- ensembles and derivatives -----------------------------------------------------------------
+
+
+def lorenz(t, x, u, p):
+    return [
+        10.0 * (x[1] - x[0]),
+        x[0] * (28.0 - x[2]) - x[1],
+        x[0] * x[1] - p["b"] * x[2],
+    ]
+
+
+def test_members_in_lanes_are_the_runs_one_by_one():
+    model = system(lorenz, ["a", "b", "c"], b=8.0 / 3.0)
+    first = np.linspace(0.5, 1.5, 21)
+    given = {"timepts": [0.0, 0.4, 2.0], "initial_state": [1.0, 1.0, 1.0], **SERIES}
+    data = clpt.run_ensemble(model, {"a": first.tolist()}, **given)
+    for k, x0 in enumerate(first):
+        alone = clpt.simulate(model, [0.0, 0.4, 2.0], None, [x0, 1.0, 1.0], **SERIES)
+        assert float(data.a_final[k]) == float(alone.states[-1, 0])
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_members_whose_series_ends_are_those_of_dop853():
+    blow = system(lambda t, x, u, p: [p["k"] * x[0] ** 2], ["a"], k=1.0)
+    data = clpt.run_ensemble(
+        blow, {"k": [0.5, 0.9, 1.1, 2.0] * 3}, timepts=[0.0, 1.0], initial_state=[1.0], **SERIES
+    )  # fmt: skip
+    finished = data.status.values == 1
+    np.testing.assert_array_equal(finished, [True, True, False, False] * 3)
+    np.testing.assert_allclose(data.a_final[finished], [2.0, 10.0] * 3, rtol=1e-6)
+
+
+def test_sensitivities_by_series():
+    decay = system(lambda t, x, u, p: [-p["k"] * x[0]], k=1.5)
+    run = clpt.sensitivity(decay, [0.0, 1.0], to="k", initial_state=[1.0], **SERIES)
+    native = NativeDiagram(decay)
+    assert native.run([1.0], [0.0, 1.0], **SERIES).method == "Taylor 13"
+    assert any(
+        np.allclose(values.values[-1], -np.exp(-1.5), rtol=1e-7)
+        for values in run.data_vars.values()
+        if values.ndim and values.shape[0] == 2
+    )
