@@ -24,6 +24,8 @@ from .llvm_text import LLVMPrinter
 from .plan import Program
 from .vectors import PRIMITIVES
 
+# of an argument in a step: a part of what is divided by, and the change of another one
+RELATIVE, ABSOLUTE = 0.75, 4.0
 MOST_LINES = 5000  # of coefficients; LLVM takes a second for them
 WHOLE_POWERS = {float(k) for k in range(1, 65)}
 ALL_SMOOTH = (SMOOTH, Smoothness.FOLDS)
@@ -54,6 +56,9 @@ class Coefficients(LLVMPrinter):
         self.known = {component: c for c, component in enumerate(self.components)}
         self.constants: dict[int, bool] = {}  # whether a component is one along the run
         self.coefficients: dict[Any, Any] = {}
+        self.degrees: dict[Any, int] = {}
+        # what must not change by more in a step, and whether that is a part of it
+        self.limits: dict[tuple[Any, bool], float] = {}
         self.lines = 0
         # time, states and scale of the step, once they are known
         self.time: Any = None
@@ -149,6 +154,21 @@ class Coefficients(LLVMPrinter):
             self.coefficients[key] = self.coefficient(argument, k)
         return self.coefficients[key]
 
+    def degree(self, argument: Any) -> int:
+        """Return the degree of an argument as a polynomial; a function has that of its argument."""
+        if self.is_constant(argument):
+            return 0
+        name, arguments, _ = self.components[argument[0]]
+        if name == "load":
+            return 1
+        if argument not in self.degrees:
+            degrees = [self.degree(a) for a in arguments]
+            degree = sum(degrees) if name == "mul" else max(degrees)
+            if name == "pow" and arguments[1] in WHOLE_POWERS:
+                degree *= int(arguments[1])
+            self.degrees[argument] = degree
+        return self.degrees[argument]
+
     def cached(self, key: Any, make: Callable[[], Any]) -> Any:
         """Return a value that several coefficients use."""
         if key not in self.coefficients:
@@ -235,10 +255,22 @@ class Coefficients(LLVMPrinter):
         return self.sum_of_products([(middle, middle)], total)
 
     def inverse(self, argument: Any, factor: float) -> Any:
-        """Return 1 / (factor a_0)."""
+        """Return 1 / (factor a_0); a_0 must not reach 0 within a step."""
+        self.keep_from_zero(argument)
         value = self.operate("fmul", factor, self.at(argument, 0))
         make = partial(self.call, "div", 1.0, value)
         return self.cached(("inverse", argument, factor), make)
+
+    def keep_from_zero(self, argument: Any) -> None:
+        """Limit the change of what must not reach 0 within a step, or of its factors."""
+        if self.is_constant(argument):
+            return
+        name, arguments, _ = self.components[argument[0]]
+        if name not in ("mul", "sqrt"):
+            self.limits[argument, True] = RELATIVE
+            return
+        for factor in arguments:
+            self.keep_from_zero(factor)
 
     def by_slopes(self, argument: Any, k: int) -> Any:
         """Return coefficient k of an operation with the slopes of its row."""
@@ -255,11 +287,17 @@ class Coefficients(LLVMPrinter):
                 continue
             value = slope(*nodes)
             of_slope = value.argument if isinstance(value, Node) else float(value)
+            if not self.divides(of_slope):
+                self.limits[a, False] = ABSOLUTE
             for j in outside_in(1, k):
                 make = partial(self.operate, "fmul", float(j), self.at(a, j))
                 times_j = self.cached(("times", a, j), make)
                 pairs.append((times_j, self.at(of_slope, k - j)))
         return self.operate("fmul", 1.0 / k, self.sum_of_products(pairs))
+
+    def divides(self, argument: Any) -> bool:
+        """Return whether an argument is a quotient, whose divisor has a limit of its own."""
+        return type(argument) is tuple and self.components[argument[0]].name == "div"
 
 
 def outside_in(first: int, last: int) -> list[int]:

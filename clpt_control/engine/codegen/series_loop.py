@@ -3,10 +3,11 @@
     void series(X, P, T, W, times, edges, values, out, numbers, indices, integers)
 
 Coefficients (`series`) are scaled by the last step, so that they neither overflow nor underflow.
-The last two give the step, at most `GROWTH` times the last one.  Each step is checked: the rate at
-its end, the next first coefficient, against the slope of its polynomial.  Where they differ by more
-than the tolerance the step is taken again, half as long.  Runs lie side by side, one or `LANES`;
-each has its own time and steps, and waits at the end of a segment of time.
+The last two give the step, at most `GROWTH` times the last one; what a function is sensitive to may
+not change by more than the function allows.  Each step is checked: at three times within it the
+rates are compared with the slopes of the polynomials, and where they differ by more than the
+tolerance the step is taken again, half as long.  Runs lie side by side, one or `LANES`; each has
+time and steps of its own, and waits at the end of a segment of time.
 """
 
 from math import log2
@@ -22,6 +23,10 @@ from .vectors import BIT, DOUBLE, WORD, constant, elements, gathered, splat, vec
 
 SAFETY = 0.9
 GROWTH = 8.0
+# of a step: where it is checked, and where that of functions of high degree is, too, as their first
+# coefficients may all vanish
+CHECKED, CHECKED_TOO = (0.8179,), (0.2877, 0.5381, 0.9423)
+NEGLIGIBLE = 40.0  # size of an argument where exp and tanh change by less than 1e-17
 LARGEST = 2.0**930  # of scaled coefficients in tolerances
 SHRINK = 2.0**-40  # of the scale where they are larger
 LEAST_STEP = 4e-15  # relative to time
@@ -59,254 +64,185 @@ class SeriesPrinter(Coefficients):
 
     def print_run(self) -> None:
         """Print the loop over segments of time, with the loop over steps in it."""
-        builder = self.builder
+        builder, where = self.builder, self.where
         n, width = len(self.rates), self.lanes
         names = ("segment", "step", "body", "samples", "sample", "after", "end", "done")
         blocks = {name: builder.append_basic_block(name) for name in names}
-        zero, words = self.number(0.0, False), constant(0, width, WORD)
-
-        def lanes(name: str, offset: int, kind: ir.Type) -> Any:
-            """Return the address of a number of each lane."""
-            address = builder.gep(self.arrays[name], [ir.Constant(WORD, offset)])
-            return builder.bitcast(address, vector(width, kind).as_pointer())
-
-        def entry(name: str, index: Any) -> Any:
-            """Return an entry of an array of which lanes share each."""
-            index = ir.Constant(WORD, index) if type(index) is int else index
-            return builder.load(builder.gep(self.arrays[name], [index]))
-
-        def shared(index: int) -> Any:
-            return self.broadcast_to_lanes(entry("numbers", index))
-
-        def select(condition: Any, a: Any, b: Any) -> Any:
-            return builder.select(condition, self.as_value(a), self.as_value(b))
-
-        def any_of(condition: Any) -> Any:
-            if width == 1:
-                return condition
-            bits = builder.bitcast(condition, ir.IntType(width))
-            return builder.icmp_unsigned("!=", bits, ir.Constant(ir.IntType(width), 0))
-
-        def phi(kind: ir.Type, value: Any, block: Any) -> Any:
-            node = builder.phi(kind)
-            node.add_incoming(value, block)
-            return node
+        running, arrived, failed = (constant(k, width, WORD) for k in range(3))
+        false = constant(0, width, BIT)
 
         # 1. what is kept between calls
-        double, word = vector(width), vector(width, WORD)
-        rtol, atol, longest = map(shared, (RTOL, ATOL, LONGEST))
+        self.rtol, self.atol, longest = (
+            self.broadcast_to_lanes(self.entry("numbers", k))
+            for k in (RTOL, ATOL, LONGEST)
+        )
         kept: dict[Any, Any] = {
-            "time": lanes("numbers", TIME, DOUBLE),
-            "scale": lanes("numbers", SCALE, DOUBLE),
-            "next": lanes("integers", NEXT, WORD),
-            "status": lanes("integers", STATUS, WORD),
-            "steps": lanes("integers", STEPS, WORD),
-            **{k: lanes("X", k * width, DOUBLE) for k in range(n)},
+            "time": self.of_lanes("numbers", TIME, DOUBLE),
+            "scale": self.of_lanes("numbers", SCALE, DOUBLE),
+            "next": self.of_lanes("integers", NEXT, WORD),
+            "status": self.of_lanes("integers", STATUS, WORD),
+            "steps": self.of_lanes("integers", STEPS, WORD),
+            **{k: self.of_lanes("X", k * width, DOUBLE) for k in range(n)},
         }
         begun = {name: builder.load(address, align=8) for name, address in kept.items()}
         count, segments, m, most, first = (
-            entry("integers", k) for k in (SAMPLES, SEGMENTS, COUNT, MOST, SEGMENT)
+            self.entry("integers", k) for k in (SAMPLES, SEGMENTS, COUNT, MOST, SEGMENT)
         )
         before = builder.block
         builder.branch(blocks["segment"])
 
         # 2. a segment: its numbers in P, and what is prepared
         builder.position_at_end(blocks["segment"])
-        segment = phi(WORD, first, before)
-        at_segment = {
-            name: phi(value.type, value, before) for name, value in begun.items()
-        }
-        at_segment["tries"] = phi(WORD, ir.Constant(WORD, 0), before)
+        segment = self.phi(first, before)
+        at_segment = {name: self.phi(value, before) for name, value in begun.items()}
+        at_segment["tries"] = self.phi(ir.Constant(WORD, 0), before)
         self.set_parameters(segment, m)
-        prepare = builder.module.globals["prepare"]
         time_of_lanes = builder.gep(self.arrays["numbers"], [ir.Constant(WORD, TIME)])
-        P, W = self.arrays["P"], self.arrays["W"]
-        builder.call(
-            prepare, [time_of_lanes, self.arrays["X"], P, self.arrays["T"], W, W]
-        )
-        end = self.broadcast_to_lanes(entry("edges", segment))
-        ahead = builder.icmp_signed(
-            "!=", at_segment["status"], constant(FAILED, width, WORD)
-        )
-        status = select(ahead, words, at_segment["status"])
+        X, P, T, W = (self.arrays[name] for name in "XPTW")
+        prepare = builder.module.globals["prepare"]
+        builder.call(prepare, [time_of_lanes, X, P, T, W, W])
+        end = self.broadcast_to_lanes(self.entry("edges", segment))
+        has_failed = builder.icmp_signed("==", at_segment["status"], failed)
+        start = {**at_segment, "status": where(has_failed, failed, running)}
         before = builder.block
         builder.branch(blocks["step"])
 
-        # 3. the beginning of a step: check of the step before
+        # 3. the beginning of a step
         builder.position_at_end(blocks["step"])
-        start = {**at_segment, "status": status}
-        now = {name: phi(value.type, value, before) for name, value in start.items()}
-        last = {
-            name: phi(start[name].type, start[name], before)
-            for name in ("time", "next", *range(n))
-        }
-        size = phi(double, zero, before)  # of the step before
-        cap = phi(double, longest, before)
-        slopes = [phi(double, zero, before) for _ in range(n)]
+        now = {name: self.phi(value, before) for name, value in start.items()}
+        cap = self.phi(longest, before)
+        is_running = builder.icmp_signed("==", now["status"], running)
+        at_end = builder.fcmp_unordered(">=", now["time"], end)
+        status = where(where(is_running, at_end, false), arrived, now["status"])
+        going = builder.icmp_signed("==", status, running)
+        in_time = builder.icmp_signed("<", now["tries"], most)
+        goes_on = builder.and_(self.any_of(going), in_time)
+        builder.cbranch(goes_on, blocks["body"], blocks["end"])
+
+        # 4. coefficients, the step and its check
+        builder.position_at_end(blocks["body"])
         self.time, self.scale = now["time"], now["scale"]
         self.states = [now[k] for k in range(n)]
         self.begins[0] = builder.block
-        self.scopes = [{}]
-        rates = [self.at(rate, 0) for rate in self.rates]
-        weights = []
-        defect: Any = 0.0
-        for k in range(n):
-            tolerance = self.call("fmuladd", rtol, self.call("fabs", now[k]), atol)
-            weights.append(self.call("div", 1.0, tolerance))
-            error = self.call("fabs", self.operate("fsub", rates[k], slopes[k]))
-            defect = self.sum_of_products([(error, weights[k])], defect)
-        defect = builder.fmul(self.as_value(defect), size)
-        is_fine = builder.fcmp_ordered(
-            "<=", defect, self.number(self.order + 1.0, False)
-        )
-        is_running = builder.icmp_signed("==", now["status"], words)
-        at_end = builder.fcmp_unordered(">=", now["time"], end)
-        false = constant(0, width, BIT)
-        fine = select(is_running, is_fine, false)
-        retries = select(is_running, builder.not_(is_fine), false)
-        arrives = select(fine, at_end, false)
-        least = builder.fmul(
-            self.call("fabs", last["time"]), self.number(LEAST_STEP, False)
-        )
-        half = builder.fmul(size, self.number(0.5, False))
-        no_room = select(retries, builder.fcmp_ordered("<=", half, least), false)
-        status = select(arrives, constant(ARRIVED, width, WORD), now["status"])
-        status = select(no_room, constant(FAILED, width, WORD), status)
-        goes = builder.icmp_signed("==", status, words)
-        going = select(goes, fine, false)
-        in_time = builder.icmp_signed("<", now["tries"], most)
-        builder.cbranch(
-            builder.and_(any_of(goes), in_time), blocks["body"], blocks["end"]
-        )
-
-        # 4. coefficients, step, new state and the slope there
-        builder.position_at_end(blocks["body"])
-        series = [
-            [
-                self.as_value(self.state_coefficient(k, j))
-                for j in range(1, self.order + 1)
-            ]
-            for k in range(n)
-        ]
-        sizes = []
-        sound = going
-        for j in (self.order - 1, self.order):
-            total: Any = 0.0
-            for k in range(n):
-                total = self.sum_of_products(
-                    [(self.call("fabs", series[k][j - 1]), weights[k])], total
-                )
-            is_sound = builder.fcmp_ordered(
-                "<", self.as_value(total), self.number(LARGEST, False)
-            )
-            sound = select(sound, is_sound, false)
-            sizes.append((j, select(is_sound, total, 1.0)))
-        share = self.share_of_scale(sizes)
+        self.outside = {}
+        series = self.series_of_states()
+        weights = self.weights()
+        share, is_sound = self.share_of_scale(series, weights)
+        sound = where(going, is_sound, false)
         wished = self.call("minnum", builder.fmul(share, self.scale), cap)
+        inverse = self.call("div", 1.0, self.scale)
+        excess = self.excess(builder.fmul(wished, inverse))
+        wished = self.call("div", wished, excess)
         left = builder.fsub(end, now["time"])
         is_last = builder.fcmp_unordered(">=", wished, left)
-        step = select(is_last, left, wished)
-        new_time = select(is_last, end, builder.fadd(now["time"], step))
-        moves = builder.fcmp_ordered(">", new_time, now["time"])
-        steps = select(sound, moves, false)
-        inverse = self.call("div", 1.0, self.scale)
+        new_time = where(is_last, end, builder.fadd(now["time"], wished))
+        # where time is large, the step is that of the rounded times
+        step = builder.fsub(new_time, now["time"])
+        moves = builder.fcmp_ordered(">", step, self.number(0.0, False))
         at = builder.fmul(step, inverse)
-        new = [self.polynomial([now[k], *series[k]], at) for k in range(n)]
-        slope = [
-            builder.fmul(
-                self.polynomial(
-                    [
-                        self.operate("fmul", float(j), c)
-                        for j, c in enumerate(series[k], 1)
-                    ],
-                    at,
-                ),
-                inverse,
-            )
-            for k in range(n)
-        ]
+        new = [self.polynomial(coefficients, at) for coefficients in series]
+        right = self.is_right(series, weights, step, at)
+        moved = where(sound, moves, false)
+        steps = where(moved, right, false)
         before = builder.block
         builder.branch(blocks["samples"])
 
         # 5. samples within the step
         builder.position_at_end(blocks["samples"])
-        number = phi(word, now["next"], before)
+        number = self.phi(now["next"], before)
         limit = self.broadcast_to_lanes(count)
-        is_due = select(steps, builder.icmp_signed("<", number, limit), false)
-        index = select(is_due, number, words)
+        is_due = where(steps, builder.icmp_signed("<", number, limit), false)
+        index = where(is_due, number, running)
         sample_time = gathered(
-            builder, [entry("times", i) for i in elements(builder, index)]
+            builder, [self.entry("times", i) for i in elements(builder, index)]
         )
-        is_due = select(
-            is_due, builder.fcmp_ordered("<=", sample_time, new_time), false
-        )
-        builder.cbranch(any_of(is_due), blocks["sample"], blocks["after"])
+        in_step = builder.fcmp_ordered("<=", sample_time, new_time)
+        is_due = where(is_due, in_step, false)
+        builder.cbranch(self.any_of(is_due), blocks["sample"], blocks["after"])
         builder.position_at_end(blocks["sample"])
         since = builder.fmul(builder.fsub(sample_time, now["time"]), inverse)
-        values = [self.polynomial([now[k], *series[k]], since) for k in range(n)]
+        values = [self.polynomial(coefficients, since) for coefficients in series]
         self.write_samples(values, index, is_due, count)
-        following = builder.add(number, builder.zext(is_due, word))
+        following = builder.add(number, builder.zext(is_due, number.type))
         number.add_incoming(following, builder.block)
         builder.branch(blocks["samples"])
 
-        # 6. the next step, or the last one again
+        # 6. the next step, or this one again: shorter, or with a smaller scale
         builder.position_at_end(blocks["after"])
+        half = builder.fmul(step, self.number(0.5, False))
         smaller = builder.fmul(self.scale, self.number(SHRINK, False))
-        unsound = select(going, builder.not_(sound), false)
-        is_tiny = builder.fcmp_unordered("<=", smaller, least)
-        fails = select(unsound, is_tiny, select(sound, builder.not_(moves), false))
+        shorter = where(sound, half, smaller)
+        least = builder.fmul(
+            self.call("fabs", now["time"]), self.number(LEAST_STEP, False)
+        )
+        no_room = builder.fcmp_unordered("<=", shorter, least)
+        fails = where(going, where(steps, false, no_room), false)
         following = {
-            "time": select(steps, new_time, select(retries, last["time"], now["time"])),
-            "scale": select(steps, wished, select(unsound, smaller, self.scale)),
-            "next": select(steps, number, select(retries, last["next"], now["next"])),
-            "status": select(fails, constant(FAILED, width, WORD), status),
-            "steps": builder.add(now["steps"], builder.zext(steps, word)),
+            "time": where(steps, new_time, now["time"]),
+            "scale": where(steps, wished, where(sound, self.scale, smaller)),
+            "next": number,
+            "status": where(fails, failed, status),
+            "steps": builder.add(now["steps"], builder.zext(steps, number.type)),
             "tries": builder.add(now["tries"], ir.Constant(WORD, 1)),
-            **{
-                k: select(steps, new[k], select(retries, last[k], now[k]))
-                for k in range(n)
-            },
+            **{k: where(steps, new[k], now[k]) for k in range(n)},
         }
         for name, node in now.items():
             node.add_incoming(following[name], builder.block)
-        for name, node in last.items():
-            node.add_incoming(select(going, now[name], last[name]), builder.block)
-        size.add_incoming(select(steps, step, 0.0), builder.block)
-        cap.add_incoming(
-            select(retries, half, select(unsound, cap, longest)), builder.block
-        )
-        for node, value in zip(slopes, slope, strict=True):
-            node.add_incoming(select(steps, value, 0.0), builder.block)
+        again = where(moved, half, cap)
+        cap.add_incoming(where(steps, longest, again), builder.block)
         builder.branch(blocks["step"])
 
         # 7. the end of a segment
         builder.position_at_end(blocks["end"])
-        ended = {
-            name: select(retries, last[name], now[name]) if name in last else now[name]
-            for name in now
-        }
-        ended["status"] = status
+        ended = {**now, "status": status}
         for name, address in kept.items():
             builder.store(ended[name], address, align=8)
         number = builder.add(segment, ir.Constant(WORD, 1))
-        has_failed = builder.icmp_signed("==", status, constant(FAILED, width, WORD))
-        on = builder.and_(in_time, any_of(builder.not_(has_failed)))
+        not_failed = builder.icmp_signed("!=", status, failed)
+        on = builder.and_(in_time, self.any_of(not_failed))
         on = builder.and_(on, builder.icmp_signed("<", number, segments))
         segment.add_incoming(number, builder.block)
         for name, node in at_segment.items():
             node.add_incoming(ended[name], builder.block)
         builder.cbranch(on, blocks["segment"], blocks["done"])
         builder.position_at_end(blocks["done"])
-        builder.store(
-            segment, builder.gep(self.arrays["integers"], [ir.Constant(WORD, SEGMENT)])
-        )
+        reached = builder.gep(self.arrays["integers"], [ir.Constant(WORD, SEGMENT)])
+        builder.store(segment, reached)
         builder.ret_void()
 
-    # --- parts of the run ---------------------------------------------------------------------
+    # --- numbers of lanes ---------------------------------------------------------------------
+
+    def of_lanes(self, name: str, offset: int, kind: ir.Type) -> Any:
+        """Return the address of a number of each lane."""
+        address = self.builder.gep(self.arrays[name], [ir.Constant(WORD, offset)])
+        return self.builder.bitcast(address, vector(self.lanes, kind).as_pointer())
+
+    def entry(self, name: str, index: Any) -> Any:
+        """Return an entry of an array that lanes share."""
+        index = ir.Constant(WORD, index) if type(index) is int else index
+        return self.builder.load(self.builder.gep(self.arrays[name], [index]))
 
     def broadcast_to_lanes(self, value: Any) -> Any:
         """Return one number in every lane."""
         return splat(self.builder, value, self.lanes)
+
+    def where(self, condition: Any, a: Any, b: Any) -> Any:
+        """Return one of two values in each lane."""
+        return self.builder.select(condition, a, b)
+
+    def any_of(self, condition: Any) -> Any:
+        """Return whether a condition holds in a lane."""
+        if self.lanes == 1:
+            return condition
+        kind = ir.IntType(self.lanes)
+        bits = self.builder.bitcast(condition, kind)
+        return self.builder.icmp_unsigned("!=", bits, ir.Constant(kind, 0))
+
+    def phi(self, value: Any, block: Any) -> Any:
+        """Return a value that begins as that of a block."""
+        node = self.builder.phi(value.type)
+        node.add_incoming(value, block)
+        return node
 
     def set_parameters(self, segment: Any, count: Any) -> None:
         """Write the numbers of a segment into P."""
@@ -315,14 +251,12 @@ class SeriesPrinter(Coefficients):
         look, write, after = (builder.append_basic_block() for _ in range(3))
         builder.branch(look)
         builder.position_at_end(look)
-        k = builder.phi(WORD)
-        k.add_incoming(ir.Constant(WORD, 0), before)
+        k = self.phi(ir.Constant(WORD, 0), before)
         builder.cbranch(builder.icmp_signed("<", k, count), write, after)
         builder.position_at_end(write)
-        index = builder.load(builder.gep(self.arrays["indices"], [k]))
         position = builder.add(builder.mul(segment, count), k)
-        value = builder.load(builder.gep(self.arrays["values"], [position]))
-        index = builder.mul(index, ir.Constant(WORD, self.lanes))
+        value = self.entry("values", position)
+        index = builder.mul(self.entry("indices", k), ir.Constant(WORD, self.lanes))
         address = builder.gep(self.arrays["P"], [index])
         address = builder.bitcast(address, vector(self.lanes).as_pointer())
         builder.store(self.broadcast_to_lanes(value), address, align=8)
@@ -330,38 +264,123 @@ class SeriesPrinter(Coefficients):
         builder.branch(look)
         builder.position_at_end(after)
 
-    def share_of_scale(self, sizes: list[tuple[int, Any]]) -> Any:
+    # --- a step -------------------------------------------------------------------------------
+
+    def series_of_states(self) -> list[list[Any]]:
+        """Return the coefficients of each state."""
+        orders = range(1, self.order + 1)
+        return [
+            [state, *(self.as_value(self.state_coefficient(k, j)) for j in orders)]
+            for k, state in enumerate(self.states)
+        ]
+
+    def weights(self) -> list[Any]:
+        """Return 1 / (atol + rtol |x|) of each state."""
+        sizes = (self.call("fabs", state) for state in self.states)
+        tolerances = (
+            self.call("fmuladd", self.rtol, size, self.atol) for size in sizes
+        )
+        return [self.call("div", 1.0, tolerance) for tolerance in tolerances]
+
+    def weighed(self, values: list[Any], weights: list[Any]) -> Any:
+        """Return the sum of sizes in tolerances."""
+        sizes = [self.call("fabs", value) for value in values]
+        return self.as_value(self.sum_of_products(zip(sizes, weights, strict=True)))
+
+    def share_of_scale(self, series: list[list[Any]], weights: list[Any]) -> Any:
         """Return the step, in units of the scale, at which coefficients are as large as tolerances.
 
-        Logarithms are taken of exponent and leading bits: a step may be some percent shorter.
+        Logarithms are taken of exponent and leading bits: a step may be some percent shorter.  The
+        second value is whether the coefficients are sound: neither too large nor NaN.
         """
         builder = self.builder
         bits = vector(self.lanes, WORD)
         lowered = 1023.0 - 0.045
-        largest: Any = None
-        for order, size in sizes:
-            size = self.call("maxnum", size, 1e-300)
+        most: Any = -1e300
+        is_sound = constant(1, self.lanes, BIT)
+        for order in (self.order - 1, self.order):
+            size = self.weighed([row[order] for row in series], weights)
+            fits = builder.fcmp_ordered("<", size, self.number(LARGEST, False))
+            is_sound = builder.and_(is_sound, fits)
+            size = self.call(
+                "maxnum", self.where(fits, size, self.number(1.0, False)), 1e-300
+            )
             number = builder.sitofp(builder.bitcast(size, bits), vector(self.lanes))
             logarithm = self.operate(
                 "fsub", self.operate("fmul", 2.0**-52, number), lowered
             )
-            logarithm = self.operate("fmul", 1.0 / order, logarithm)
-            largest = (
-                logarithm
-                if largest is None
-                else self.call("maxnum", largest, logarithm)
+            most = self.call(
+                "maxnum", most, self.operate("fmul", 1.0 / order, logarithm)
             )
-        exponent = self.operate("fsub", log2(SAFETY), largest)
+        exponent = self.operate("fsub", log2(SAFETY), most)
         exponent = self.call("minnum", exponent, log2(GROWTH))
         shifted = self.operate("fmul", 2.0**52, self.operate("fadd", exponent, lowered))
-        return builder.bitcast(builder.fptosi(shifted, bits), vector(self.lanes))
+        share = builder.bitcast(builder.fptosi(shifted, bits), vector(self.lanes))
+        return share, is_sound
+
+    def excess(self, at: Any) -> Any:
+        """Return how many times more than allowed an argument may change in a step, at least 1.
+
+        The sum of sizes of coefficients is convex: so many times shorter, the step is allowed.
+        """
+        largest = self.number(1.0, False)
+        for (argument, is_relative), most in self.limits.items():
+            coefficients = [self.at(argument, k) for k in range(1, self.order)]
+            sizes = [self.call("fabs", coefficient) for coefficient in coefficients]
+            change = self.polynomial([0.0, *sizes], at)
+            size = self.call("fabs", self.at(argument, 0))
+            if is_relative:
+                allowed = self.operate("fmul", most, size)
+            else:
+                allowed = self.call(
+                    "maxnum", self.operate("fsub", size, NEGLIGIBLE), most
+                )
+            part = self.call("div", 1.0, allowed)
+            largest = self.call("maxnum", largest, self.operate("fmul", change, part))
+        return largest
+
+    def is_right(
+        self, series: list[list[Any]], weights: list[Any], step: Any, at: Any
+    ) -> Any:
+        """Return whether rates within a step are the slopes of the polynomials."""
+        builder = self.builder
+        kept = self.time, self.states, self.outside
+        slopes = [
+            [self.as_value(self.at(rate, k)) for k in range(self.order)]
+            for rate in self.rates
+        ]
+        right = constant(1, self.lanes, BIT)
+        is_high = 2 * max(map(self.degree, self.rates)) > self.order
+        for point in CHECKED + CHECKED_TOO * is_high:
+            there = self.operate("fmul", point, at)
+            self.time = self.call("fmuladd", step, point, kept[0])
+            self.states = [self.polynomial(row, there) for row in series]
+            self.outside = {}
+            errors = [
+                self.operate("fsub", self.at(rate, 0), self.polynomial(slope, there))
+                for rate, slope in zip(self.rates, slopes, strict=True)
+            ]
+            error = builder.fmul(self.weighed(errors, weights), step)
+            fits = builder.fcmp_ordered(
+                "<=", error, self.number(self.order + 1.0, False)
+            )
+            right = builder.and_(right, fits)
+        self.time, self.states, self.outside = kept
+        return right
 
     def polynomial(self, coefficients: list[Any], at: Any) -> Any:
-        """Return the value of a polynomial, the lowest coefficient first."""
-        *others, value = map(self.as_value, coefficients)
-        for coefficient in reversed(others):
-            value = self.call("fmuladd", value, at, coefficient)
-        return value
+        """Return the value of a polynomial, the lowest coefficient first.
+
+        Even and odd powers are added side by side, which takes half the time.
+        """
+        square = self.operate("fmul", at, at)
+        parts = []
+        for first in (0, 1):
+            *others, value = map(self.as_value, coefficients[first::2])
+            for coefficient in reversed(others):
+                value = self.call("fmuladd", value, square, coefficient)
+            parts.append(value)
+        return self.call("fmuladd", parts[1], at, parts[0])
 
     def write_samples(
         self, values: list[Any], index: Any, is_due: Any, count: Any
@@ -378,6 +397,5 @@ class SeriesPrinter(Coefficients):
             first = builder.mul(row, ir.Constant(WORD, n))
             for k in range(n):
                 place = builder.add(first, ir.Constant(WORD, k))
-                builder.store(
-                    by_lane[k][lane], builder.gep(self.arrays["out"], [place])
-                )
+                address = builder.gep(self.arrays["out"], [place])
+                builder.store(by_lane[k][lane], address)

@@ -1,13 +1,14 @@
 """Taylor series: smooth runs against closed forms, SciPy and DOP853; what has none is refused."""
 
 from itertools import pairwise
+from math import factorial
 
 import control
 import numpy as np
 import pytest
 from engine_runs import NativeDiagram
 from refusals import refuses
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 
 import clpt_control as clpt
 
@@ -28,8 +29,8 @@ def of_time(rate):
     return system(lambda t, x, u, p: [rate(t)])
 
 
-def end(diagram, start, times, **given):
-    run = clpt.simulate(diagram, times, initial_state=start, **SERIES, **given)
+def end(diagram, start, times, inputs=None, **given):
+    run = clpt.simulate(diagram, times, inputs, start, **SERIES, **given)
     return run.states.values[-1], run.attrs["method"]
 
 
@@ -273,3 +274,92 @@ def test_sensitivities_by_series():
         for values in run.data_vars.values()
         if values.ndim and values.shape[0] == 2
     )
+
+
+# --- what a step must not leap over --------------------------------------------------------------
+
+
+def of_ramp(rate):
+    return system(lambda t, x, u, p: [rate(u[0])], inputs=1)
+
+
+def of_clock(rate, before=1.0):
+    return system(lambda t, x, u, p: [before + 0.0 * x[0], rate(x[0])], 2)
+
+
+def test_a_power_whose_first_coefficients_are_zero():
+    run = clpt.simulate(
+        of_ramp(lambda u: 100 * u**14 * (1 - u)),
+        [0.0, 1.0, 2.0, 3.0],
+        [[0.0, 1.0, 0.0, 1.0]],
+        **SERIES,
+    )
+    exact = 100 * (1 / 15 - 1 / 16)
+    expected = [0.0, exact, 2 * exact, 3 * exact]
+    np.testing.assert_allclose(run.states[:, 0], expected, rtol=1e-7)
+
+
+@pytest.mark.parametrize("power", [12, 40, 60])
+def test_a_peak_of_a_high_power(power):
+    rate = of_clock(lambda x: (4 * x * (1 - x)) ** power)
+    found, _ = end(rate, [0.0, 0.0], [0.0, 1.0])
+    expected = 4.0**power * factorial(power) ** 2 / factorial(2 * power + 1)
+    assert found[1] == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_turn_whose_angle_is_a_high_power():
+    found, _ = end(of_clock(lambda x: np.cos(2 * np.pi * x**16)), [0.0, 0.0], [0, 1.0])
+    expected, _ = quad(lambda x: np.cos(2 * np.pi * x**16), 0.0, 1.0, epsabs=1e-13)
+    assert found[1] == pytest.approx(expected, abs=1e-7)
+
+
+@pytest.mark.parametrize("width", [0.3, 0.03, 0.003])
+def test_narrow_pulses(width):
+    area = width * np.sqrt(np.pi)
+    pulse = lambda x: np.exp(-(((x - 3.7) / width) ** 2))  # noqa: E731
+    found, _ = end(of_clock(pulse), [0.0, 0.0], [0.0, 10.0])
+    assert found[1] == pytest.approx(area, abs=1e-8)
+    found, _ = end(of_ramp(pulse), [0.0], [0.0, 10.0], inputs=[0.0, 10.0])
+    assert found[0] == pytest.approx(area, abs=1e-8)
+    decay = system(lambda t, x, u, p: [-x[0], x[0] * pulse(10 * x[0])], 2)
+    found, _ = end(decay, [1.0, 0.0], [0.0, 30.0])
+    assert found[1] == pytest.approx(area / 10, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    "bump",
+    [
+        lambda q: 1.0 / np.cosh(q),
+        lambda q: 1.0 - np.tanh(q) ** 2,
+        lambda q: (1.0 + q * q) ** -8,
+        lambda q: 1.0 / (1.0 + q * q) ** 8,
+    ],
+)
+def test_bumps_that_few_coefficients_show(bump):
+    found, _ = end(of_clock(lambda x: bump((x - 3.7) / 0.02)), [0.0, 0.0], [0.0, 10.0])
+    expected, _ = quad(bump, -100.0, 100.0, epsabs=1e-12, limit=500, points=[0.0])
+    assert found[1] == pytest.approx(0.02 * expected, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    "size",
+    [
+        lambda q: np.hypot(q, 0.0),
+        lambda q: np.sqrt(q * q),
+        lambda q: (q * q) ** 0.5,
+        lambda q: np.sqrt(np.sum(np.array([q, 0.0]) ** 2)),
+    ],
+)
+def test_a_hidden_kink_that_is_crossed_twice(size):
+    kinks = of_clock(lambda x: size((x - 1.0) ** 2 - 0.25))
+    found, _ = end(kinks, [0.0, 0.0], [0.0, 3.0])
+    assert found[1] == pytest.approx(2.25 + 1 / 3, rel=1e-7)
+
+
+@pytest.mark.parametrize(("begin", "scale"), [(1e9, 1e-3), (1e9, 1e-5), (1e3, 1e-9)])
+def test_late_starts_take_the_steps_of_rounded_times(begin, scale):
+    turn = system(lambda t, x, u, p: [x[1] / scale, -x[0] / scale], 2)
+    last = begin + 20 * scale
+    found, _ = end(turn, [1.0, 0.0], [begin, last])
+    angle = (last - begin) / scale
+    np.testing.assert_allclose(found, [np.cos(angle), -np.sin(angle)], atol=1e-7)
