@@ -79,7 +79,7 @@ def c_file(
 
 def refuse_levels(run: DiagramRun) -> None:
     """Raise `DiagramError` if states jump at a level."""
-    for name in run.runner.sweep.resetting:
+    for name in run.runner.resetting:
         raise DiagramError(
             f"{name}: jumps at a level, which this file has not. Write the diagram as C"
         )

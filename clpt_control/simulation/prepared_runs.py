@@ -24,7 +24,7 @@ from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from .diagram_runs import DiagramRun, fields_of
 from .integrate import RunRequest, Times, request_of
-from .run_arguments import inputs_by_name, stacked_state
+from .run_arguments import inputs_by_name, stacked_state, with_jumps
 from .run_cache import diagram_key
 
 ALWAYS, SELDOM = (
@@ -47,8 +47,9 @@ class PreparedRun:
     value that `prepare` was given.
     """
 
-    def __init__(self, request: RunRequest, params: Mapping[str, Any]):
+    def __init__(self, request: RunRequest, timepts: Any, params: Mapping[str, Any]):
         self._request = request
+        self._timepts = timepts  # as given: inputs may jump at repeated times
         self._options: Any = None
         self._calls = 0
         self._engine: str | None = None
@@ -116,7 +117,8 @@ class PreparedRun:
         if initial_state is not None:
             start = self._state(initial_state)
         if inputs is not None:
-            inputs = inputs_by_name(request.diagram, inputs, times)
+            inputs = inputs_by_name(request.diagram, inputs, self._timepts)
+            _, inputs = with_jumps(request.diagram, self._timepts, inputs)
             u = read_inputs(inputs, times, self._run.wiring.ninputs)
         runner = self._run.runner
         if params or self._made_for is not self._params:
@@ -139,6 +141,9 @@ class PreparedRun:
 
     def _state(self, state: Any) -> np.ndarray:
         """Return an initial state; each number must be finite."""
+        is_vector = type(state) is np.ndarray and state.dtype == float
+        if is_vector and state.shape == self._start.shape and np.isfinite(state).all():
+            return state.copy()
         state = vector_by_name(
             "initial_state", self._request.diagram, "state", state, self._start
         )
@@ -256,4 +261,5 @@ def prepare(
     options |= {"max_step": None if max_step == np.inf else max_step}
     request = request_of(system, timepts, inputs, initial_state, **options)
     chosen = {key: value for key, value in request.options.items() if value is not None}
-    return PreparedRun(request._replace(options=chosen), params or {})
+    given = request.times if timepts is None else timepts
+    return PreparedRun(request._replace(options=chosen), given, params or {})

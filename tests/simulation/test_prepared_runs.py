@@ -44,6 +44,12 @@ def test_inputs_of_a_call_are_samples_joined_by_lines():
     np.testing.assert_allclose(states, TIMES - 1 + np.exp(-TIMES), atol=1e-9)
 
 
+def test_inputs_jump_at_repeated_times():
+    run = clpt.prepare(system(k=1.0), [0.0, 1.0, 1.0, 2.0])
+    states = run([1.0], np.array([[1.0, 1.0, 3.0, 3.0]])).states[:, 0]
+    np.testing.assert_allclose(states, [1.0, 1.0, 3.0 - 2.0 * np.exp(-1)], atol=1e-8)
+
+
 def test_a_parameter_that_code_was_made_for_is_read_again():
     def repeated(t, x, u, p):
         rate = 0.0

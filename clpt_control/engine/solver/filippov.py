@@ -61,7 +61,7 @@ Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
 
 def continued_ends(diagram: Any) -> list[int]:
     """Return the statuses of runs that may go on: on switches, or behind a level."""
-    at_level = [Status.GUARD_LEFT] if diagram.sweep.resetting else []
+    at_level = [Status.GUARD_LEFT] if diagram.resetting else []
     return [Status.CHATTERING, *at_level]
 
 

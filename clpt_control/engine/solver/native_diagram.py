@@ -265,7 +265,7 @@ class NativeDiagram(NativeRuns):
 
     def over_kinks(self, rtol: float, atol: float) -> ManyKinks | None:
         """Return what continues a run over many kinks, or None."""
-        if self.sweep.resetting or self.code.program.decided < MANY_DECISIONS:
+        if self.resetting or self.code.program.decided < MANY_DECISIONS:
             return None
         return ManyKinks(self, rtol, atol)
 

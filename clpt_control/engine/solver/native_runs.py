@@ -44,7 +44,7 @@ class NativeRuns(PythonDiagram):
 
         Breakpoints of blocks are looked up each time.
         """
-        if self.sweep.breaking:
+        if self.breaking:
             return self.schedule(times, inputs)
         samples = () if inputs is None else inputs.samples
         arrays = times, *samples
@@ -91,7 +91,7 @@ class NativeRuns(PythonDiagram):
                 )
         if error:
             raise error
-        solution = ended(self.sweep, batch, inputs)
+        solution = ended(self, batch, inputs)
         solution.pieces = batch.schedules[0]
         if batch.is_small:
             solution.t = solution.t.copy()

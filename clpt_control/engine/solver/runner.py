@@ -9,6 +9,7 @@ The times are those that python-control takes: `dt` apart, or evenly spaced if d
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Self
 
 import control
@@ -55,12 +56,16 @@ class PythonDiagram:
         else:
             read_anew(diagram)
             self.wiring = wiring_of(diagram, params)
-        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring.blocks, params))
+        self.block_parameters: Sequence[Any] = changed_parameters(
+            self.wiring.blocks, params
+        )
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
         # 1 where it jumps
         self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
+        self.breaking = self.sweep.breaking
+        self.resetting = self.sweep.resetting
         self.time_tables: list[Any] = []  # of machine code
 
     def __repr__(self) -> str:
@@ -70,8 +75,14 @@ class PythonDiagram:
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the diagram with other parameters of its blocks."""
         diagram = copy(self)
-        diagram.sweep = Sweep(self.wiring, parameters)
+        diagram.block_parameters = parameters
+        vars(diagram).pop("sweep", None)
         return diagram
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """The pass over the diagram in Python; machine code alone does without."""
+        return Sweep(self.wiring, self.block_parameters)
 
     # --- overridden by machine code -------------------------------------------------------
 
@@ -141,9 +152,9 @@ class PythonDiagram:
             progress=progress,
         )
         inputs = self._inputs(inputs, times)
-        if self.sweep.resetting and self.engine == "python":
+        if self.resetting and self.engine == "python":
             raise SimulationError(
-                f"{', '.join(self.sweep.resetting)}: jumps at a level run as machine code alone, "
+                f"{', '.join(self.resetting)}: jumps at a level run as machine code alone, "
                 "and this diagram runs in Python. Write its functions in NumPy"
             )
         if not self.nstates:

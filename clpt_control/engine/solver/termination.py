@@ -55,10 +55,10 @@ class Solution:
     signals: ndarray | None = field(default=None, repr=False, compare=False)
 
 
-def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
+def ended(diagram: Any, batch: Batch, inputs: Inputs | None) -> Solution:
     """Return the solution of a batch of one run, or raise an error on what stopped it.
 
-    `sweep` evaluates the diagram in Python, with the parameters of the run.
+    The sweep of the diagram finds the reason, with the parameters of the run.
     """
     status = int(batch.status[0])
     solution = Solution(batch.times, batch.out[0], method=batch.label)
@@ -80,6 +80,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     solution.engine = "native"
     if status == Status.FINISHED:
         return solution
+    sweep = diagram.sweep
     if status == Status.GUARD_LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         times, states = _until(solution, t, x)
