@@ -23,9 +23,7 @@ from .vectors import BIT, DOUBLE, WORD, constant, elements, gathered, splat, vec
 
 SAFETY = 0.9
 GROWTH = 8.0
-# of a step: where it is checked, and where that of functions of high degree is, too, as their first
-# coefficients may all vanish
-CHECKED, CHECKED_TOO = (0.8179,), (0.2877, 0.5381, 0.9423)
+INSIDE = 0.2877, 0.5381, 0.8179, 0.9423  # of a step: where it is checked
 NEGLIGIBLE = 40.0  # size of an argument where exp and tanh change by less than 1e-17
 LARGEST = 2.0**930  # of scaled coefficients in tolerances
 SHRINK = 2.0**-40  # of the scale where they are larger
@@ -38,6 +36,10 @@ RTOL, ATOL, LONGEST, TIME, SCALE = 0, 1, 2, 8, 16
 SAMPLES, SEGMENTS, COUNT, MOST, SEGMENT, NEXT, STATUS, STEPS = 0, 1, 2, 3, 4, 8, 16, 24
 ARRAYS = (*"XPTW", "times", "edges", "values", "out", "numbers", "indices", "integers")
 WORDS = ("indices", "integers")
+BLOCKS = (
+    *("segment", "step", "body", "inside", "accept", "samples", "sample", "after"),
+    *("end", "done"),
+)
 
 
 def print_series(program: Program, lanes: int, order: int) -> ir.Module:
@@ -66,10 +68,10 @@ class SeriesPrinter(Coefficients):
         """Print the loop over segments of time, with the loop over steps in it."""
         builder, where = self.builder, self.where
         n, width = len(self.rates), self.lanes
-        names = ("segment", "step", "body", "samples", "sample", "after", "end", "done")
-        blocks = {name: builder.append_basic_block(name) for name in names}
+        blocks = {name: builder.append_basic_block(name) for name in BLOCKS}
         running, arrived, failed = (constant(k, width, WORD) for k in range(3))
-        false = constant(0, width, BIT)
+        false, true = (constant(k, width, BIT) for k in range(2))
+        zero = self.number(0.0, False)
 
         # 1. what is kept between calls
         self.rtol, self.atol, longest = (
@@ -107,26 +109,38 @@ class SeriesPrinter(Coefficients):
         before = builder.block
         builder.branch(blocks["step"])
 
-        # 3. the beginning of a step
+        # 3. the beginning of a step: the rates check the end of the step before
         builder.position_at_end(blocks["step"])
         now = {name: self.phi(value, before) for name, value in start.items()}
+        last = {
+            name: self.phi(start[name], before) for name in ("time", "next", *range(n))
+        }
         cap = self.phi(longest, before)
-        is_running = builder.icmp_signed("==", now["status"], running)
-        at_end = builder.fcmp_unordered(">=", now["time"], end)
-        status = where(where(is_running, at_end, false), arrived, now["status"])
-        going = builder.icmp_signed("==", status, running)
-        in_time = builder.icmp_signed("<", now["tries"], most)
-        goes_on = builder.and_(self.any_of(going), in_time)
-        builder.cbranch(goes_on, blocks["body"], blocks["end"])
-
-        # 4. coefficients, the step and its check
-        builder.position_at_end(blocks["body"])
+        size = self.phi(zero, before)  # of the step before
+        slopes = [self.phi(zero, before) for _ in range(n)]  # at its end
         self.time, self.scale = now["time"], now["scale"]
         self.states = [now[k] for k in range(n)]
         self.begins[0] = builder.block
         self.outside = {}
-        series = self.series_of_states()
         weights = self.weights()
+        is_running = builder.icmp_signed("==", now["status"], running)
+        is_right = self.are_slopes(slopes, weights, size)
+        again = where(is_running, builder.not_(is_right), false)
+        right = where(is_running, is_right, false)
+        at_end = builder.fcmp_unordered(">=", now["time"], end)
+        status = where(where(right, at_end, false), arrived, now["status"])
+        half = builder.fmul(size, self.number(0.5, False))
+        no_room = self.no_room(half, last["time"])
+        status = where(where(again, no_room, false), failed, status)
+        goes_on = builder.icmp_signed("==", status, running)
+        going = where(goes_on, right, false)
+        in_time = builder.icmp_signed("<", now["tries"], most)
+        goes_on = builder.and_(self.any_of(goes_on), in_time)
+        builder.cbranch(goes_on, blocks["body"], blocks["end"])
+
+        # 4. coefficients and the step
+        builder.position_at_end(blocks["body"])
+        series = self.series_of_states()
         share, is_sound = self.share_of_scale(series, weights)
         sound = where(going, is_sound, false)
         wished = self.call("minnum", builder.fmul(share, self.scale), cap)
@@ -138,18 +152,31 @@ class SeriesPrinter(Coefficients):
         new_time = where(is_last, end, builder.fadd(now["time"], wished))
         # where time is large, the step is that of the rounded times
         step = builder.fsub(new_time, now["time"])
-        moves = builder.fcmp_ordered(">", step, self.number(0.0, False))
+        moves = builder.fcmp_ordered(">", step, zero)
         at = builder.fmul(step, inverse)
         new = [self.polynomial(coefficients, at) for coefficients in series]
-        right = self.is_right(series, weights, step, at)
+        new_slopes = self.slopes(at)
         moved = where(sound, moves, false)
-        steps = where(moved, right, false)
         before = builder.block
+        unsure = self.unsure(share)
+        any_unsure = self.any_of(where(moved, unsure, false))
+        builder.cbranch(any_unsure, blocks["inside"], blocks["accept"])
+
+        # 5. a check within a step whose coefficients do not show enough
+        builder.position_at_end(blocks["inside"])
+        right = self.is_right(series, weights, step, at)
+        right = where(unsure, right, true)
+        inside = builder.block
+        builder.branch(blocks["accept"])
+        builder.position_at_end(blocks["accept"])
+        fine = self.phi(true, before)
+        fine.add_incoming(right, inside)
+        steps = where(moved, fine, false)
         builder.branch(blocks["samples"])
 
-        # 5. samples within the step
+        # 6. samples within the step
         builder.position_at_end(blocks["samples"])
-        number = self.phi(now["next"], before)
+        number = self.phi(now["next"], blocks["accept"])
         limit = self.broadcast_to_lanes(count)
         is_due = where(steps, builder.icmp_signed("<", number, limit), false)
         index = where(is_due, number, running)
@@ -167,34 +194,36 @@ class SeriesPrinter(Coefficients):
         number.add_incoming(following, builder.block)
         builder.branch(blocks["samples"])
 
-        # 6. the next step, or this one again: shorter, or with a smaller scale
+        # 7. the next step, or a step again: half as long, or with a smaller scale
         builder.position_at_end(blocks["after"])
-        half = builder.fmul(step, self.number(0.5, False))
+        half_now = builder.fmul(step, self.number(0.5, False))
         smaller = builder.fmul(self.scale, self.number(SHRINK, False))
-        shorter = where(sound, half, smaller)
-        least = builder.fmul(
-            self.call("fabs", now["time"]), self.number(LEAST_STEP, False)
-        )
-        no_room = builder.fcmp_unordered("<=", shorter, least)
+        no_room = self.no_room(where(sound, half_now, smaller), now["time"])
         fails = where(going, where(steps, false, no_room), false)
+        reached = {"time": new_time, "next": number, **dict(enumerate(new))}
         following = {
-            "time": where(steps, new_time, now["time"]),
             "scale": where(steps, wished, where(sound, self.scale, smaller)),
-            "next": number,
             "status": where(fails, failed, status),
             "steps": builder.add(now["steps"], builder.zext(steps, number.type)),
             "tries": builder.add(now["tries"], ir.Constant(WORD, 1)),
-            **{k: where(steps, new[k], now[k]) for k in range(n)},
         }
+        for name, node in last.items():
+            back = where(again, node, now[name])
+            following[name] = where(steps, reached[name], back)
+            node.add_incoming(where(going, now[name], node), builder.block)
         for name, node in now.items():
             node.add_incoming(following[name], builder.block)
-        again = where(moved, half, cap)
-        cap.add_incoming(where(steps, longest, again), builder.block)
+        shorter = where(again, half, where(moved, half_now, cap))
+        cap.add_incoming(where(steps, longest, shorter), builder.block)
+        size.add_incoming(where(steps, step, zero), builder.block)
+        for node, slope in zip(slopes, new_slopes, strict=True):
+            node.add_incoming(where(steps, slope, zero), builder.block)
         builder.branch(blocks["step"])
 
-        # 7. the end of a segment
+        # 8. the end of a segment
         builder.position_at_end(blocks["end"])
-        ended = {**now, "status": status}
+        back = {name: where(again, node, now[name]) for name, node in last.items()}
+        ended = {**now, **back, "status": status}
         for name, address in kept.items():
             builder.store(ended[name], address, align=8)
         number = builder.add(segment, ir.Constant(WORD, 1))
@@ -339,33 +368,55 @@ class SeriesPrinter(Coefficients):
             largest = self.call("maxnum", largest, self.operate("fmul", change, part))
         return largest
 
+    def no_room(self, step: Any, time: Any) -> Any:
+        """Return whether a step is lost in the rounding of time."""
+        size = self.call("fabs", time)
+        least = self.builder.fmul(size, self.number(LEAST_STEP, False))
+        return self.builder.fcmp_unordered("<=", step, least)
+
+    def slopes(self, at: Any) -> list[Any]:
+        """Return the slopes of the polynomials of the states."""
+        return [
+            self.polynomial([self.at(rate, k) for k in range(self.order)], at)
+            for rate in self.rates
+        ]
+
+    def are_slopes(self, slopes: list[Any], weights: list[Any], step: Any) -> Any:
+        """Return whether rates at the current state are slopes, within the tolerance of a step."""
+        errors = [
+            self.operate("fsub", self.at(rate, 0), slope)
+            for rate, slope in zip(self.rates, slopes, strict=True)
+        ]
+        error = self.builder.fmul(self.weighed(errors, weights), step)
+        most = self.number(self.order + 1.0, False)
+        return self.builder.fcmp_ordered("<=", error, most)
+
+    def unsure(self, share: Any) -> Any:
+        """Return whether coefficients do not show how long the step may be.
+
+        The last two are zero, or the degree of a function is so high that the first may be.
+        """
+        if 2 * max(map(self.degree, self.rates)) > self.order:
+            return constant(1, self.lanes, BIT)
+        most = self.number(0.9 * GROWTH, False)
+        return self.builder.fcmp_ordered(">", share, most)
+
     def is_right(
         self, series: list[list[Any]], weights: list[Any], step: Any, at: Any
     ) -> Any:
         """Return whether rates within a step are the slopes of the polynomials."""
-        builder = self.builder
-        kept = self.time, self.states, self.outside
-        slopes = [
-            [self.as_value(self.at(rate, k)) for k in range(self.order)]
-            for rate in self.rates
-        ]
+        kept = self.time, self.states, self.outside, self.begins[0]
         right = constant(1, self.lanes, BIT)
-        is_high = 2 * max(map(self.degree, self.rates)) > self.order
-        for point in CHECKED + CHECKED_TOO * is_high:
+        self.begins[0] = self.builder.block
+        for point in INSIDE:
             there = self.operate("fmul", point, at)
-            self.time = self.call("fmuladd", step, point, kept[0])
-            self.states = [self.polynomial(row, there) for row in series]
-            self.outside = {}
-            errors = [
-                self.operate("fsub", self.at(rate, 0), self.polynomial(slope, there))
-                for rate, slope in zip(self.rates, slopes, strict=True)
-            ]
-            error = builder.fmul(self.weighed(errors, weights), step)
-            fits = builder.fcmp_ordered(
-                "<=", error, self.number(self.order + 1.0, False)
-            )
-            right = builder.and_(right, fits)
-        self.time, self.states, self.outside = kept
+            slopes = self.slopes(there)
+            time = self.call("fmuladd", step, point, kept[0])
+            states = [self.polynomial(row, there) for row in series]
+            self.time, self.states, self.outside = time, states, {}
+            right = self.builder.and_(right, self.are_slopes(slopes, weights, step))
+            self.time, self.states, self.outside = kept[:3]
+        self.begins[0] = kept[3]
         return right
 
     def polynomial(self, coefficients: list[Any], at: Any) -> Any:
