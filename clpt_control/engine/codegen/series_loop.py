@@ -200,7 +200,8 @@ class SeriesPrinter(Coefficients):
         smaller = builder.fmul(self.scale, self.number(SHRINK, False))
         no_room = self.no_room(where(sound, half_now, smaller), now["time"])
         fails = where(going, where(steps, false, no_room), false)
-        reached = {"time": new_time, "next": number, **dict(enumerate(new))}
+        reached: dict[Any, Any] = {"time": new_time, "next": number}
+        reached |= dict(enumerate(new))
         following = {
             "scale": where(steps, wished, where(sound, self.scale, smaller)),
             "status": where(fails, failed, status),
