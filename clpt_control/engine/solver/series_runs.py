@@ -98,12 +98,19 @@ class SeriesArrays:
             groups * NUMBERS,
         )
         self.states = arrays[0].reshape(groups, n, lanes)
-        self.parameters = arrays[1].reshape(groups, size, lanes)
+        parameters = arrays[1].reshape(groups, size, lanes)
         self.numbers = arrays[3].reshape(groups, NUMBERS)
         self.integers = np.zeros((groups, INTEGERS), dtype=np.int64)
         # behind the samples of a group is a row that is not read
         self.out = np.empty((groups, lanes * samples + 1, n))
         self.samples = self.out[:, :-1].reshape(groups, lanes, samples, n)
+        # views of each run
+        own = code.program.parameters
+        self._starts = self.states.transpose(0, 2, 1)
+        self._parameters = parameters[:, :own].transpose(0, 2, 1)
+        self._first = self.samples[:, :, 0]
+        self.time = self.numbers[:, series.TIME : series.TIME + lanes]
+        self.status = self.integers[:, series.STATUS : series.STATUS + lanes]
         self.times = np.empty(samples)
         self.edges = np.empty(len(segments.edges))
         self.indices = np.zeros(max(1, len(segments.indices)), dtype=np.int64)
@@ -117,7 +124,7 @@ class SeriesArrays:
             self.indices,
         )
         T, W, times, edges, values, indices = map(address_of, of_all)
-        of_groups = self.states, self.parameters, self.out, self.numbers, self.integers
+        of_groups = self.states, parameters, self.out, self.numbers, self.integers
         begins = [address_of(array.reshape(-1)) for array in of_groups]
         self._calls = []
         for g in range(groups):
@@ -130,59 +137,46 @@ class SeriesArrays:
         self._limits: Any = None
         self.is_small = self.memory.size + self.out.size + self.values.size < MOST_KEPT
 
-    def run(
-        self,
-        starts: np.ndarray,
-        parameters: np.ndarray,
-        times: np.ndarray,
-        segments: Schedule,
-        limits: Sequence[float],
-        progress: Callable[[float], None] | None = None,
-    ) -> None:
-        """Run from states (m, n) with parameters (m, nP), the last ones repeated to fill a group.
-
-        `limits` are tolerances, the longest step and the first.
-        """
-        # 1. what all runs share, as the last ones may have done
-        begin = float(times[0])
-        span = float(times[-1]) - begin
-        if segments is not self._segments or limits != self._limits:
-            self._share(times, segments, limits)
+    def begin(self, starts: np.ndarray, parameters: np.ndarray) -> None:
+        """Begin runs from states (m, n) with parameters (m, nP), the last repeated in a group."""
         self.numbers[:] = self._numbers
         self.integers[:] = self._integers
-        # 2. states and parameters of each
-        groups, n, lanes = self.states.shape
+        groups, lanes, n = self._starts.shape
         if groups * lanes > len(starts):
             members = np.minimum(np.arange(groups * lanes), len(starts) - 1)
             starts = starts[members]
             parameters = parameters[members]
         starts = starts.reshape(groups, lanes, n)
-        self.states[:] = starts.transpose(0, 2, 1)
-        size = parameters.shape[1]
-        in_groups = parameters.reshape(groups, lanes, size)
-        self.parameters[:, :size] = in_groups.transpose(0, 2, 1)
-        self.samples[:, :, 0] = starts
-        # 3. steps
-        for g, call in enumerate(self._calls):
+        self._first[:] = self._starts[:] = starts
+        if own := parameters.shape[1]:
+            self._parameters[:, :, :own] = parameters.reshape(groups, lanes, own)
+
+    def go(self, progress: Callable[[float], None] | None = None) -> None:
+        """Take the steps of all runs."""
+        for call, status, time in zip(self._calls, self.status, self.time, strict=True):
             self._entry(*call)
             tries = 0
-            running = self.status[g] == series.RUNNING
-            while running.any():
+            while series.RUNNING in status.tolist():
                 check()
                 tries += CALL_STEPS
-                now = float(self.time[g].min())
+                begin, end = self.times[[0, -1]].tolist()
+                now = float(time.min())
                 if progress is not None:
                     progress(now)
-                if (now - begin) * MOST_STEPS < span * tries:
-                    self.status[g][running] = series.FAILED
+                if (now - begin) * MOST_STEPS < (end - begin) * tries:
+                    status[status == series.RUNNING] = series.FAILED
                     break
                 self._entry(*call)
-                running = self.status[g] == series.RUNNING
 
-    def _share(
+    def share(
         self, times: np.ndarray, segments: Schedule, limits: Sequence[float]
     ) -> None:
-        """Write segments, and prepare the numbers with which each group begins."""
+        """Write what all runs share, if the last ones did not.
+
+        `limits` are tolerances, the longest step and the first.
+        """
+        if segments is self._segments and limits == self._limits:
+            return
         self._segments, self._limits = segments, limits
         self.times[:] = times
         self.edges[:] = segments.edges
@@ -202,16 +196,6 @@ class SeriesArrays:
             CALL_STEPS,
         )
         integers[series.NEXT : series.STATUS] = 1
-
-    @property
-    def time(self) -> np.ndarray:
-        """The time that each run has reached."""
-        return self.numbers[:, series.TIME :][:, : self.states.shape[2]]
-
-    @property
-    def status(self) -> np.ndarray:
-        """The status of each run."""
-        return self.integers[:, series.STATUS :][:, : self.states.shape[2]]
 
 
 def limits_of(code: SeriesCode, times: np.ndarray, options: Any) -> tuple[float, ...]:
@@ -237,8 +221,9 @@ def series_solution(
     if arrays is None:
         arrays = SeriesArrays(code, 1, len(start), len(times), segments)
     limits = limits_of(code, times, options)
-    run = start[None], diagram.layout.P[None], times, segments, limits
-    arrays.run(*run, options.progress)
+    arrays.share(times, segments, limits)
+    arrays.begin(start[None], diagram.layout.P[None])
+    arrays.go(options.progress)
     x = arrays.samples[0, 0].copy()
     at = [series.NEXT, series.STATUS, series.STEPS]
     following, status, steps = arrays.integers[0, at].tolist()
@@ -293,7 +278,9 @@ def run_members(
         arrays = SeriesArrays(code, m, n, len(times), segments)
         limits = limits_of(code, times, options)
         own = parameters[members, : len(diagram.layout.P)]
-        arrays.run(starts[members], own, times, segments, limits)
+        arrays.share(times, segments, limits)
+        arrays.begin(starts[members], own)
+        arrays.go()
         results.states[members] = arrays.samples.reshape(-1, len(times), n)[:m]
         ended[members] = arrays.status.ravel()[:m] == series.ARRIVED
         steps = arrays.integers[:, series.STEPS :][:, : code.lanes].ravel()[:m]
