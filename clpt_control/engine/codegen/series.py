@@ -27,7 +27,7 @@ from .vectors import PRIMITIVES
 # of an argument in a step: a part of what is divided by, and the change of another one
 RELATIVE, ABSOLUTE = 0.75, 4.0
 MOST_LINES = 5000  # of coefficients; LLVM takes a second for them
-WHOLE_POWERS = {float(k) for k in range(1, 65)}
+MOST_DEGREE = 64  # of a function; its peaks are as narrow as its degree is high
 ALL_SMOOTH = (SMOOTH, Smoothness.FOLDS)
 
 
@@ -69,6 +69,9 @@ class Coefficients(LLVMPrinter):
             raise Uncompiled("has loops")
         values = {item.first: item.value for item in items if item.array == "D"}
         self.rates = [values[k] for k in range(len(values))]
+        self.highest = max(map(self.degree, self.rates), default=0)
+        if self.highest > MOST_DEGREE:
+            raise Uncompiled(f"has a function of degree {self.highest}")
 
     # --- numbers known now, and values --------------------------------------------------------
 
@@ -164,7 +167,7 @@ class Coefficients(LLVMPrinter):
         if argument not in self.degrees:
             degrees = [self.degree(a) for a in arguments]
             degree = sum(degrees) if name == "mul" else max(degrees)
-            if name == "pow" and arguments[1] in WHOLE_POWERS:
+            if name == "pow" and is_whole(arguments[1]):
                 degree *= int(arguments[1])
             self.degrees[argument] = degree
         return self.degrees[argument]
@@ -207,7 +210,7 @@ class Coefficients(LLVMPrinter):
     def power(self, argument: Any, k: int) -> Any:
         """Return coefficient k of f = a^b: sum of (b (k - j) - j) / k a_(k - j) f_j over a_0."""
         a, exponent = self.components[argument[0]].arguments
-        if exponent in WHOLE_POWERS:
+        if is_whole(exponent):
             return self.at(self.whole_power(a, int(exponent)), k)
         pairs = []
         for j in outside_in(0, k - 1):
@@ -298,6 +301,11 @@ class Coefficients(LLVMPrinter):
     def divides(self, argument: Any) -> bool:
         """Return whether an argument is a quotient, whose divisor has a limit of its own."""
         return type(argument) is tuple and self.components[argument[0]].name == "div"
+
+
+def is_whole(exponent: Any) -> bool:
+    """Return whether a power is a product."""
+    return type(exponent) is float and exponent >= 1.0 and exponent.is_integer()
 
 
 def outside_in(first: int, last: int) -> list[int]:

@@ -198,12 +198,13 @@ class SeriesPrinter(Coefficients):
         builder.position_at_end(blocks["after"])
         half_now = builder.fmul(step, self.number(0.5, False))
         smaller = builder.fmul(self.scale, self.number(SHRINK, False))
-        no_room = self.no_room(where(sound, half_now, smaller), now["time"])
+        unsound = where(going, builder.not_(is_sound), false)
+        no_room = self.no_room(where(unsound, smaller, half_now), now["time"])
         fails = where(going, where(steps, false, no_room), false)
         reached: dict[Any, Any] = {"time": new_time, "next": number}
         reached |= dict(enumerate(new))
         following = {
-            "scale": where(steps, wished, where(sound, self.scale, smaller)),
+            "scale": where(steps, wished, where(unsound, smaller, self.scale)),
             "status": where(fails, failed, status),
             "steps": builder.add(now["steps"], builder.zext(steps, number.type)),
             "tries": builder.add(now["tries"], ir.Constant(WORD, 1)),
@@ -397,7 +398,7 @@ class SeriesPrinter(Coefficients):
 
         The last two are zero, or the degree of a function is so high that the first may be.
         """
-        if 2 * max(map(self.degree, self.rates)) > self.order:
+        if 2 * self.highest > self.order:
             return constant(1, self.lanes, BIT)
         most = self.number(0.9 * GROWTH, False)
         return self.builder.fcmp_ordered(">", share, most)

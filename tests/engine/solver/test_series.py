@@ -135,6 +135,8 @@ REFUSED = {
     "conditions": of_state(lambda x: -1.0 if x > 0.5 else -0.5),
     "kinks": of_state(lambda x: np.minimum(x, 0.5)),
     "more than 5000 operations": system(many, 12),
+    "degree 600": of_state(lambda x: (x * x * x) ** 144 * (1.0 - x) ** 168),
+    "degree 500": of_time(lambda t: np.cos(t) ** 500),
     "discrete time": control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=1.0),
 }
 
@@ -253,6 +255,17 @@ def test_members_in_lanes_are_the_runs_one_by_one():
         assert float(data.a_final[k]) == float(alone.states[-1, 0])
 
 
+def test_members_with_inputs_wait_for_each_other_at_corners():
+    lag = system(lambda t, x, u, p: [u[0] - p["k"] * x[0]], ["a"], 1, k=1.0)
+    times, inputs = np.arange(5.0), [[0.0, 3.0, -1.0, 2.0, 2.0]]
+    rates = np.linspace(0.1, 3.0, 8)
+    given = {"inputs": inputs, "initial_state": [0.0], **SERIES}
+    data = clpt.run_ensemble(lag, {"k": rates.tolist()}, timepts=times, **given)
+    for k, found in zip(rates, data.a_final.values, strict=True):
+        alone = clpt.simulate(lag, times, params={"k": k}, **given)
+        assert float(found) == float(alone.states[-1, 0])
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_members_whose_series_ends_are_those_of_dop853():
     blow = system(lambda t, x, u, p: [p["k"] * x[0] ** 2], ["a"], k=1.0)
@@ -299,7 +312,7 @@ def test_a_power_whose_first_coefficients_are_zero():
     np.testing.assert_allclose(run.states[:, 0], expected, rtol=1e-7)
 
 
-@pytest.mark.parametrize("power", [12, 40, 60])
+@pytest.mark.parametrize("power", [12, 20, 32])
 def test_a_peak_of_a_high_power(power):
     rate = of_clock(lambda x: (4 * x * (1 - x)) ** power)
     found, _ = end(rate, [0.0, 0.0], [0.0, 1.0])
