@@ -52,6 +52,24 @@ def test_members_of_an_ensemble_miss_no_peak():
     np.testing.assert_allclose(data.y_final, 1, atol=1e-7)
 
 
+@pytest.mark.parametrize("c", PLACES[::4])
+def test_no_peak_of_an_input_on_a_straight_line_is_missed(c):
+    of_input = control.nlsys(
+        lambda t, x, u, p: gaussian(u[0], x, u, p),
+        **{
+            "states": 1,
+            "inputs": 1,
+            "outputs": 1,
+            "params": {"c": 0.5},
+            "name": "peak",
+        },
+    )
+    run = clpt.simulate(of_input, [0, 1, 2], [[0, 1, 0]], params={"c": c})
+    assert run.states.values[-1, 0] == pytest.approx(2, abs=1e-7)
+    # steps stay long where inputs are constant
+    assert clpt.simulate(of_input, [0, 1], 0.0, params={"c": c}).solver_steps < 20
+
+
 def test_sines_of_time_need_no_short_steps():
     swung = control.nlsys(
         lambda t, x, u, p: [x[1], -x[0] + np.sin(0.5 * t) * np.cos(t)],

@@ -51,6 +51,7 @@ class Program(NamedTuple):
     # of each decision: its first number, and where it is made
     deciding: tuple[tuple, ...]
     timed: bool = False  # whether steps are short, as time may do much in little of it
+    ramped: bool = False  # the same where inputs change along straight lines
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
     guarded: int = 0  # number of guards, which follow the decisions
 
@@ -87,11 +88,10 @@ class Planner:
         constants = tuple(components.constants)
         sizes = components.prepared, components.room, decisions.count
         tables = np.concatenate([NO_TABLES, *components.tables])
-        decision_facts = tuple(decisions.of), decisions.timed, tables
+        short_steps = decisions.timed, decisions.ramped
+        of_decisions = *sizes, tuple(decisions.of), *short_steps, tables
         operations = tuple(self.all)
-        return Program(
-            operations, functions, self.prepared, constants, *sizes, *decision_facts
-        )
+        return Program(operations, functions, self.prepared, constants, *of_decisions)
 
     # --- what is prepared -----------------------------------------------------------------
 

@@ -71,7 +71,9 @@ class Coefficients(LLVMPrinter):
         self.rates = [values[k] for k in range(len(values))]
         self.highest = max(map(self.degree, self.rates), default=0)
         if self.highest > MOST_DEGREE:
-            raise Uncompiled(f"has a function of degree {self.highest}")
+            raise Uncompiled(
+                f"has a function of degree {self.highest}, at most {MOST_DEGREE}"
+            )
 
     # --- numbers known now, and values --------------------------------------------------------
 

@@ -111,6 +111,7 @@ class Decisions:
         self.count = 0  # how many numbers are decided
         # whether time alone decides, or is read by a function that may have narrow peaks
         self.timed = False
+        self.ramped = False  # whether such a function reads inputs
         self.first_count = 0  # of the first rates
         self._first = dict[
             int, Ref
@@ -145,6 +146,7 @@ class Decisions:
         moving: set[Ref] = set()
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
         driven: set[Ref] = set()  # on inputs
+        moved: set[Ref] = set()  # on states
         timely: set[Ref] = set()  # on time, and not on inputs
         inputs = len(record.layout.P)
 
@@ -158,12 +160,16 @@ class Decisions:
             is_input = array == "P" and offset >= inputs
             if array == "X" or is_input or fed.intersection(refs):
                 fed.add(k)
+            peaked = set(exact[1:] if kind == "div" else exact)
+            if array == "X" or moved.intersection(refs):
+                moved.add(k)
             if is_input or driven.intersection(refs):
                 driven.add(k)
+                by_inputs = driven.intersection(peaked) - moved
+                self.ramped |= kind in PEAKED and bool(by_inputs)
             elif array == "t" or timely.intersection(refs):
                 if kind not in COMPARED:
                     timely.add(k)
-                peaked = exact[1:] if kind == "div" else exact
                 self.timed |= kind in PEAKED and not timely.isdisjoint(peaked)
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving

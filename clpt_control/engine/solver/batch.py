@@ -178,7 +178,9 @@ class Batch:
         parameters = self.runs.parameters
         in_lanes[: parameters.shape[1]] = parameters[:1].T
         in_lanes[self.segments.indices] = self.segments.values[:1].T
-        if callee.timed:
+        indices, (first, stop) = self.segments.indices, callee.slopes
+        slopes = self.segments.values[:, (indices >= first) & (indices < stop)]
+        if callee.timed or slopes.any():
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
         self.lane[FIRST_STEP] = opening

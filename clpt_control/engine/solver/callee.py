@@ -36,6 +36,10 @@ class Callee(NamedTuple):
     kept: dict[Any, "Evaluation"]  # by shape, while no thread uses them
     linear: Jacobian = Jacobian()  # of Rodas5P
     timed: bool = False  # whether steps are short, as time may do much in little of it
+    slopes: tuple[int, int] = (
+        0,
+        0,
+    )  # in P, of inputs that may do so where they are not zero
     code: tuple = ()  # objects that must live for as long as addresses are used
 
     @property

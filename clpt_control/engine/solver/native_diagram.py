@@ -326,6 +326,7 @@ class NativeDiagram(NativeRuns):
         at_level = [s.jumps_at_level for s in systems if s.guard is not None]
         levels = np.zeros(program.guarded)
         levels[: len(at_level)] = at_level
+        slopes = self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2
         callee = Callee(
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
             lanes=lanes,
@@ -342,6 +343,7 @@ class NativeDiagram(NativeRuns):
             kept={},
             linear=code.sparsity() if method.implicit else Jacobian(),
             timed=program.timed,
+            slopes=slopes if program.ramped else (0, 0),
             code=(code,),
         )
         return with_formulas(callee)

@@ -27,6 +27,7 @@ MOST_ORDER = 20
 CALL_STEPS = 20_000  # of a call of machine code
 MOST_STEPS = 2_000_000  # of a run
 FIRST_SHARE = 2.0**-6  # of the run or the longest step: the first scale
+LEAST_SHARE = 1e-9  # of what is left: the first step of the method that goes on
 LEAST_RTOL = 2.3e-14
 NUMBERS, INTEGERS = series.SCALE + LANES, series.STEPS + LANES
 ENTRY = CFUNCTYPE(None, *[c_void_p] * len(series.ARRAYS))
@@ -52,7 +53,7 @@ class SeriesCode(NamedTuple):
 def refused(why: str) -> SimulationError:
     """Return the error of a diagram that has no series."""
     return SimulationError(
-        f"method = 'taylor': the model {why}, so it has no Taylor series. Use method = 'dop853'"
+        f"method = 'taylor' does not take this model, which {why}. Use method = 'dop853'"
     )
 
 
@@ -242,8 +243,11 @@ def series_solution(
     if status == series.ARRIVED:
         return solution
     rest = np.append(now, times[following:])
+    # rates that vanish here must not choose the first step
+    scale = float(arrays.numbers[0, series.SCALE])
+    first_step = max(scale, LEAST_SHARE * (rest[-1] - now))
     auto = replace(
-        options, method="auto", max_step=limits[series.LONGEST], first_step=0.0
+        options, method="auto", max_step=limits[series.LONGEST], first_step=first_step
     )
     other = diagram._solution(state, rest, inputs, auto)
     solution.x[following:] = other.x[1:]
