@@ -257,7 +257,7 @@ TOKENS = {
     "engine.record": 8922,
     "engine.solver": 40397,
     "engine.trace": 41167,
-    "ensemble": 20548,
+    "ensemble": 20820,
     "ocean.estimation": 22687,
     "ocean.forecast": 27663,
     "ocean.gliders": 25234,

@@ -16,7 +16,7 @@ import pickle
 import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from importlib.metadata import version
 from typing import Any
 
@@ -40,6 +40,7 @@ from ..engine.solver.termination import STUCK, Solution, sampled_start
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
 MOST_MEMBERS = 512  # of a batch
+KERNEL = "basis.kernel"  # the key of a scenario that changes the record of its loop
 TRIED = 5  # members whose records are compared with Python before the run
 # sampled parameters or summaries by name; a row for each member
 Values = dict[str, np.ndarray]
@@ -309,7 +310,28 @@ class Ensemble:
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Values) -> Values:
-        """Run the members of a batch and return their summaries."""
+        """Run the members of a batch, those of each kernel together; return their summaries."""
+        if KERNEL not in values:
+            return self._summaries(values)
+        kernels, parts = values[KERNEL], []
+        for kernel in np.unique(kernels):
+            with self._lock:
+                ensemble = self._of_kernel(str(kernel))
+            rows = {key: column[kernels == kernel] for key, column in values.items()}
+            parts.append(ensemble._summaries(rows))
+        order = np.argsort(np.argsort(kernels, kind="stable"))
+        return {name: column[order] for name, column in concatenated(parts).items()}
+
+    @cached_property
+    def _of_kernel(self) -> Callable[[str], "Ensemble"]:
+        """A function that returns the ensemble of a kernel, compiled once."""
+        keys, engine = [*self.locations], self.native.engine
+        return cache(
+            lambda kernel: Ensemble(self.varied.with_kernel(kernel), keys, engine)
+        )
+
+    def _summaries(self, values: Values) -> Values:
+        """Run members of one record and return their summaries."""
         varied = self.varied
         with self._lock:  # members use one evaluator; compile it once
             members = self.members(values)

@@ -93,15 +93,11 @@ def _of_item(key: str, values: Any) -> Vary:
                 text = f"{key}~{values.dist.name}({', '.join(words)})"
                 return Vary(key, "drawn", (values,), text)
         elif np.ndim(values) and len(values):
-            levels = np.asarray(values, dtype=float).tolist()
+            levels = np.asarray(values)
+            levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
             return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
     except (TypeError, ValueError, AttributeError):
         pass
-    if any(isinstance(value, str) for value in np.ravel(values)):
-        raise ScenarioError(
-            f"vary: {key} = {brief(values)}: an ensemble varies numbers. Call clpt.simulate "
-            f"for each, of scenario.with_values({{'{key}': text}}), and clpt.compare"
-        )
     raise ScenarioError(f"vary: {key} = {brief(values)}: must be {IN_A_DICT}")
 
 
@@ -130,10 +126,10 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
                 f"vary: {item.key} is named {keys.count(item.key)} times, not once"
             )
         if item.kind == "levels":
-            _check_levels(item, values[item.key].shape)
-        elif item.key.endswith(".seed"):
+            _check_levels(item, values[item.key])
+        elif item.key.endswith(".seed") or values[item.key].dtype.kind == "U":
             raise ScenarioError(
-                f"vary = '{item.text}': a seed is a whole number. List the values"
+                f"vary = '{item.text}': {item.key} has no range. List the values"
             )
 
 
@@ -144,16 +140,20 @@ def cannot_vary(name: str, names: Iterable[str]) -> str:
     return f"vary: {name} cannot vary; {hint}: {', '.join(names)}"
 
 
-def _check_levels(item: Vary, shape: tuple[int, ...]) -> None:
+def _check_levels(item: Vary, base: np.ndarray) -> None:
+    shape, is_text = base.shape, base.dtype.kind == "U"
     try:
-        levels = np.array(item.numbers, dtype=float)
+        levels = np.array(item.numbers, dtype=base.dtype.type)
     except (TypeError, ValueError, OverflowError):
         levels = np.array(math.nan)
     has_integers = not item.key.endswith(".seed") or np.all(levels % 1 == 0)
-    finite = np.all(np.isfinite(levels)) and bool not in map(type, item.numbers)
+    finite = is_text or bool(np.all(np.isfinite(levels)))
+    if bool in map(type, item.numbers):
+        finite = False
     if levels.shape[1:] != shape or not finite or not has_integers:
         allowed = "a number" if shape == () else f"an array of shape {shape}"
         allowed = allowed if has_integers else "a whole number"
+        allowed = "a text" if is_text else allowed
         text = shortened(json.dumps(item.numbers), 60)
         raise ScenarioError(f"vary: {item.key} = {text}: each value must be {allowed}")
 
@@ -242,7 +242,7 @@ def _grid_shares(
 def _values(item: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     """Return the values at shares of the distribution; the array of shares is overwritten."""
     if item.kind == "levels":
-        levels = np.array(item.numbers, dtype=float)
+        levels = np.array(item.numbers, dtype=base.dtype.type)
         index = (shares[:, 0] * len(levels)).astype(int)
         return levels[np.minimum(index, len(levels) - 1)]
     if item.kind == "uniform":
@@ -264,11 +264,15 @@ def check_members(varied: Varied, varies: Sequence[Vary], values: Values) -> Non
     """Refuse members with values that are not allowed.
 
     Allowed values are intervals, so only the members with the least and the largest number are
-    checked.
+    checked, and one with each text.
     """
     for item in varies:
         numbers = values[item.key].reshape(len(values[item.key]), -1)
-        for m in (numbers.min(axis=1).argmin(), numbers.max(axis=1).argmax()):
+        if numbers.dtype.kind == "U":
+            checked = np.unique(numbers, return_index=True)[1].tolist()
+        else:
+            checked = [numbers.min(axis=1).argmin(), numbers.max(axis=1).argmax()]
+        for m in checked:
             try:
                 varied.check(item.key, values[item.key][m])
             except ScenarioError as error:

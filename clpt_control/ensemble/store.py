@@ -25,7 +25,7 @@ from ..base.errors import DataError, ScenarioError, import_optional
 from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from ..engine.solver.solver_layout import Status
-from .members import Values, Varied, member_count
+from .members import KERNEL, Values, Varied, member_count
 
 if TYPE_CHECKING:
     import xarray
@@ -142,9 +142,12 @@ class Store:
                 too_large = value.nbytes > LARGEST or value.nchunks > max(
                     1, self.members
                 )
-                numbers = (
-                    None if filled or too_large else zlib.crc32(value[:].tobytes())
-                )
+                numbers = None
+                if not filled and not too_large:
+                    read = value[:]
+                    # strings of any length are no bytes of the array
+                    read = read.astype("U99") if read.dtype.kind == "T" else read
+                    numbers = zlib.crc32(read.tobytes())
                 contents[name] = value.metadata.to_dict(), numbers
         return {
             k: hashlib.sha256(repr(value).encode()).hexdigest()[:16]
@@ -195,6 +198,8 @@ class Store:
         keys = self.arguments["keys"]
         data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(keys)
         data = data[sorted(map(str, data.variables))]  # a folder has no order
+        if KERNEL in keys:
+            data[KERNEL] = data[KERNEL].astype(object)
         if self.path is None:
             data.load()
         else:
@@ -269,11 +274,11 @@ def create_store(
             array = group.create_array(
                 name.replace("/", SLASH),
                 shape=stored.shape,
-                dtype=stored.dtype,
+                dtype=str if stored.dtype.kind == "U" else stored.dtype,
                 chunks=tuple(max(1, n) for n in (min(rows, size), *inner_sizes)),
                 attributes=stored.attrs,
                 dimension_names=[str(dim).replace("/", SLASH) for dim in stored.dims],
-                fill_value=np.nan if stored.dtype.kind == "f" else 0,
+                fill_value=np.nan if stored.dtype.kind == "f" else stored.dtype.type(),
                 compressors=(ZstdCodec(level=1), Crc32cCodec()),
             )
             if stored.dims == (name,) or (name in arguments["keys"] and stored.size):

@@ -35,7 +35,7 @@ from .loop_summaries import (
     sample_times_of,
     summaries_of,
 )
-from .members import Member, Values, hash_of
+from .members import KERNEL, Member, Values, hash_of
 from .sampled_parameters import cannot_vary
 
 
@@ -109,6 +109,12 @@ class VariedScenario:
         is_replaced = key.split(".")[0] in self.changes.names
         if not is_replaced and (hint := key_hint(key)):
             return f"vary: {hint}"
+        keys = self.scenario.every_key()
+        if any(name == key and isinstance(value, str) for name, value, _ in keys):
+            return (
+                f"vary: {key} cannot vary. Call clpt.simulate for each, of "
+                f"scenario.with_values({{'{key}': text}}), and clpt.compare"
+            )
         advice = (
             "; the parameters of a part given in Python vary where there are timepts"
         )
@@ -156,6 +162,11 @@ class VariedScenario:
             return True
         return self.location(key) == Place()
 
+    def with_kernel(self, kernel: str) -> "VariedScenario":
+        """Return the loop with another kernel, which is another record."""
+        scenario = self.scenario.with_values({KERNEL: kernel})
+        return VariedScenario(scenario, self.changes, self.marks, self.trajectories)
+
     def member(self, values: Values) -> Member:
         """Return the member with these values."""
         scenario = self.scenario.with_values(dict(values))
@@ -197,7 +208,7 @@ def variable_values(scenario: Scenario) -> Values:
 
     def add(key: str, value: Any) -> None:
         number = np.asarray(value)
-        if number.dtype.kind == "f" and number.size:
+        if (number.dtype.kind == "f" and number.size) or key == KERNEL:
             values.setdefault(key, number)
 
     for key, value, _ in scenario.every_key():

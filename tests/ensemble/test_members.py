@@ -181,3 +181,31 @@ def test_every_way_in_which_a_member_ends_has_a_name():
     summary = ensemble_summary(data)
     wanted = {"ended": {"finished": 2, "chatters": 1}, "first_failed": 1}
     assert summary | wanted == summary
+
+
+def test_kernels_vary_as_numbers_do(tmp_path):
+    kernels = ["gaussian", "exponential", "gaussian"]
+    scenario = PAPER.with_values({"run.duration": 60})
+    vary = {"basis.kernel": kernels[:2], "learning.gain": [0.5, 1.0, 1.5]}
+    runs = {"chunk": 2, "out": tmp_path / "kernels.zarr"}
+    for data in (
+        clpt.run_ensemble(scenario, vary),
+        clpt.run_ensemble(scenario, vary, **runs),
+        clpt.run_ensemble(scenario, vary, **runs),  # read again
+    ):
+        grid = data.unstack()["flow_parameter_error"].isel(mark=-1)
+        for kernel in vary["basis.kernel"]:
+            for gain in vary["learning.gain"]:
+                values = {"basis.kernel": kernel, "learning.gain": gain}
+                run = clpt.simulate(scenario.with_values(values))
+                estimate = run["flow_parameters_estimate"].isel(time=-1)
+                error = np.abs(estimate - scenario.flow.parameters).max()
+                assert np.isclose(grid.sel(values), error, rtol=1e-9)
+    drawn = clpt.run_ensemble(
+        scenario, {"basis.kernel": kernels, "learning.gain": "1:2"}, 9
+    )
+    assert sorted(drawn["basis.kernel"].values) == sorted(kernels * 3)
+    assert np.all(drawn["status"] == 1)
+    page = tmp_path / "kernels.html"
+    clpt.report(drawn, page)
+    assert "basis.kernel" in page.read_text()

@@ -93,11 +93,15 @@ MISTAKES = [
     ("learning.position=[[1, 2, 3]]", {}, "must be an array of shape (2,)"),
     ([], {}, "name at least one key"),
     (["learning.gain=1:2", "learning.gain=1:2"], {}, "named 2 times"),
-    ("learning.gian=1:2", {}, "did you mean learning.gain? May vary: basis.centers"),
-    ("nothing=1:2", {}, "nothing cannot vary; may vary: basis.centers"),
+    ("learning.gian=1:2", {}, "did you mean learning.gain? May vary: basis.kernel"),
+    ("nothing=1:2", {}, "nothing cannot vary; may vary: basis.kernel"),
     ("adaptation.gain=1:2", {}, "the scenario's key is learning.gain"),
     ("reference.count=5:10", {}, "cannot vary; "),
     ("run.duration=1:2", {}, "cannot vary; "),
+    ('learning.law=["filtered"]', {}, "learning.law cannot vary. Call clpt.simulate"),
+    ("basis.kernel=0:1", {}, "basis.kernel has no range. List the values"),
+    ('basis.kernel=["gauss"]', GRID | {"members": 1}, "'exponential', 'gaussian' or"),
+    ('basis.kernel=[["gaussian"]]', {}, "each value must be a text"),
     ("learning.gain=-1:2", {}, "to 0; narrow learning.gain=-1:2"),
     (
         "learning.gain=[1, 2, -3, 4]",
@@ -138,7 +142,10 @@ def test_every_key_that_may_vary_can(quick):
     assert len(keys) > 15
     for key in keys:
         base = attrgetter(key)(disturbed)
-        level = (np.array(base, dtype=float) * 1.01 + 0.001).tolist()
+        if key == "basis.kernel":
+            level = "gaussian"
+        else:
+            level = (np.array(base, dtype=float) * 1.01 + 0.001).tolist()
         data = run_ensemble(disturbed, f"{key}={json.dumps([level])}", 1)
         assert data["status"].values.tolist() == [1], key
         one = clpt_control.simulate(disturbed.with_values({key: level}))

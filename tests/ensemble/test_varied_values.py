@@ -65,7 +65,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         "tau = 2.0: must be a list of values, a range '0.2:2.0', or a dis",
     ),
     (lag(), {"tau": []}, {}, "must be a list of values"),
-    (lag(), {"tau": ["a", "b"]}, {}, "an ensemble varies numbers. Call clpt.simulate"),
+    (lag(), {"tau": ["a", "b"]}, {}, "each value must be a number"),
     (lag(), {"tau": [[1.0, 2.0]]}, {}, "each value must be a number"),
     (lag(), {"tau": [np.inf]}, {}, r"tau = \[Infinity\]: each value must be a number"),
     (lag(), {"tau": stats.uniform(0.5, 1)}, {}, "members: is required for ranges and"),

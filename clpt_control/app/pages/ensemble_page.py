@@ -129,7 +129,11 @@ def _cells(column: list[float] | None) -> list[str]:
 def _varied(data: Dataset, request: Request) -> Section:
     rows = []
     for key, text in zip(request["keys"], request["vary"], strict=True):
-        cells = [f"{number:.4g}" for number in np.percentile(data[key], (0, 50, 100))]
+        if data[key].dtype.kind == "f":
+            marks = np.percentile(data[key], (0, 50, 100))
+            cells = [f"{number:.4g}" for number in marks]
+        else:
+            cells = [""] * 3
         rows.append([key, text.removeprefix(key), *cells])
     columns = ["key", "asked for", "least", "median", "most"]
     return Section(
