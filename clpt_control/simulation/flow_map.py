@@ -1,7 +1,8 @@
 """Map of the learned flow as a CF Dataset, for xarray, Panoply and QGIS.
 
     u, v = theta_hat phi(x, t)            of the last estimate theta_hat
-    standard error = (phi^T P phi)^(1/2)  of each component, with the covariance P of theta_hat
+    standard error = (phi^T P phi)^(1/2)  of each component, with the covariances P of the rows of
+                                          theta_hat; the larger one if they differ
 
 Flow that the vehicle did not see is masked: places outside of the box of its track, or of the
 measured current.
@@ -31,7 +32,7 @@ POINTS = 41  # on each side of the box by default
 
 @dataclass
 class _Learned:
-    """Learned flow: theta (2, N) in `unit`, its covariance, its plane, box, start and end."""
+    """Learned flow: theta (2, N) in `unit`, covariance (2, N, N), plane, box, start and end."""
 
     scenario: Scenario
     theta: np.ndarray
@@ -89,7 +90,8 @@ def flow_map(
     -------
     xarray.Dataset
         ``u`` and ``v``, learned; where the truth is known ``true_u``, ``true_v`` and ``error``, the
-        length of the difference; ``standard_error`` of u and of v where the estimate has one.
+        length of the difference; of an estimate ``standard_error`` of u and of v. P of a run's law
+        is no standard error, since it does not grow with the scatter of the data.
         Places outside of the box of the track, or of the measured current, are NaN.
 
     Raises
@@ -146,7 +148,8 @@ def flow_map(
         words = {"long_name": "length of learned less true flow"}
         data["error"] = (*masked(np.hypot(*(flow - truth).T)), words)
     if learned.covariance is not None:
-        variance = np.einsum("nk,kl,nl->n", phi, learned.covariance, phi)
+        of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
+        variance = of_rows.max(axis=0)
         words = {"long_name": "standard error of u and of v"}
         data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
@@ -221,13 +224,12 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
     scenario = scenario_of_run(estimate)
     latitude, longitude = estimate.attrs["origin"]
     plane = LocalPlane(latitude, longitude, scenario.units.length)
-    covariance = estimate.get("covariance")
     parameters = estimate.flow_parameters_estimate
     return _Learned(
         scenario,
         parameters.values[-1],
         parameters.attrs["units"],
-        None if covariance is None else covariance.values,
+        estimate.covariance.values,
         plane,
         np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude)),
         estimate.attrs["time_origin"],

@@ -215,7 +215,9 @@ def flow_of_legs(
     if not used:
         raise DataError(refused[0])
     legs = used
-    theta, errors = estimator.flow_parameters, estimator.standard_error
+    speed = estimator.settings.speed
+    theta = estimator.flow_parameters
+    covariance = np.stack([estimator.covariance, estimator.covariance])
     scale, notes = estimator.scale, []
     turns = [result.turn for result in learned]
     guaranteed = [result.guaranteed for result in learned]
@@ -223,14 +225,16 @@ def flow_of_legs(
     if method == "tomography":
         guaranteed = [np.inf] * len(learned)
         guarantee = "no error is guaranteed: tomography has no bound"
-        found, speed = tomography_of(estimator, legs), estimator.settings.speed
-        theta, errors = found.theta * speed, found.standard_error.max(axis=0) * speed
+        found = tomography_of(estimator, legs)
+        theta, covariance = found.theta * speed, found.covariance
         scale, notes = found.scale, found.notes
+    variances = np.diagonal(covariance, axis1=1, axis2=2).max(axis=0)
+    errors = np.sqrt(np.maximum(variances, 0.0)) * speed
     estimator.turn = 0.0 if method == "tomography" else max(turns)
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
     places = [(r.time, r.latitude, r.longitude) for r in learned]
-    flow = [flow_by(estimator, theta / estimator.settings.speed, *at) for at in places]
+    flow = [flow_by(estimator, theta / speed, *at) for at in places]
     forecasts = [result.forecast or Ahead(*4 * [np.nan]) for result in learned]
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")
@@ -269,6 +273,11 @@ def flow_of_legs(
                 [*(r.standard_error for r in learned[:-1]), errors],
                 *("standard error of each row of theta", MPS, "basis"),
             ),
+            "covariance": (
+                ("axis", "basis", "other_basis"),
+                covariance * speed**2,
+                {"long_name": "covariance of each row of theta", "units": "m2 s-2"},
+            ),
             "turn": column(turns, "turn of the flow along the leg", "rad"),
             "guaranteed": column(
                 guaranteed, "guaranteed error of the flow at the fix", MPS
@@ -294,11 +303,7 @@ def flow_of_legs(
             + bent_legs(legs),
         },
     )
-    if method == "kalman":
-        covariance = estimator.covariance * estimator.settings.speed**2
-        words = {"long_name": "covariance of each row of theta", "units": "m2 s-2"}
-        data["covariance"] = (("basis", "other_basis"), covariance, words)
-    return data, theta / estimator.settings.speed
+    return data, theta / speed
 
 
 def not_learned(estimator: FlowEstimator, errors: np.ndarray) -> list[str]:

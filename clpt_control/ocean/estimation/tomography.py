@@ -47,10 +47,10 @@ MUCH = 2.0  # factor c on the noise that is told
 
 
 class Tomography(NamedTuple):
-    """theta and standard errors (2, N), factor c on the noise, wild fixes, remarks, right legs."""
+    """theta (2, N), P of its rows (2, N, N), factor c on the noise, wild fixes, notes, legs."""
 
     theta: np.ndarray
-    standard_error: np.ndarray
+    covariance: np.ndarray
     scale: float
     wild: int
     notes: list[str]
@@ -86,12 +86,12 @@ def tomography(
     # 2. the smoother
     chain = chain_of(used, settings, track, nodes=True)
     scale = float(np.clip(square**0.5, LEAST_SCALE, LARGEST_SCALE))
-    theta, errors, c = _smoothed(chain, settings, theta, scale)
+    theta, covariance, c = _smoothed(chain, settings, theta, scale)
     if c > MUCH:
         notes.append(
             f"tomography: the legs fit only with {c:.1f} times the noise that is set"
         )
-    return Tomography(theta, errors, c, len(legs) - len(used), notes, used)
+    return Tomography(theta, covariance, c, len(legs) - len(used), notes, used)
 
 
 def _single_shooting(
@@ -158,7 +158,7 @@ def _without_wild(legs: list[FlownLeg], is_far: np.ndarray) -> list[FlownLeg]:
 def _smoothed(
     chain: LegChain, settings: FixSettings, theta: np.ndarray, scale: float
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return theta, its standard errors, and the factor on the noise that the residuals show."""
+    """Return theta, covariances of its rows, and the factor on the noise that residuals show."""
     n, N = len(chain.places), theta.shape[1]
     rows, sd = np.arange(len(chain.links) + 1), _least(settings.prior)
     at_fix = np.isfinite(chain.fixes).ravel()
@@ -214,5 +214,5 @@ def _smoothed(
     _, jacobian = residuals(unknown, slopes=True, scale=c)
     normal = (jacobian.T @ jacobian).tocsc()
     covariance = splu(normal).solve(np.eye(len(unknown), 2 * N))[: 2 * N]
-    errors = np.diag(covariance).reshape(2, N) ** 0.5
-    return unknown[: 2 * N].reshape(2, N), errors, c
+    of_rows = covariance.reshape(2, N, 2, N)[[0, 1], :, [0, 1]]
+    return unknown[: 2 * N].reshape(2, N), of_rows, c
