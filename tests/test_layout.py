@@ -251,7 +251,7 @@ TOKENS = {
     "data": 4145,
     "engine.codegen": 34717,
     "engine.conformance": 7259,
-    "engine.diagram": 18001,
+    "engine.diagram": 18030,
     "engine.methods": 4316,
     "engine.model": 13062,
     "engine.record": 8922,

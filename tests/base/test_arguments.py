@@ -537,11 +537,22 @@ def test_a_name_near_a_public_one_is_named():
         clpt.gliders.read_dive  # noqa: B018
 
 
-def test_what_the_advice_names_takes_a_sampled_loop():
-    """control.step_info and bode_plot of clpt.linearize(diagram)."""
+def sampled_loop():
     lag = control.ss([[-1.0]], [[1.0]], [[1.0]], 0, inputs="u", outputs="y", name="lag")
     pid = clpt.parts.pid(2.0, 1.0, 0.0, dt=0.1, r="r", y="y", u="u")
-    linear = clpt.linearize(clpt.connect([pid, lag], external="r"))["y", "r"]
+    return clpt.connect([pid, lag], external="r")
+
+
+@pytest.mark.parametrize("name", ["bode_plot", "nyquist_plot", "poles", "dcgain"])
+def test_functions_of_linear_systems_name_the_remedy(name):
+    with pytest.raises(AttributeError, match=r"of linear systems. Give .*linearize"):
+        getattr(control, name)(sampled_loop())
+    assert not hasattr(sampled_loop(), "nonsense")
+
+
+def test_what_the_advice_names_takes_a_sampled_loop():
+    """control.step_info and bode_plot of clpt.linearize(diagram)."""
+    linear = clpt.linearize(sampled_loop())["y", "r"]
     assert control.step_info(linear)["SteadyStateValue"] == pytest.approx(1.0)
     response = control.frequency_response(linear, [0.01])
     assert response.magnitude.squeeze() == pytest.approx(1.0, abs=1e-3)

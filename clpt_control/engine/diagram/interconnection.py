@@ -40,6 +40,8 @@ from .wiring import (
 
 # functions that return a sentence on an unknown parameter, by its name and the known names, or ""
 PARAMETER_HINTS: list[Callable[[str, set[str]], str]] = []
+# attributes that plots of python-control read first
+OF_PLOTS = ("plot_phase", "response", "frdata")
 MOST_BYTES = 10**9  # bytes of python-control's matrices
 
 
@@ -73,6 +75,15 @@ class Diagram(control.InterconnectedSystem):
 
     def _repr_markdown_(self) -> None:
         """Return nothing in place of python-control's, which would repeat the drawing."""
+
+    def __getattr__(self, name: str) -> Any:
+        """Name the remedy if python-control needs a linear system, as for a Bode plot."""
+        reason = "not an attribute"
+        if name in OF_PLOTS or hasattr(control.StateSpace, name):
+            reason = (
+                "of linear systems. Give python-control clpt.linearize(diagram, x, u)"
+            )
+        raise AttributeError(f"Diagram.{name}: is {reason}", name=name, obj=self)
 
     def linearize(self, *point: Any, **options: Any) -> control.StateSpace:
         """Linearize as python-control does; refuse sampled blocks."""
