@@ -163,7 +163,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     fastest = float(f"{np.hypot(*flow.T).max():.1g}") or 0.1
     chart.quiverkey(arrows, 0.92, 1.03, fastest, f"{fastest:g} m/s", labelpos="W")
     chart.set_aspect("equal", adjustable="datalim")
-    chart.margins(0.12)
+    chart.margins(0.12, 0.25)  # arrows point beyond the fixes
     degree_axes(chart, plane, "km")
     chart.set_title("Flow learned from fixes", **TITLE)
     legend_below(chart, 3)
@@ -179,6 +179,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     errors.plot(
         numbers, error, "o-", color=BLUE, ms=size, label="error before learning"
     )
+    errors.xaxis.get_major_locator().set_params(integer=True)
     errors.set(xlabel="leg", ylabel="position error (km)", ylim=(0, None))
     errors.set_ylim(0, 1.15 * max(float(error.max()), 1e-3))
     legend_below(errors, 2)

@@ -285,8 +285,8 @@ class FlowEstimator:
     def guaranteed(self, time: OrNaN, latitude: OrNaN, longitude: OrNaN) -> float:
         """Return the largest error of the flow at a time and place.
 
-        Of the flow that the functions express, for every constant theta with |theta - theta_hat(0)|
-        of at most one prior, if the shear of the flow, the unmodelled flow and the noise of fixes
+        Of the flow that the functions express, for every constant theta within one prior of
+        theta_hat(0), if the shear of the flow, the unmodelled flow and the noise of fixes
         (three standard deviations) keep their limits, and the fixes taken as right are right.
 
         Parameters
