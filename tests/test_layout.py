@@ -243,7 +243,7 @@ TOKENS = {
     "app": 1012,
     "app.cli": 14140,
     "app.notebook": 1681,
-    "app.pages": 7219,
+    "app.pages": 7230,
     "base": 10718,
     "base.figures": 629,
     "base.files": 1380,
