@@ -87,8 +87,7 @@ class Job:
         from ...base.geodesy import distance
         from ...ocean.forecast.aim import ARRIVED
 
-        last = self.replay.steps[-1].dive
-        fix: tuple[float, float] = last.end
+        fix = self.replay.fix[1:]
         while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
             self.targets.pop(0)
         how = self.targets, self.speed, self.duration, self.variation
@@ -100,7 +99,7 @@ class Job:
         """Replay the dives that can be used; return what `--json` prints."""
         from ...ocean.forecast.quality_control import check_tides
         from ...ocean.gliders.samples import with_variation
-        from ...ocean.gliders.usable_dives import usable
+        from ...ocean.gliders.usable_dives import last_fix, usable
 
         if self.variation is not None:
             if not self.follows and all(dive.turned is None for dive in dives):
@@ -120,6 +119,8 @@ class Job:
             check_tides(self.replay.model.flow, used)
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             self.replay.feed(used, report)
+        if used:
+            self.replay.seen = last_fix(dives, used[-1])
         return self.summary(skipped)
 
     def summary(self, skipped: Sequence[Any] = ()) -> Report:

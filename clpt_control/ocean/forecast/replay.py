@@ -96,6 +96,8 @@ class Replay:
         One per dive so far.
     dive_statistics : DiveStatistics
         How the vehicle dives.
+    seen : tuple of float
+        Time and place of a fix after the last dive, where a later dive could not be used.
 
     Examples
     --------
@@ -117,6 +119,7 @@ class Replay:
         self.dive_statistics = DiveStatistics()
         self._fed: list[Dive] = []
         self._outlier: tuple[Dive, Estimator] | None = None
+        self.seen: Fix = (-np.inf, np.nan, np.nan)
         self._before = self._state()
 
     def __repr__(self) -> str:
@@ -169,6 +172,7 @@ class Replay:
         """
         check_next(dive, self.steps[-1].dive if self.steps else None)
         check_dead_reckoning([*(step.dive for step in self.steps), dive])
+        self.seen = (-np.inf, np.nan, np.nan)
         headline = self.surfacing() if self.steps else None
         dive = self._settle_last(dive)
         self._take(dive, self.ahead(dive), headline)
@@ -194,15 +198,21 @@ class Replay:
             report(len(self._fed))
         return self
 
+    @property
+    def fix(self) -> Fix:
+        """Time and place of the last fix."""
+        last = self.steps[-1].dive
+        return max((last.t_gpse, *last.end), self.seen)
+
     def start(self, rng: np.random.Generator | None = None) -> Fix:
         """Return the fix where the next dive begins; `rng` draws it."""
-        last = self.steps[-1].dive
+        time, *place = self.fix
         stay, late = self.dive_statistics.stay()
         drift, spread = self.dive_statistics.drift()
         if rng is not None:
             stay = max(rng.normal(stay, late), 0.0)
             drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
-        return (last.t_gpse + stay, *place_from(*last.end, *drift))
+        return (time + stay, *place_from(*place, *drift))
 
     def imagined(self) -> "Replay":
         """Return one that knows the same, for dives that are drawn."""
@@ -244,7 +254,7 @@ class Replay:
             mean,
             covariance * guess.tails * wide**2,
             *position,
-            (last.dive.t_gpse, *last.dive.end),
+            self.fix,
             float(NORMAL * late * np.sqrt(guess.tails) * long),
             guess.basis,
             has_course(last.dive),
@@ -257,6 +267,8 @@ class Replay:
         through_water: tuple[float, float] | None = None,
     ) -> NextDive:
         """Forecast the surfacing of the next dive, after one at least.
+
+        It begins at the end of the last dive, or at `seen`.
 
         Parameters
         ----------

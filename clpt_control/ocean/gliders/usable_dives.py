@@ -35,7 +35,7 @@ from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY
 from ...paper.currents.constituents import YEARS
 from .dive_fields import NUMBERS
-from .dives import FASTEST, Dive, Skipped, is_fix, noted
+from .dives import FASTEST, Dive, Fix, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
@@ -116,6 +116,23 @@ def usable(
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     return used, skipped
+
+
+def last_fix(dives: Iterable[Dive], last: Dive) -> Fix:
+    """Return the end of the last used dive, or a later end within reach of a dive without use."""
+
+    def is_later(dive: Dive) -> bool:
+        since = dive.t_gpse - last.t_gpse
+        is_at_once = dive.t_gps2 < last.t_gpse - OVERLAP
+        return (
+            0.0 < since <= DAY
+            and not (is_at_once or dive.t_gps2 >= dive.t_gpse or dive.end == dive.start)
+            and not _fix_fault("after", dive.t_gpse, *dive.end)
+            and distance(*last.end, *dive.end) <= DRIFT * since + NEAR
+        )
+
+    later = [(dive.t_gpse, *dive.end) for dive in dives if is_later(dive)]
+    return max(later, default=(last.t_gpse, *last.end))
 
 
 def check_one_vehicle(dives: Iterable[Dive]) -> None:

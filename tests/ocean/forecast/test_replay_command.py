@@ -20,7 +20,7 @@ from paths import ROOT
 from subprocesses import ran, without_progress
 from synthetic_vehicle import one_file_each
 
-from clpt_control.gliders import sample_dives
+from clpt_control.gliders import sample_dives, write_dive_table
 
 TABLES = ("replay.nc", "replay.html", "next.geojson", "track.kml")
 RESULTS = (*TABLES, "replay.png")
@@ -186,6 +186,22 @@ def test_a_plan_of_the_next_dive(command):
     said = command(*words).stdout
     assert "next surfacing 2016-02-03 13:56 UTC +- " in said
     assert "min, in 4.1 h from the end of the last dive" in said
+
+
+@pytest.mark.parametrize("field", ["dr_east", "t_gps2", "lat_gpse"])
+def test_a_last_dive_without_use_still_ends_at_a_fix(command, tmp_path, field):
+    *dives, last = sample_dives()
+    lost = replace(last, **{field: float("nan")})
+    write_dive_table([*dives, lost], tmp_path / "lost.csv")
+    words = (tmp_path / "lost.csv", "--next", "4.5", "0", "3000", "--json")
+    found = json.loads(command(*words).stdout)
+    ahead, fixed = found["next_dive"], dives[-1] if field == "lat_gpse" else last
+    assert [skip["dive"] for skip in found["skipped"]] == [last.number]
+    assert (ahead["from_latitude"], ahead["from_longitude"]) == fixed.end
+    begins = fixed.t_gpse + ahead["surface_time"]
+    assert np.datetime64(ahead["time"][:19], "s").astype(float) == pytest.approx(
+        begins + 4.5 * 3600, abs=1.0
+    )
 
 
 @pytest.mark.long
