@@ -7,6 +7,8 @@ displacement since the row before.  These are left out, each with its reason:
     a row that is more than 30 days later, unless the next row is of the same clock
     a fix at 0 N 0 E, or that is no place on Earth
     a stretch above 5 m/s through the water, or of unknown speed: the motion until then is unknown
+
+After a motion that is left out, and was not read before, the motion is unknown until the next one.
 """
 
 from dataclasses import dataclass, field
@@ -20,6 +22,7 @@ from .usable_dives import LATEST, LONGEST, in_minutes
 Pair = tuple[float, float]
 NOT_GIVEN = "no course and speed"
 ROUNDING = 1.0 + 1e-9
+SENT_AGAIN = 100  # rows that a sender may repeat after it was cut off
 DEG_E7 = 1e6  # a larger number of a place is in units of 1e-7 degrees
 
 
@@ -47,6 +50,7 @@ class LogRows:
     unknown: str = NOT_GIVEN  # why the velocity is not known
     had: list[bool] = field(default_factory=lambda: 3 * [False])
     lost: str = ""  # why a row before the next one is not known
+    recent: list[str] = field(default_factory=list)  # motions that were read
 
     def read(
         self,
@@ -62,7 +66,10 @@ class LogRows:
         """
         velocity = None if steering is None else velocity_of(*steering, where)
         has = [part is not None for part in (place, steering, stretch)]
+        motion = repr((time, steering, stretch))
         if fault := self._time_fault(time, has):
+            if any(has[1:]) and motion not in self.recent:
+                self.lost = "a motion is left out"
             return Reading(skipped=fault, is_taken=False)
         if place is not None and (fault := place_fault(*place)):
             place = None
@@ -71,7 +78,10 @@ class LogRows:
         moved, unknown = self._moved(time, stretch)
         if self.lost:
             moved, unknown = None, self.lost
+            self.velocity, self.unknown = (nan, nan), self.lost
         self.lost = ""
+        if any(has[1:]):
+            self.recent = [*self.recent[1 - SENT_AGAIN :], motion]
         if velocity is not None:
             self.velocity = velocity
             self.unknown = "" if velocity[0] == velocity[0] else NOT_GIVEN
@@ -93,9 +103,6 @@ class LogRows:
         is_late = time - self.time > LONGEST
         if is_late and not 0.0 < time - self.ahead <= LONGEST:
             self.ahead = time
-            if has[1]:
-                # when the vehicle turned is not known
-                self.velocity, self.unknown = (nan, nan), "a course was left out"
             days = (time - self.time) / 86400
             return (
                 f"dated {days:.0f} days after the row before, {iso(self.time)}: a clock that was "

@@ -104,6 +104,30 @@ def test_recorded_and_live_have_the_same_numbers(tmp_path, estimate, live, damag
     assert damage is wild or "line" in told
 
 
+@pytest.mark.parametrize("off", [-4 * 3600.0, -9e9, 3e8, 1.8e12])
+@pytest.mark.parametrize("columns", ["course,speed", "dr_east_m,dr_north_m"])
+def test_a_motion_left_out_invents_no_current(tmp_path, estimate, live, off, columns):
+    """Exact fixes in a known current: each forecast after the first legs is exact."""
+    rows, moved = mission(12, scatter=0.0, fix=0.0), []
+    for before, row in zip([rows[0], *rows], rows, strict=False):
+        angle = np.radians(before[3])
+        way = before[4] * LEG * np.array([np.sin(angle), np.cos(angle)])
+        moved.append((*row[:3], *way))
+    rows = rows if columns.startswith("course") else moved
+    rows[6] = (rows[6][0] + off, *rows[6][1:])
+    head = f"time,latitude,longitude,{columns}"
+    report = estimate(table(tmp_path / "log.csv", rows, head))
+    keys = head.split(",")
+    lines = [dict(zip(keys, row, strict=True)) for row in rows]
+    lines[0] = dict([*lines[0].items()][: 3 if rows is moved else 5])
+    answers, _ = live(map(json.dumps, lines))
+    errors = [leg["error_m"] for leg in report["legs"][2:]]
+    seen = [one["error_m"] for one in answers if one.get("error_m") is not None][2:]
+    assert (len(errors), len(seen)) == (8, 8)
+    assert max(errors + seen) < 60.0  # 5 mm/s
+    assert near(report)
+
+
 @pytest.mark.long
 def test_a_clock_that_is_ahead_at_first_ends_nothing(live):
     rows = mission(12, seed=3)
