@@ -142,7 +142,7 @@ class LocalPlane:
             )
             raise DataError(
                 f"a place is {distance_text}, at most {WIDEST:g}. Choose a smaller box, "
-                "or an origin in its middle"
+                "or an origin in its middle, or correct swapped latitude and longitude"
             )
         return x1, x2
 

@@ -150,3 +150,10 @@ def seconds_since_1970(date: str) -> float:
     """
     moment = datetime.fromisoformat(date)
     return (moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp()
+
+
+def iso(time: float) -> str:
+    """Return a time, s since 1970, as a date of ISO 8601, to a millisecond."""
+    moment = datetime.fromtimestamp(round(time, 3), UTC)
+    timespec = "milliseconds" if moment.microsecond else "seconds"
+    return moment.isoformat(timespec=timespec).replace("+00:00", "Z")

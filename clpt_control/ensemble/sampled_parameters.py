@@ -221,10 +221,11 @@ def _grid_shares(
     n = max(1, round((members / lists) ** (1 / free))) if free else 1
     if lists * n**free != members:
         allowed = (
-            f" n^{free} members, such as {lists * n**free}" if free else " members"
+            f" n^{free} members, such as {lists * n**free:.9g}" if free else " members"
         )
         raise ScenarioError(
-            f"members = {members}: this grid must have {lists}{allowed}"
+            f"members = {members}: this grid must have {lists:.9g}{allowed}, every value with all "
+            "values of the other keys. For paired values call clpt.prepare, and the result in a loop"
         )
     # 2. the level of each member, and its share
     sizes = np.repeat([count or n for count in fixed], columns)

@@ -12,7 +12,12 @@ from ..base.errors import ClptError, DataError
 from ..base.files import write_file
 from ..base.files.reading import open_netcdf
 from ..paper.scenario import file
-from ..paper.scenario.recorded_run import check_response, check_run, is_response
+from ..paper.scenario.recorded_run import (
+    check_response,
+    check_run,
+    is_response,
+    kind_of,
+)
 from ..paper.scenario.run_constants import FORM, MOST_BYTES, TEAM
 from ..paper.scenario.team import Team, system_of_run, team_to_text
 from .run_notes import ARGUMENTS, KEYS, note_texts, read_note
@@ -21,6 +26,10 @@ if TYPE_CHECKING:
     import xarray
 
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
+NO_REPLAY = (
+    "is a replay of dives, which has no map of the flow. Its track is track.kml beside it, "
+    "clpt report draws it"
+)
 
 
 @public
@@ -104,7 +113,8 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     with open_netcdf(Path(path), MOST_BYTES) as data:
         file.check_form(data.attrs, path)
         if "clpe" not in data.variables and not is_response(data):
-            raise DataError(f"{path}: {NO_RUN}; Make a run with: clpt run")
+            why = NO_REPLAY if kind_of(data) == "replay" else NO_RUN
+            raise DataError(f"{path}: {why}; Make a run with: clpt run")
         run = data.load()
     try:
         if is_response(run):

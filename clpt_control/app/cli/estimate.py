@@ -241,7 +241,7 @@ def _live(
 
 def _answer(learner: "LiveFixes", out: Path | None) -> None:
     """Print an answer to each fix, and to each line that is left out."""
-    from ...ocean.gliders.log_rows import iso
+    from ...base.units import iso
 
     refused = 0
     for number, line in enumerate(sys.stdin, 1):

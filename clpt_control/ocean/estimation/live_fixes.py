@@ -27,11 +27,11 @@ import numpy as np
 from ...base.errors import DataError, import_optional
 from ...base.files import write_file
 from ...base.files.reading import read_text
-from ...base.units import finite_or_none, seconds_since_1970
+from ...base.units import finite_or_none, iso, seconds_since_1970
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ..gliders.dives import PLACE, STEERING, STRETCH, velocity_of
-from ..gliders.log_rows import NOT_GIVEN, LogRows, iso, time_fault
+from ..gliders.log_rows import NOT_GIVEN, LogRows, time_fault
 from ..gliders.usable_dives import LONGEST
 from .fix_model import LEVEL
 from .flow_estimator import Ahead, FlowEstimator, Learned, move_through, pass_unknown
@@ -150,10 +150,12 @@ class LiveFixes:
         self.estimator.state = stored["estimator"]
         east, north = stored["rows"].pop("velocity")
         self.rows = LogRows(**stored["rows"], velocity=(east, north))
-        # a process that was killed may have left a part of its last line
+        # a killed process may have left a part of its last line: nothing is appended to it
         for line in lines[:-1]:
             with suppress(DataError):
                 self._read(line)
+        if lines and lines[-1]:
+            self._keep(path, "")
 
     def _state(self) -> dict[str, Any]:
         return {
@@ -244,7 +246,10 @@ def _plan(plan: Any, time: float) -> list[tuple[float, float, float]]:
     for line in map(_checked, plan):
         end = line["time"]
         if not end > time:
-            raise DataError(f"plan: time {end:.15g} must be later than {time:.15g}")
+            raise DataError(
+                time_fault(end)
+                or f"plan: time {iso(end)} must be later than {iso(time)}"
+            )
         if STRETCH[0] in line:
             east, north = (line[key] for key in STRETCH)
         elif STEERING[0] in line:

@@ -30,6 +30,7 @@ from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
 from .dive_table import table_dives
 from .dives import Dive, Skipped
+from .log_rows import STAYS
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .usable_dives import LEAST_DURATION
 from .vehicle_log import NO_MOTION, mark_of
@@ -338,4 +339,8 @@ def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:
         else:
             why = "; ".join(("the way through the water is not known", *leg.notes))
             skipped.append(Skipped(leg.number, why))
+    stays = [skip for skip in skipped if skip.why.endswith(STAYS)]
+    if stays[1:]:
+        first = Skipped(stays[0].dive, f"{stays[0].why} (one of {len(stays)} legs)")
+        skipped = [first, *(skip for skip in skipped if skip not in stays)]
     return used, skipped

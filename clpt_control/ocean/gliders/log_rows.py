@@ -12,15 +12,16 @@ After a motion that is left out, and was not read before, the motion is unknown 
 """
 
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from math import hypot, isfinite, nan
 from typing import NamedTuple
 
-from .dives import FASTEST, is_fix, velocity_of
-from .usable_dives import LATEST, LONGEST, in_minutes
+from ...base.units import iso
+from .dives import FASTEST, STEERING, STRETCH, is_fix, velocity_of
+from .usable_dives import LATEST, LONGEST, misread
 
 Pair = tuple[float, float]
-NOT_GIVEN = "no course and speed"
+NOT_GIVEN, NOT_MOVED = "no course and speed", "no displacement"
+STAYS = f"{NOT_GIVEN} before it", f"{NOT_MOVED} before it"  # ends of their reasons
 ROUNDING = 1.0 + 1e-9
 SENT_AGAIN = 100  # rows that a sender may repeat after it was cut off
 DEG_E7 = 1e6  # a larger number of a place is in units of 1e-7 degrees
@@ -82,9 +83,9 @@ class LogRows:
         self.lost = ""
         if any(has[1:]):
             self.recent = [*self.recent[1 - SENT_AGAIN :], motion]
-        if velocity is not None:
+        if steering is not None and velocity is not None:
             self.velocity = velocity
-            self.unknown = "" if velocity[0] == velocity[0] else NOT_GIVEN
+            self.unknown = _half(steering, STEERING) or NOT_GIVEN
         if time == self.time:
             has = [a or b for a, b in zip(has, self.had, strict=True)]
         self.had = has
@@ -121,7 +122,7 @@ class LogRows:
             east, north = self.velocity
             moved, unknown = (east * span, north * span), self.unknown
         else:
-            moved, unknown = stretch, "no displacement"
+            moved, unknown = stretch, _half(stretch, STRETCH) or NOT_MOVED
         speed = hypot(*moved) / span if span > 0.0 else 0.0
         if not isfinite(speed):
             return None, unknown
@@ -133,11 +134,10 @@ class LogRows:
         return moved, ""
 
 
-def iso(time: float) -> str:
-    """Return a time, s since 1970, as a date of ISO 8601, to a millisecond."""
-    moment = datetime.fromtimestamp(round(time, 3), UTC)
-    timespec = "milliseconds" if moment.microsecond else "seconds"
-    return moment.isoformat(timespec=timespec).replace("+00:00", "Z")
+def _half(pair: Pair, names: tuple[str, str]) -> str:
+    """Return that one number of a pair is missing, empty if none or both are."""
+    is_half = isfinite(pair[0]) != isfinite(pair[1])
+    return f"one of {' and '.join(names)} is missing" if is_half else ""
 
 
 def time_fault(time: float) -> str:
@@ -177,5 +177,5 @@ def place_fault(latitude: float, longitude: float) -> str:
     if max(abs(latitude), abs(longitude)) > DEG_E7:
         cure = "looks like 1e-7 degrees. Give degrees, or name them latitude (degE7)"
     else:
-        cure = in_minutes(latitude, longitude) or "must be degrees"
+        cure = misread(latitude, longitude) or "must be degrees"
     return f"latitude {latitude:g}, longitude {longitude:g}: {cure}"

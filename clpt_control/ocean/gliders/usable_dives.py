@@ -32,7 +32,7 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
-from ...base.units import DAY
+from ...base.units import DAY, iso
 from ...paper.currents.constituents import YEARS
 from .dive_fields import NUMBERS
 from .dives import FASTEST, Dive, Fix, Skipped, is_fix, noted
@@ -250,24 +250,34 @@ def _with_a_repeated_start(dives: list[Dive]) -> set[int]:
 
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     """Return what is wrong with one fix, empty where it is good."""
-    if minutes := in_minutes(lat, lon):
-        return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
+    if why := misread(lat, lon):
+        return (
+            f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {why}"
+        )
+    is_time = 0.0 <= time < LATEST
     if not (isfinite(time) and is_fix(lat, lon)):
-        return f"no fix {name} the dive (time {time:g}, latitude {lat:g}, longitude {lon:g})"
-    if 0.0 <= time < LATEST:
+        when = iso(time) if is_time else f"{time:g}"
+        return (
+            f"no fix {name} the dive (time {when}, latitude {lat:g}, longitude {lon:g})"
+        )
+    if is_time:
         return ""
     years = f"must be from 1970 to {YEARS[1]}"
     return f"the fix {name} the dive is at {time:.10g} s since 1970; {years}"
 
 
-def in_minutes(lat: float, lon: float) -> str:
-    """Return what a place would be if it were written in degrees and minutes, empty if it is none.
+def misread(lat: float, lon: float) -> str:
+    """Return how a place looks if it is swapped, or in degrees and minutes; empty if it is none.
 
-    >>> in_minutes(5141.048, -12818.018)
+    >>> misread(5141.048, -12818.018)
     'looks like ddmm.mmm, degrees and minutes. Give decimal degrees, 51.684133 -128.300300'
-    >>> in_minutes(51.68, -128.3), in_minutes(199.0, 8.0)
+    >>> misread(-128.3, 51.68)
+    'latitude must be from -90 to 90. Are latitude and longitude swapped?'
+    >>> misread(51.68, -128.3), misread(199.0, 8.0)
     ('', '')
     """
+    if 90.0 < abs(lat) <= 180.0 and abs(lon) <= 90.0:
+        return "latitude must be from -90 to 90. Are latitude and longitude swapped?"
     if not (abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)):
         return ""
     in_degrees = degrees(np.array([lat, lon])).tolist()

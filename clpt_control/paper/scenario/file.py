@@ -90,7 +90,9 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
             f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
         )
     if TEAM in run.attrs:
-        raise DataError("the run is a team's; run.clpt.plot() draws a team")
+        raise DataError(
+            "the run is a team's. Give the run of one vehicle; run.clpt.plot() draws a team"
+        )
     if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError(
             "the run contains no scenario, as that of a diagram does not; "

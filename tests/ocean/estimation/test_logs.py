@@ -157,7 +157,8 @@ def test_a_bad_plan_loses_the_plan_not_the_fix(live):
     again = json.dumps(json.loads(lines[-1]) | {"plan": good})
     answers, _ = live([*lines, again])
     assert [answer["legs"] for answer in answers[:-1]] == [0, 1, 2, 3]
-    assert "must be later than" in answers[-2]["plan_refused"]
+    said = "plan: time 2026-05-01T00:00:00Z must be later than 2026-05-01T09:00:00Z"
+    assert answers[-2]["plan_refused"] == said
     assert answers[-1]["next"]["time"] == "2026-05-01T12:00:00Z"
     assert answers[-1]["next"]["radius_m"] > 0
 
@@ -175,6 +176,7 @@ def test_lines_between_fixes_are_appended_and_read_again(tmp_path, live):
     assert json.loads(state.read_text().splitlines()[-1]) == turn
     with state.open("a") as journal:
         journal.write('{"time": 17')
+    live(lines[7:8], "--state", state)
     answers, _ = live(lines[7:], "--state", state)
     assert answers[-1] == whole[-1]
 
@@ -201,6 +203,23 @@ def test_results_carry_the_skipped_legs(tmp_path, estimate, clpt):
     assert "log.csv, line 9: no course and speed before it" in skipped["why"]
     assert clpt("report", tmp_path / "l.nc", "-o", tmp_path / "l.html").status == 0
     assert "skipped: leg 7" in (tmp_path / "l.html").read_text()
+
+
+def test_stays_are_one_line_and_faults_are_named(tmp_path, estimate):
+    rows, read = mission(9, scatter=0.0, fix=0.0), []
+    for row in rows:  # an hour at the surface after each leg
+        read += [(row[0] - 3600.0, *row[1:3], np.nan, np.nan), row]
+    read[9] = (*read[9][:3], np.nan, 1.0)
+    skipped = estimate(table(tmp_path / "log.csv", read))["skipped"]
+    assert ["(one of 10 legs)" in skip["why"] for skip in skipped] == [True, False]
+    assert [skip["leg"] for skip in skipped] == [1, 10]
+    assert "one of course and speed is missing" in skipped[1]["why"]
+
+
+def test_swapped_latitude_and_longitude_are_named(tmp_path, estimate):
+    rows = [(row[0], row[2], row[1], *row[3:]) for row in mission(4)]
+    said = estimate(table(tmp_path / "log.csv", rows), status=2)
+    assert "must be from -90 to 90. Are latitude and longitude swapped?" in said
 
 
 # --- tables ---------------------------------------------------------------------------------------

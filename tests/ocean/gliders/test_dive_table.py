@@ -257,9 +257,12 @@ NOT_USED = [
     ({"lat_gpse": 0.0, "lon_gpse": 0.0}, "no fix after"),
     (
         {"lat_gpse": 91.0},
-        "no fix after the dive (time 1.01e+06, latitude 91, longitude 8.02)",
+        "latitude 91, longitude 8.02: latitude must be from -90 to 90. Are latitude and lon",
     ),
-    ({"lon_gps2": 408.0}, "no fix before"),
+    (
+        {"lon_gpse": 408.0, "t_gpse": 1462105201.0},
+        "no fix after the dive (time 2016-05-01T12:20:01Z, latitude",
+    ),
     ({"t_gpse": BASE.t_gps2}, "swapped"),
     ({"dr_north": -inf}, "not finite"),
     ({"t_gpse": BASE.t_gps2 + 1000}, "lasts 1000 s; must last longer than 1000 s"),
