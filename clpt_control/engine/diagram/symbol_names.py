@@ -8,7 +8,7 @@ these rules; a theory may define other rules in a subclass.
 """
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from math import prod
 from typing import Any, NamedTuple
 
@@ -91,9 +91,12 @@ def fields_of(system: Any) -> list[str]:
 
 
 class Names:
-    """The names of ports and parameters of a diagram."""
+    """The names of ports and parameters of a diagram; `unsigned` ones are any real numbers."""
 
-    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
+    def __init__(
+        self, wiring: Wiring, inputs: Iterable[str], unsigned: Set[str] = frozenset()
+    ):
+        self.unsigned = unsigned
         self.count = Counter([*inputs])
         self.kinds: dict[
             tuple[str, str], list[str]
@@ -143,14 +146,15 @@ class Names:
     def parameter(
         self, node: Node, name: str, value: np.ndarray, index: tuple
     ) -> sympy.Expr:
-        """Return the symbol of a parameter's element, which has the sign of its value."""
+        """Return the symbol of a parameter's element, with the sign of its value."""
         number = float(value[index])
         if is_linear(node.system) or not np.isfinite(number):
             return rational(number)
         sign = "positive" if number > 0 else "negative" if number < 0 else "real"
-        if name == "interval":  # its value -1 means that it is not set
-            sign = "real"
         label = element_name(self.port(node, name, "parameter"), value.shape, index)
+        # an interval's value -1 means that it is not set
+        if name == "interval" or label in self.unsigned:
+            sign = "real"
         return sympy.Symbol(label, **{sign: True})
 
 

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 import sympy
-from sympy import Expr, Mul, Poly, Pow, S
+from sympy import Add, Expr, Mul, Poly, Pow, S
 
 from ...engine.diagram.interconnection import Diagram
 from ..algebra.slopes import along
@@ -37,9 +37,17 @@ def terms_of(expression: Expr, fixed: set) -> list[Term]:
     total = squares(expression, fixed)
     if total is None or not total.constant.is_nonnegative:
         raise NoCertificate(f"{short(expression)} is not known as a sum of squares")
-    terms = [square(term, fixed) for term in total.terms]
+    parts = [part for term in total.terms for part in apart(term, fixed)]
+    terms = [square(part, fixed) for part in parts]
     constant = [Term(total.constant, [S.One])] * bool(total.constant)
     return of_gram(terms) + constant
+
+
+def apart(term: Expr, fixed: set) -> Iterable[Expr]:
+    """Return the parts of a term whose weight is a sum with even powers: (1 + b^2) x^2."""
+    weight, form = term.as_independent(*(term.free_symbols - fixed))
+    has_signs = all(s.is_positive or s.is_negative for s in weight.free_symbols)
+    return (term,) if has_signs else (w * form for w in Add.make_args(weight.expand()))
 
 
 def square(term: Expr, fixed: set) -> Term:
@@ -47,9 +55,12 @@ def square(term: Expr, fixed: set) -> Term:
     weight, form = S.One, S.One
     for factor in Mul.make_args(term):
         base, power = factor.as_base_exp()
-        if power.is_negative or factor.free_symbols <= fixed:
+        is_even = power.is_Integer and power.is_even
+        has_sign = base.is_positive or base.is_negative
+        is_form = is_even and base.is_Symbol and not has_sign
+        if power.is_negative or (factor.free_symbols <= fixed and not is_form):
             weight *= factor
-        elif power.is_Integer and power.is_even:
+        elif is_even:
             form *= base ** (power / 2)
         else:
             raise NoCertificate(f"{short(factor)} is no square")

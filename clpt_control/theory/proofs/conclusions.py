@@ -142,7 +142,8 @@ CONDITIONS = {  # name -> sentence
     "N": "for {}",
     "approximation": "of {}",
     "graphs": "on graphs of {}",
-    "values": "with the parameters' values",
+    "signs": "where {}",
+    "values": "with the parameters' values {}",
     "rounding": "to the rounding of numbers",
     "start": "where {} at the start",
     "truth": "where {}",
@@ -160,7 +161,18 @@ class Condition:
     of: str = ""
 
     def __str__(self) -> str:
-        return CONDITIONS[self.name].format(self.of)
+        return CONDITIONS[self.name].format(self.of).strip()
+
+
+def signs_of(symbols: Iterable[Any]) -> str:
+    """Return the signs that symbols have, as text: "a, b > 0 and c < 0"."""
+    chosen = [*symbols]
+    signs = (
+        ([s for s in chosen if s.is_positive], "> 0"),
+        ([s for s in chosen if s.is_negative], "< 0"),
+    )
+    listed = (f"{', '.join(sorted(map(str, of)))} {sign}" for of, sign in signs if of)
+    return " and ".join(listed)
 
 
 def for_sizes(sizes: Iterable[int]) -> Condition:

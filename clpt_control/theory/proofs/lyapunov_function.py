@@ -14,12 +14,12 @@ import control
 import sympy
 
 from ...base.arguments import Count, Seed, public
-from ...base.errors import DiagramError
+from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least
 from ..algebra.texts import short
 from .answers import Fall
-from .conclusions import CONCLUSIONS, concluded, strength
-from .judge import Verdict, asked, refuted, with_refutation
+from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
+from .judge import Answers, Verdict, asked, refuted, with_refutation
 from .region import Region
 from .searching import candidates
 from .signal_functions import function_of_signals
@@ -30,6 +30,52 @@ NOT_HELD = ("outside V", "existence")  # conditions on states that V does not co
 AS_STRONG = (
     "asymptotically stable"  # numbers are tried where LaSalle's rest is not shown
 )
+
+
+MOST_TRIES = 16  # judgements without signs of parameters
+
+
+def _with_signs(
+    verdict: Verdict, answers: Answers, read: Callable[..., SystemCandidate]
+) -> Verdict:
+    """Return a proof with the signs of parameters that its steps need as a condition.
+
+    A sign is not needed if the same steps hold for the parameter as any real number.  After
+    `MOST_TRIES` the signs that are left are conditions, needed or not.
+    """
+    case = answers.candidate
+    signed = [s for s in case.eq.values if s.is_positive or s.is_negative]
+    shown = sympy.Tuple(case.V, case.rate).free_symbols
+    likely, unlikely = (
+        [s for s in signed if (s in shown) == of] for of in (True, False)
+    )
+    groups, dropped = [*([s] for s in likely), unlikely], set[Any]()
+    for _ in range(MOST_TRIES):
+        if not groups:
+            break
+        group = groups.pop()
+        try:
+            found = asked(
+                read(points=1, unsigned={*map(str, dropped), *map(str, group)})
+            )
+        except ClptError:
+            continue
+        weaker = found.verdict()
+        if _texts(weaker) == _texts(verdict):
+            dropped |= {*group}
+            verdict = replace(verdict, ways=weaker.ways)
+        elif group[1:]:
+            half = len(group) // 2
+            groups += [group[half:], group[:half]]
+    needed = signs_of(s for s in signed if s not in dropped)
+    conditions = [Condition("signs", needed)] * bool(needed)
+    return replace(verdict, conditions=(*conditions, *verdict.conditions))
+
+
+def _texts(verdict: Verdict) -> tuple:
+    """Return a verdict as text, without how it was compared with the running blocks."""
+    steps = [(s.claim, s.holds, s.shows) for s in verdict.steps]
+    return verdict.sentence, f"{verdict.V}", f"{verdict.rate}", steps
 
 
 def _zeroed(verdict: Verdict) -> bool:
@@ -170,7 +216,14 @@ def lyapunov(
 
     def judged(V: Any, where: Mapping[str, Sequence] | None = where) -> Verdict:
         read = partial(
-            SystemCandidate, system, V, claim, at, points, seed, where=where or {}
+            SystemCandidate,
+            system,
+            V,
+            claim,
+            at,
+            points=points,
+            seed=seed,
+            where=where or {},
         )
         candidate = read(numbers=bool(within))
         if within:
@@ -193,6 +246,8 @@ def lyapunov(
         kept = candidate.kept_signs() if verdict.status == "open" and not where else {}
         if kept and (of_signs := judged(V, kept)).status == "proved":
             return of_signs
+        if verdict.status == "proved":
+            return _with_signs(verdict, answers, read)
         return with_refutation(candidate, answers, verdict)
 
     if within and where:

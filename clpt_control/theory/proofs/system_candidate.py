@@ -6,9 +6,9 @@ The equations are those that run; parameters are symbols of the signs that they 
 numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from math import pi
 from types import MappingProxyType
 from typing import Any
@@ -53,7 +53,7 @@ from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
-from .symbolic_loop import refuse_levels, refuse_names
+from .symbolic_loop import Point, refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
 NO_GAINS = MappingProxyType[Any, Any]({})
@@ -85,11 +85,14 @@ class SystemCandidate(LyapunovCandidate):
         seed: int = 0,
         numbers: bool = False,
         where: Mapping[str, Sequence[float | None]] = NO_GAINS,
+        unsigned: Set[str] = frozenset(),
     ):
         self.system, self.points, self.seed = system, points, seed
+        self.unsigned = unsigned
         self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
         written = self._equations(Names) if numbers else self.eq
+        self.parameters = written.values
         given = written.values.items() if numbers else ()
         values = {s: rational(float(number)) for s, number in given}
         rates = self.eq.motion.items()
@@ -117,7 +120,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def _equations(self, names: type[Names]) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
-        return on_symbols(self.system, names, watch=undefined_in, with_samples=True)
+        named = partial(names, unsigned=self.unsigned)
+        return on_symbols(self.system, named, watch=undefined_in, with_samples=True)
 
     def _as_it_runs(
         self, e: sympy.Expr, written: sympy.Expr, values: dict[Any, Any]
@@ -329,13 +333,22 @@ class SystemCandidate(LyapunovCandidate):
             if holds:
                 continue
             failure = find()
+            at = self._named(failure[0]) if failure else ""
             claim = f"{fails} at a point"
-            step = Step(claim, failure is not None, "counterexample", "", False)
+            step = Step(claim, failure is not None, "counterexample", at, False)
             if failure is not None:
                 claim = self.with_rate(f"{fails}: {failure[1]:.3g} at `point`")
                 return Refutation(claim, step, *failure), searches
             searches.append(step)
         return None, searches
+
+    def _named(self, point: Point) -> str:
+        """Return a point and the parameters' values as text: x = 2, u = 0, a = 1."""
+        inputs = (getattr(f, "func", f) for f in self.inputs)
+        names = [TIME, *self.states, *inputs, *self.level_values]
+        numbers = [point.t, *point.x, *np.ravel(point.u), *self.level_values.values()]
+        parts = zip(names, map(float, numbers), strict=True)
+        return ", ".join(f"{name} = {number:.6g}" for name, number in parts)
 
     def refuted_by_inputs(self) -> Refutation | None:
         """Return a point at which inputs raise V, however far from the rest."""
@@ -343,7 +356,8 @@ class SystemCandidate(LyapunovCandidate):
         if failure is None:
             return None
         inputs = " = ".join(self.depends_on(self.rate))
-        step = Step(f"{inputs} raises V however large it is", True, "counterexample")
+        said = f"{inputs} raises V however large it is"
+        step = Step(said, True, "counterexample", self._named(failure[0]))
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
         return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
 
@@ -355,7 +369,8 @@ class SystemCandidate(LyapunovCandidate):
         if failure is None:
             return None
         claim = f"V rises by {failure[1]:.3g} at a jump"
-        return Refutation(claim, exact(claim, False), *failure)
+        step = exact(claim, False, self._named(failure[0]))
+        return Refutation(claim, step, *failure)
 
     def _rises(self) -> Failure | None:
         """Return a point at which V' is above 0, or above the claim."""
@@ -496,7 +511,8 @@ class SystemCandidate(LyapunovCandidate):
         if self.kept:
             found.append(Condition("start", self.sets))
         found += [Condition("rounding")] * self.is_rounded
-        return found + [Condition("values")] * self.are_numbers
+        values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
+        return found + [Condition("values", ", ".join(values))] * self.are_numbers
 
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""

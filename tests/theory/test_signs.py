@@ -1,0 +1,183 @@
+"""Signs of parameters that a proof needs: each a condition, in the theorem and in its certificate.
+
+Each case has a loop, V and the signs without which the theorem is false, by a line of algebra.
+"""
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+
+HALF = lambda s: np.sum(s.x**2) / 2  # noqa: E731
+ENERGY = lambda s: (s.v**2 - s.k * s.x**2) / 2  # noqa: E731
+
+
+def block(update, states=1, inputs=(), **parameters):
+    ports = {"x": states} if isinstance(states, int) else dict.fromkeys(states, 1)
+    return clpt.Block(
+        "s",
+        update=update,
+        states=ports,
+        inputs=dict.fromkeys(inputs, 1),
+        parameters=parameters,
+    )
+
+
+def signs_of(verdict):
+    named = {condition.name: condition.of for condition in verdict.conditions}
+    return named.get("signs", "")
+
+
+def turning(t, x, u, p):
+    return {"x": p.w * x.y - p.c * x.x, "y": -p.w * x.x - p.c * x.y}
+
+
+def spring(t, x, u, p):
+    return {"x": x.v, "v": p.k * x.x + p.c * x.v}
+
+
+CASES = {
+    "V' has the sign of b": (
+        block(lambda t, x, u, p: {"x": p.b * x.x}, b=-2.0),
+        HALF,
+        "b < 0",
+    ),
+    "V has the sign of -b": (
+        block(lambda t, x, u, p: {"x": p.b * x.x}, b=-2.0),
+        lambda s: -s.b * s.x**2 / 2,
+        "b < 0",
+    ),
+    "a positive one": (
+        block(lambda t, x, u, p: {"x": -p.b * x.x}, b=2.0),
+        lambda s: s.b * s.x**2 / 2,
+        "b > 0",
+    ),
+    "a product": (
+        block(lambda t, x, u, p: {"x": p.k * p.m * x.x}, k=-2.0, m=1.0),
+        HALF,
+        "m > 0 and k < 0",
+    ),
+    "a divisor": (block(lambda t, x, u, p: {"x": x.x / p.b}, b=-2.0), HALF, "b < 0"),
+    "an even power beside 1": (
+        block(lambda t, x, u, p: {"x": -(1 + p.b**2) * x.x}, b=-2.0),
+        HALF,
+        "",
+    ),
+    "forces that do no work": (
+        block(turning, ("x", "y"), w=-3.0, c=1.0),
+        lambda s: (s.x**2 + s.y**2) / 2,
+        "c > 0",
+    ),
+    "elements of a vector": (
+        block(
+            lambda t, x, u, p: {"x": np.array([-1.0, 1.0]) * p.g * x.x},
+            2,
+            g=np.array([2.0, -1.0]),
+        ),
+        HALF,
+        "g[0] > 0 and g[1] < 0",
+    ),
+    "an energy": (block(spring, ("x", "v"), k=-2.0, c=-1.0), ENERGY, "c, k < 0"),
+    "a state outside of V": (
+        block(lambda t, x, u, p: {"x": -x.x, "y": p.d * x.y + x.x}, ("x", "y"), d=-2.0),
+        HALF,
+        "d < 0",
+    ),
+    "an input": (
+        block(
+            lambda t, x, u, p: {"x": p.b * x.x + p.h * u.u},
+            inputs=("u",),
+            b=-2.0,
+            h=-1.0,
+        ),
+        HALF,
+        "b < 0",
+    ),
+    "the place of the rest": (
+        block(lambda t, x, u, p: {"x": p.r - x.x}, r=-2.0),
+        lambda s: (s.x - s.r) ** 2 / 2,
+        "",
+    ),
+    "python-control's": (
+        control.nlsys(
+            lambda t, x, u, p: [p["b"] * x[0]],
+            states=["x"],
+            inputs=0,
+            outputs=["x"],
+            params={"b": -2.0},
+            name="n",
+        ),
+        HALF,
+        "b < 0",
+    ),
+}
+
+
+@pytest.mark.parametrize(("system", "V", "signs"), CASES.values(), ids=CASES)
+def test_the_signs_that_a_proof_needs_are_its_conditions(system, V, signs):
+    verdict = clpt.lyapunov(system, V)
+    assert (verdict.status, signs_of(verdict)) == ("proved", signs), verdict
+    assert (f"where {signs}" in verdict.sentence) == bool(signs)
+    assumed = verdict.latex().partition("Assumptions: ")[2].partition("\n")[0]
+    assert assumed.count("> 0$") + assumed.count("< 0$") == signs.count(" 0")
+    # the certificate is of the same statement
+    data = verdict.certificate()
+    above = [name for name in signs.partition(" >")[0].split(", ") if "> 0" in signs]
+    below = signs.rpartition("and ")[2].removesuffix(" < 0").split(", ")
+    below = [f"minus_{name}" for name in below if "< 0" in signs]
+    assert {*data["positive"]} <= {*above, *below}
+
+
+def test_the_other_sign_is_refuted():
+    wrong = clpt.lyapunov(block(lambda t, x, u, p: {"x": p.b * x.x}, b=2.0), HALF)
+    assert (wrong.status, wrong.conditions) == ("refuted", ())
+
+
+def adaptive(b, sign):
+    """Model reference: x' = a x + b u, u = k_x x + k_r r, laws with the sign of b."""
+
+    def rates(t, x, u, p):
+        e = x.x - x.m
+        return {
+            "x": p.a * x.x + p.b * (x.k_x * x.x + x.k_r * u.r),
+            "m": p.a_m * (u.r - x.m),
+            "k_x": -sign * p.gamma * e * x.x,
+            "k_r": -sign * p.gamma * e * u.r,
+        }
+
+    states = ("x", "m", "k_x", "k_r")
+    return block(rates, states, ("r",), a=1.0, b=b, a_m=4.0, gamma=2.0)
+
+
+def V_of_adaptive(s):
+    missed = (s.k_x + (s.a_m + s.a) / s.b) ** 2 + (s.k_r - s.a_m / s.b) ** 2
+    return (s.x - s.m) ** 2 / 2 + abs(s.b) / (2 * s.gamma) * missed
+
+
+@pytest.mark.parametrize("b", [3.0, -2.0])
+def test_model_reference_control_assumes_the_sign_of_b_but_not_of_a(b):
+    verdict = clpt.lyapunov(adaptive(b, np.sign(b)), V_of_adaptive)
+    signs = "a_m, b, gamma > 0" if b > 0 else "a_m, gamma > 0 and b < 0"
+    assert (verdict.conclusion, signs_of(verdict)) == ("goes to zero", signs)
+    data = verdict.certificate()
+    assert {*data["positive"]} == {"a_m", "gamma", "b" if b > 0 else "minus_b"}
+    assert (data["constants"], "minus_b = -b" in data["conditions"]) == (["a"], b < 0)
+
+
+def test_a_refutation_is_typeset_with_its_point():
+    verdict = clpt.lyapunov(adaptive(-2.0, 1.0), V_of_adaptive)
+    text = verdict.latex()
+    assert verdict.status == "refuted"
+    assert not [raw for raw in ("\\_", "`", "*") if raw in text]
+    step = next(line for line in text.splitlines() if "counterexample" in line)
+    assert all(f"${name} = " in step for name in ("x", "k_{x}", "r", "b"))
+    x = verdict.point.x[0]
+    assert f"$x = {x:.6g}$" in step
+
+
+def test_values_are_printed_where_the_proof_is_of_them():
+    system = block(lambda t, x, u, p: {"x": (p.m - p.k) * x.x}, k=2.0, m=0.1)
+    verdict = clpt.lyapunov(system, HALF)
+    assert verdict.sentence.endswith("with the parameters' values k = 2, m = 0.1")
+    assert "values $k = 2$, $m = 0.1$." in verdict.latex()
