@@ -19,7 +19,7 @@ import sympy
 
 from ...engine.diagram.symbol_names import typeset
 from ..algebra.texts import bound_text
-from .conclusions import Judged
+from .conclusions import Judged, signs_of
 
 ESCAPED = {"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\~{}"}
 ESCAPED |= {letter: f"\\{letter}" for letter in "&%$#_{}"}
@@ -41,6 +41,7 @@ OWN = {
 INDEXED = (
     r"[A-Za-z][\w.]*(?:_\w+|\[[\d,]+\])"  # plant.x[0], e_1: a name wherever it stands
 )
+NAMED = r"[A-Za-z][\w.\[\],]*(?=, | [=<>] )"  # k_x[0] = 2, a > 0
 FREE = "crtNq"  # letters of claims: V' <= -r V + c, |q|^2, for t >= 0
 FUNCTIONS = "Abs|Max|Min|abs|acos|asin|atan|cosh?|exp|log|sinh?|sqrt|tanh?"
 NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?!\w)"
@@ -61,7 +62,13 @@ def theorem_and_proof(
     environment = name[judged.status]
     expressions = [e for e in (V, rate) if e is not None]
     diagram = getattr(judged, "diagram", None)
-    inputs = getattr(judged, "inputs", ()), getattr(diagram, "input_labels", ())
+    inputs: tuple[Any, ...] = (
+        getattr(judged, "inputs", ()),
+        getattr(diagram, "input_labels", ()),
+    )
+    named = [c.of for c in judged.conditions if c.name in ("signs", "values")]
+    named += [s.detail for s in judged.steps if s.how == "counterexample"]
+    inputs += (re.findall(NAMED, f"{named}"),)
     text = Typesetter(expressions, chain.from_iterable(inputs))
     displayed = [
         equation(left, e) for left, e in (("V", V), (r"\dot V", rate)) if e is not None
@@ -70,13 +77,12 @@ def theorem_and_proof(
     if isinstance(judged.level, sympy.Basic) and not judged.bound:
         shown = replace(judged, level="level").shown
         shown += f", with level = {bound_text(judged.level)}"
-    shown = text.sentence(shown)
+    shown = text.sentence(shown.replace("`point`", "the point of the last step"))
     body = [*displayed, f"Then {shown}." * bool(shown)]
     assumed = [text.sentence(condition) for condition in judged.conditions]
-    symbols = sympy.Tuple(*expressions).free_symbols
-    positive = sorted((s for s in symbols if s.is_positive), key=str)
-    if positive and judged.status == "proved":
-        assumed.append(f"${', '.join(map(mathematics, positive))} > 0$")
+    signs = signs_of(sympy.Tuple(*expressions).free_symbols)
+    if diagram and signs and judged.status == "proved":  # a law's
+        assumed.append(text.sentence(signs))
     body += [f"Assumptions: {'; '.join(assumed)}."] if assumed else []
     lines = [rf"\begin{{{environment}}}", "Let", *body, rf"\end{{{environment}}}"]
     return "\n".join([*lines, *_proof_of(judged, text)])
@@ -128,8 +134,9 @@ class Typesetter:
         symbols = sympy.Tuple(*expressions)
         names: dict[str, Any] = {letter: sympy.Symbol(letter) for letter in FREE}
         names |= {name: sympy.Symbol(name) for name in inputs}
-        for function in symbols.atoms(sympy.core.function.AppliedUndef):
-            names[str(function.func)] = sympy.Symbol(str(function.func))
+        calls = symbols.atoms(sympy.core.function.AppliedUndef)
+        names |= {str(f.func): sympy.Symbol(str(f.func)) for f in calls}
+        self.calls = {f"{f}": f"{f.func}" for f in calls}  # r(t): r
         names |= {str(symbol): symbol for symbol in symbols.free_symbols}
         self.names: Mapping[str, Any] = names
         words = sorted(map(re.escape, [*names, *OWN]), key=len, reverse=True)
@@ -145,6 +152,8 @@ class Typesetter:
     def sentence(self, text: Any) -> str:
         """Return a sentence: formulas as mathematics, other signs of LaTeX escaped."""
         text, parts, end = f"{text}", [], 0
+        for call, name in self.calls.items():
+            text = re.sub(rf"(?<![\w.]){re.escape(call)}", name, text)
         for found in self.formula.finditer(text):
             before, behind = (
                 text[: found.start()].rstrip(),
