@@ -28,7 +28,7 @@ from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
 from ..engine.methods.table import TAYLOR
 from ..engine.solver import solver_layout as layout
-from ..engine.solver.batch import Batch
+from ..engine.solver.batch import MEMBER_STEPS, Batch
 from ..engine.solver.callee import Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.filippov import continue_run, continued_ends
@@ -351,6 +351,7 @@ class Ensemble:
         parameters, start, inputs = self.varied.member(member_values)
         options = {} if self.native.wiring.dt else self.varied.options
         runner = self.native.with_parameters(parameters)
+        runner.most = min(runner.most, MEMBER_STEPS)
         return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
 
 

@@ -33,6 +33,7 @@ from ..base.errors import (
 from ..base.files import check_writable
 from ..base.progress import interrupt, progress_shown, warn
 from ..base.progress.processes import processes
+from ..engine.solver.solver_layout import Status
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
@@ -274,6 +275,8 @@ def _reporter(out: Any, members: int, show: Callable[[int], None]) -> Report:
 def _failure(ensemble: Ensemble, values: Values, m: int, number: int) -> str:
     """Run a failed member again and return the reason, which begins with its status."""
     status = STATUS[number].replace("_", " ")
+    if number == Status.DIVERGING:
+        return f"{status}: {Status.DIVERGING.sentence}"
     runner, arguments, options = ensemble.single(values, m)
     try:
         runner.signals(runner.run(*arguments, **options), options["inputs"])

@@ -435,3 +435,18 @@ def test_a_loop_runs_as_its_scenario_says():
     )
     assert np.allclose(found.e[0], run.clpe, rtol=0, atol=1e-12)
     assert np.abs(found.e[0] - exact.clpe).max() > 1e-9
+
+
+def test_members_that_grow_and_turn_ever_faster_end_early():
+    def rates(t, x, u, p):
+        return [p["growth"] * x[0], x[0] * x[2], -x[0] * x[1]]
+
+    plant = system(
+        rates, params={"growth": 1.0}, states=3, outputs=["a", "b", "c"], name="plant"
+    )
+    given = {"initial_state": [1.0, 0.0, 1.0], "timepts": np.linspace(0.0, 20.0, 5)}
+    with pytest.warns(UserWarning, match=r"1 of 2 members .* diverges: the states grow"):
+        data = clpt.run_ensemble(plant, {"growth": [-1.0, 2.0]}, **given)
+    assert data.status.values.tolist() == [1, 8]
+    assert 5.0 <= float(data.end[1]) < 10.0
+    np.testing.assert_allclose(data.b_final[0], np.sin(1.0 - np.exp(-20.0)), atol=1e-7)

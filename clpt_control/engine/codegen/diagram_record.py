@@ -23,7 +23,7 @@ from ..diagram.wiring import Wiring
 from ..model.block import Block
 from ..model.ports import places
 from ..model.system import System
-from ..record.graph import Operation, Record, bound
+from ..record.graph import PIVOT, Operation, Record, bound
 from ..record.operations import named
 from ..record.unread import Unread
 from ..trace.arrays import Tape
@@ -396,7 +396,7 @@ class DiagramRecord(RecordMerger):
             at = at, lengths[at], long[at]
         lengths, long = self._axes(block, shape)
         samples = block.first_held is not None  # samples stay for a step
-        is_smooth = samples or (block.opaque and block.of_package)
+        is_smooth = samples or at == PIVOT or (block.opaque and block.of_package)
 
         def put(kind: str, *operands: Ref) -> Ref:
             entry = self.add(kind, operands, lengths, at, k)

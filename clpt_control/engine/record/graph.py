@@ -41,6 +41,7 @@ import numpy as np
 from .operations import ELEMENTWISE
 
 MOST_NUMBERS = 20_000  # of an array that is a value, and is compared with what it was
+PIVOT = "pivot"  # `at` of a comparison that chooses a pivot
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
 

@@ -52,6 +52,8 @@ PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
+WINDOW = 10_000  # tries over which the pace of a run is measured
+GROWTH = 1e6  # of states, at which a run diverges if its pace is too slow to reach the end
 
 
 class Batch:
@@ -219,6 +221,7 @@ class Batch:
             self.runs.parameters[:, first - 2 : first] = rtol, atol
         budget = max(64, BEGIN // self.callee.nstates)
         active = 1
+        measured: dict[int, tuple[int, float]] = {}  # tries and time of each run
         while active:
             check()
             begin = time.perf_counter()
@@ -235,6 +238,7 @@ class Batch:
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
+            self._end_diverging(most, rtol, atol, measured)
             watch(int(self.counts[0, 0] + self.counts[0, 3]), self.now)
             if over_kinks is not None and active:
                 following = over_kinks.following(self)
@@ -258,6 +262,27 @@ class Batch:
         self._tolerances[:] = max(rtol, 2.3e-14), atol
         self._call[-2:] = budget, most
         return self.callee.call("advance", self._call)
+
+    def _end_diverging(
+        self,
+        most: int,
+        rtol: float,
+        atol: float,
+        measured: dict[int, tuple[int, float]],
+    ) -> None:
+        """End runs with far larger states than at first that need more than `most` tries."""
+        for k, m in enumerate(self.integers[RUN_INDEX].tolist()):
+            tries = int(self.counts[m, 0] + self.counts[m, 3])
+            now = float(self.lane[TIME, k])
+            last_tries, last_time = measured.get(m, (0, float(self.times[0])))
+            if m < 0 or tries - last_tries < WINDOW:
+                continue
+            measured[m] = tries, now
+            ahead = (self.times[-1] - now) * (tries - last_tries)
+            is_too_slow = ahead > (most - tries) * (now - last_time)
+            first = max(np.abs(self.runs.states[m]).max(), atol / max(rtol, 1e-14))
+            if is_too_slow and np.abs(self.states[STATE, :, k]).max() > GROWTH * first:
+                self.status[m] = Status.DIVERGING  # the solver takes the next run
 
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
         """End the run of a lane if it is stiff; another batch continues it."""

@@ -59,7 +59,13 @@ class Status(IntEnum):
         "jumps at its level without end. End the run before, with a guard that stops it, or let "
         "the jump hold the states at rest",
     )
-    STIFF = 8, "stiff", "left to an implicit method"
+    DIVERGING = (
+        8,
+        "diverges",
+        "the states grow without bound, and rates change too fast to reach the end. Check the sign "
+        "and size of the gains, or stop the run with a guard",
+    )
+    STIFF = 9, "stiff", "left to an implicit method"
 
 
 # Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and

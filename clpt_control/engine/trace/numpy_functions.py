@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from ..record.graph import PIVOT
 from ..record.unread import Unread
 from . import views
-from .arrays import HOOKS, Array, Tape, moves, objects
+from .arrays import HOOKS, Array, Tape, moves, objects, operand
 from .elementwise import (
     as_number,
     boxed,
@@ -140,6 +141,15 @@ def _rows(matrix: Any) -> list[Any]:
     return [matrix[k] for k in range(count)]
 
 
+def _is_better_pivot(a: Any, b: Any) -> Any:
+    """Return |a| > |b|; no switch to locate, as x is the same with either pivot."""
+    tape = next((v._tape for v in (a, b) if isinstance(v, Array)), None)
+    if tape is None:
+        return abs(a) > abs(b)
+    sizes = [tape.add("fabs", (operand(v),), (), PIVOT)._ref for v in (a, b)]
+    return tape.add("gt", sizes, (), PIVOT)
+
+
 def _eliminate(rows: list[Any], divisor: Callable = lambda pivot: pivot) -> Any:
     """Make rows triangular, in place; return the sign of their permutation."""
     sign: Any = 1.0
@@ -151,7 +161,7 @@ def _eliminate(rows: list[Any], divisor: Callable = lambda pivot: pivot) -> Any:
         for i in range(k + 1, count):
             upper = rows[k]
             lower = rows[i]
-            is_larger = np.greater(np.fabs(lower[k]), np.fabs(upper[k]))
+            is_larger = _is_better_pivot(lower[k], upper[k])
             rows[k] = where(is_larger, lower, upper)
             rows[i] = where(is_larger, upper, lower)
             sign = where(is_larger, -sign, sign)

@@ -380,3 +380,15 @@ def test_a_held_table_in_time_is_read_at_a_place_that_is_reckoned(held):
     wanted = 0.1 * np.concatenate([[0.0], np.cumsum(ROWS)])[::10][:11]
     np.testing.assert_allclose(found.states[:, 0], wanted, atol=1e-9)
     assert found.attrs["engine"] == "native"
+
+
+def test_pivots_of_linear_equations_are_no_switches():
+    """A x' = b, with the other row on top in each half turn; no step ends at the change."""
+
+    def rates(t, x, u, p):
+        c, s = np.cos(3.0 * t), np.sin(3.0 * t)
+        return np.linalg.solve(np.array([[c, -s], [s, c]]), [c - s, s + c])
+
+    found = run(rates, [0.0, 0.0])
+    np.testing.assert_allclose(found.states, np.transpose([T, T]), atol=1e-9)
+    assert found.attrs["solver_restarts"] <= 1
