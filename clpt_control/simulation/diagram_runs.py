@@ -129,7 +129,7 @@ class DiagramRun(SystemRun):
         self.scenario = self.loop and self.loop.scenario
         wiring = wiring_of(diagram, params, sizes)
         if stop is not None:
-            wiring = with_stop(wiring, stop)
+            wiring = with_stop(wiring, stop, *labels_of(diagram, wiring)[:2])
         apart = fields_of(wiring, varied)
         super().__init__(diagram.name, wiring, params and dict(params), engine, apart)
         outputs, inputs, self.states = labels_of(diagram, self.wiring)

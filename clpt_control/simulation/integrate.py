@@ -58,10 +58,10 @@ def simulate(
         A team gives a dimension ``vehicle``. A diagram that `closed_loop` made knows its scenario.
     timepts : array_like, optional
         Times of the samples, increasing, or a response with these times; a scenario and a team
-        have their own
-        (multiples of ``run.output_step``, and the end). At a repeated time, ``[0, 1, 1, 2]``,
-        `inputs` jump, and the run has one sample, the right limit. Those of a diagram of discrete
-        time are multiples of its ``dt`` apart.
+        have their own (multiples of ``run.output_step``, and the end). A repeated time is a jump
+        of `inputs`: ``[0, 1, 1, 2]`` takes four values of each input, before and after the jump
+        at 1, and the run has three samples, that at 1 after the jump. Times of a diagram of
+        discrete time are multiples of its ``dt`` apart.
     inputs : array_like, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a list
@@ -84,8 +84,9 @@ def simulate(
         ``"native"``, machine code, which gives way to ``"python"`` for what cannot be compiled; the
         attribute ``engine`` says what ran.
     stop : callable, optional
-        For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
-        it falls to 0. Of a truth value it ends where that is no longer true.
+        For a diagram: ``stop(t, y, u)`` of its outputs y and inputs u, by index or name,
+        ``y[0]`` or ``y.angle``. If it returns a number, the run ends where the number falls to 0;
+        if it returns a truth value, such as ``y.angle < 1``, where the value becomes false.
     method : str, optional
         ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5;
         ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps; or

@@ -18,9 +18,11 @@ from ...base.html import shortened
 from ...base.notebook_display import diagram_html
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
-from ..model.ports import counts_of, labels, whole_labels
+from ..model.ports import Slices, counts_of, labels, ports_of, vector, whole_labels
 from ..model.sampled import Sampled
 from ..model.system import System
+from ..trace.arrays import Array
+from ..trace.tracing import Ports
 from .wiring import (
     Params,
     Part,
@@ -381,8 +383,25 @@ def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wi
 STOP = "stop"  # name of the block
 
 
-def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
-    """Return the wiring with a block that reads outputs and inputs, and ends the run."""
+def _named(values: Any, labels: Sequence[str]) -> Any:
+    """Return a vector with the ports of its labels: ``y[0]``, ``y.angle``."""
+    ports: Slices = {
+        name: (slice(at[0], at[-1] + 1), (len(at),) if len(at) > 1 else ())
+        for name, at in ports_of(labels).items()
+        if at[-1] - at[0] < len(at)  # without another port between
+    }
+    if isinstance(values, Array):
+        return Ports.of(values, ports)
+    return vector(values, ports)
+
+
+def with_stop(
+    wiring: Wiring,
+    stop: Callable[[float, Any, Any], Any],
+    outputs: Sequence[str],
+    inputs: Sequence[str],
+) -> Wiring:
+    """Return the wiring with a block that reads labelled outputs and inputs, and ends the run."""
     if not callable(stop):
         raise DiagramError(
             f"stop = {brief(stop)}: must be a function of t, outputs and inputs"
@@ -395,24 +414,24 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         )
 
     def distance(t, x, u, p):
-        value = stop(t, u.y, u.u)
+        value = stop(t, _named(u.y, outputs), _named(u.u, inputs))
         is_truth = isinstance(value, bool) or attribute_of(value, "dtype") == np.bool_
         return np.where(value, 1.0, -1.0) if is_truth else value
 
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{attribute_of(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
-    ninputs, outputs = wiring.ninputs, wiring.outputs
+    ninputs = wiring.ninputs
     block = Block(
         STOP,
         output=lambda t, x, u, p: {},
-        inputs={"y": len(outputs), "u": ninputs},
+        inputs={"y": len(wiring.outputs), "u": ninputs},
         outputs={},
         guard=Guard(distance, "stop", sentence),
     )
     rows = [row for node in wiring.nodes for row in node.rows]
-    rows += [*outputs, *({~k: 1.0} for k in range(ninputs))]
+    rows += [*wiring.outputs, *({~k: 1.0} for k in range(ninputs))]
     order = (*wiring.order, len(wiring.nodes))
     return ordered_wiring(
-        [*wiring.blocks, (STOP, block)], rows, ninputs, outputs, order=order
+        [*wiring.blocks, (STOP, block)], rows, ninputs, wiring.outputs, order=order
     )

@@ -194,6 +194,17 @@ class Ports(Array):
         for leaf in self._ports.values():
             leaf._fixed = True
 
+    @classmethod
+    def of(cls, array: Array, ports: Mapping[str, tuple[slice, Shape]]) -> "Ports":
+        """Return a vector with its ports as views."""
+        new = cls.__new__(cls)
+        Array.__init__(new, array._tape, array._node, array.shape)
+        new._ports = {
+            port: array[part].reshape(shape) for port, (part, shape) in ports.items()
+        }
+        new._fixed = True
+        return new
+
     def __getattr__(self, name: str) -> Any:
         if name in self._ports:
             return self._ports[name]

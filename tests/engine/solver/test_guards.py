@@ -174,3 +174,37 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     assert list(runs.reached) == [3, 3, 2, 2, 2]
     assert np.isnan(runs.out[2:, 2]).all()
     np.testing.assert_allclose(runs.out[:, 1], starts + 0.4, atol=1e-9)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+@pytest.mark.parametrize(
+    "stop",
+    [
+        lambda t, y, u: 1.0 - y.h[1] + u.q,
+        lambda t, y, u: y.h[1] < 1.0 + u.q,
+        lambda t, y, u: 1.0 - y[1] + u[0],
+        lambda t, y, u: 1.0 + u.q - np.max(y.h),
+        lambda t, y, u: y.level < 2.0 + u.q,
+    ],
+)
+def test_stop_reads_outputs_and_inputs_by_name(engine, stop):
+    """h = (0, t), level = 1 + t: the run ends at t = 1 + q."""
+    tank = clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"h": np.array([0.0, 1.0])},
+        output=lambda t, x, u, p: {"h": x.h, "level": 1.0 + x.h[1]},
+        states={"h": 2},
+        inputs={"q": 1},
+        outputs={"h": 2, "level": 1},
+    )
+    run = clpt.simulate(
+        tank, np.linspace(0.0, 4.0, 5), {"q": 0.5}, engine=engine, stop=stop
+    )
+    assert run.attrs["engine"] == engine
+    np.testing.assert_allclose(run.time[-1], 1.5, rtol=1e-9)
+
+
+def test_a_wrong_name_in_stop_is_answered_with_the_ports():
+    wrong = {"stop": lambda t, y, u: y.w}
+    said = "no port 'w'; there are h"
+    says(clpt.BlockError, said, clpt.simulate, falling(), [0.0, 1.0], **wrong)
