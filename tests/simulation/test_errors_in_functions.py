@@ -307,3 +307,10 @@ def test_out_and_back_within_a_step_is_found(drift, farthest):
 def test_more_samples_than_memory_holds_are_refused_before_work(of):
     said = r"timepts: 8000000 samples of \d+ states and signals"
     says(SimulationError, said, clpt.simulate, of(PAPER), 1e-4 * np.arange(8_000_000))
+
+
+def test_a_mistyped_parameter_is_answered_with_the_parameters():
+    declared = {"states": {"h": 1}, "parameters": {"leak": 1.0}}
+    update = lambda t, x, u, p: {"h": -p.leek * x.h}  # noqa: E731
+    said = "no parameter 'leek'; there are leak"
+    says(clpt.BlockError, said, Block, "tank", update=update, **declared)

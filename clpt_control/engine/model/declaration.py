@@ -194,6 +194,11 @@ METHODS = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # of Par
 class Parameters(SimpleNamespace):
     """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
 
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(
+            f"no parameter {name!r}; there are {', '.join(vars(self)) or 'none'}"
+        )
+
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"parameters stay as they are. Set no {name!r}")
 
