@@ -11,7 +11,7 @@ import control
 import numpy as np
 
 from ..base.arguments import numbers
-from ..base.errors import SimulationError
+from ..base.errors import ArgumentError, SimulationError
 from ..base.progress import warn
 from ..engine.diagram.named_values import check_rows, columns_of
 from ..engine.solver.schedule import Inputs, checked_state, read_inputs, stacked
@@ -77,6 +77,11 @@ def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
         if len(columns) == 1 or values.ndim == 0:
             values = np.array([values] * len(columns))
         check_rows("inputs", name, values, len(columns))
+        count = np.size(getattr(timepts, "time", timepts))
+        if values.ndim > 1 and values.shape[1:] not in ((1,), (count,)):
+            raise ArgumentError(
+                f"inputs['{name}']: has {values.shape[-1]} values; there are {count} times"
+            )
         for column, row in zip(columns, values, strict=True):
             rows[column] = row if row.ndim else float(row)
     return rows

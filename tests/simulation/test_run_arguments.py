@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from error_sentences import says
 
 import clpt_control as clpt
 
@@ -136,3 +137,9 @@ def test_signals_of_a_response_drive_inputs_of_their_names():
         clpt.simulate(lag(), TIMES, control.step_response(control.ss(-1, 1, 1, 0), 1))
     with pytest.raises(clpt.SimulationError, match="Give timepts within these times"):
         clpt.simulate(lag(), [0, 5], response)
+
+
+def test_samples_of_an_input_that_do_not_fit_the_times_are_named():
+    said = r"inputs\['torque'\]: has 8 values; there are 9 times"
+    inputs = {"torque": np.zeros(8)}
+    says(clpt.ArgumentError, said, clpt.simulate, lag(), TIMES, inputs)
