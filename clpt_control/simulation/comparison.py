@@ -296,19 +296,22 @@ def changing_ports(run: "xarray.Dataset") -> list[str]:
     return changing or ports
 
 
-def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
+def signals_of(port: "xarray.DataArray", along: str = "time") -> dict[str, np.ndarray]:
     """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
     name = str(port.name)
-    index_dim = f"{name.rstrip('_')}_{INDEX}"
-    dims = [str(dim) for dim in port.dims if dim != "time"]
-    dims.sort(key=lambda dim: dim.rstrip("_") != index_dim)  # the index first
-    columns = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1).T
+
+    def is_index(dim: str) -> bool:
+        return dim.rstrip("_").endswith(f"_{INDEX}")
+
+    dims = [str(dim) for dim in port.dims if dim != along]
+    dims.sort(key=lambda dim: not is_index(dim))  # the index first
+    columns = port.transpose(along, *dims).values.reshape(port.sizes[along], -1).T
     coordinates = product(*(port[dim].values for dim in dims))
     signals = {}
     for column, values in zip(columns, coordinates, strict=True):
         label = name
         for dim, value in zip(dims, values, strict=True):
-            if dim.rstrip("_") == index_dim:
+            if is_index(dim):
                 label += f"[{value}]"
             elif isinstance(value, tuple):  # a member, with a value of each varied name
                 names = port.indexes[dim].names

@@ -191,8 +191,8 @@ def export(
     scenario: ScenarioFile,
     out: Path | None = opt(
         "FILE",
-        "File to write: C (.c), an FMU (.fmu), a run's track (.kml, .geojson) or learned flow "
-        "(.nc), with "
+        "File to write: C (.c), an FMU (.fmu), a run's track (.kml, .geojson), learned flow "
+        "(.nc) or table (.csv, .mat), an ensemble's table (.csv), with "
         "--drawing .svg, .png, .pdf or .mmd; default of a drawing: Mermaid text.",
         "-o",
         "--out",
@@ -203,13 +203,14 @@ def export(
     ),
     single: bool = flag("Write C with float in place of double.", "--single"),
 ) -> None:
-    """Write a loop as C99, an FMU or a drawing; a run as a map.
+    """Write a loop as C99, FMU or drawing; a run as a map or table.
 
     Example:
         clpt export mine.toml -o loop.c
         clpt export mine.toml --part learner -o learner.c
         clpt export run.nc -o track.kml
         clpt export run.nc -o map.nc
+        clpt export run.nc -o run.csv
         clpt export mine.toml --drawing -o loop.svg
     """
     from ...base.files.reading import open_netcdf
@@ -222,13 +223,21 @@ def export(
         return
     if out is None:
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
+    if out.suffix in (".csv", ".mat"):
+        from ..pages.writing import read
+
+        read(scenario).clpt.table(out)
+        say(f"Wrote {out}")
+        return
     if out.suffix in (*SUFFIXES, ".nc"):
         with open_netcdf(scenario) as data:
             estimate = data.load() if kind_of(data) == "fixes" else None
         clpt.export(clpt.load_run(scenario) if estimate is None else estimate, out)
         say(f"Wrote {out}")
         return
-    check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES, ".nc"))
+    check_writable(
+        out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
+    )
     clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
     say(f"Wrote {out}")
 

@@ -77,6 +77,8 @@ def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
     from pandas import DataFrame
 
     ports = [run[name] for name in ports_along(run)]
+    if not ports and "member" in run.dims:
+        return _table_of_members(run)
     if "time" not in run.dims or not ports:
         raise DataError("the dataset has no signal along time, so it has no table")
     columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
@@ -87,6 +89,23 @@ def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
         ]
     names, values = zip(*columns, strict=True)
     return DataFrame(np.column_stack(values), columns=[*names])
+
+
+def _table_of_members(data: "xarray.Dataset") -> "pandas.DataFrame":
+    """Return varied parameters and summaries of an ensemble, one row a member."""
+    from pandas import DataFrame
+
+    columns = {"member": np.arange(data.sizes["member"])}
+    for name in ("status", *data.coords, *data.data_vars):
+        values = data[name]
+        if "member" not in values.dims or name == "member":
+            continue
+        if "flag_meanings" in values.attrs:
+            meanings = np.array(values.attrs["flag_meanings"].split())
+            values = values.copy(data=meanings[values])
+        for label, column in signals_of(values, "member").items():
+            columns[named(label, values.attrs.get("units"))] = column
+    return DataFrame(columns)
 
 
 def write_mat(run: "xarray.Dataset", path: Path) -> None:
@@ -172,8 +191,11 @@ class ClptAccessor:
         if not isinstance(name, str) or name not in plots:
             if self.kind in ("run", "diagram"):
                 return signals_plot(self._data, name, ax=ax, **options)
-            names = ", ".join(filter(None, plots)) or "no name"
-            raise ArgumentError(f"plot '{name}': must be {names}, for a {self.kind}")
+            names = ", ".join(filter(None, plots))
+            advice = f"there is one plot of this {self.kind}. Leave the name out"
+            if names:
+                advice = f"must be {names}, for a {self.kind}"
+            raise ArgumentError(f"plot '{name}': {advice}")
         module, plot = plots[name]
         draw = getattr(import_module(f"clpt_control.{module}"), plot)
         return draw(self._data, ax=ax, **options)
@@ -257,11 +279,16 @@ class ClptAccessor:
 
     @public
     def table(self, path: str | PathLike[str] | None = None) -> "pandas.DataFrame":
-        """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
+        """Return a run as a table, one column a signal; an ensemble, one row a member.
+
+        An ensemble with trajectories has the columns of a run. With a path the table is written,
+        as .csv, or signals as .mat.
+        """
         table = signal_table(self._data)
         if path is not None:
             path = Path(path)
-            check_writable(path, "a table", (".csv", ".mat"))
+            has_mat = bool(ports_along(self._data))
+            check_writable(path, "a table", (".csv", ".mat") if has_mat else (".csv",))
             if path.suffix.lower() == ".mat":
                 write_mat(self._data, path)
             else:

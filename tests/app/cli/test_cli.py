@@ -99,6 +99,21 @@ def test_a_run_is_exported_as_a_map_of_its_flow(printed, clpt):
         assert "latitude" in flow.dims
 
 
+def test_a_run_and_an_ensemble_are_exported_as_tables(printed, clpt):
+    write({"run.duration": 40}, "p.toml")
+    printed("run", "p.toml", "--out", "p.nc")
+    vary = ("--vary", "learning.gain=[0.5,0.8]")
+    printed("ensemble", "p.toml", *vary, "--out", "p.zarr")
+    for name, first, rows in (("p.nc", "time (s)", None), ("p.zarr", "member", 2)):
+        assert clpt("export", name, "-o", "t.csv").out == "Wrote t.csv\n"
+        head, *lines = Path("t.csv").read_text().splitlines()
+        assert head.startswith(first + ",")
+        if rows is None:
+            with xarray.open_dataset(name) as run:
+                rows = run.sizes["time"]
+        assert len(lines) == rows
+
+
 def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     write({}, "p.toml")
     before = Path("p.toml").read_text()
@@ -108,7 +123,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     refused_for([".svg"], "export", "p.toml", "--drawing", "-o", "p.docx")
     refused_for(["a run's name must end in .nc"], "run", "p.toml", "--out", "r.txt")
     refused_for(
-        ["a program or map's name must end in .c, .h, .fmu, .kml, .geojson or .nc"],
+        ["a program or map's name must end in .c, .h, .fmu, .csv, .kml, .geojson"],
         "export",
         "p.toml",
         "-o",

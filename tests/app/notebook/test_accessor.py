@@ -163,6 +163,23 @@ def test_a_csv_file_is_the_run_to_the_last_digit(tmp_path):
     np.testing.assert_array_equal(read.T, [run.time, *run.h.values.T, run.q])
 
 
+def test_the_table_of_an_ensemble_has_a_row_for_each_member(tmp_path):
+    decay = clpt.Block(
+        "decay",
+        update=lambda t, x, u, p: {"w": -p.b * x.w},
+        states={"w": 2},
+        parameters={"b": 1.0},
+        units={"w": "m", "b": "1/s"},
+    )
+    vary = {"decay.b": [1.0, 2.0], "w[0]": [3.0, 4.0, 5.0]}
+    data = clpt.run_ensemble(decay, vary, timepts=TIMES, out=tmp_path / "d.zarr")
+    table = data.clpt.table(tmp_path / "members.csv")
+    assert [*table.columns[:4]] == ["member", "status", "decay.b (1/s)", "w[0] (m)"]
+    assert table.status.tolist() == ["finished"] * 6
+    exact = table["w[0] (m)"] * np.exp(-table["decay.b (1/s)"] * TIMES[-1])
+    np.testing.assert_allclose(table["w_final[0] (m)"], exact, rtol=1e-6)
+
+
 def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
     run = run_of_a_diagram(h="m")
     run.clpt.table(tmp_path / "run.mat")

@@ -33,8 +33,9 @@ PLOTS = [
 
 @pytest.mark.parametrize("kind", COUNTS)
 def test_all_plots_are_listed(made, kind):
-    names = ", ".join(filter(None, COUNTS[kind])) or "no name"
-    said = f"plot 'x': must be {names}, for a {kind}"
+    names = ", ".join(filter(None, COUNTS[kind]))
+    one = f"there is one plot of this {kind}. Leave the name out"
+    said = f"plot 'x': must be {names}, for a {kind}" if names else one
     if kind in ("run", "diagram"):
         said = "plot 'x': the run has no such signal or state. It has "
     says(clpt.ClptError, said, plot_of(made, kind, "x"))
