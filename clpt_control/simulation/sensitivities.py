@@ -192,7 +192,9 @@ class SensitivityRun:
                 raise SimulationError(
                     f"{label}: differences of runs do not confirm its derivative by {name}, for a "
                     "function jumps where the run crosses something that moves with it (look in "
-                    f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as np.tanh"
+                    f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as np.tanh, "
+                    "or fit runs of clpt.prepare by scipy.optimize.least_squares, which needs no "
+                    "derivative"
                 )
 
     def _wrong_signals(
