@@ -126,7 +126,7 @@ def axes_of(scenario: Scenario, times: SampleTimes) -> Axes:
     waypoints = 1 + np.arange(len(scenario.waypoints))
     return {
         "cycle": (cycles, rounds),
-        "mark": (marks, {"long_name": "time of an error", "units": time}),
+        "mark": (marks, since),
         "time": (samples, since),
         "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
         "basis": (

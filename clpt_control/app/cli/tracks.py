@@ -113,6 +113,8 @@ def _bound_errors(
     columns.append(f"error of a flow parameter at most ({length}/{time})")
     numbers = zip(bounds.time, bounds.V, bounds.clpe, bounds.flow_error, strict=True)
     rows = [[at_most(number, 6) for number in row] for row in numbers]
+    # a bound holds until the next row
+    rows = [row for k, row in enumerate(rows) if row[1:] != rows[k - 1][1:] or not k]
     start = f"V(0) <= {at_least(bounds.radius, 6)}"
     title = f"For every start with {start}, windows of {bounds.window:g} {time}"
     most = f"{at_most(bounds.clpe[0])} {length}{bounds.known_until}"

@@ -115,6 +115,9 @@ def percentile_table(
     ended = ", ".join(
         f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
     )
+    if hidden:
+        left_out = f"left out: cycles from {MOST_ROUNDS} to the last but one"
+        sentences = [*sentences, left_out]
     first = summary["first_failed"]
     if first is not None:
         sentences = [*sentences, f"the first member that did not finish is {first}"]

@@ -201,6 +201,32 @@ def test_the_command_says_what_the_function_finds(clpt, printed):
         assert said in table
 
 
+LINE = """
+basis = {kernel = "gaussian", centers = [[0, 3], [0, -3]], widths = [4, 4], periods = [inf, inf]}
+flow.parameters = [[0.5, 0.1], [0.2, -0.2]]
+reference = {kind = "waypoints", points = [[-4, 0], [4, 0]], dwell = 20}
+vehicle = {feedback = [1, 1], feedforward = [1, 1], position = [0, 0]}
+run.duration = 400
+[learning]
+law = "learned-flow"
+gain = 0.8
+adapt_gains = false
+feedback = [1, 1]
+feedforward = [1, 1]
+"""
+
+
+def test_a_straight_track_prints_no_zero_parts_and_no_equal_rows(clpt):
+    """On the line x2 = 0 the gain Gamma of x2 shows nothing, and no bound falls."""
+    Path("line.toml").write_text(LINE)
+    table = clpt("excitation", "line.toml").out
+    assert "+0.00" not in table
+    assert "-0.00" not in table
+    rows = clpt("excitation", "line.toml", "--bounds").out.splitlines()
+    bounds = [row.split("│")[2:5] for row in rows if row.startswith("│")]
+    assert len(bounds) == 1
+
+
 def test_a_disturbance_has_its_end_and_a_mistake_one_sentence(clpt, refused_for):
     push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.001, 0.002]}}
     clpt_control.save_scenario(SHORT.with_values(push), "paper.toml")
