@@ -445,7 +445,9 @@ def test_members_that_grow_and_turn_ever_faster_end_early():
         rates, params={"growth": 1.0}, states=3, outputs=["a", "b", "c"], name="plant"
     )
     given = {"initial_state": [1.0, 0.0, 1.0], "timepts": np.linspace(0.0, 20.0, 5)}
-    with pytest.warns(UserWarning, match=r"1 of 2 members .* diverges: the states grow"):
+    with pytest.warns(
+        UserWarning, match=r"1 of 2 members .* diverges: the states grow"
+    ):
         data = clpt.run_ensemble(plant, {"growth": [-1.0, 2.0]}, **given)
     assert data.status.values.tolist() == [1, 8]
     assert 5.0 <= float(data.end[1]) < 10.0
