@@ -15,7 +15,7 @@ from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
 from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, literal
 from ..simulation.comparison import named, panels_for
-from .store import STATUS
+from .store import COMPLETED, STATUS
 
 if TYPE_CHECKING:
     import xarray
@@ -69,7 +69,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     check_holds("ensemble_summary: data", data, ["status"], ENSEMBLE)
     data = by_member(data)
     status = data["status"].values
-    failed = np.flatnonzero(status != 1)
+    failed = np.flatnonzero(~np.isin(status, COMPLETED))
     return {
         "title": data.attrs["title"],
         "members": len(status),

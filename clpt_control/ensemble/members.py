@@ -16,6 +16,7 @@ import pickle
 import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from dataclasses import field as made_by
 from functools import cache, cached_property, lru_cache
 from importlib.metadata import version
 from typing import Any
@@ -343,6 +344,8 @@ class Ensemble:
             batch = varied.batch(varied, self, members, values, states)
             result = {name: series.of(batch) for name, series in varied.summaries}
         end = varied.state_times[np.clip(states.reached - 1, 0, None)]
+        for m, (times, _) in batch.stops.items():
+            end[m] = times[-1]
         return {**result, "status": batch.run.status.astype("int8"), "end": end}
 
     def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
@@ -364,6 +367,8 @@ class MemberBatch:
     members: Members
     values: Values
     run: States
+    # times and outputs of members that a guard stopped
+    stops: dict[int, tuple[np.ndarray, np.ndarray]] = made_by(default_factory=dict)
 
 
 def replace_rows(result: Sequence[np.ndarray], members: Any, batch: Batch) -> None:

@@ -38,7 +38,15 @@ from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
 from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
-from .store import STATUS, Store, arrays_of, begun_or_made, open_store, remove_empty
+from .store import (
+    COMPLETED,
+    STATUS,
+    Store,
+    arrays_of,
+    begun_or_made,
+    open_store,
+    remove_empty,
+)
 from .varied_diagram import VariedDiagram
 from .varied_scenario import VariedScenario
 
@@ -129,8 +137,8 @@ def run_ensemble(
     xarray.Dataset
         Summaries and, if requested, trajectories. Sampled parameters are coordinates; those of a
         grid of numbers are its index, so that `unstack` makes them dimensions. Arrays are read from
-        `out` when used. A diagram has ``y_final``, ``y_rms`` and ``y_max`` of each output y, at
-        `timepts`.
+        `out` when used. A diagram has ``y_final``, ``y_rms`` and ``y_max`` (largest
+        absolute value) of each output y, at `timepts`, until a guard stops the member.
 
     Raises
     ------
@@ -243,7 +251,7 @@ def run_ensemble(
     data = store.dataset()
     data.encoding = {**varied.encoding, **data.encoding}
     # 5. warn of failed members
-    failed = np.flatnonzero(data["status"].values != 1)
+    failed = np.flatnonzero(~np.isin(data["status"].values, COMPLETED))
     if len(failed) and isinstance(varied, VariedDiagram):
         m = int(failed[0])
         reason = _failure(ensemble, values, m, int(data["status"][m]))

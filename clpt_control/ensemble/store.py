@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
 REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are also attributes
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
-# stiff members are continued by an implicit method and end otherwise
-STATUS = tuple(status.label for status in Status if status != Status.STIFF)
+STATUS = tuple(status.label for status in Status)
+COMPLETED = Status.FINISHED, Status.STOPPED  # ends that are no failures
 FLAGS = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
 
 
@@ -65,7 +65,7 @@ def arrays_of(varied: Varied, values: Values) -> "dict[str, xarray.Variable]":
         add_summary(name, series.dims, np.nan, **series.attributes)
     units = {key: unit for key, unit in axes["time"][1].items() if key == "units"}
     add_summary("status", (), np.int8(0), long_name="how the run ended", **FLAGS)
-    add_summary("end", (), np.nan, long_name="last sample reached", **units)
+    add_summary("end", (), np.nan, long_name="last sample, or time of a stop", **units)
     for key, numbers in values.items():
         dims, attributes = varied.key_layout(key, numbers.ndim - 1)
         add(key, ("member", *dims), numbers, attributes)

@@ -6,8 +6,8 @@
     r                       an input: constant at its value, in place of `inputs`
 
 The summaries of an output are its final value, its root mean square over time (trapezoidal rule;
-in discrete time the mean over samples) and its largest magnitude.  Functions of the user give
-further ones.
+in discrete time the mean over samples) and its largest absolute value.  Functions of the user give
+further ones.  If a guard stops a member, they are those until then.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arguments import brief
-from ..base.errors import DiagramError, ScenarioError
+from ..base.errors import DiagramError, ScenarioError, SimulationError
 from ..engine.codegen.directional_derivatives import (
     Place,
     place_of,
@@ -40,12 +40,13 @@ from ..simulation.integrate import request_of
 from ..simulation.run_arguments import stacked_state
 from .members import Member, MemberBatch, Values, hash_of
 from .sampled_parameters import Vary, cannot_vary
+from .store import COMPLETED
 
 RESULT = "time", "member", "status", "end"  # names in a result that are not ports
 STATISTICS = {
     "final": "at the end",
     "rms": "root mean square",
-    "max": "largest magnitude",
+    "max": "largest absolute value",
 }
 
 
@@ -61,34 +62,61 @@ class OutputBatch(MemberBatch):
             self._write_outputs(outputs, m)
         not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         status = np.where(not_finite, Status.NOT_FINITE, status)
+        for m in np.flatnonzero(status == Status.GUARD_LEFT).tolist():
+            if stop := self._stop(m):
+                self.stops[m], status[m] = stop, Status.STOPPED
         self.run = replace(self.run, status=status)
         self.y = y[..., varied.skipped :]
 
     def _write_outputs(self, y: np.ndarray, m: int) -> None:
         """Write the outputs of member m up to its end into y, (outputs, times)."""
-        signals = self.ensemble.signals(self.members, self.run, m).T
-        reached = signals.shape[1]
+        signals = self.ensemble.signals(self.members, self.run, m)
+        reached = len(signals)
         _, inputs = self.members.runners[m]
-        u = inputs.along(self.varied.state_times[:reached])
-        y[:, :reached] = 0.0
-        for row, sources in zip(
-            y[:, :reached], self.varied.wiring.outputs, strict=True
-        ):
+        times = self.varied.state_times[:reached]
+        y[:, :reached] = self._outputs(signals, inputs.along(times))
+
+    def _outputs(self, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return outputs (outputs, times) of signals (times, signals) and inputs."""
+        wires = self.varied.wiring.outputs
+        y = np.zeros((len(wires), len(signals)))
+        for row, sources in zip(y, wires, strict=True):
             for k, gain in sources.items():  # added in their order, for equal rounding
-                row += gain * (signals[k] if k >= 0 else u[~k])
+                row += gain * (signals[:, k] if k >= 0 else u[~k])
+        return y
+
+    def _stop(self, m: int) -> tuple[np.ndarray, np.ndarray] | None:
+        """Return times and outputs of a member to its stop, None if its guard is an error."""
+        runner, arguments, options = self.ensemble.single(self.values, m)
+        inputs = options["inputs"]
+        try:
+            solution = runner.run(*arguments, **options)
+            signals = runner.signals(solution, inputs)
+        except SimulationError:
+            return None
+        first = min(self.varied.skipped, len(signals) - 1)
+        y = self._outputs(signals, inputs.along(solution.t))
+        return solution.t[first:], y[:, first:]
 
     @cached_property
     def statistics(self) -> Values:
         """Each statistic of all outputs, (m, outputs)."""
-        times = self.varied.times
-        if self.varied.wiring.dt:
+        found = self._statistics(self.varied.times, self.y)
+        for m, stop in self.stops.items():
+            for name, values in self._statistics(*stop).items():
+                found[name][m] = values
+        return found
+
+    def _statistics(self, times: np.ndarray, y: np.ndarray) -> Values:
+        """Return each statistic of outputs, times last."""
+        if self.varied.wiring.dt or len(times) == 1:
             weights = np.full(len(times), 1.0 / len(times))
         else:  # of the trapezoidal rule
             weights = np.convolve(np.diff(times), [0.5, 0.5]) / (times[-1] - times[0])
         # each row is summed by itself, so that no bit depends on the others
-        rms = np.sqrt(np.sum(weights * self.y**2, axis=-1))
-        largest = np.abs(self.y).max(axis=-1)
-        return {"final": self.y[..., -1], "rms": rms, "max": largest}
+        rms = np.sqrt(np.sum(weights * y**2, axis=-1))
+        largest = np.abs(y).max(axis=-1)
+        return {"final": y[..., -1].copy(), "rms": rms, "max": largest}
 
     def statistic(self, name: str, of: Callable) -> np.ndarray:
         """Return a statistic of a port."""
@@ -100,16 +128,17 @@ class OutputBatch(MemberBatch):
         return trajectory if trajectory.ndim == 2 else np.moveaxis(trajectory, 1, -1)
 
     def user_summary(self, name: str, user: Callable) -> np.ndarray:
-        """Return the user's number of each member; NaN if the member did not finish."""
+        """Return the user's number of each member; NaN if the member failed."""
         from xarray import Dataset
 
         numbers = np.full(len(self.y), np.nan)
-        for m in np.flatnonzero(self.run.status == Status.FINISHED):
+        for m in np.flatnonzero(np.isin(self.run.status, COMPLETED)).tolist():
+            times, y = self.stops.get(m, (self.varied.times, self.y[m]))
             variables = {
-                port: (series.dims, series.of(self.y[m].T), series.attributes)
+                port: (series.dims, series.of(y.T), series.attributes)
                 for port, series in self.varied.ports[0].items()
             }
-            value = user(Dataset(variables, {"time": self.varied.times}))
+            value = user(Dataset(variables, {"time": times}))
             try:
                 numbers[m] = float(value)
             except (TypeError, ValueError):

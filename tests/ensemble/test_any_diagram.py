@@ -86,14 +86,13 @@ def test_members_that_a_guard_stops_have_all_samples_until_then():
     )
     times = np.arange(21) * 0.2
     rates = [0.3, 1.0, 1.15]
-    with pytest.warns(UserWarning, match="2 of 3 members did not finish"):
-        data = clpt.run_ensemble(
-            fall,
-            {"fall.rate": rates},
-            timepts=times,
-            initial_state=[2.7],
-            trajectories=True,
-        )
+    data = clpt.run_ensemble(
+        fall,
+        {"fall.rate": rates},
+        timepts=times,
+        initial_state=[2.7],
+        trajectories=True,
+    )
     for m, rate in enumerate(rates):
         height = 2.7 - rate * times
         wanted = np.where(height > 0, height, np.nan)
@@ -240,6 +239,45 @@ def test_members_end_as_closed_forms_do(diagram, vary, start, wanted):
     data = clpt.run_ensemble(diagram, vary, timepts=TIMES, **given)
     for port, values in wanted.items():
         np.testing.assert_allclose(data[f"{port}_final"], values, rtol=1e-6, atol=1e-8)
+
+
+def stopped(policy):
+    return clpt.Block(
+        "b",
+        update=lambda t, x, u, p: [-p.v],
+        states={"depth": 1},
+        parameters={"v": 1.0},
+        guard=clpt.Guard(lambda t, x, u, p: x[0], policy, lambda t, u, p: "surfaced"),
+    )
+
+
+@pytest.mark.usefixtures("engine")
+def test_a_guard_that_stops_a_member_is_an_end_of_its_own(recwarn):
+    """depth = 12 - v t stops at t = 12/v; samples are 10 s apart."""
+    given = {
+        "timepts": np.linspace(0, 30, 4),
+        "initial_state": [12.0],
+        "summary": {"time": lambda run: run.time[-1]},
+    }
+    vary = {"b.v": [1.0, 2.0, 0.1]}
+    data = clpt.run_ensemble(stopped("stop"), vary, **given)
+    assert not [one for one in recwarn if "did not finish" in str(one.message)]
+    words = data.status.attrs["flag_meanings"].split()
+    assert [words[k] for k in data.status.values] == ["stopped", "stopped", "finished"]
+    np.testing.assert_allclose(data.end, [12, 6, 30], rtol=1e-9)
+    np.testing.assert_allclose(data["time"], [12, 6, 30], rtol=1e-9)
+    np.testing.assert_allclose(data.depth_final, [0, 0, 9], atol=1e-9)
+    np.testing.assert_allclose(data.depth_max, [12, 12, 12])
+    with pytest.warns(UserWarning, match="2 of 3 members did not finish.*surfaced"):
+        failed = clpt.run_ensemble(stopped("raise"), vary, **given)
+    assert failed.status.values.tolist() == [4, 4, 1]
+
+
+def test_the_largest_of_an_output_is_its_absolute_value():
+    still = control.nlsys(lambda t, x, u, p: 0 * x, inputs=0, states="y", outputs="y")
+    data = clpt.run_ensemble(still, {"y": [-1.0, -2.0]}, timepts=[0, 1])
+    assert data.y_max.values.tolist() == [1, 2]
+    assert data.y_max.attrs["long_name"] == "y, largest absolute value"
 
 
 # --- what is not compiled, what fails ---------------------------------------------------------

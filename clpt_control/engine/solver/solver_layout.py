@@ -66,6 +66,7 @@ class Status(IntEnum):
         "and size of the gains, or stop the run with a guard",
     )
     STIFF = 9, "stiff", "left to an implicit method"
+    STOPPED = 10, "stopped", "stopped by a guard"
 
 
 # Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and
