@@ -18,7 +18,7 @@ from ..base.errors import ArgumentError, DataError
 from ..base.geodesy import LocalPlane
 from ..base.units import SECONDS
 from ..engine.model.block import evaluate
-from ..paper.currents.plane import read_field
+from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_of_run
 from ..paper.scenario.recorded_run import check_run, kind_of, unknown_parts
@@ -43,6 +43,7 @@ class _Learned:
     date: str | None  # of t = 0
     end: Any
     has_truth: bool
+    field: GriddedField | None = None  # measured current
 
     def times(self, time: Any) -> tuple[np.ndarray, Any]:
         """Return times since t = 0, and the coordinate of the map."""
@@ -92,7 +93,8 @@ def flow_map(
         ``u`` and ``v``, learned; where the truth is known ``true_u``, ``true_v`` and ``error``, the
         length of the difference; of an estimate ``standard_error`` of u and of v. P of a run's law
         is no standard error, since it does not grow with the scatter of the data.
-        Places outside of the box of the track, or of the measured current, are NaN.
+        Places outside of the box of the track, or of the measured current, are NaN; so is the
+        truth where nothing was ever measured, as on land.
 
     Raises
     ------
@@ -144,6 +146,8 @@ def flow_map(
     data = components(flow, "", "learned")
     if learned.has_truth:
         truth = true_flow(learned.scenario, points, t)
+        if learned.field is not None:
+            truth[learned.field.on_land(points)] = np.nan
         data |= components(truth, "true_", "true")
         words = {"long_name": "length of learned less true flow"}
         data["error"] = (*masked(np.hypot(*(flow - truth).T)), words)
@@ -199,7 +203,7 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         raise DataError(
             "the run has other basis functions than its scenario, so no map"
         )
-    places = run.position.values
+    places, field = run.position.values, None
     if scenario.field_path is not None:
         field = read_field(scenario.field_path, scenario.units)
         places = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
@@ -214,6 +218,7 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         run.attrs.get("time_origin"),
         run.time.values[-1],
         "true_flow" not in unknown,
+        field,
     )
 
 

@@ -230,6 +230,27 @@ def test_a_map_is_the_last_estimate_and_its_error_inside_of_the_track():
         clpt.flow_map(run, time=np.datetime64("2020-01-01"))
 
 
+def test_a_map_has_no_truth_where_nothing_was_ever_measured(tmp_path):
+    lat, lon = np.linspace(41, 41.5, 8), np.linspace(-70, -69.4, 9)
+    speed = np.full((25, 8, 9), 0.2)
+    speed[:, 3:5, 4:7] = np.nan  # land
+    speed[:20, 1, 1] = np.nan  # a gap
+    flow = ("time", "lat", "lon"), speed, {"units": "m/s"}
+    hours = ("time", np.arange(25.0), {"units": "hours since 2026-05-01"})
+    data = xarray.Dataset(
+        {"u": flow, "v": flow}, {"time": hours, "lat": lat, "lon": lon}
+    )
+    few = {"rows": 2, "columns": 2, "width_km": 60, "constituents": ("steady",)}
+    scenario = clpt.currents.fit_current(data, **few).save(tmp_path / "land.toml")
+    run = clpt.simulate(scenario.with_values({"run.duration": 2.0}))
+    found = clpt.flow_map(run, lat[1:-1], lon[1:-1])
+    for name in ("true_u", "true_v", "error"):
+        is_known = np.isfinite(found[name].values[0])
+        np.testing.assert_array_equal(is_known, np.isfinite(speed[-1, 1:-1, 1:-1]))
+    assert np.isfinite(found.u).all()
+    np.testing.assert_allclose(found.true_u.min(), 0.72, rtol=1e-3)  # km/h
+
+
 def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
     scenario = at_sea()
     run = clpt.simulate(scenario)

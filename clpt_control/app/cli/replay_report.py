@@ -87,7 +87,7 @@ class Job:
         from ...base.geodesy import distance
         from ...ocean.forecast.aim import ARRIVED
 
-        fix = self.replay.fix[1:]
+        fix: tuple[float, float] = self.replay.fix[1:]
         while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
             self.targets.pop(0)
         how = self.targets, self.speed, self.duration, self.variation

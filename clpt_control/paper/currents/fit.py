@@ -206,7 +206,9 @@ def fit_current(
         currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v
     )
     field = regular_grid(
-        currents.time, currents.lat, currents.lon, full_u, full_v, plane
+        currents.time,
+        *(currents.lat, currents.lon, full_u, full_v, plane),
+        np.all(gap, axis=0),
     )
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
     radius_km = float(f"{RADIUS * room:.2g}") if radius_km is None else radius_km

@@ -19,8 +19,9 @@ with the tide in about 2 h (one radian of M2).  Twice continuously
 differentiable it becomes by the cubic spline through all values, in
 `regular_grid` and in the field block.
 
-The file is NetCDF with dims time, y, x (uniform, increasing), variables `u` and `v`, and
-CF units; `read_field` converts it to the scenario's units of length and time.
+The file is NetCDF with dims time, y, x (uniform, increasing), variables `u` and `v`, CF units, and
+perhaps `land` (y, x), 1 where nothing was ever measured; `read_field` converts it to the scenario's
+units of length and time.
 """
 
 from dataclasses import dataclass
@@ -57,6 +58,7 @@ class GriddedField:
     x1: np.ndarray
     u: np.ndarray  # flow along x1, length per time, shape (nt, n2, n1)
     v: np.ndarray  # flow along x2
+    land: np.ndarray | None = None  # never measured, shape (n2, n1); None: nowhere
 
     @property
     def dataset(self) -> "xarray.Dataset":
@@ -65,13 +67,30 @@ class GriddedField:
 
         dims = ("time", "y", "x")
         axes = {"time": self.time, "y": self.x2, "x": self.x1}
-        return xarray.Dataset({"u": (dims, self.u), "v": (dims, self.v)}, axes)
+        data = xarray.Dataset({"u": (dims, self.u), "v": (dims, self.v)}, axes)
+        if self.land is None:
+            return data
+        words = {"long_name": "1 where no current was ever measured"}
+        return data.assign(land=(dims[1:], self.land.astype("int8"), words))
+
+    def on_land(self, points: np.ndarray) -> np.ndarray:
+        """Return which points (n, 2) are nearest to a point that was never measured."""
+        if self.land is None:
+            return np.zeros(len(points), bool)
+        return self.land[
+            _nearest(self.x2, points[:, 1]), _nearest(self.x1, points[:, 0])
+        ]
 
     def __repr__(self) -> str:
         return repr(self.dataset)
 
     def _repr_html_(self) -> str:
         return self.dataset._repr_html_()
+
+
+def _nearest(axis: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the indices of the nearest numbers of an increasing axis."""
+    return np.searchsorted((axis[1:] + axis[:-1]) / 2, values)
 
 
 def fill_gaps(
@@ -125,12 +144,14 @@ def regular_grid(
     u: np.ndarray,
     v: np.ndarray,
     plane: LocalPlane,
+    land: np.ndarray,
 ) -> GriddedField:
     """Put a current without gaps on a regular grid of the plane, in h and km.
 
     The grid is the largest rectangle of the plane whose corners lie within the cells, with as
     many points as there are cells, and the record's mean step in time; values, shape (nt, ny,
-    nx), come from cubic splines in time, latitude and longitude, so nothing is extrapolated.
+    nx), come from cubic splines in time, latitude and longitude, so nothing is extrapolated;
+    `land`, shape (ny, nx), from the nearest cell.
     """
     from scipy.interpolate import RectBivariateSpline, make_interp_spline
 
@@ -160,7 +181,9 @@ def regular_grid(
             ]
         )
 
-    return GriddedField(even, x2, x1, resampled(u), resampled(v))
+    land = land[_nearest(lat, here_lat), _nearest(lon, here_lon)]
+    found = land if land.any() else None
+    return GriddedField(even, x2, x1, resampled(u), resampled(v), found)
 
 
 def read_field(
@@ -197,6 +220,8 @@ def read_field(
             values.append(numbers_of(data[name]) * (size / (length / time)))
             if not np.all(np.isfinite(values[-1])):
                 raise DataError(f"{name} has gaps. Fill them with clpt fit")
+        if "land" in data.variables and data["land"].dims == ("y", "x"):
+            values.append(data["land"].values == 1)
     return GriddedField(*axes, *values)
 
 

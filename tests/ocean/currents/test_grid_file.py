@@ -259,7 +259,9 @@ def test_field_of_a_plane_flow_is_that_flow():
     uneven = np.array([0.0, 1.0, 2.5, 3.0, 4.5, 6.0])
     t = uneven[:, None, None]
     u, v = 1 + 0.02 * x1 - 0.03 * x2 + 0.1 * t, 0.01 * x2 + 0.001 * x1 * x2 - 0.2 * t
-    field = plane.regular_grid(uneven, LAT, LON, u, v, local)
+    field = plane.regular_grid(
+        uneven, LAT, LON, u, v, local, np.zeros(u.shape[1:], bool)
+    )
     np.testing.assert_allclose(field.time, np.linspace(0, 6, 6))
     T, Y, X = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
     np.testing.assert_allclose(field.u, 1 + 0.02 * X - 0.03 * Y + 0.1 * T, atol=1e-6)
