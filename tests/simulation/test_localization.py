@@ -256,6 +256,25 @@ def test_each_rise_of_taken_is_a_fix(latency):
     assert jumped.values.any()
 
 
+@pytest.mark.parametrize("held", [1.0, 0.4])
+def test_taken_that_never_rises_is_refused(held):
+    values = {"learning": {"law": "fix-regression"}, "localization": {"interval": 5.0}}
+    scenario = clpt.paper_scenario().with_values(values)
+    loop = clpt.closed_loop(scenario, external=("fix", "taken", "v_x"))
+    times = np.linspace(0, 50, 101)
+    still = {"fix": np.outer([0.5, -0.2], times), "v_x": [0.0, 0.0]}
+    with pytest.raises(
+        clpt.ClptError, match=r"taken: never rises above 1/2.* Give a pulse"
+    ):
+        clpt.simulate(loop, times, {**still, "taken": held})
+    run = clpt.simulate(loop, times, {**still, "taken": 0.0})
+    assert not run.alpha.any()
+    with pytest.raises(
+        clpt.DiagramError, match=r"external='taken' .* each rise above 1/2"
+    ):
+        clpt.closed_loop(scenario, external=("fix", "v_x"))
+
+
 def test_fixes_closer_than_their_latency_are_refused():
     """The second one would be sent before the first one has arrived."""
     with pytest.raises(clpt.ScenarioError, match="before the last one has arrived"):

@@ -207,10 +207,14 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             available = sorted({*sources, *external})
             close = nearest(name, available)
             suggestion = f"; did you mean {close}?" if close else ""
+            breaks = attribute_of(blocks[ports[0].block], "breakpoints_function")
+            rises = attribute_of(breaks, "trigger") == name
             raise DiagramError(
                 f"'{name}', an input of {names[ports[0].block]}, is made by no block"
                 f"{suggestion}; there are {', '.join(available)}; "
                 f"external='{name}' supplies it from outside"
+                + ", where each rise above 1/2 is an event"
+                * rises
             )
         _check_fit(name, ports, blocks)
 

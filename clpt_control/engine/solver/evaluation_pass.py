@@ -13,6 +13,7 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.arguments import attribute_of
+from ...base.errors import SimulationError
 from ..diagram.wiring import Node, Wiring
 from ..model.ports import reused_vector
 
@@ -123,6 +124,11 @@ class Sweep:
                 continue
             rises = inputs.rises(signal)
             if rises is not None:
+                if not len(rises) and np.any(inputs.samples[1][signal]):
+                    raise SimulationError(
+                        f"{trigger}: never rises above 1/2, so {node.name} sees no event. Give a "
+                        "pulse, 1 at the time of an event and 0 before it"
+                    )
                 after = node.system.breakpoints_function.after
                 self.triggered[k] = after(self.parameters[k], rises)
 
