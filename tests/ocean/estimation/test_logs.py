@@ -215,6 +215,13 @@ def test_stays_are_one_line_and_faults_are_named(tmp_path, estimate):
     assert "one of course and speed is missing" in skipped[1]["why"]
 
 
+def test_the_first_region_is_that_of_students_t(tmp_path, estimate):
+    """Two degrees of freedom: P(|y| > R) = (1 + R^2/(2 s^2))^-1 = 0.1, s^2 by prior and noise."""
+    first = estimate(table(tmp_path / "log.csv", mission(3)))["legs"][0]
+    variance = (0.5 * LEG) ** 2 + 2 * 10.0**2 + (0.02 * LEG) ** 2
+    assert first["radius_m"] == pytest.approx(np.sqrt(2 * 9 * variance), rel=1e-3)
+
+
 def test_swapped_latitude_and_longitude_are_named(tmp_path, estimate):
     rows = [(row[0], row[2], row[1], *row[3:]) for row in mission(4)]
     said = estimate(table(tmp_path / "log.csv", rows), status=2)
