@@ -117,7 +117,11 @@ MISTAKES = [
     (GAIN, {"chunk": 0}, "chunk = 0: must be a whole number"),
     (GAIN, {"threads": 0}, "threads = 0: must be a whole number"),
     (GAIN, {"times": [11.0]}, "11.0 must lie between 0 and run.duration = 10"),
-    ("learning.gain=[1, 2]", {**GRID, "members": 5}, "must have 2 members"),
+    (
+        "learning.gain=[1, 2]",
+        {**GRID, "members": 5},
+        "must have 2 members, every value with all val",
+    ),
     (["learning.gain=[1, 2]", "learning.position=0:1"], GRID, "have 2 n^2 members"),
 ]
 

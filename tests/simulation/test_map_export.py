@@ -88,6 +88,8 @@ def test_a_team_has_latitude_and_longitude():
     east = at_sea().with_values({"vehicle.position": [3.0, 0.0]})
     team = clpt.Team(members={"west": at_sea(), "east": east}, coupling=0.5)
     run = clpt.simulate(team, [0.0, 1.0])
+    with pytest.raises(clpt.DataError, match=r"Give the run of one vehicle"):
+        clpt.flow_map(run)
     assert run.latitude.dims == ("vehicle", "time")
     assert run.clpt.plot().size == 3
 
@@ -224,6 +226,8 @@ def test_a_map_is_the_last_estimate_and_its_error_inside_of_the_track():
     np.testing.assert_allclose(flow.error[0].values.ravel(), error)
     assert flow.u.attrs["units"] == "m s-1"
     low, high = run.position.values.min(0), run.position.values.max(0)
+    far = at_sea().plane.to_plane
+    says(clpt.DataError, r"\A.*km from the origin.*swapped lat.*\Z", far, 57.0, -20.0)
     outside = clpt.flow_map(run, [low[1] - 1, high[1]], [low[0], high[0] + 1])
     assert outside.u.isnull().values[0].tolist() == [[True, True], [False, True]]
     with pytest.raises(clpt.DataError, match="has no date"):

@@ -280,7 +280,7 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     ]
     assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
     assert lost["said"][0].startswith(
-        "cannot be read: no usable dive: dive 1: no fix after"
+        "cannot be read: no usable dive: dive 1: the fix after"
     )
 
 

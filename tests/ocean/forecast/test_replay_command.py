@@ -188,6 +188,11 @@ def test_a_plan_of_the_next_dive(command):
     assert "min, in 4.1 h from the end of the last dive" in said
 
 
+def test_a_replay_has_no_map_of_the_flow(sample, refused_for):
+    file = sample.folder / "replay.nc"
+    refused_for(["is a replay of dives", "track.kml"], "export", file, "-o", "map.nc")
+
+
 @pytest.mark.parametrize("field", ["dr_east", "t_gps2", "lat_gpse"])
 def test_a_last_dive_without_use_still_ends_at_a_fix(command, tmp_path, field):
     *dives, last = sample_dives()
