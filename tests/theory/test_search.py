@@ -312,7 +312,7 @@ def test_inputs_and_parameters_as_they_are_are_said():
     )
     assert not lyapunov(damped, lambda s: s.x**2, within=box).conditions
     said = judged("x' = -k*x; k = 2; V = x**2", -1, 1).sentence
-    assert said.endswith("comes to rest; with the parameters' values")
+    assert said.endswith("comes to rest; with the parameters' values k = 2")
     found = judged("x' = -x + x**3 + d; input d; V = x**2", -2, 2)
     assert (found.conclusion, found.inputs) == (IN_REGION, ("d",))
     assert found.sentence.endswith("comes to rest; where d = 0")

@@ -344,8 +344,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def _named(self, point: Point) -> str:
         """Return a point and the parameters' values as text: x = 2, u = 0, a = 1."""
-        inputs = (getattr(f, "func", f) for f in self.inputs)
-        names = [TIME, *self.states, *inputs, *self.level_values]
+        inputs = (getattr(f, "func", f) for f in self.search.inputs)
+        names = [TIME, *self.search.states, *inputs, *self.level_values]
         numbers = [point.t, *point.x, *np.ravel(point.u), *self.level_values.values()]
         parts = zip(names, map(float, numbers), strict=True)
         return ", ".join(f"{name} = {number:.6g}" for name, number in parts)
