@@ -46,11 +46,11 @@ def report_of(excitation: Any) -> dict[str, Any]:
     eigenvalue), ``least_excited`` and ``dimension`` (of the excited subspace).
 
     ``rho`` (guaranteed drop of V), ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
-    (1 - contraction, with all its digits), ``time_to_tenth`` (time in which all errors fall to
-    a tenth in windows like this one, or None for never) and ``learned`` (by axis, number of
-    directions in which errors do so within ``run_length``) exclude the effect of a disturbance
-    if ``disturbed``.  All are None if the window cannot be certified; ``not_certified`` is the
-    reason.
+    (1 - contraction, with all its digits), ``time_to_tenth`` (time in which the norm of all
+    errors falls to a tenth in windows like this one, or None for never) and ``learned`` (by axis,
+    number of directions in which errors do so within ``run_length``) exclude the effect of a
+    disturbance if ``disturbed``.  All are None if the window cannot be certified;
+    ``not_certified`` is the reason.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -105,10 +105,11 @@ def learned_text(excitation: Any) -> str:
     found, unit = excitation.certified[0], excitation.time_unit
     counts = excitation.counted(found.learned)
     time = found.time_to_tenth
-    when = "infinite" if time is None else f"at most {at_most(time, 6)} {unit}"
+    is_never = time is None or bool(excitation.not_learnable)
+    when = "infinite" if is_never else f"at most {at_most(time, 6)} {unit}"
     return (
         f"can be learned within the run, {excitation.run_length:g} {unit}: {counts}; time "
-        f"in which all errors of adapted parameters fall to a tenth: {when}"
+        f"in which the norm of all errors of adapted parameters falls to a tenth: {when}"
     )
 
 
@@ -207,9 +208,9 @@ def slow_direction_of(excitation: Any, run: Any) -> str:
     unit = excitation.time_unit
     return (
         f"flow parameters end up to {off:.2g} {run.flow_parameters.attrs['units']} off. The track "
-        f"hardly shows the direction {_direction(excitation, axis)[1]}: errors fall to a tenth "
-        f"within {at_most(time, 6)} {unit}, the run has {excitation.run_length:g} {unit}. Use a "
-        "longer run, other waypoints or another kernel"
+        f"hardly shows the direction {_direction(excitation, axis)[1]}: the norm of all errors "
+        f"falls to a tenth within {at_most(time, 6)} {unit}, the run has "
+        f"{excitation.run_length:g} {unit}. Use a longer run, other waypoints or another kernel"
     )
 
 
