@@ -24,7 +24,7 @@ import numpy as np
 from ...base.errors import ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor
+from .regressor import Regressor, Source, joint_regressor, without_held
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
@@ -44,7 +44,7 @@ class Certificate:
     disturbed: bool
     # axis -> number of directions in which errors fall to a tenth within the run
     learned: dict[str, int]
-    time_to_tenth: float | None  # of all errors; None: never
+    time_to_tenth: float | None  # of the norm of all errors; None: never
 
     def __repr__(self) -> str:
         span = f"t = {self.start:g} to {self.start + self.window:g}"
@@ -217,6 +217,14 @@ def refuse_unproved(scenario: Scenario) -> None:
             raise ScenarioError(
                 f"no certificate: {setting} changes V' of the theorems. Leave it out"
             )
+    for name in ("feedback", "feedforward"):
+        fixed = getattr(learning.used_gains, name) == 0
+        if fixed and getattr(learning, name) != getattr(scenario.vehicle, name):
+            raise ScenarioError(
+                f"no certificate: learning.{name} is fixed and differs from "
+                f"vehicle.{name}, so CLPE "
+                "does not vanish. Fix it at the vehicle's value"
+            )
 
 
 def certificate(
@@ -224,28 +232,32 @@ def certificate(
 ) -> Certificate:
     """Certify the decay of V over one window of a run.
 
-    All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.
+    All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.  Gains that
+    are fixed are those of the vehicle.
 
     >>> import clpt_control as clpt
     >>> found = certificate(clpt.paper_scenario(), 60.0, 0.0)
     >>> 0 < found.rho < found.drop < 1
     True
     """
-    regressor = joint_regressor(source, window, start)
+    regressor = without_held(joint_regressor(source, window, start))
     scenario = regressor.scenario
     law, gains = scenario.learning.law, scenario.learning.used_gains
     paper_law = law in ("learned-flow", "known-flow")
-    if regressor.python_parts or not paper_law or not gains.shared:
+    one_gain = {gains.feedback, gains.feedforward} <= {0.0, gains.parameters}
+    if regressor.python_parts or not paper_law or not one_gain:
         raise ScenarioError(
             "no certificate: it is for the paper's two laws with one gain for all. The run has "
             f"{regressor.python_parts or f'the law {law}'}"
-            + ("" if gains.shared else " with a gain each")
+            + ("" if one_gain else " with a gain each")
         )
     refuse_unproved(scenario)
     fixed = scenario.basis.N if scenario.learning.row.given_estimate else 0
     flow, span, length = scenario.flow, regressor.window, regressor.run_length
     w, KD = regressor.w[..., fixed:], np.array(scenario.vehicle.feedback)
     gain, weights = gains.parameters, regressor.weights
+    if not (gain and w.shape[-1]):
+        raise ScenarioError("no certificate: the law adapts no parameter")
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, length / span * (1 + 1e-12)))
     *fallen, transition = window_drops(w, weights, KD, gain)

@@ -243,7 +243,7 @@ def certify(
 
 def _check(scenario: Scenario) -> None:
     """Raise an error for a scenario without a certificate."""
-    learning, vehicle = scenario.learning, scenario.vehicle
+    learning = scenario.learning
     if learning.law != "learned-flow" or scenario.flow.parameters is None:
         raise ScenarioError(
             "no certificate: it is for the learned-flow law in a flow with parameters theta"
@@ -255,14 +255,6 @@ def _check(scenario: Scenario) -> None:
             f'no certificate: flow.disturbance.kind = "{delta.kind}" has no bound on |Delta|. '
             'Use a bounded kind, such as "square"'
         )
-    for name in ("feedback", "feedforward"):
-        fixed = getattr(learning.used_gains, name) == 0
-        if fixed and getattr(learning, name) != getattr(vehicle, name):
-            raise ScenarioError(
-                f"no certificate: learning.{name} is fixed and differs from "
-                f"vehicle.{name}, so CLPE "
-                "does not vanish. Fix it at the vehicle's value"
-            )
 
 
 def _drops(scenario: Scenario, window: float) -> np.ndarray:

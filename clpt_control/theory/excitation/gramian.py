@@ -47,6 +47,7 @@ from .regressor import (
     signal_regressor,
     span_of,
     system_of,
+    without_held,
 )
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
@@ -132,7 +133,7 @@ class Excitation(Regressor):
         if signals := self.names.get("w"):
             regressor = signal_regressor(self.source, signals, *whole)
         else:
-            regressor = joint_regressor(self.source, *whole)
+            regressor = without_held(joint_regressor(self.source, *whole))
         eigenvalues = {}
         parts = regressor.parts(starts, self.window)
         for axis, rows in zip(regressor.names, weighted(regressor), strict=True):
@@ -175,6 +176,8 @@ class Excitation(Regressor):
         """c of each axis, w^T c = x' + KD e, unless something else moves the vehicle."""
         scenario = self.scenario
         if scenario is None or self.python_parts or scenario.flow.parameters is None:
+            return {}
+        if len(self.names["x1"]) < scenario.basis.N + 2:  # without held gains
             return {}
         vehicle, flow = scenario.vehicle, scenario.flow
         forces = vehicle.max_speed, flow.disturbance, scenario.localization
@@ -291,7 +294,10 @@ def gramian(
     if signals is not None:
         measured = signal_regressor(run, signals, window, start)
         return Excitation(**vars(measured), source=run)
-    regressors = joint_regressors(run, window, start)
+    regressors = {
+        name: without_held(regressor)
+        for name, regressor in joint_regressors(run, window, start).items()
+    }
     if "" not in regressors:
         return _team_excitation(regressors, run)
     return Excitation(**vars(regressors[""]), source=run)
@@ -300,14 +306,13 @@ def gramian(
 def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitation:
     """Return the pooled excitation of a team, with each vehicle's."""
     regressor = next(iter(regressors.values()))
-    N = regressor.scenario.basis.N
-    gains = 2 if regressor.scenario.learning.adapt_gains else 0
-    names = {axis: labels[: N + gains] for axis, labels in regressor.names.items()}
+    N, names = regressor.scenario.basis.N, regressor.names
+    gains = len(names["x1"]) - N
     vehicles = {}
     pooled = []
     for k, (name, single) in enumerate(regressors.items()):
-        w = single.w[..., : N + gains]
-        alone = vars(single) | {"names": names, "w": w, "scenario": None}
+        w = single.w
+        alone = vars(single) | {"names": names, "scenario": None}
         vehicles[name] = Excitation(**alone)
         # the vehicle's gains have columns of their own
         wide = np.zeros((*w.shape[:-1], N + gains * len(regressors)))

@@ -14,7 +14,7 @@ samples, and the trapezoidal rule integrates their products.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
@@ -224,6 +224,18 @@ def joint_regressor(
             "only"
         )
     return regressor
+
+
+def without_held(regressor: Regressor) -> Regressor:
+    """Return a regressor without the components of K and Gamma if the law does not adapt them."""
+    scenario = regressor.scenario
+    if scenario is None or regressor.python_parts:
+        return regressor
+    if scenario.learning.used_gains.feedback:
+        return regressor
+    N = scenario.basis.N
+    names = {axis: labels[:N] for axis, labels in regressor.names.items()}
+    return replace(regressor, names=names, w=regressor.w[..., :N])
 
 
 def joint_regressors(
