@@ -320,7 +320,7 @@ def test_wide_functions_are_excited_but_not_learned_within_the_run():
         "can be learned within the run, 2000 s: 3 of 11 along x1, 3 of 11 along x2"
         in repr(found)
     )
-    assert "fall to a tenth: at most 6.7" in repr(found)
+    assert "falls to a tenth: at most 6.7" in repr(found)
 
 
 @pytest.mark.parametrize("duration", [400, 1000, 3000])
@@ -414,3 +414,83 @@ def test_the_certificate_of_one_vehicle_takes_no_team():
             clpt_package.DataError, match="A team and signals have Gramians only"
         ):
             excitation.certificate()
+
+
+LINE = {
+    "basis.kernel": "gaussian",
+    "basis.centers": [[0, 3], [0, -3]],
+    "basis.widths": [4, 4],
+    "basis.periods": [np.inf, np.inf],
+    "flow.parameters": [[0.5, 0.1], [0.2, -0.2]],
+    "reference": {"kind": "waypoints", "points": [[-4, 0], [4, 0]], "dwell": 20},
+    "basis.phases": [0, 0],
+    "model.parameters": [[0, 0], [0, 0]],
+    "learning.parameters": [[0, 0], [0, 0]],
+    "learning.adapt_gains": False,
+    "run.duration": 400,
+}
+NOISE = {"localization.noise": 0.05, "localization.noise_period": 1}
+
+
+@pytest.mark.parametrize("noise", [{}, NOISE])
+def test_a_straight_track_shows_two_mirrored_functions_together(noise):
+    """phi_1 = phi_2 where x2 = 0; noise moves the vehicle off that line by chance."""
+    scenario = PAPER.with_values(LINE | noise)
+    found = gramian(scenario)
+    assert found.dimension == {"x1": 1, "x2": 1}
+    assert found.not_learnable == [
+        f"theta_{i}[1] and theta_{i}[2] are not learnable one by one on this track"
+        for i in (1, 2)
+    ]
+    share = {axis: v[0] / v[-1] for axis, v in found.eigenvalues.items()}
+    assert all((1e-6 < s < 1e-3) if noise else s < 1e-9 for s in share.values())
+    of_run = gramian(clpt_package.simulate(scenario)).not_learnable
+    assert of_run == found.not_learnable
+    assert ("without noise" in found._repr_html_()) == bool(noise)
+
+
+@pytest.mark.parametrize("adapts", [True, False])
+def test_gains_that_are_held_have_no_direction(adapts):
+    values = {"learning.adapt_gains": adapts, "run.duration": 400}
+    found = gramian(PAPER.with_values(values))
+    flow, gains = [f"theta_1[{k}]" for k in (1, 2, 3)], ["K_1", "Gamma_1"]
+    assert [*found.least_excited["x1"]] == flow + gains * adapts
+    assert [G.shape for G in found.gramians.values()] == [(3 + 2 * adapts,) * 2] * 2
+
+
+def test_the_decay_of_V_with_gains_that_are_held():
+    """The law is e' = -e + eta phi, eta' = -0.8 e phi: transition by expm on short pieces."""
+    held = {"learning.adapt_gains": False, "run.duration": 400}
+    held |= {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
+    scenario = PAPER.with_values(held)
+    found = gramian(scenario, 100.0, 100.0).certificate()
+    step, n = 0.01, 10_000
+    middle = 100 + step * (np.arange(n) + 0.5)
+    run = clpt_package.simulate(scenario, [0.0, *middle])
+    x = run.position.values[1:]
+    centers, widths = np.array([[0, 0], [10, 10], [5, 5]]), 5.0
+    distance = np.linalg.norm(x[:, None] - centers, axis=-1)
+    waves = np.cos(2 * np.pi * middle[:, None] / [12.42, 10.42, 24.42])
+    phi = np.exp(-distance / (2 * widths)) * waves * np.sqrt(0.8)
+    Phi = np.eye(4)
+    for w in phi:
+        A = np.block([[-np.ones((1, 1)), w[None]], [-w[:, None], np.zeros((3, 3))]])
+        Phi = expm(step * A) @ Phi
+    contraction = np.linalg.norm(Phi, 2) ** 2
+    assert found.contraction == pytest.approx(contraction, rel=1e-3)
+
+
+def test_the_time_to_a_tenth_is_of_the_norm_of_all_errors():
+    """A parameter that begins almost true takes up errors of others, and stays off."""
+    almost = [[0, -0.399, 0], [0, 0, 0]]
+    scenario = PAPER.with_values({"learning.parameters": almost, "run.duration": 4000})
+    time = gramian(scenario, 200.0, 200.0).certificate().time_to_tenth
+    run = clpt_package.simulate(scenario, [0.0, time])
+    error = (run.flow_parameters_estimate - run.flow_parameters).values
+    gains = [run[f"feed{way}_gain"].values - 1 for way in ("back", "forward")]
+    errors = np.concatenate([error.reshape(2, -1), *gains], axis=1)
+    start, end = np.linalg.norm(errors, axis=1)
+    assert end <= start / 10
+    assert abs(error[1, 0, 1]) > 0.9 * abs(error[0, 0, 1])
+    said = repr(gramian(scenario, 200.0, 200.0))
+    assert "the norm of all errors of adapted parameters falls to a tenth" in said

@@ -97,6 +97,8 @@ def result_of(excitation: Any) -> Result:
         sentences += [who + said for said in one.not_learnable]
     title = f"Excitation {excitation.span}, {excitation.trajectory}"
     sentences += [] if team else _how_fast(excitation)
+    if excitation.without_noise is not excitation:
+        sentences.append("excited directions are those of the track without noise")
     return Result(title, columns, rows, sentences)
 
 

@@ -200,10 +200,21 @@ class Excitation(Regressor):
         """Singular value decomposition of each factor."""
         return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
+    @cached_property
+    def without_noise(self) -> "Excitation":
+        """The same window of the run without noise, which moves a vehicle but teaches nothing."""
+        scenario = self.scenario
+        fixes = None if scenario is None else scenario.localization
+        if fixes is None or fixes.noise == 0 or self.python_parts:
+            return self
+        duration = max(scenario.run.duration, self.start + self.window)
+        quiet = {"localization.noise": 0.0, "run.duration": duration}
+        return gramian(scenario.with_values(quiet), self.window, self.start)
+
     @property
     def idle(self) -> dict[str, int]:
-        """Number of eigenvalues of each axis that count as zero."""
-        values = self.eigenvalues.items()
+        """Number of eigenvalues of each axis that count as zero, on the track without noise."""
+        values = self.without_noise.eigenvalues.items()
         return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}
 
 
@@ -253,7 +264,7 @@ def gramian(
         (basis of the excited subspace) and its `dimension`. `not_learnable` are sentences. Methods:
         `plot()`, and `certificate()`, the decay of V over the window, with the number of directions
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
-        of each vehicle by name. If gains are fixed, it has the flow parameters only.
+        of each vehicle by name. Gains that the law does not adapt are left out.
 
     Raises
     ------
