@@ -91,12 +91,11 @@ def fields_of(system: Any) -> list[str]:
 
 
 class Names:
-    """The names of ports and parameters of a diagram; `unsigned` ones are any real numbers."""
+    """The names of ports and parameters of a diagram."""
 
-    def __init__(
-        self, wiring: Wiring, inputs: Iterable[str], unsigned: Set[str] = frozenset()
-    ):
-        self.unsigned = unsigned
+    unsigned: Set[str] = frozenset()  # parameters that are any real numbers
+
+    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         self.count = Counter([*inputs])
         self.kinds: dict[
             tuple[str, str], list[str]

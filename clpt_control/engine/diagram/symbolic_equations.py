@@ -433,7 +433,7 @@ class _SymbolicRecord:
 
 def on_symbols(
     diagram: Part,
-    names: Callable[[Wiring, Iterable[str]], Names] = Names,
+    names: type[Names] = Names,
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,
     with_samples: bool = False,

@@ -72,11 +72,10 @@ class Case:
     def certificate(self) -> dict:
         """Return the certificate, with the strongest conclusion that the checker derives."""
         self.names, self.divisors = dict[Any, str](), dict[Expr, Any]()
-        self.turned = {
-            s: -sympy.Symbol(f"minus_{s}", positive=True)
-            for s in self.fixed
-            if s.is_negative
-        }
+        below = [s for s in self.fixed if s.is_negative]
+        above = {s: sympy.Symbol(f"minus_{s}", positive=True) for s in below}
+        self.turned = {s: -minus for s, minus in above.items()}
+        self.fixed = self.fixed | {*above.values()}
         factors = [t.factor for t in (*self.V, *self.losses) if t.factor != 1]
         used = {t.matrix for t in (*self.V, *self.losses) if isinstance(t.matrix, str)}
         data = {
@@ -100,11 +99,7 @@ class Case:
         divisors = [
             f"{self.names[r]} = 1/({short(e)})" for e, r in self.divisors.items()
         ]
-        turned = [
-            f"{self.names[-m]} = -{s}"
-            for s, m in self.turned.items()
-            if -m in self.names
-        ]
+        turned = [f"{name} = -{s}" for s in below if (name := self.names.get(above[s]))]
         said = [*self.conditions, *divisors, *sorted(turned)]
         data["conditions"] = [ascii(condition)[1:-1] for condition in said]
         return strongest(data | {"conclusion": "V' is at most the push", "of": []})
@@ -149,9 +144,8 @@ class Case:
         """Return the kind of a symbol."""
         known = {**dict.fromkeys(self.motion, "rates"), **self.functions}
         of_parameter = "positive" if atom.is_positive else "constants"
-        is_fixed = atom in self.fixed or -atom in self.turned.values()
         of_time = "inputs" if isinstance(atom, AppliedUndef) else "signals"
-        return known.get(atom, of_parameter if is_fixed else of_time)
+        return known.get(atom, of_parameter if atom in self.fixed else of_time)
 
     def polynomial(self, expression: Any) -> list:
         """Return an expression as a list of [coefficient, {symbol: power}]."""
@@ -172,8 +166,7 @@ class Case:
 
     def reciprocal(self, base: Expr) -> Expr:
         """Return 1/base; of what is no positive parameter it is a positive function of time."""
-        is_fixed = base in self.fixed or -base in self.turned.values()
-        if is_fixed and base.is_positive:
+        if base in self.fixed and base.is_positive:
             return 1 / base
         total = squares(base, self.fixed) if base.is_Add else None
         is_masked = base.is_Symbol and base not in self.motion and base.is_positive

@@ -166,13 +166,10 @@ class Condition:
 
 def signs_of(symbols: Iterable[Any]) -> str:
     """Return the signs that symbols have, as text: "a, b > 0 and c < 0"."""
-    chosen = [*symbols]
-    signs = (
-        ([s for s in chosen if s.is_positive], "> 0"),
-        ([s for s in chosen if s.is_negative], "< 0"),
-    )
-    listed = (f"{', '.join(sorted(map(str, of)))} {sign}" for of, sign in signs if of)
-    return " and ".join(listed)
+    chosen = sorted(symbols, key=str)
+    above = ", ".join(str(s) for s in chosen if s.is_positive)
+    below = ", ".join(str(s) for s in chosen if s.is_negative)
+    return " and ".join([f"{above} > 0"] * bool(above) + [f"{below} < 0"] * bool(below))
 
 
 def for_sizes(sizes: Iterable[int]) -> Condition:

@@ -62,14 +62,10 @@ def theorem_and_proof(
     environment = name[judged.status]
     expressions = [e for e in (V, rate) if e is not None]
     diagram = getattr(judged, "diagram", None)
-    inputs: tuple[Any, ...] = (
-        getattr(judged, "inputs", ()),
-        getattr(diagram, "input_labels", ()),
-    )
-    named = [c.of for c in judged.conditions if c.name in ("signs", "values")]
-    named += [s.detail for s in judged.steps if s.how == "counterexample"]
-    inputs += (re.findall(NAMED, f"{named}"),)
-    text = Typesetter(expressions, chain.from_iterable(inputs))
+    said = [c.of for c in judged.conditions if c.name in ("signs", "values")]
+    said += [s.detail for s in judged.steps if s.how == "counterexample"]
+    inputs = getattr(judged, "inputs", ()), getattr(diagram, "input_labels", ())
+    text = Typesetter(expressions, chain(*inputs, re.findall(NAMED, f"{said}")))
     displayed = [
         equation(left, e) for left, e in (("V", V), (r"\dot V", rate)) if e is not None
     ]

@@ -172,6 +172,7 @@ class LyapunovCandidate(ABC):
         None  # where V is to be least, if that is given
     )
     undefined: list[str]  # sentences on where there may be no value
+    search: Any  # points at which it may fail
 
     # --- the questions --------------------------------------------------------------------------
 
@@ -392,5 +393,6 @@ def refuted(
 ) -> Verdict:
     """Return the verdict on a candidate that a point refutes."""
     known = {"point": found.point, "value": found.value, "after": found.after}
-    steps = (*steps, found.step)
+    at = candidate.search.text_of(found.point)
+    steps = (*steps, replace(found.step, detail=at))
     return candidate.verdict("refuted", found.claim, fall, steps=steps, **known)

@@ -19,7 +19,7 @@ from ...base.units import at_least
 from ..algebra.texts import short
 from .answers import Fall
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
-from .judge import Answers, Verdict, asked, refuted, with_refutation
+from .judge import Verdict, asked, refuted, with_refutation
 from .region import Region
 from .searching import candidates
 from .signal_functions import function_of_signals
@@ -36,39 +36,28 @@ MOST_TRIES = 16  # judgements without signs of parameters
 
 
 def _with_signs(
-    verdict: Verdict, answers: Answers, read: Callable[..., SystemCandidate]
+    verdict: Verdict, case: Any, read: Callable[..., SystemCandidate]
 ) -> Verdict:
     """Return a proof with the signs of parameters that its steps need as a condition.
 
     A sign is not needed if the same steps hold for the parameter as any real number.  After
     `MOST_TRIES` the signs that are left are conditions, needed or not.
     """
-    case = answers.candidate
-    signed = [s for s in case.eq.values if s.is_positive or s.is_negative]
-    shown = sympy.Tuple(case.V, case.rate).free_symbols
-    likely, unlikely = (
-        [s for s in signed if (s in shown) == of] for of in (True, False)
-    )
-    groups, dropped = [*([s] for s in likely), unlikely], set[Any]()
-    for _ in range(MOST_TRIES):
-        if not groups:
-            break
-        group = groups.pop()
+    needed = {str(s): s for s in case.eq.values if s.is_positive or s.is_negative}
+    shown = sympy.Tuple(case.V, *case.motion.values()).free_symbols
+    hidden = {name for name, s in needed.items() if s not in shown}
+    groups = [hidden, *({name} for name in needed if name not in hidden)]
+    dropped = set[str]()
+    for group in [*filter(None, groups)][:MOST_TRIES]:
         try:
-            found = asked(
-                read(points=1, unsigned={*map(str, dropped), *map(str, group)})
-            )
+            weaker = asked(read(points=1, unsigned=dropped | group)).verdict()
         except ClptError:
             continue
-        weaker = found.verdict()
         if _texts(weaker) == _texts(verdict):
-            dropped |= {*group}
+            dropped |= group
             verdict = replace(verdict, ways=weaker.ways)
-        elif group[1:]:
-            half = len(group) // 2
-            groups += [group[half:], group[:half]]
-    needed = signs_of(s for s in signed if s not in dropped)
-    conditions = [Condition("signs", needed)] * bool(needed)
+    signs = signs_of(s for name, s in needed.items() if name not in dropped)
+    conditions = [Condition("signs", signs)] * bool(signs)
     return replace(verdict, conditions=(*conditions, *verdict.conditions))
 
 
@@ -247,7 +236,7 @@ def lyapunov(
         if kept and (of_signs := judged(V, kept)).status == "proved":
             return of_signs
         if verdict.status == "proved":
-            return _with_signs(verdict, answers, read)
+            return _with_signs(verdict, answers.candidate, read)
         return with_refutation(candidate, answers, verdict)
 
     if within and where:

@@ -189,6 +189,14 @@ class PointSearch:
             values |= {symbol: signals[k] for symbol, k in self.sources.items()}
         return values
 
+    def text_of(self, point: Point) -> str:
+        """Return a point and the parameters' values as text: x = 2, u = 0, a = 1."""
+        inputs = (getattr(f, "func", f) for f in self.inputs)
+        names = [TIME, *self.states, *inputs, *self.eq.values]
+        numbers = [point.t, *point.x, *np.ravel(point.u), *self.eq.values.values()]
+        parts = zip(names, map(float, numbers), strict=True)
+        return ", ".join(f"{name} = {number:.6g}" for name, number in parts)
+
     def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero.
 

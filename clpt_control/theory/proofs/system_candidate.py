@@ -8,7 +8,7 @@ numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from math import pi
 from types import MappingProxyType
 from typing import Any
@@ -53,7 +53,7 @@ from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
-from .symbolic_loop import Point, refuse_levels, refuse_names
+from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
 NO_GAINS = MappingProxyType[Any, Any]({})
@@ -120,7 +120,7 @@ class SystemCandidate(LyapunovCandidate):
 
     def _equations(self, names: type[Names]) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
-        named = partial(names, unsigned=self.unsigned)
+        named = type("Unsigned", (names,), {"unsigned": self.unsigned})
         return on_symbols(self.system, named, watch=undefined_in, with_samples=True)
 
     def _as_it_runs(
@@ -333,22 +333,13 @@ class SystemCandidate(LyapunovCandidate):
             if holds:
                 continue
             failure = find()
-            at = self._named(failure[0]) if failure else ""
             claim = f"{fails} at a point"
-            step = Step(claim, failure is not None, "counterexample", at, False)
+            step = Step(claim, failure is not None, "counterexample", "", False)
             if failure is not None:
                 claim = self.with_rate(f"{fails}: {failure[1]:.3g} at `point`")
                 return Refutation(claim, step, *failure), searches
             searches.append(step)
         return None, searches
-
-    def _named(self, point: Point) -> str:
-        """Return a point and the parameters' values as text: x = 2, u = 0, a = 1."""
-        inputs = (getattr(f, "func", f) for f in self.search.inputs)
-        names = [TIME, *self.search.states, *inputs, *self.level_values]
-        numbers = [point.t, *point.x, *np.ravel(point.u), *self.level_values.values()]
-        parts = zip(names, map(float, numbers), strict=True)
-        return ", ".join(f"{name} = {number:.6g}" for name, number in parts)
 
     def refuted_by_inputs(self) -> Refutation | None:
         """Return a point at which inputs raise V, however far from the rest."""
@@ -356,8 +347,7 @@ class SystemCandidate(LyapunovCandidate):
         if failure is None:
             return None
         inputs = " = ".join(self.depends_on(self.rate))
-        said = f"{inputs} raises V however large it is"
-        step = Step(said, True, "counterexample", self._named(failure[0]))
+        step = Step(f"{inputs} raises V however large it is", True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
         return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
 
@@ -369,8 +359,7 @@ class SystemCandidate(LyapunovCandidate):
         if failure is None:
             return None
         claim = f"V rises by {failure[1]:.3g} at a jump"
-        step = exact(claim, False, self._named(failure[0]))
-        return Refutation(claim, step, *failure)
+        return Refutation(claim, exact(claim, False), *failure)
 
     def _rises(self) -> Failure | None:
         """Return a point at which V' is above 0, or above the claim."""
@@ -403,11 +392,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def falls(self, definite: Definite) -> Fall:
         """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
-        steps, bound, claim = (
-            list[Step](),
-            self.rate,
-            f"V' = {short(self.readable_rate(self.rate))}",
-        )
+        steps, bound = list[Step](), self.rate
+        claim = f"V' = {short(self.readable_rate(self.rate))}"
         if self.claim is not None:
             excess = self.excess(self.claim)
             holds = self.never_positive(excess)
