@@ -107,6 +107,8 @@ class Ensemble:
             )
         if runner.engine != "native":
             return runner
+        if runner.sweep.guarded and not runner.nstates:
+            return make_runner(*system, "python")
         for (k, name), keys in keys_of_field.items():
             node = varied.wiring.nodes[k]
             if role := read_as_number(node.system, name):
@@ -206,7 +208,7 @@ class Ensemble:
             return x0, P, times, members.schedules, group
 
         count = len(members.x0)
-        if not self.native.nstates:
+        if not (self.native.nstates or self.native.sweep.guarded):
             return States(
                 states=np.zeros((count, len(times), 0)),
                 status=np.full(count, Status.FINISHED),
@@ -245,7 +247,7 @@ class Ensemble:
                 rows, end = run.x, run.t[-1]
                 if run.status == "stopped":
                     status[m] = Status.GUARD_LEFT
-                counts[m, :3] = [*run.statistics.values()]
+                counts[m, : len(run.statistics)] = [*run.statistics.values()]
             except SimulationError as error:
                 status[m] = error.status or Status.NOT_FINITE
                 rows = error.states

@@ -273,6 +273,23 @@ def test_a_guard_that_stops_a_member_is_an_end_of_its_own(recwarn):
     assert failed.status.values.tolist() == [4, 4, 1]
 
 
+def test_a_guard_stops_a_member_without_states():
+    """y = k r with r = t/20 stops where r = 1, at t = 20."""
+    gain = clpt.Block(
+        "gain",
+        output=lambda t, x, u, p: [u.r * p.k],
+        inputs={"r": 1},
+        outputs={"y": 1},
+        parameters={"k": 1.0},
+        guard=clpt.Guard(lambda t, x, u, p: 1 - u.r, "stop"),
+    )
+    times = np.linspace(0, 30, 4)
+    given = {"timepts": times, "inputs": times / 20}
+    data = clpt.run_ensemble(gain, {"gain.k": [1.0, 2.0]}, **given)
+    np.testing.assert_allclose(data.end, 20.0)
+    np.testing.assert_allclose(data.y_final, [1.0, 2.0])
+
+
 def test_the_largest_of_an_output_is_its_absolute_value():
     still = control.nlsys(lambda t, x, u, p: 0 * x, inputs=0, states="y", outputs="y")
     data = clpt.run_ensemble(still, {"y": [-1.0, -2.0]}, timepts=[0, 1])
