@@ -257,7 +257,7 @@ TOKENS = {
     "engine.record": 8922,
     "engine.solver": 40867,
     "engine.trace": 41360,
-    "ensemble": 21393,
+    "ensemble": 21428,
     "ocean.estimation": 22737,
     "ocean.forecast": 27400,
     "ocean.gliders": 25451,
