@@ -82,6 +82,11 @@ EFFECTS = {  # what the sentence names -> what happens
 }
 
 
+@pytest.fixture(autouse=True)
+def _in_a_folder_of_its_own(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
 def outside():
     """Return all that one of the functions could change."""
     files = {

@@ -104,6 +104,7 @@ def test_recorded_and_live_have_the_same_numbers(tmp_path, estimate, live, damag
     assert damage is wild or "line" in told
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("off", [-4 * 3600.0, -9e9, 3e8, 1.8e12])
 @pytest.mark.parametrize("columns", ["course,speed", "dr_east_m,dr_north_m"])
 def test_a_motion_left_out_invents_no_current(tmp_path, estimate, live, off, columns):
@@ -363,6 +364,7 @@ def out_of_order(rows):
     return 8, {"time": rows[7][0] - 60.0}
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "damage",
     [
