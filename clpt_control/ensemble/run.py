@@ -124,8 +124,8 @@ def run_ensemble(
         Times of the errors of a scenario. Default: 41 evenly spaced times.
     summary : dict of callables, optional
         Of a diagram, without `out`: ``{"settling": function}``. Each function is called with the
-        outputs of a member, an xarray.Dataset at `timepts`, and returns a number. A member that did
-        not finish has NaN.
+        outputs of a member, an xarray.Dataset at `timepts`, and returns a number. A member that
+        failed has NaN.
     progress : bool or callable, optional
         True prints a progress bar on standard error; a function is called with the number
         of members done.

@@ -124,7 +124,7 @@ class PreparedRun:
         if params or self._made_for is not self._params:
             runner = self._runner_with(params or {})
         solution, blocks = self._solve(runner, start, u, params or {})
-        if len(solution.t) < len(times):
+        if len(solution.t) < len(times) or solution.t[-1] != times[-1]:
             raise SimulationError(
                 f"{self._run.name}: the run ended at t = {solution.t[-1]:.9g}, before the last of "
                 f"its times: {solution.message}. Use simulate"
@@ -154,6 +154,10 @@ class PreparedRun:
 
     def _runner_with(self, params: Mapping[str, Any]) -> Any:
         """Return the runner with parameters; one that code was made for is compiled again."""
+        if not isinstance(params, Mapping):
+            raise SimulationError(
+                f"params = {params!r}: must be a dict, such as {{'gain': 2.0}}"
+            )
         for key, value in params.items():
             if key not in self._params:
                 close = nearest(key, self._params)
@@ -239,8 +243,9 @@ def prepare(
     -------
     PreparedRun
         ``run(initial_state, inputs, params)`` returns arrays: ``states`` of shape (nt, nstates) and
-        ``outputs`` (nt, noutputs). The first 8 calls, and one of 64 after them, are compared with
-        the functions in Python. A function that has changed counts at the next call.
+        ``outputs`` (nt, noutputs). A dict of states changes those that it names. The first 8 calls,
+        and one of 64 after them, are compared with the functions in Python. A function that has
+        changed counts at the next call.
 
     Raises
     ------

@@ -44,6 +44,21 @@ def test_inputs_of_a_call_are_samples_joined_by_lines():
     np.testing.assert_allclose(states, TIMES - 1 + np.exp(-TIMES), atol=1e-9)
 
 
+@pytest.mark.parametrize("times", [[0.0, 0.5, 5.0], [0.0, 1.0], [0.0, 0.2, 0.5]])
+def test_a_run_that_a_guard_stops_is_refused(times):
+    half = clpt.Guard(lambda t, x, u, p: x[0] - 0.5, "stop")
+    falls = clpt.Block(
+        "falls", update=lambda t, x, u, p: [-2.0 * x[0]], states={"x": 1}, guard=half
+    )
+    run = clpt.prepare(falls, times, initial_state=[1.0])
+    refuses("ended at t = 0.34657", run, error=clpt.SimulationError)
+
+
+def test_parameters_of_a_call_are_a_dict():
+    run = clpt.prepare(system(k=1.0), TIMES, params={"k": 1.0})
+    refuses("must be a dict", run, params=3, error=clpt.SimulationError)
+
+
 def test_inputs_jump_at_repeated_times():
     run = clpt.prepare(system(k=1.0), [0.0, 1.0, 1.0, 2.0])
     states = run([1.0], np.array([[1.0, 1.0, 3.0, 3.0]])).states[:, 0]

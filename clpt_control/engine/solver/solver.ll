@@ -1,4 +1,4 @@
-; sha256 5e5a4ff21ad0fc0f66fec039667ca5dee00a0270537f792e4bd39be867c2b186 b2f7ad78616aae7f6b5e5082adb94830d66c0dcd8fbc724f6bf92f1d2d4799bf, Python 3.11, numba 0.68.1
+; sha256 4d38bf10b73b92580c7db8e3911879f762a673d7251ae12032c1f6d842253b47 b2f7ad78616aae7f6b5e5082adb94830d66c0dcd8fbc724f6bf92f1d2d4799bf, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("

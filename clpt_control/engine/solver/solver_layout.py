@@ -62,8 +62,8 @@ class Status(IntEnum):
     DIVERGING = (
         8,
         "diverges",
-        "the states grow without bound, and rates change too fast to reach the end. Check the sign "
-        "and size of the gains, or stop the run with a guard",
+        "the states grow a millionfold, and at this pace the run needs more steps than a member "
+        "may take. Check signs and sizes of the gains, stop it with a guard, or use simulate",
     )
     STIFF = 9, "stiff", "left to an implicit method"
     STOPPED = 10, "stopped", "stopped by a guard"
