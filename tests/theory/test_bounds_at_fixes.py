@@ -142,6 +142,7 @@ def test_limits_of_the_flow_are_of_fixes_alone():
         clpt.certify(clpt.paper_scenario(), shear=0.1)
 
 
+@pytest.mark.long
 def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path):
     import clpt_control
 

@@ -76,6 +76,7 @@ def unknown_speed(rows):
 
 
 @pytest.mark.thirds
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "damage",
     [
