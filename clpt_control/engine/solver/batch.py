@@ -53,9 +53,8 @@ ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 WINDOW = 10_000  # tries over which the pace of a run is measured
-GROWTH = (
-    1e6  # of states, at which a run diverges if its pace is too slow to reach the end
-)
+# of states, at which a run diverges if its pace is too slow to reach the end
+GROWTH = 1e6
 
 
 class Batch:

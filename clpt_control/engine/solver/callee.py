@@ -36,10 +36,8 @@ class Callee(NamedTuple):
     kept: dict[Any, "Evaluation"]  # by shape, while no thread uses them
     linear: Jacobian = Jacobian()  # of Rodas5P
     timed: bool = False  # whether steps are short, as time may do much in little of it
-    slopes: tuple[int, int] = (
-        0,
-        0,
-    )  # in P, of inputs that may do so where they are not zero
+    # places in P of the slopes of inputs: steps are short where one is not zero
+    slopes: tuple[int, int] = (0, 0)
     code: tuple = ()  # objects that must live for as long as addresses are used
 
     @property
