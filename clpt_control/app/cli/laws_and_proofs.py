@@ -1,6 +1,7 @@
 """`clpt laws`: their table; `clpt prove`: theorems, laws, and searches for counterexamples."""
 
 import json
+import os
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,7 @@ from typing import Any
 from ...base.errors import ClptError, SimulationError
 from ...base.files import make_folder, write_file
 from ...base.html import Result
-from ...base.progress import progress_bar
+from ...base.progress import interrupt, progress_bar
 from .printing import (
     SCENARIO,
     Json,
@@ -17,7 +18,6 @@ from .printing import (
     cell_text,
     check_out,
     finish,
-    flag,
     law_names,
     opt,
     say,
@@ -109,7 +109,6 @@ def prove(
     theorem: str | None = opt(
         "NUMBER", "3.1 to 3.4; default: all, limits and every law."
     ),
-    again: bool = flag("Ignore cached verdicts and prove everything again.", "--again"),
     search: float | None = opt(
         "SECONDS",
         "Search for a run that breaks a promise of LAW instead, by five runs a second.",
@@ -138,7 +137,7 @@ def prove(
         clpt prove --coq coq
         clpt prove concurrent --search 20 --out broken.toml
     """
-    of_proofs, of_search = (theorem, again or None, certificates), (search, seed, out)
+    of_proofs, of_search = (theorem, certificates), (search, seed, out)
     if coq is not None:
         if {law, *of_proofs, *of_search} != {None}:
             raise ClptError("--coq DIR: writes all theorems. Give no other option")
@@ -149,8 +148,8 @@ def prove(
             raise ClptError("--search SECONDS: needs LAW. Name the law to search")
         if {*of_proofs} != {None}:
             raise ClptError(
-                "--search SECONDS: proves nothing. Leave --theorem, --again and "
-                "--certificates out"
+                "--search SECONDS: proves nothing. Leave --theorem and --certificates "
+                "out"
             )
         _search_counterexample(law, search, seed or 0, out, as_json)
         return
@@ -162,34 +161,19 @@ def prove(
         _refuse_unknown(law)
         if theorem is not None:
             raise ClptError("--theorem NUMBER: is not of LAW. Give one of the two")
-    from ...theory.theorems.cached_verdicts import (
-        CachedOutcomes,
-        make_ready,
-        prove_all,
-        second_process,
-    )
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # read at the import
+    from ...theory.theorems.all_proofs import statements
 
-    with second_process() as pool:
-        cached = CachedOutcomes()
-        is_long = theorem is None and law is None
-        if pool is not None and is_long and (again or not cached.outcomes):
-            pool.submit(make_ready)
-        from ...theory.theorems.all_proofs import statements
-
-        requested = statements(theorem, law)
-        new = [
-            statement
-            for statement in requested
-            if again or statement not in cached.outcomes
-        ]
-        if new:
-            with progress_bar("proving", len(new)) as report:
-                cached.store(prove_all(new, report, pool))
-    outcomes = {statement: cached.outcomes[statement] for statement in requested}
-    proved_at = max(cached.times[statement] for statement in requested)
+    outcomes = {}
+    requested = statements(theorem, law)
+    with progress_bar("proving", len(requested)) as report:
+        for statement in requested:
+            interrupt.check()
+            outcomes[statement] = statement.prove()
+            report(len(outcomes))
     if certificates is not None:
         _write_certificates(outcomes, certificates, quiet=as_json)
-    _print_outcomes(outcomes, proved_at, before=not new, as_json=as_json)
+    _print_outcomes(outcomes, as_json)
 
 
 def _refuse_unknown(law: str) -> None:
@@ -200,9 +184,7 @@ def _refuse_unknown(law: str) -> None:
         raise ClptError(f"{law}: is not a law. List the laws with: clpt laws")
 
 
-def _print_outcomes(
-    outcomes: dict[Any, Any], proved_at: str, before: bool, as_json: bool
-) -> None:
+def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:
     """Print proofs and misprints; raise an error if one of them fails."""
     summary: Report = {}
     results, wrong = [], []
@@ -226,7 +208,6 @@ def _print_outcomes(
         (outcomes[s] for s in outcomes if s.room == "misprints"), []
     )
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
-    summary["judged"] = {"time": proved_at, "before": before}
     if len(outcomes) > 2:  # not of one theorem
         columns = ["equation", "printed", "should be", "confirmed"]
         keys = ("equation", "printed", "corrected")
@@ -235,10 +216,6 @@ def _print_outcomes(
             for m in misprints
         ]
         results.append(Result("Misprints", columns, rows, []))
-    if before:
-        sentence = f"judged on {proved_at} of the same equations; --again judges anew"
-        last = results[-1]
-        results[-1] = last._replace(sentences=[*last.sentences, sentence])
     finish(results, summary, as_json)
     wrong += [
         f"the misprint of {m['equation']} is not confirmed"
