@@ -40,7 +40,6 @@ from .answers import Definite, Fall, Jumps, Refutation
 from .certified import SHOWN, written
 from .conclusions import CONCLUSIONS, Condition, Judged, Status, concluded
 from .ends import Ends, ends
-from .in_latex import theorem_and_proof
 from .outside import Motion
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
@@ -126,22 +125,6 @@ class Verdict(Judged):
         shown = SHOWN[data["conclusion"]].split()
         more = CONCLUSIONS[self.conclusion].requires.difference(shown)
         return tuple(step for step in self.steps if more & {*step.shows.split()})
-
-    def latex(self) -> str:
-        r"""Return the verdict as a theorem and a proof in LaTeX.
-
-        V, V', the conclusion, its conditions as assumptions, and the steps, for a paper.
-
-        Examples
-        --------
-        >>> import clpt_control as clpt
-        >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
-        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:45])
-        \begin{theorem}
-        Let
-        \[ V = \frac{x^{2}}{2} \]
-        """
-        return theorem_and_proof(self, self.V, self.rate)
 
     def __repr__(self) -> str:
         return f"<Verdict {self.status}: {self.sentence}>"
