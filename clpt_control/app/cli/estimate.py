@@ -1,16 +1,14 @@
-"""Command `clpt estimate`: the flow from recorded fixes, live fixes, or a run."""
+"""Command `clpt estimate`: the flow from recorded fixes, or of a run."""
 
 import json
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import clpt_control as clpt
 
-from ...base.errors import ClptError, DataError, ScenarioError
+from ...base.errors import DataError, ScenarioError
 from ...base.files import write_together
-from ...base.progress import tell
 from .printing import (
     FIGURE,
     SCENARIO,
@@ -21,16 +19,13 @@ from .printing import (
     finish,
     flag,
     opt,
-    say,
 )
 
 if TYPE_CHECKING:
     import numpy as np
     import xarray
 
-    from ...ocean.estimation.live_fixes import LiveFixes
 
-LIVE = "-"
 MISSION = "made_auv_mission.csv"
 OF_RUNS = ("every", "prior", "noise", "until")
 OF_RECORDS = ("method", "figure", "results")
@@ -39,7 +34,7 @@ OF_RECORDS = ("method", "figure", "results")
 def estimate(
     source: str | None = arg(
         "FIXES",
-        "Table of fixes or a vehicle's files; - for lines of JSON; or a run's NetCDF.",
+        "Table of fixes or a vehicle's files; or a run's NetCDF.",
         default=None,
     ),
     scenario: Path | None = opt(
@@ -59,9 +54,6 @@ def estimate(
     ),
     drifter: bool = flag(
         "Take an unknown displacement through the water as 0.", "--drifter"
-    ),
-    state: Path | None = opt(
-        "FILE", "With -: file of the state, which is taken up again."
     ),
     method: str = opt(
         "NAME",
@@ -88,12 +80,11 @@ def estimate(
     ),
     as_json: Json = False,
 ) -> None:
-    """Learn the flow from fixes, recorded or live, or from a run.
+    """Learn the flow from recorded fixes, or from a run.
 
     Example:
         clpt estimate --sample --figure learned.png
         clpt estimate fixes.csv --scenario mine.toml --out known.toml
-        clpt estimate - --scenario mine.toml --state state.json
         clpt estimate run.nc --method kalman --out known.toml
     """
     check_out(out, *SCENARIO)
@@ -110,7 +101,7 @@ def estimate(
         source, scenario = _sample(source, scenario)
     if source is None:
         raise DataError(
-            f"FIXES: are missing. Give a table, {LIVE} or a run, or --sample"
+            "FIXES: are missing. Give a table or a run, or --sample"
         )
     if source.endswith(".toml"):
         raise DataError(
@@ -118,7 +109,7 @@ def estimate(
         )
     paths = out, figure, results
     if source.endswith(".nc") and scenario is None:
-        _refuse({**given, **limits}, ("drifter", "state", *limits), "a run")
+        _refuse({**given, **limits}, ("drifter", *limits), "a run")
         of_run(Path(source), method, (every, prior, noise), until, paths, as_json)
         return
     _refuse(given, OF_RUNS, "fixes. Set the keys of the law in the scenario")
@@ -132,11 +123,6 @@ def estimate(
         raise ScenarioError(
             f"{scenario}: is a team's. Give the scenario of one vehicle"
         )
-    if source == LIVE:
-        _refuse(given, ("drifter", *OF_RECORDS), "live fixes")
-        _live(learner, state, out, limits)
-        return
-    _refuse(given, ("state",), "recorded fixes. Give - to read live fixes")
     _recorded(source, learner, method, paths, drifter, limits, as_json)
 
 
@@ -223,49 +209,8 @@ def known_scenario(
     return clpt.currents.known_flow_scenario(titled, theta)
 
 
-# --- live -----------------------------------------------------------------------------------------
 
 
-def _live(
-    scenario: "clpt.Scenario",
-    state: Path | None,
-    out: Path | None,
-    limits: dict[str, Any],
-) -> None:
-    """Answer lines of standard input until it ends."""
-    from ...ocean.estimation.live_fixes import LiveFixes, sole_writer
-
-    with sole_writer(state):
-        _answer(LiveFixes(scenario, state, **limits), out)
-
-
-def _answer(learner: "LiveFixes", out: Path | None) -> None:
-    """Print an answer to each fix, and to each line that is left out."""
-    from ...base.units import iso
-
-    refused = 0
-    for number, line in enumerate(sys.stdin, 1):
-        if not line.strip():
-            continue
-        try:
-            answer = learner.answer(line)
-        except DataError as error:
-            tell(f"clpt: line {number}: {error}")
-            refused += 1
-            continue
-        if answer is None:
-            continue
-        say(json.dumps(answer))
-        if "skipped" in answer and "latitude" not in line:
-            tell(f"clpt: line {number}: skipped, {answer['skipped']}")
-    estimator = learner.estimator
-    if out is not None and estimator.legs:
-        frame, _ = estimator.under_way
-        begin = iso(frame.time)
-        known = known_scenario(learner.scenario, estimator.theta, begin, frame.place)
-        clpt.save_scenario(known, out)
-    if refused:
-        raise ClptError(f"{refused} line{'s' * (refused > 1)} refused, as told above")
 
 
 # --- of a run -------------------------------------------------------------------------------------

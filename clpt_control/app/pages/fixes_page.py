@@ -1,6 +1,7 @@
 """Results, figure and page of a flow learned from fixes: errors of the forecasts, parameters."""
 
 import json
+from math import atan2, degrees, hypot
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,6 @@ from ...base.geodesy import LocalPlane
 from ...base.html import Result
 from ...base.units import at_most, finite_or_none
 from ...ocean.estimation.fix_model import LEVEL, PERCENT
-from ...ocean.estimation.live_fixes import towards
 from .page import Page, Section, drawn, versions_section
 
 Report = dict[str, Any]  # ready for JSON
@@ -184,3 +184,8 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     errors.set_ylim(0, 1.15 * max(float(error.max()), 1e-3))
     legend_below(errors, 2)
     return np.array([chart, errors])
+
+
+def towards(east: float, north: float) -> dict[str, float]:
+    """Return speed (m/s) and direction (degrees) of a flow."""
+    return {"speed": hypot(east, north), "towards": degrees(atan2(east, north)) % 360.0}
