@@ -44,7 +44,6 @@ from .simulation.sensitivities import sensitivity as sensitivity
 from .theory.excitation.certify import certify as certify
 from .theory.excitation.gramian import gramian as gramian
 from .theory.laws.prove_law import prove as prove
-from .theory.laws.refuting import refute as refute
 from .theory.proofs.lyapunov_function import lyapunov as lyapunov
 
 __version__: str

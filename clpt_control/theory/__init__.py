@@ -1,7 +1,7 @@
 """The paper's section III on the equations that run.
 
 `audit` judges the four theorems, `misprints` lists the misprints, `design_track` finds waypoints.
-Proofs of laws (`prove`, `lyapunov`), searches (`refute`), the Gramian of a track (`gramian`) and
+Proofs of laws (`prove`, `lyapunov`), the Gramian of a track (`gramian`) and
 bounds for every start (`certify`) are names of the package.
 """
 

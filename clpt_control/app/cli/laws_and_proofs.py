@@ -1,4 +1,4 @@
-"""`clpt laws`: their table; `clpt prove`: theorems, laws, and searches for counterexamples."""
+"""`clpt laws`: their table; `clpt prove`: theorems, laws."""
 
 import json
 import os
@@ -10,18 +10,7 @@ from ...base.errors import ClptError, SimulationError
 from ...base.files import make_folder, write_file
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
-from .printing import (
-    SCENARIO,
-    Json,
-    Report,
-    arg,
-    cell_text,
-    check_out,
-    finish,
-    law_names,
-    opt,
-    say,
-)
+from .printing import Json, Report, arg, finish, law_names, opt, say
 
 JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
@@ -109,14 +98,6 @@ def prove(
     theorem: str | None = opt(
         "NUMBER", "3.1 to 3.4; default: all, limits and every law."
     ),
-    search: float | None = opt(
-        "SECONDS",
-        "Search for a run that breaks a promise of LAW instead, by five runs a second.",
-    ),
-    seed: int | None = opt("NUMBER", "Seed of --search; default: 0."),
-    out: Path | None = opt(
-        "FILE", "With --search: scenario that breaks the promise, to write."
-    ),
     coq: Path | None = opt(
         "DIR",
         "Write the theorems as Coq files instead; coqc, if installed, checks them.",
@@ -128,35 +109,18 @@ def prove(
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
 
-    The equations are those that run, traced from the same blocks. A search that finds no run is
-    no proof.
+    The equations are those that run, traced from the same blocks.
 
     Example:
         clpt prove sigma
         clpt prove --theorem 3.2
         clpt prove --coq coq
-        clpt prove concurrent --search 20 --out broken.toml
     """
-    of_proofs, of_search = (theorem, certificates), (search, seed, out)
     if coq is not None:
-        if {law, *of_proofs, *of_search} != {None}:
+        if (law, theorem, certificates) != (None, None, None):
             raise ClptError("--coq DIR: writes all theorems. Give no other option")
         _prove_by_coq(coq, as_json)
         return
-    if search is not None:
-        if law is None:
-            raise ClptError("--search SECONDS: needs LAW. Name the law to search")
-        if {*of_proofs} != {None}:
-            raise ClptError(
-                "--search SECONDS: proves nothing. Leave --theorem and --certificates "
-                "out"
-            )
-        _search_counterexample(law, search, seed or 0, out, as_json)
-        return
-    if {*of_search} != {None}:
-        raise ClptError(
-            "--seed and --out: are options of --search. Give --search SECONDS, too"
-        )
     if law is not None:
         _refuse_unknown(law)
         if theorem is not None:
@@ -258,37 +222,6 @@ def _prove_by_coq(folder: Path, as_json: bool) -> None:
     finish([result], {"coq": report_of_coq}, as_json, folder)
 
 
-def _search_counterexample(
-    law: str, budget: float, seed: int, out: Path | None, as_json: bool
-) -> None:
-    """Search for a run that breaks what a law promises, and print how near it came."""
-    from ...paper.laws.table import LAWS
-    from ...paper.scenario.file import scenario_to_text
-    from ...theory.laws.promises import promises_in_words
-    from ...theory.laws.refuting import refute as search
-
-    check_out(out, *SCENARIO)
-    with progress_bar(f"searching {law}", 1.0) as report:
-        outcome = search(law, budget=budget, seed=seed, progress=report)
-    text = None if outcome.scenario is None else scenario_to_text(outcome.scenario)
-    if out is not None and text is not None:
-        write_file(out, text)
-    rows = [
-        [
-            words,
-            "never asked"
-            if claim not in outcome.closest
-            else cell_text(outcome.closest[claim]),
-        ]
-        for claim, words in promises_in_words(LAWS[law]).items()
-    ]
-    title = f"{law}: {outcome.status} by {outcome.runs} runs"
-    result = Result(title, ["promise", "came to, above 1 is broken"], rows)
-    finish(
-        [result], {**vars(outcome), "scenario": text}, as_json, out if text else None
-    )
-    if outcome.broken:
-        raise SimulationError(f"{law} breaks its promise: {outcome.broken}")
 
 
 def _fields(proof: Any, fields: str, name: str) -> Report:
