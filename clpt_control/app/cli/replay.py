@@ -77,15 +77,6 @@ Aim = Annotated[
         default=...,
     ),
 ]
-Route = Annotated[
-    Path | None,
-    opt(
-        "FILE",
-        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: times of arrival. Its "
-        "polygons are areas to stay out of: probability of entering.",
-        default=...,
-    ),
-]
 Speed = Annotated[
     float | None,
     opt(
@@ -127,7 +118,6 @@ def replay(
     units: Units = None,
     plan: Plan = None,
     aim: Aim = None,
-    route: Route = None,
     speed: Speed = None,
     hours: Hours = None,
     least_duration: LeastDuration = None,
@@ -153,7 +143,7 @@ def replay(
         )
     job = job_of(
         replay_of(estimator, flow, learn_speed, flow_model, units),
-        Steering(plan, aim, route, speed, hours, variation),
+        Steering(plan, aim, speed, hours, variation),
         least_duration,
         formats or ["png"],
     )
@@ -194,7 +184,6 @@ def watch(
     units: Units = None,
     plan: Plan = None,
     aim: Aim = None,
-    route: Route = None,
     speed: Speed = None,
     hours: Hours = None,
     least_duration: LeastDuration = None,
@@ -212,15 +201,13 @@ def watch(
     """
     from ...ocean.forecast.fleet import checked_command
 
-    if fleet and (aim or plan or route):
-        raise ScenarioError(
-            "--aim, --route and --next are for one vehicle. Leave --fleet out"
-        )
+    if fleet and (aim or plan):
+        raise ScenarioError("--aim and --next are for one vehicle. Leave --fleet out")
     command = [] if alert is None else checked_command(alert)
     replay_report.check_pace(every, patience)
     job = job_of(
         replay_of(estimator, flow, learn_speed, flow_model, units),
-        Steering(plan, aim, route, speed, hours, variation),
+        Steering(plan, aim, speed, hours, variation),
         least_duration,
         formats or ([] if fleet else ["png"]),
     )
@@ -258,7 +245,6 @@ class Steering(NamedTuple):
 
     plan: tuple[float, float, float] | None
     aim: tuple[float, float] | None
-    route: Path | None
     speed: float | None
     hours: float | None
     variation: float | None
@@ -269,12 +255,9 @@ def job_of(
 ) -> replay_report.Job:
     """Return the work on a replay; options that do not fit are refused."""
     from ...base.figures import checked_formats
-    from ...ocean.forecast.route import read_route
     from ...ocean.gliders.usable_dives import LEAST_DURATION
 
-    plan, aim, route, speed, hours, variation = steering
-    if route is not None and aim:
-        raise ScenarioError("--route FILE has the waypoints. Leave --aim out")
+    plan, aim, speed, hours, variation = steering
     kinds = checked_formats(formats)
     least = LEAST_DURATION if least_duration is None else least_duration
     if not least >= 0:
@@ -283,9 +266,7 @@ def job_of(
         raise ScenarioError(
             f"--variation {variation:g} degrees: must be -180 to 180, east positive"
         )
-    targets, areas = [] if aim is None else [aim], None
-    if route is not None:
-        targets, areas = read_route(route)
+    targets = [] if aim is None else [aim]
     job = replay_report.Job(
         replay,
         () if plan is None else (3600 * plan[0], plan[1:]),
@@ -293,7 +274,6 @@ def job_of(
         speed,
         None if hours is None else 3600 * hours,
         variation,
-        areas,
         kinds=kinds,
         least=least,
     )

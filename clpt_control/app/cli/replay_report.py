@@ -35,8 +35,7 @@ class Job:
 
     Dives must last longer than `least`, s. `plan` is of the next dive (s; m east, m north);
     `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
-    (degrees east) are for aiming. The way is drawn (`route`) where there is a list of areas to stay
-    out of, if an empty one. `follows`: what the dives so far do not allow is told once, and work
+    (degrees east) are for aiming. `follows`: what the dives so far do not allow is told once, and work
     goes on. A vehicle that no file names is called `name`.
     """
 
@@ -46,7 +45,6 @@ class Job:
     speed: float | None = None
     duration: float | None = None
     variation: float | None = None
-    areas: list[Any] | None = None
     follows: bool = False
     kinds: Sequence[str] = ()
     least: float = 0.0
@@ -126,7 +124,6 @@ class Job:
     def summary(self, skipped: Sequence[Any] = ()) -> Report:
         """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
         from ...ocean.forecast.aim_files import paste
-        from ...ocean.forecast.route import DRAWS, arrivals
 
         replay = self.replay
         if not replay.steps:
@@ -137,10 +134,6 @@ class Job:
         found = replay.summary(skipped, goal, legs)
         if self.name and not replay.steps[-1].dive.vehicle:
             found["vehicle"] = self.name
-        if self.areas is not None and legs:
-            with progress_bar("drawing the way", DRAWS) as report:
-                way = self.targets, self.areas, self.speed, self.duration
-                found["route"] = arrivals(replay, *way, report)
         return found | {"paste": paste(found)}
 
     def learn(

@@ -78,8 +78,6 @@ def _legend(report: dict[str, Any]) -> str:
     entries = [(kind, name) for kind, name in KEYS.items() if drawn[kind]]
     if any(map(table_rows.is_outside, report["each_dive"])):
         entries.append(("outside", f"fix outside its {PERCENT} ellipse"))
-    if "route" in report and report["route"]["areas"]:
-        entries.append(("area", "area to stay out of"))
     return "".join(f'<span class="key {kind}">{name}</span>' for kind, name in entries)
 
 

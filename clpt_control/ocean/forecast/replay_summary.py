@@ -29,7 +29,7 @@ from .aim import Aim, aim_sentence
 from .flow_models import FlowModel
 from .step import FLOW_MODEL, Step
 from .surfacing import NextDive
-from .table_rows import BASES, clock, ellipse_words, place, velocity, when, wide
+from .table_rows import BASES, ellipse_words, place, velocity, when, wide
 
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
@@ -260,41 +260,19 @@ def record_sentence(forecast: dict[str, Any]) -> str:
 def coming(report: dict[str, Any]) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
     first = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
-    return first + _legs_and_route(report, 0)
+    return first + _legs(report, 0)
 
 
 def beyond_cards(report: dict[str, Any]) -> list[str]:
     """Return sentences on what no card has: later legs and the route."""
     why = uncovered(report["next_dive"])
-    return ([why] if why else []) + _legs_and_route(report, 1)
+    return ([why] if why else []) + _legs(report, 1)
 
 
-def _legs_and_route(report: dict[str, Any], first: int) -> list[str]:
+def _legs(report: dict[str, Any], first: int) -> list[str]:
     """Return the sentences on aims from the first one on, and on the route."""
     legs = [*map(aim_sentence, report["aim"][first:])]
-    return legs + (route_sentences(report["route"]) if "route" in report else [])
-
-
-def route_sentences(route: dict[str, Any]) -> list[str]:
-    """Return a sentence for each waypoint of a route, and for each area."""
-    lines = []
-    for waypoint in route["waypoints"]:
-        times = [
-            clock(waypoint[key]) if waypoint[key] else ""
-            for key in ("not_before", "time", "by")
-        ]
-        early, middle, late = times
-        text = f"there {middle}" if middle else "not there"
-        text += f"; cannot be made before {early} ({PERCENT})" if early else ""
-        text += f", made by {late} ({PERCENT})" if late else ""
-        if waypoint["made"] < 1:
-            share = f"{100 * waypoint['made']:.0f} % of {route['draws']} draws"
-            text += f"; made within {route['dives']} dives in {share}"
-        lines.append(f"route to {waypoint['place']}: {text}")
-    entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
-    return lines + [
-        f"{name}: entered in {share:.0f} % of the draws" for name, share in entered
-    ]
+    return legs
 
 
 def remarks(summary: dict[str, Any]) -> list[str]:

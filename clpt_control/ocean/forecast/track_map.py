@@ -125,7 +125,6 @@ def _drawn(
         kind: [layer.places for layer in layers]
         for kind, layers in layers_of(report).items()
     }
-    areas = report["route"]["areas"] if "route" in report else []
     reference = east_of(of["track"][0][0][1])
 
     def lines_of(several: Sequence[Sequence[Place]]) -> np.ndarray:
@@ -152,8 +151,6 @@ def _drawn(
     ax = axes_for(ax, max(wide * inch, LEAST) + margins[0], high * inch + margins[1])
     ax.set(xlim=(west, east), ylim=(south, north))
     ax.set_aspect(degree[1] / degree[0], adjustable="box")
-    for area in areas:
-        ax.fill(*lines_of([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
     few = len(rows) <= FEW
     for kind, mark_or_line, size, small, style in DRAWN:
         if of[kind]:
