@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 MISSION = "made_auv_mission.csv"
 OF_RUNS = ("every", "prior", "noise", "until")
-OF_RECORDS = ("method", "figure", "results")
 
 
 def estimate(

@@ -35,7 +35,8 @@ class Job:
 
     Dives must last longer than `least`, s. `plan` is of the next dive (s; m east, m north);
     `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
-    (degrees east) are for aiming. `follows`: what the dives so far do not allow is told once, and work
+    (degrees east) are for aiming. `follows`: what the dives so far do not allow is told once, and
+    work
     goes on. A vehicle that no file names is called `name`.
     """
 

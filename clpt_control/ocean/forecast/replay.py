@@ -214,20 +214,7 @@ class Replay:
             drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
         return (time + stay, *place_from(*place, *drift))
 
-    def imagined(self) -> "Replay":
-        """Return one that knows the same, for dives that are drawn."""
-        sketch = copy.copy(self)
-        sketch.steps, sketch._learner = self.steps[-1:], copy.copy(self._learner)
-        sketch._outlier = None
-        return sketch
 
-    def imagine(self, dive: Dive) -> None:
-        """Learn the flow from a dive that was drawn.
-
-        The dive statistics learn nothing of it.
-        """
-        self._learner.update(dive)
-        self.steps = [replace(self.steps[-1], dive=dive, **self._learner.learned(dive))]
 
     def surfacing(
         self, guess: Guess | None = None, start: Fix | None = None

@@ -103,7 +103,6 @@ class Statement(NamedTuple):
         return proof_or_failure(PROOFS[self.room][self.name])
 
 
-Outcomes = dict[Statement, Outcome]
 
 
 def statements(theorem: str | None = None, law: str | None = None) -> list[Statement]:
