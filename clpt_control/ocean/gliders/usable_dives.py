@@ -3,7 +3,7 @@
 A dive needs both fixes, a time and a place each, in their order, and a finite
 displacement through the water; no speed that follows from them may be above 5 m/s.
 An end fix with exactly the place of the start fix is the start fix repeated, so it is no fix.
-Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too).
+Times are those of the years 1970 to 2200.
 
 Between two dives a vehicle drifts at the surface, or makes dives that are not known.  A dive that
 starts further than
@@ -33,13 +33,13 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY, iso
-from ...paper.currents.constituents import YEARS
 from .dive_fields import NUMBERS
 from .dives import FASTEST, Dive, Fix, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
-LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
+LAST_YEAR = 2200
+LATEST = datetime(LAST_YEAR, 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 FILLS = (999.0, 9999.0, 99999.0)
 # in one second
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
@@ -262,7 +262,7 @@ def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
         )
     if is_time:
         return ""
-    years = f"must be from 1970 to {YEARS[1]}"
+    years = f"must be from 1970 to {LAST_YEAR}"
     return f"the fix {name} the dive is at {time:.10g} s since 1970; {years}"
 
 

@@ -1,4 +1,4 @@
-"""Identifiability of tides: constituents that a record can separate, and its noise.
+"""Identifiability of tides: constituents that a record can separate.
 
 A record must be long enough, by the Rayleigh criterion
 
@@ -10,11 +10,6 @@ tidal heights analysis and prediction", Pacific Marine Science Report 77-10,
 1977).  Below that, least squares still gives numbers, but the two amplitudes
 trade against each other.  "steady" is the speed 0: a tide beside a mean needs
 one full period.
-
-A record can be long enough and still be blind: a tide sampled once
-a period looks like a mean.  The functions 1, cos w t, sin w t at the record's
-own times say so by their condition number, which bounds how much worse than
-even sampling the times make the errors.
 """
 
 from collections.abc import Mapping, Sequence
@@ -30,9 +25,6 @@ from ..scenario import tidal_periods
 
 TURN = 360.0 * (1 - 1e-9)  # degrees; times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
-WORST = 30.0  # largest condition number
-# neighbours of a tide, in 1 / record length
-NEAR = np.array([*range(-10, 0), *range(1, 11)])
 
 
 @public
@@ -102,65 +94,3 @@ def check_nyquist(
         step = float(np.median(np.diff(hours)))
         limit = f"steps of {step:.4g} h see no tide of {2 * step:.4g} h or faster"
         raise DataError(f"{where}: {limit}: leave out {', '.join(fast)}")
-
-
-def check_sampling(
-    hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str
-) -> None:
-    """Refuse times, in hours, that are too few or at which tides look alike.
-
-    `cycles` are frequencies in cycles per hour.
-
-    >>> check_sampling(np.arange(48.0), np.array([1 / 12]), ["S2"], "record")
-    >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
-    Traceback (most recent call last):
-        ...
-    clpt_control.DataError: record: at its times the mean and S2 look alike. Take other
-    intervals or leave one out
-    """
-    count = 2 * len(cycles) + 1
-    if len(hours) < 2 * count:
-        requirement = f"at least {2 * count} are needed"
-        raise DataError(
-            f"{where}: {len(hours)} measurements for {count} numbers to fit; {requirement}"
-        )
-    wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
-    functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
-    if np.linalg.cond(functions) > WORST:
-        functions_text = f"the mean and {', '.join(names)} look alike"
-        raise DataError(
-            f"{where}: at its times {functions_text}. Take other intervals or leave one out"
-        )
-
-
-def noise_ratio(
-    residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int
-) -> np.ndarray:
-    """Return sqrt(power / mean power) of a residual near a tide: of both, of east, of north.
-
-    The power is that of the 20 neighbouring frequencies, those of other tides left out; a ratio
-    below 1 counts as 1.  The residual is east + i north, hours begin at 0, `cycles` are
-    frequencies of all tides in cycles per hour, of which the tide has the index k.
-
-    >>> noise = np.random.default_rng(1).normal(size=(2, 500))
-    >>> found = noise_ratio(noise[0] + 1j * noise[1], np.arange(500.0), np.array([1 / 12]), 0)
-    >>> bool(found[0] < 1.3)
-    True
-    """
-    step = 1.0 / hours[-1]
-    band = cycles[k] + step * NEAR
-    away = np.abs(band[:, None] - np.array([0.0, *cycles])).min(axis=1) >= 0.99 * step
-    band = band[(band > 0) & away]
-    if not len(band):
-        return np.ones(3)
-    wave = np.exp(-2j * np.pi * np.outer(band, hours))
-    power = [
-        np.mean(np.abs(wave @ r) ** 2) / len(hours)
-        for r in (residual.real, residual.imag)
-    ]
-    white = [np.mean(residual.real**2), np.mean(residual.imag**2)]
-    with np.errstate(all="ignore"):  # no residual at all: 0 / 0
-        ratio = np.array(
-            [sum(power) / sum(white), power[0] / white[0], power[1] / white[1]]
-        )
-    return np.sqrt(np.fmax(ratio, 1.0))

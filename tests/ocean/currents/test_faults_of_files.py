@@ -9,7 +9,7 @@ import xarray
 from gridded_currents import gridded_current
 from refusals import refuses
 
-from clpt_control.currents import fit_current, read_currents, read_record
+from clpt_control.currents import fit_current, read_currents
 
 HOURS, LAT, LON = np.arange(25.0), np.linspace(41, 41.6, 7), np.linspace(-70, -69.1, 10)
 CURE = "regrid it to latitudes and longitudes, by cdo remapbil or xESMF"
@@ -174,24 +174,8 @@ def profiler(**more):
     )
 
 
-@pytest.mark.parametrize(
-    ("depth", "height"), [(None, 90.0), (45.0, 50.0), (95.0, 10.0)]
-)
-def test_a_level_of_a_profiler_is_chosen_by_depth(tmp_path, depth, height):
-    """The level 110 m above the instrument is above water."""
-    deep = np.where(np.arange(49) < 5, 20.0, 100.0)  # still on its way at first
-    profiler(DEPTH=("TIME", deep, {"units": "m"})).to_netcdf(tmp_path / "a.nc")
-    found = read_record(tmp_path / "a.nc", latitude=-32.0, depth=depth)
-    np.testing.assert_allclose(found.u, 0.01 * height * np.cos(np.arange(49.0)))
-    assert found.notes[0].startswith(
-        "HEIGHT_ABOVE_SENSOR has 4 levels: the level nearest"
-    )
-    assert f" is read, {100 - height:g} m" in found.notes[0]
 
 
-def test_a_profiler_without_its_depth_is_refused(tmp_path):
-    profiler().to_netcdf(tmp_path / "a.nc")
-    refuses("no depth of the sensor. Write the", read_record, tmp_path / "a.nc", -32.0)
 
 
 def on(dims, shape, **more):

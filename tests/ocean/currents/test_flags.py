@@ -6,11 +6,10 @@ cells, or hours 301 to 419 of a record, are wrong.
 
 import numpy as np
 import pytest
-import xarray
 from gridded_currents import gridded_current
 from refusals import refuses
 
-from clpt_control.currents import fit_current, fit_tides, read_currents, read_record
+from clpt_control.currents import fit_current, read_currents
 
 M2 = 2 * np.pi / 12.4206012  # rad/h
 HOURS, LAT, LON = np.arange(49.0), np.linspace(41, 41.6, 7), np.linspace(-70, -69.1, 10)
@@ -138,59 +137,10 @@ def record():
     return hours, u, v, wrong
 
 
-def of_m2(path):
-    found = read_record(path, latitude=-32.0)
-    fit = fit_tides(found.time, found.u, found.v, found.latitude, ["M2"])
-    return fit.constituents[0].east, found.notes
 
 
-def test_flagged_hours_of_a_mooring_are_gaps(tmp_path, record, printed):
-    hours, u, v, wrong = record
-    flags = np.where(wrong, 4, 1).astype("i1")
-    meanings = "no good probably_good probably_bad bad"
-    of_u = {"flag_values": np.arange(5, dtype="i1"), "flag_meanings": meanings}
-    data = xarray.Dataset(
-        {
-            "UCUR": ("TIME", u, {"units": "m s-1"}),
-            "VCUR": ("TIME", v, {"units": "m s-1"}),
-            "UCUR_quality_control": ("TIME", flags, of_u),
-            "VCUR_quality_control": ("TIME", flags, {"flag_meanings": "x"}),
-        },
-        {"TIME": ("TIME", hours, {"units": "hours since 2019-03-01"})},
-    )
-    data.to_netcdf(tmp_path / "flagged.nc")
-    data.where(~wrong)[["UCUR", "VCUR"]].assign_coords(TIME=data.TIME).to_netcdf(
-        tmp_path / "gaps.nc"
-    )
-    (east, notes), (wanted, none) = (
-        of_m2(tmp_path / f"{name}.nc") for name in ("flagged", "gaps")
-    )
-    assert east == pytest.approx(wanted, rel=1e-9)
-    assert notes[0] == "119 of 720 values of UCUR are flagged bad: left out"
-    assert (len(notes), none) == (2, ())
-    found = printed(
-        *("fit", tmp_path / "flagged.nc", "--tides", "--constituents", "M2"),
-        *("--latitude", "-32"),
-    )
-    assert found["notes"] == list(notes)
-    assert found["samples"] == 601
 
 
-@pytest.mark.parametrize(("good", "bad"), [("1", "4"), ("0", "9"), ("", "3")])
-def test_flags_in_a_table_are_read(tmp_path, record, good, bad):
-    hours, u, v, wrong = record
-    dates = np.datetime64("2019-03-01T00:00") + hours.astype("m8[h]")
-    flags = np.where(wrong, bad, good)
-    lines = [
-        f"{date}Z,{east:.9f},{north:.9f},{one}"
-        for date, east, north, one in zip(dates, u, v, flags, strict=True)
-    ]
-    path = tmp_path / "mooring.csv"
-    path.write_text("\n".join(["time,u (m/s),v (m/s),u_qc", *lines]))
-    east, notes = of_m2(path)
-    # cos(w t - 1) for the M2 of March 2019: the amplitude over its nodal factor, 0.97 to 1.04
-    assert east == pytest.approx(0.4, rel=0.04)
-    assert notes == ("119 of 720 values of u are flagged bad: left out",)
 
 
 def test_flags_of_a_zarr_folder_are_read(tmp_path):

@@ -11,7 +11,7 @@ from xarray.backends.netCDF4_ import NetCDF4ArrayWrapper
 
 from clpt_control.base.files import write_file
 from clpt_control.base.geodesy import LocalPlane
-from clpt_control.currents import fit_current, read_currents, read_record
+from clpt_control.currents import fit_current, read_currents
 from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.paper.currents import plane
@@ -158,24 +158,6 @@ def test_a_box_is_read_as_one_block(tmp_path, monkeypatch):
     np.testing.assert_allclose(found.u, one[:, rows][:, :, columns])
 
 
-def test_a_table_with_a_line_for_each_depth_is_averaged(tmp_path):
-    """Three lines a ping: the last depth holds nothing at most times, and is left out."""
-    lines = ["# latitude: 41.2", "time,depth,u (m/s),v (m/s)"]
-    for k in range(10):
-        far, when = "9,9" if k == 0 else ",", f"2024-01-01T{k:02d}:00:00Z"
-        lines += [
-            f"{when},5,{0.1 * k},0.2",
-            f"{when},10,{0.1 * k + 0.02},0.4",
-            f"{when},15,{far}",
-        ]
-    path = tmp_path / "adcp.csv"
-    path.write_text("\n".join(lines))
-    record = read_record(path)
-    np.testing.assert_allclose(record.u, 0.1 * np.arange(10) + 0.01)
-    np.testing.assert_allclose(record.v, 0.3)
-    assert len(record.time) == 10
-    path.write_text("\n".join(lines[:-1]))  # the last ping is not whole
-    refuses("must increase, each once", read_record, path)
 
 
 NANTUCKET = LocalPlane(41.225, -69.45)
