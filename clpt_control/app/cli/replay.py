@@ -317,9 +317,6 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     return FixModel(flow_parts, learn_speed)
 
 
-STATE = "state"  # in a folder of results
-
-
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     """Return each folder of dives below one, and why it cannot be looked into, if so.
 
@@ -353,12 +350,12 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
 def pages_of(vehicles: Iterable[str], folder: Path) -> dict[str, Path]:
     """Return where results of the vehicles of a folder go: a folder each where they are several.
 
-    >>> names = {"a b", "a_b", "..", "state", "$"}
+    >>> names = {"a b", "a_b", "..", "$"}
     >>> {name: page.name for name, page in pages_of(names, Path("out")).items()}
-    {'$': '_', '..': '_.', 'a b': 'a_b', 'a_b': 'a_b_', 'state': 'state_'}
+    {'$': '_', '..': '_.', 'a b': 'a_b', 'a_b': 'a_b_'}
     """
     folders_by_vehicle = {}
-    used_names = {STATE}
+    used_names = set[str]()
     for vehicle in sorted(vehicles):
         name = re.sub(r"[^\w.-]|^\.", "_", vehicle)
         while name in used_names:
@@ -375,9 +372,8 @@ def look_at(
 ) -> tuple[Report, Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
     from ...ocean.forecast.fleet import Alerts, fleet_page, ordered, standing, unread
-    from ...ocean.forecast.follow import following
     from ...ocean.forecast.table_rows import utc
-    from ...ocean.gliders.dive_files import FROM_GLIDER
+    from ...ocean.gliders.dive_files import FROM_GLIDER, read_all_dives
 
     if not top.is_dir():
         raise DataError(
@@ -400,29 +396,23 @@ def look_at(
         with or_unread(name):
             if fault:
                 raise DataError(fault)
-            with following(folder, results_folder) as follower:
-                follower.look()
-                dives, bad = follower.dives()
-                if not dives:
-                    raise DataError(
-                        bad[0].why if bad else f"{folder}: the folder is empty now"
+            dives, bad = read_all_dives(folder)
+            folders_by_vehicle = pages_of(
+                {dive.vehicle or name for dive in dives}, results_folder
+            )
+            dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
+            alerts = Alerts(alert, results_folder)
+            for vehicle, page in folders_by_vehicle.items():
+                with or_unread(vehicle):
+                    dives_of_vehicle = [
+                        dive for dive in dives if dive.vehicle == vehicle
+                    ]
+                    summary, _ = job.learn(
+                        (dives_of_vehicle, bad), 0, make_folder(page)
                     )
-                folders_by_vehicle = pages_of(
-                    {dive.vehicle or name for dive in dives}, results_folder
-                )
-                dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
-                alerts = Alerts(alert, results_folder)
-                for vehicle, page in folders_by_vehicle.items():
-                    with or_unread(vehicle):
-                        dives_of_vehicle = [
-                            dive for dive in dives if dive.vehicle == vehicle
-                        ]
-                        summary, _ = job.learn(
-                            (dives_of_vehicle, bad), 0, make_folder(page)
-                        )
-                        alerts.tell(summary)
-                        link = (page / "replay.html").relative_to(out).as_posix()
-                        rows.append(standing(summary, link, time.time()))
+                    alerts.tell(summary)
+                    link = (page / "replay.html").relative_to(out).as_posix()
+                    rows.append(standing(summary, link, time.time()))
     if not rows:
         raise DataError(
             f"{top}: no subfolder has dive files. Give a folder with one subfolder per vehicle"

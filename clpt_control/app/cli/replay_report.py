@@ -7,7 +7,7 @@ A folder that is followed is watched for new files of dives.
 
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from math import hypot, isfinite
 from pathlib import Path
@@ -255,6 +255,22 @@ def check_pace(every: float, patience: float) -> None:
         raise ScenarioError(f"--patience {patience:g} s: must be 0 s or more")
 
 
+def stamps(folder: Path, known: dict[Path, Any]) -> dict[Path, Any]:
+    """Return what is in a folder: size and time of each file; as known where it is gone."""
+    if not folder.is_dir():
+        if known:
+            return known
+        raise DataError(
+            f"{folder}: folder not found. Give the folder where dives arrive"
+        )
+    found = {}
+    for path in folder.iterdir():
+        with suppress(OSError):
+            status = path.stat()
+            found[path] = status.st_size, status.st_mtime_ns
+    return found
+
+
 def watch(
     job: Job,
     folder: Path,
@@ -269,23 +285,24 @@ def watch(
     it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
     """
     from ...ocean.forecast.fleet import Alerts
-    from ...ocean.forecast.follow import following
+    from ...ocean.gliders.dive_files import read_all_dives
 
-    with interrupt.terminated(), following(folder, out) as follower:
-        summary = None  # None while results are not those of all files
-        alerts = Alerts(alert, out)
-        since = time.monotonic()
+    summary: Report | None = None  # None while results are not those of all files
+    seen: dict[Path, Any] = {}
+    alerts = Alerts(alert, out)
+    since = time.monotonic()
+    with interrupt.terminated():
         try:
             while True:
-                before = follower.present
-                arrived = follower.look()
-                if arrived or follower.present != before or summary is None:
-                    summary = None
-                    learned, line = job.learn(follower.dives(), len(arrived), out)
+                known, seen = seen, stamps(folder, seen)
+                if summary is None or seen != known:
+                    summary, dives = None, ([], [])
+                    with job.so_far():
+                        dives = read_all_dives(folder)
+                    learned, line = job.learn(dives, len(seen.keys() - known), out)
                     summary = learned  # from where the line is seen, an interrupt has its results
-                    tell(line + follower.faults(arrived))
-                    if arrived:
-                        since = time.monotonic()
+                    tell(line)
+                    since = time.monotonic()
                 alerts.tell(summary)
                 remaining = since + patience - time.monotonic()
                 if remaining <= 0:

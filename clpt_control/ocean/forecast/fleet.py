@@ -15,8 +15,8 @@ A command of the user's own is run when something asks for a pilot.  It is run w
 second one JSON object: id, vehicle, event, dive, fix, sentence, next_dive.  The id of an event is
 vehicle, kind and the time of the fix after its dive, because dive numbers begin again when a
 vehicle is redeployed and some files give all their dives one number.  The command is run for each
-event until it ends well; then the event's id goes into a file in the state of the folder that is
-followed.  So none is lost: who is killed between the two tells it again, with the same id.  A
+event until it ends well; then the event's id goes into a file beside the
+results.  So none is lost: who is killed between the two tells it again, with the same id.  A
 command that fails or lasts too long is one sentence.
 """
 
@@ -229,7 +229,7 @@ def _running(rows: list[dict[str, Any]]) -> int:
 
 
 LONGEST = 60.0  # s that a command may take
-TOLD = ".clpt-told"  # in the state
+TOLD = ".clpt-told"  # in the folder of results
 
 
 def checked_command(text: str) -> list[str]:
@@ -255,10 +255,10 @@ def plain_argument(sentence: str) -> str:
 
 
 class Alerts:
-    """Runs a command, or none, for each new event; `out` has the state of the followed folder."""
+    """Runs a command, or none, for each new event; `out` has those that were told."""
 
     def __init__(self, command: Sequence[str], out: Path) -> None:
-        self.command, self.path = list(command), out / "state" / TOLD
+        self.command, self.path = list(command), out / TOLD
         self.told: list[str] = []
         self.failed: set[str] = set()
         with suppress(DataError, ValueError):
