@@ -22,16 +22,15 @@ from clpt_control.engine.codegen.machine import (
 )
 from clpt_control.engine.codegen.plan import Nest, Program
 from clpt_control.engine.codegen.vectors import PRIMITIVES
-from clpt_control.engine.conformance.all_backends import readings
+from all_backends import readings
 from clpt_control.engine.conformance.checks import (
-    BACKEND,
     check_block,
     python_values,
     random_samples,
     roles,
 )
 from clpt_control.engine.conformance.confirmation import Confirmation
-from clpt_control.engine.conformance.differences import differ
+from clpt_control.engine.conformance.differences import Tolerance, differ
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
 from clpt_control.engine.methods.table import EXPLICIT, METHODS, RK4, ROWS
@@ -49,6 +48,8 @@ from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
 from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
 from clpt_control.engine.trace.ufuncs import COMPOSED
+
+BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
 
 __all__ = [
     "BACKEND",

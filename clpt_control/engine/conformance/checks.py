@@ -22,18 +22,20 @@ import control
 import numpy as np
 
 from ...base.arguments import Seed, public
-from ...base.errors import BlockError, ClptError, DiagramError
+from ...base.errors import BlockError, DiagramError, Uncompiled
 from ..diagram.linearization import linearize
 from ..diagram.wiring import blocks_of
 from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled
-from .all_backends import Backend, readings
+from ..solver.engine_choice import difference
+from ..solver.native_diagram import NativeDiagram
+from ..solver.schedule import read_inputs
+from ..solver.termination import Solution
 from .differences import EXACT, Tolerance, differ, differences
 
 FACTOR = 1.7  # ratio of the old unit to the new unit
 IN_OTHER_UNITS = Tolerance(of_largest=1e-9)
-BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
 LINEAR = Tolerance(of_largest=1e-4, least=1e-4)
 
 
@@ -114,35 +116,20 @@ def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
             )
 
 
-def _backends(block: Block, samples: list[Sample]) -> Iterator[str]:
-    """Every backend computes what Python computes."""
-    for name, backend in readings(block).items():
-        failures = (
-            _backend_failure(block, name, backend, sample) for sample in samples
-        )
-        yield from islice(filter(None, failures), 1)
-
-
-def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) -> str:
-    """Return a sentence if a backend refuses or differs from Python at a sample, or ""."""
-    point = sample.t, sample.x, sample.u
-    compared = [role for role in roles(block) if role != "jump" or name != "control"]
+def _compiles(block: Block, samples: list[Sample]) -> Iterator[str]:
+    """Machine code computes what Python computes."""
+    times, x, u, _ = zip(*sorted(samples, key=lambda sample: sample.t), strict=True)
     try:
-        values = dict(zip(("update", "output"), backend(*point), strict=True))
-        if "jump" in compared:
-            values["jump"] = backend.jump(*point)
-    except ClptError as error:
-        return f"{block.name}: the backend '{name}' refuses: {error}"
-    for role, value in values.items():
-        expected = (
-            python_values(block, role, sample) if role in compared else np.zeros(0)
-        )
-        if differ(value, expected, BACKEND).any():
-            return (
-                f"{block.name}.{role}: Python gives {expected}, the backend "
-                f"'{name}' {value} at {sample}"
-            )
-    return ""
+        runner = NativeDiagram(block)
+    except Uncompiled as error:
+        yield f"{block.name}: runs in Python, not as machine code: {error}"
+        return
+    inputs = read_inputs(np.array(u).T, np.array(times), block.ninputs or 0)
+    for k, t in enumerate(times):
+        at_sample = Solution(np.array([t]), np.reshape(x[k], (1, -1)))
+        if why := difference(runner, at_sample, inputs):
+            yield f"{block.name}: at t = {t:.6g} {why}"
+            return
 
 
 # --- as a part of diagrams ---------------------------------------------------------------------
@@ -299,7 +286,7 @@ def _unit_failure(
 
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
-CHECKS: tuple[Check, ...] = (_repeats, _zero, _backends, _pickles, _linearizes, _jumps)
+CHECKS: tuple[Check, ...] = (_repeats, _zero, _compiles, _pickles, _linearizes, _jumps)
 
 
 class ConformanceReport(NamedTuple):

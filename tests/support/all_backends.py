@@ -23,23 +23,23 @@ import control
 import numpy as np
 import sympy
 
-from ...base.arguments import public
-from ...base.errors import BlockError, DiagramError
-from ..codegen.c_library import compiled, compiler, loaded
-from ..codegen.c_text import CProgram, CRecord
-from ..codegen.diagram_record import lay_out
-from ..codegen.machine import LANES
-from ..model.block import Block
-from ..model.on_arrays import leaf_values
-from ..record.graph import Shape, bound
-from ..record.operations import ELEMENTWISE, named
-from ..record.scalar_graph import Index
-from ..record.symbolic import ON_NUMBERS, Symbols
-from ..record.unread import Unread
-from ..solver.evaluation_pass import Sweep
-from ..solver.native_diagram import NativeDiagram
-from ..solver.runner import PythonDiagram
-from ..solver.schedule import JUMPS
+from clpt_control.base.arguments import public
+from clpt_control.base.errors import BlockError, DiagramError
+from clpt_control.engine.codegen.c_library import compiled, compiler, loaded
+from clpt_control.engine.codegen.c_text import CProgram, CRecord
+from clpt_control.engine.codegen.diagram_record import lay_out
+from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.model.block import Block
+from clpt_control.engine.model.on_arrays import leaf_values
+from clpt_control.engine.record.graph import Shape, bound
+from clpt_control.engine.record.operations import ELEMENTWISE, named
+from clpt_control.engine.record.scalar_graph import Index
+from clpt_control.engine.record.symbolic import ON_NUMBERS, Symbols
+from clpt_control.engine.record.unread import Unread
+from clpt_control.engine.solver.evaluation_pass import Sweep
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
+from clpt_control.engine.solver.schedule import JUMPS
 
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 
