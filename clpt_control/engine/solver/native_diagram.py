@@ -292,13 +292,6 @@ class NativeDiagram(NativeRuns):
             self.form._replace(form=form) if isinstance(self.form, Directions) else form
         )
 
-    def _code(self, method: Method) -> Code:
-        """Return the code for a method; in steps of one length decisions are not locked."""
-        fixed_steps = not (method.adaptive or method.discrete)
-        if fixed_steps and self.code.program.decided:
-            return code_of(self.wiring, self.layout, self._with_derivatives("free"))
-        return self.code
-
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT
     ) -> Callee:
@@ -306,14 +299,14 @@ class NativeDiagram(NativeRuns):
 
         A diagram with events takes one run at a time: eight lanes are slower than one there.
         """
-        if lanes > 1 and (self.sweep.guarded or self._code(method).program.decided):
+        if lanes > 1 and (self.sweep.guarded or self.code.program.decided):
             lanes = 1
         if (lanes, method) not in self._callees:
             self._callees[lanes, method] = self._callee(lanes, method)
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: Method) -> Callee:
-        code = self._code(method)
+        code = self.code
         program = code.program
         # in discrete time no state jumps
         jumping = int(not method.discrete and bool(self.jumps))

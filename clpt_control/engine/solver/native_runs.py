@@ -8,7 +8,7 @@ import numpy as np
 
 from ...base.errors import SimulationError
 from ..methods.method import Method
-from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4, TAYLOR
+from ..methods.table import DISCRETE, IMPLICIT, METHODS, TAYLOR
 from .batch import ANY, Batch, pace
 from .callee import MOST_KEPT, Callee, keep
 from .filippov import continue_run, continued_ends
@@ -109,7 +109,7 @@ class NativeRuns(PythonDiagram):
     ) -> Batch:
         """Return the batch of a run at the first time, after blocks have sampled."""
         segments = self._schedule(times, inputs)
-        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
+        callee = self.callee(1, inputs, self.method_of(options.method))
         P = self.parameters()
         start = sampled_start(callee, start, float(times[0]), segments, P)
         return self._batch(inputs, options, P, start, times, segments)
@@ -124,7 +124,7 @@ class NativeRuns(PythonDiagram):
         segments: Schedule,
     ) -> Batch:
         """Return a batch of one run at its first time."""
-        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
+        callee = self.callee(1, inputs, self.method_of(options.method))
         steps = options.max_step, options.first_step
         batch = self.kept.pop(_shape_of(callee, P, times, segments), None)
         if batch is None:
@@ -144,7 +144,7 @@ class NativeRuns(PythonDiagram):
         """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
         most = self.most if batch.callee.method.adaptive else ANY
         implicit = None
-        if options.method == "auto" and options.step is None:
+        if options.method == "auto":
             implicit = partial(self.implicit, inputs)
         watch = pace(most, batch.times[0], end, options.progress)
         tolerances = options.rtol, options.atol
@@ -169,11 +169,9 @@ class NativeRuns(PythonDiagram):
         if batch.status[0] in continued_ends(self):
             continue_run(self, batch, begin)
 
-    def method_of(self, method: str = "auto", step: float | None = None) -> Method:
+    def method_of(self, method: str = "auto") -> Method:
         """Return the method of a run."""
-        if self.wiring.dt:
-            return DISCRETE
-        return METHODS[method] if step is None else RK4
+        return DISCRETE if self.wiring.dt else METHODS[method]
 
     def evaluated_signals(
         self, solution: Solution, inputs: Inputs | None

@@ -103,7 +103,6 @@ class PythonDiagram:
         atol: float | None = None,
         inputs: Any = None,
         progress: Callable[[float], None] | None = None,
-        step: float | None = None,
         method: str | None = None,
         max_step: float = np.inf,
         first_step: float | None = None,
@@ -145,7 +144,6 @@ class PythonDiagram:
             times,
             rtol=rtol,
             atol=atol,
-            step=step,
             max_step=longest,
             first_step=first_step,
             method=method,
@@ -171,10 +169,6 @@ class PythonDiagram:
         options: "RunOptions",
     ) -> Solution:
         """Integrate between the known stops."""
-        if options.step is not None:
-            raise SimulationError(
-                "step: a diagram that runs in Python has no fixed step. Give max_step"
-            )
         return integrate(self, start, times, inputs, options)
 
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
@@ -230,7 +224,6 @@ class PythonDiagram:
 LEAST = {
     "rtol": 0.0,
     "atol": 0.0,
-    "step": 5e-324,
     "max_step": 5e-324,
     "first_step": 5e-324,
 }
@@ -245,7 +238,6 @@ class RunOptions:
 
     rtol: float = 1e-8
     atol: float = 1e-10
-    step: float | None = None
     max_step: float = np.inf
     first_step: float = 0.0
     method: str = "auto"
@@ -265,8 +257,6 @@ class RunOptions:
             if options.get("method") == "auto":
                 refused -= {"method"}
             _refuse(refused, "a diagram of discrete time")
-        elif "step" in options:
-            _refuse(options.keys() - {"step"}, "a fixed step")
         for name in [name for name in LEAST if name in options]:
             size = numbers(name, options[name])
             if size.ndim or not size >= LEAST[name]:
@@ -275,8 +265,6 @@ class RunOptions:
                     f"{name} = {options[name]}: must be a number, {allowed}"
                 )
             options[name] = float(size)
-        if "step" in options:
-            options["max_step"] = options["step"]
         checked = cls(**options)
         if checked.rtol == checked.atol == 0.0:
             raise SimulationError("rtol = atol = 0: one of them must be above 0")
