@@ -387,26 +387,30 @@ class DiagramRecord(RecordMerger):
     ) -> Ref:
         """Write an operation of a block."""
         block = self.wiring.nodes[k].system
-        kind, arguments, shape, at = operation
+        kind, arguments, shape, static = operation
         if kind == "part":
-            return self.part(refs[0], at, shape)
+            return self.part(refs[0], static, shape)
         if kind == "sum":
             summed_shape = record.operations[arguments[0]].shape
             lengths, long = self._axes(block, summed_shape)
-            at = at, lengths[at], long[at]
+            static = static, lengths[static], long[static]
         lengths, long = self._axes(block, shape)
         samples = block.first_held is not None  # samples stay for a step
-        is_smooth = samples or at == PIVOT or (block.opaque and block.of_package)
+        is_smooth = samples or static == PIVOT or (block.opaque and block.of_package)
 
         def put(kind: str, *operands: Ref) -> Ref:
-            entry = self.add(kind, operands, lengths, at, k)
-            if kind not in LOCKED or is_smooth or self._is_smooth(kind, operands, at):
+            entry = self.add(kind, operands, lengths, static, k)
+            if (
+                kind not in LOCKED
+                or is_smooth
+                or self._is_smooth(kind, operands, static)
+            ):
                 return entry
             self.decided_by[entry] = long, (k, role, kind)
             return entry
 
         if kind == "search" and self.locking:
-            table = self._time_table(refs[0], refs[1], at)
+            table = self._time_table(refs[0], refs[1], static)
             if table is not None:
                 return self.load("P", table.offset, ())
         if kind in FOLDS and type(refs[0]) is int:
@@ -415,18 +419,18 @@ class DiagramRecord(RecordMerger):
                 return _folded(kind, inner.arguments[0], put)
         return put(kind, *refs)
 
-    def _time_table(self, row: Ref, value: Ref, at: Any) -> TimeTable | None:
+    def _time_table(self, row: Ref, value: Ref, static: Any) -> TimeTable | None:
         """Return the table over time that a search reads, or None."""
         shift = shift_of(self.entries, value)
         if shift is None:
             return None
-        return self.layout.time_tables.get((self.entries[row].at, shift, at))
+        return self.layout.time_tables.get((self.entries[row].at, shift, static))
 
-    def _is_smooth(self, kind: str, refs: Sequence[Ref], at: Any) -> bool:
+    def _is_smooth(self, kind: str, refs: Sequence[Ref], static: Any) -> bool:
         """Return whether an operation reads a table whose rows lie closer than tolerances tell."""
         if kind == "pick" and type(refs[1]) is int:
-            kind, _, _, at = self.entries[refs[1]]
-        return kind == "search" and at[1] == "smooth"
+            kind, _, _, static = self.entries[refs[1]]
+        return kind == "search" and static[1] == "smooth"
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""

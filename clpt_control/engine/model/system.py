@@ -233,8 +233,8 @@ def block_of_ports(
         }
 
     def arguments(t: Any, x: Any, u: Any, p: Any) -> tuple:
-        given = {**params, **{name: getattr(p, name) for name in numbers}}
-        return t, row(x, states), row(u, inputs), given
+        values = {**params, **{name: getattr(p, name) for name in numbers}}
+        return t, row(x, states), row(u, inputs), values
 
     def update(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
         rates = update_function(*arguments(t, x, u, p))

@@ -50,9 +50,11 @@ def draws(
     magnitudes = np.unique(np.abs(np.array([*numbers, *centre], dtype=float)))
     magnitudes = magnitudes[(magnitudes > 0.0) & (magnitudes < np.inf)]
     scales = np.resize(SCALES, count)
-    others = np.arange(count) % 2 * (np.arange(count) >= LEAST) * len(magnitudes) > 0
-    if others.any():
-        scales[others] = random.choice(magnitudes, others.sum())
+    is_of_magnitude = (
+        np.arange(count) % 2 * (np.arange(count) >= LEAST) * len(magnitudes) > 0
+    )
+    if is_of_magnitude.any():
+        scales[is_of_magnitude] = random.choice(magnitudes, is_of_magnitude.sum())
     points = random.standard_normal((len(centre), count)) * scales
     points[:, 1::3] += centre[:, None]
     exact = random.choice([0.0, *magnitudes, *-magnitudes], points.shape)
@@ -72,28 +74,30 @@ def points_on_both_sides(
     """
     truths = truths_at(points)
     # 1. draws until each condition was seen on both sides
-    taken = [*range(min(LEAST, points.shape[1]))]
-    for side in (truths, ~truths):
-        for row in side[side.any(axis=1)]:
-            if not row[taken].any() and len(taken) < MOST:
-                taken.append(int(np.argmax(row)))
+    chosen = [*range(min(LEAST, points.shape[1]))]
+    for truth in (truths, ~truths):
+        for row in truth[truth.any(axis=1)]:
+            if not row[chosen].any() and len(chosen) < MOST:
+                chosen.append(int(np.argmax(row)))
     # 2. points next to a threshold, between two draws on both sides of it
     conditions = np.flatnonzero(truths.any(axis=1) & ~truths.all(axis=1))
     if not len(conditions):
-        return points[:, taken]
+        return points[:, chosen]
     start = points[:, np.argmax(truths[conditions], axis=1)]
-    way = points[:, np.argmin(truths[conditions], axis=1)] - start
+    direction = points[:, np.argmin(truths[conditions], axis=1)] - start
     columns = np.arange(len(conditions))
     low = np.zeros(len(columns))  # where the condition holds, as at the start
     high = np.ones(len(columns))
     while np.max(high - low) > NEXT:
         fractions = np.linspace(low, high, SECTIONS + 1)
-        between = start[:, None] + fractions * way[:, None]
+        candidates = start[:, None] + fractions * direction[:, None]
         shape = len(truths), *fractions.shape
-        holds = truths_at(between.reshape(len(points), -1)).reshape(shape)
-        own = holds[conditions, :, columns].T
-        first = np.argmin(
-            own[1:], axis=0
+        holds = truths_at(candidates.reshape(len(points), -1)).reshape(shape)
+        holds_of_condition = holds[conditions, :, columns].T
+        section = np.argmin(
+            holds_of_condition[1:], axis=0
         )  # section in which the condition ends to hold
-        low, high = fractions[first, columns], fractions[first + 1, columns]
-    return np.hstack([points[:, taken], start + low * way, start + high * way])
+        low, high = fractions[section, columns], fractions[section + 1, columns]
+    return np.hstack(
+        [points[:, chosen], start + low * direction, start + high * direction]
+    )

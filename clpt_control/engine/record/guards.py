@@ -22,26 +22,26 @@ def branches_of(
     operations: Sequence[Operation], index: int, outputs: set[int]
 ) -> set[Branches]:
     """Return the branches of `where` on each way of a value to the outputs; none if too many."""
-    found, seen = set[Branches](), {(index, Branches())}
-    waiting = [*seen]
-    while waiting and len(seen) < MOST_WAYS:
+    complete, visited = set[Branches](), {(index, Branches())}
+    waiting = [*visited]
+    while waiting and len(visited) < MOST_WAYS:
         used, branches = waiting.pop()
         if used in outputs:
-            found.add(branches)
+            complete.add(branches)
         for user in range(used + 1, len(operations)):
             arguments = operations[user].arguments
             if used not in arguments:
                 continue
-            within = branches
+            deeper = branches
             if operations[user].kind == "where" and arguments.count(used) == 1:
                 position = arguments.index(used)
-                within = (
+                deeper = (
                     branches | {(arguments[0], position == 1)} if position else branches
                 )
-            if (user, within) not in seen:
-                seen.add((user, within))
-                waiting.append((user, within))
-    return set() if waiting else found
+            if (user, deeper) not in visited:
+                visited.add((user, deeper))
+                waiting.append((user, deeper))
+    return set() if waiting else complete
 
 
 def alternatives(condition: Any, truth: bool) -> list[Literals]:
@@ -51,10 +51,10 @@ def alternatives(condition: Any, truth: bool) -> list[Literals]:
         return alternatives(arguments[0], not truth)
     if name not in ("and_", "or_"):
         return [Literals({(condition, truth)})]
-    parts = [alternatives(argument, truth) for argument in arguments]
+    groups = [alternatives(argument, truth) for argument in arguments]
     if (name == "and_") != truth:
-        return [literals for part in parts for literals in part]
-    joined = (Literals().union(*literals) for literals in product(*parts))
+        return [literals for group in groups for literals in group]
+    joined = (Literals().union(*literals) for literals in product(*groups))
     return [of for of in joined if not any((a, not truth) in of for a, truth in of)]
 
 

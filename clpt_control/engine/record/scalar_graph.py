@@ -91,14 +91,14 @@ class Elements:
 
     def source(self, ref: int, index: Index) -> tuple[Ref, Index] | None:
         """Return the value and index that an element is copied from; None if it is computed."""
-        kind, arguments, shape, at = self.operations[ref]
+        kind, arguments, shape, static = self.operations[ref]
         if kind == "view":
-            return arguments[0], tuple(moved(axis, index) for axis in at)
+            return arguments[0], tuple(moved(axis, index) for axis in static)
         if kind == "fill":
             return arguments[0], ()
         if kind == "part":
             outer = self._shape_of(arguments[0])
-            offset = at + np.ravel_multi_index(index, shape)
+            offset = static + np.ravel_multi_index(index, shape)
             position = np.unravel_index(offset, outer)
             return arguments[0], tuple(map(int, position))
         if kind not in ("stack", "join"):
@@ -116,17 +116,17 @@ class Elements:
         raise IndexError(index)
 
     def _element(self, ref: int, index: Index) -> Any:
-        kind, arguments, shape, at = self.operations[ref]
+        kind, arguments, shape, static = self.operations[ref]
         if kind == "leaf":
-            return self.leaf(at, bound(shape, self.sizes), index)
+            return self.leaf(static, bound(shape, self.sizes), index)
         if kind == "constant":
-            numbers = np.frombuffer(at).reshape(shape)
+            numbers = np.frombuffer(static).reshape(shape)
             return self.number(float(numbers[index]))
         source = self.source(ref, index)
         if source is not None:
             return self.at(*source)
         if kind == "sum":
-            return self._sum(ref, arguments[0], at, index)
+            return self._sum(ref, arguments[0], static, index)
         if kind == "pick":
             position = self.at(arguments[1], index)
             elements = [position, *self.all_of(arguments[0])]

@@ -136,11 +136,11 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     flipped = [set[int](), *({k} for k in range(count))]
     flipped += [{*pair} for pair in combinations(range(count), 2)]
     flipped.append(set(range(count)))
-    first = [held.switch for held in switches]
-    rounding = GRAINS * crossing.rounding[first]
-    aside = np.maximum(ASIDE * crossing.change[first], rounding)
-    signs = [[-1.0 if k in those else 1.0 for k in range(count)] for those in flipped]
-    moves = aside * signs - crossing.distance[first]
+    numbers = [held.switch for held in switches]
+    rounding = GRAINS * crossing.rounding[numbers]
+    aside = np.maximum(ASIDE * crossing.change[numbers], rounding)
+    signs = [[-1.0 if k in flips else 1.0 for k in range(count)] for flips in flipped]
+    moves = aside * signs - crossing.distance[numbers]
     states = crossing.state + moves @ normals.T
     # 2. decisions and rates there
     times = np.full(len(states), crossing.time)
@@ -152,11 +152,11 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     changes = rates - rates[0]
     effective = np.abs(changes[1 : 1 + count]).max(axis=1) > NEGLIGIBLE * largest
     if not effective.all():
-        kept = [held for held, has in zip(switches, effective, strict=True) if has]
-        return sides_of(crossing, kept)
+        remaining = [held for held, has in zip(switches, effective, strict=True) if has]
+        return sides_of(crossing, remaining)
     # 3. sides together change the rates as they do one by one
-    for those, change in zip(flipped, changes, strict=True):
-        single = changes[[1 + k for k in those]].sum(axis=0)
+    for flips, change in zip(flipped, changes, strict=True):
+        single = changes[[1 + k for k in flips]].sum(axis=0)
         if np.abs(change - single).max(initial=0.0) > NEGLIGIBLE * largest:
             raise Refused("do not act on the rates one by one (not affine)", switches)
     events = callee.events_at(times, states, segments, P)
@@ -164,9 +164,11 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     for k, held in enumerate(switches):
         fixed = [*held.decisions]
         decisions[1 + k, fixed] = events[1 + k, DECISION, fixed]
-    slopes = crossing.slopes[:, first].T
+    slopes = crossing.slopes[:, numbers].T
     matrix = slopes @ changes[1 : 1 + count].T
-    return Sides(switches, decisions, matrix, slopes @ rates[0] + crossing.drift[first])
+    return Sides(
+        switches, decisions, matrix, slopes @ rates[0] + crossing.drift[numbers]
+    )
 
 
 def normals_of(crossing: Crossing, switches: Sequence[HeldSwitch]) -> ndarray:
@@ -211,8 +213,8 @@ def shares_of(sides: Sides, state: ndarray) -> ndarray:
     """Return the shares w with which the switches that slide keep their distance."""
     slides = state == SLIDES
     w = np.where(slides, 0.0, state)
-    right = -(sides.slopes + sides.matrix @ w)[slides]
-    w[slides] = np.linalg.solve(sides.matrix[np.ix_(slides, slides)], right)
+    target = -(sides.slopes + sides.matrix @ w)[slides]
+    w[slides] = np.linalg.solve(sides.matrix[np.ix_(slides, slides)], target)
     return w
 
 

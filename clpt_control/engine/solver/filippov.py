@@ -263,8 +263,8 @@ def _sliding_on(
     parameters[offset - 2 : offset] = batch.memory.P[offset - 2 : offset]
     parameters[offset : offset + on_sides.size] = on_sides.ravel()
     # 3. on the switches the shares are within bounds
-    first = [switch.switch for switch in held.switches]
-    moves = crossing.distance[first] @ normals_of(crossing, held.switches).T
+    numbers = [switch.switch for switch in held.switches]
+    moves = crossing.distance[numbers] @ normals_of(crossing, held.switches).T
     state = crossing.state - moves
     events = runner.callee().events_at(
         [crossing.time], state[None], crossing.segments, parameters

@@ -221,12 +221,7 @@ class PythonDiagram:
 # --- options of a run -------------------------------------------------------------------------
 
 # the least that an option may be
-LEAST = {
-    "rtol": 0.0,
-    "atol": 0.0,
-    "max_step": 5e-324,
-    "first_step": 5e-324,
-}
+LEAST = {"rtol": 0.0, "atol": 0.0, "max_step": 5e-324, "first_step": 5e-324}
 
 
 @dataclass(frozen=True)

@@ -65,11 +65,11 @@ class Tape:
 
     def append(self, operation: Operation) -> None:
         """Record an operation, even if an equal one is on the tape."""
-        kind, arguments, _, at = operation
+        kind, arguments, _, static = operation
         self.operations.append(operation)
         values = [a for a in arguments if type(a) is int]
         # during a run
-        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")
+        changes = kind == "leaf" and (static[0] != "p" or static[1] == "interval")
         self.free.append(changes or any(self.free[a] for a in values))
         self.truth.append(
             kind in CONDITIONS

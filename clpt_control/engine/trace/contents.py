@@ -91,8 +91,8 @@ def _write_cell(cell: CellType, content: Content) -> None:
 
 
 def _read_array(value: np.ndarray) -> Content:
-    place = None if value.base is None else value.__array_interface__["data"]
-    structure = value.dtype.str, value.shape, place
+    address = None if value.base is None else value.__array_interface__["data"]
+    structure = value.dtype.str, value.shape, address
     items = [*value.flat] if value.dtype.hasobject else [value.tobytes()]
     return Content(structure, [*range(len(items))], items)
 
@@ -108,10 +108,12 @@ def _write_array(value: np.ndarray, content: Content) -> None:
 def _read_attributes(value: Any) -> Content:
     """Read a class's own data and functions, or what an object holds in slots."""
     if isinstance(value, type):
-        own = {name: item for name, item in vars(value).items() if _is_own(name, item)}
+        attributes = {
+            name: item for name, item in vars(value).items() if _is_own(name, item)
+        }
     else:
-        own = slot_values(value)
-    return Content(type(value), [*own], [*own.values()])
+        attributes = slot_values(value)
+    return Content(type(value), [*attributes], [*attributes.values()])
 
 
 def _write_attributes(value: Any, content: Content) -> None:
@@ -259,8 +261,8 @@ class Mutable:
         before = dict(zip(expected.keys, expected.items, strict=True))
         after = dict(zip(now.keys, now.items, strict=True))
         for key in {**after, **before}:
-            same = _is_same(after.get(key, UNBOUND), before.get(key, UNBOUND))
-            if not same and key not in self.ignored:
+            is_unchanged = _is_same(after.get(key, UNBOUND), before.get(key, UNBOUND))
+            if not is_unchanged and key not in self.ignored:
                 return (
                     f"{key!r} of {self.words}" if isinstance(key, str) else self.words
                 )

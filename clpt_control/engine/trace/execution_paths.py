@@ -102,11 +102,11 @@ class AnsweringTape(Tape):
 
     def parameter(self, ref: int) -> Any:
         """Return the value of a parameter as the user wrote it, which is then pinned."""
-        kind, _, _, at = self.operations[ref]
+        kind, _, _, label = self.operations[ref]
         if kind != "leaf" or self.free[ref]:
             return None
-        self.pinned.add(at[1])
-        return self.parameters[at[1]]
+        self.pinned.add(label[1])
+        return self.parameters[label[1]]
 
     def whole(self, number: Array) -> int:
         """Return a whole number for Python; a signal has one on each path."""
@@ -184,7 +184,7 @@ def run_region(
     """
     if key in tape.unmergeable:
         return run()
-    answers, way, texts = tape.answers, tape.way, tape.texts
+    answers, decisions, texts = tape.answers, tape.way, tape.texts
     before: dict[int, Entry] = {}
     paths = list[Any]()  # of each: answers, result and heap
     try:
@@ -196,8 +196,8 @@ def run_region(
             if len(tape.answers) == len(answers):
                 return result
             tape.check()
-            left = (entry.value for entry in before.values())
-            heap = heap_of((result, *left), tape.persistent)
+            values_before = (entry.value for entry in before.values())
+            heap = heap_of((result, *values_before), tape.persistent)
             paths.append((tape.answers, result, heap))
             if len(paths) > MOST_MERGED:
                 raise NotMergeable
@@ -208,7 +208,7 @@ def run_region(
         if tape.stopped is not None:
             raise
     finally:
-        tape.answers, tape.way = answers, way
+        tape.answers, tape.way = answers, decisions
     tape.texts = texts
     put_back(before)
     return run()

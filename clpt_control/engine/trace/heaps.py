@@ -57,8 +57,8 @@ class NotMergeable(Exception):
 
 def decision_tree(paths: Sequence[tuple[int, Answers]], depth: int = 0) -> Tree:
     """Return the tree of the decisions by which numbered paths differ, from `depth` on."""
-    (number, answers), *others = paths
-    if not others:
+    (number, answers), *further = paths
+    if not further:
         return number
     condition = [*answers][depth]
     branches = {
@@ -222,19 +222,19 @@ def put_back(heap: dict[int, Entry]) -> None:
 
 def _all_alike(entries: Sequence[Any]) -> bool:
     """Return whether contents differ in items alone."""
-    first = entries[0]
-    return first is not None and all(
+    leading = entries[0]
+    return leading is not None and all(
         entry is not None
-        and entry.kind is first.kind
-        and entry.content.structure == first.content.structure
-        and entry.content.keys == first.content.keys
+        and entry.kind is leading.kind
+        and entry.content.structure == leading.content.structure
+        and entry.content.keys == leading.content.keys
         for entry in entries
     )
 
 
 def _all_equal(values: Sequence[Any]) -> bool:
-    first = values[0]
-    return all(type(value) is type(first) and value == first for value in values)
+    leading = values[0]
+    return all(type(value) is type(leading) and value == leading for value in values)
 
 
 # --- one heap for all paths -----------------------------------------------------------------------
@@ -264,30 +264,30 @@ class Joining:
 
     def value(self, values: Sequence[Any]) -> Any:
         """Return one value for those of all paths; note the contents that it gets."""
-        first = values[0]
-        if all(value is first for value in values):
-            if isinstance(first, Array):
-                self._contents([first._root] * len(values))
-                return first
+        leading = values[0]
+        if all(value is leading for value in values):
+            if isinstance(leading, Array):
+                self._contents([leading._root] * len(values))
+                return leading
             return self._contents(values)
         if all(map(_is_number, values)):
             return self._number(values)
         if all(isinstance(value, Array) for value in values):
             return self._array(values)
-        if type(first) in PLAIN and _all_equal(values):
-            return first
+        if type(leading) in PLAIN and _all_equal(values):
+            return leading
         return self._contents(values)
 
     def _contents(self, values: Sequence[Any]) -> Any:
         """Return the value of the first path for all; note the content that it gets."""
-        first = values[0]
+        leading = values[0]
         key = (*map(id, values),)
         if key in self._joined:
             return self._joined[key]
         is_same = len({*key}) == 1
         entries = [heap.get(k) for heap, k in zip(self.heaps, key, strict=True)]
         if is_same and entries[0] is None:
-            return first  # nothing changes it
+            return leading  # nothing changes it
         if not _all_alike(entries):
             raise NotMergeable
         entry: Any = entries[0]
@@ -296,15 +296,17 @@ class Joining:
             if not is_same and not self.before.keys().isdisjoint(key):
                 raise NotMergeable
             self._pair(key)
-        self._joined[key] = first  # of a value that holds itself
-        contents = [other.content.items for other in entries if other is not None]
+        self._joined[key] = leading  # of a value that holds itself
+        contents = [
+            path_entry.content.items for path_entry in entries if path_entry is not None
+        ]
         if kind is ELEMENTS:
-            items: Any = self._elements(first, contents)
+            items: Any = self._elements(leading, contents)
         else:
             items = [*map(self.value, zip(*contents, strict=True))]
         if kind.write is not None:
             new = content._replace(items=items)
-            self.contents[key[0]] = Entry(first, kind, new)
+            self.contents[key[0]] = Entry(leading, kind, new)
         elif any(a is not b for a, b in zip(items, content.items, strict=True)):
             if kind is not TUPLE:
                 raise NotMergeable
@@ -328,15 +330,15 @@ class Joining:
             raise NotMergeable
         new = joined(self.tape, self.tree, values, where)
         of_python = common(map(is_of_python, values))
-        whole = common(map(is_whole, values))
+        is_integer = common(map(is_whole, values))
         ref = operand(new)
         if type(ref) is float:
-            if of_python is None or whole is None:
+            if of_python is None or is_integer is None:
                 raise NotMergeable
             return new
         number = Array(self.tape, ref, ())
         number._of_python = of_python
-        number._whole = whole and truths == {False}
+        number._whole = is_integer and truths == {False}
         return number
 
     def _elements(self, array: Array, stores: Sequence[Any]) -> Any:
@@ -351,7 +353,7 @@ class Joining:
 
     def _array(self, values: Sequence[Array]) -> Array:
         """Return one array for arrays that are read-only, or were made on their paths."""
-        first = values[0]
+        leading = values[0]
         key = (*map(id, values),)
         if key in self._joined:
             return self._joined[key]
@@ -372,11 +374,11 @@ class Joining:
             else value._ref
             for heap, value in zip(self.heaps, values, strict=True)
         ]
-        ends = [Array(self.tape, node, first.shape) for node in nodes]
+        ends = [Array(self.tape, node, leading.shape) for node in nodes]
         new = Array(
-            self.tape, operand(joined(self.tape, self.tree, ends, where)), first.shape
+            self.tape, operand(joined(self.tape, self.tree, ends, where)), leading.shape
         )
-        new._boxed = first._boxed
+        new._boxed = leading._boxed
         new._whole = common(value._root._whole for value in values)
         new._fixed = any(fixed)
         self._joined[key] = new

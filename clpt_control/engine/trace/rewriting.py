@@ -42,12 +42,16 @@ def is_same(a: Any, b: Any) -> bool:
     tape: Any = active()
     if tape is None:
         return a is b
-    for value, other in ((a, b), (b, a)):
+    for value, counterpart in ((a, b), (b, a)):
         if isinstance(value, Array):
-            if isinstance(other, bool):
+            if isinstance(counterpart, bool):
                 is_truth = value._is_condition and not value.shape
-                return is_truth and definite(value._of_python) and bool(value) is other
-            if isinstance(other, Array | float | int):
+                return (
+                    is_truth
+                    and definite(value._of_python)
+                    and bool(value) is counterpart
+                )
+            if isinstance(counterpart, Array | float | int):
                 raise Unread("compares signals by `is`. Write ==")
             return False
     if tape.merging and type(a) in COPIED and type(b) in COPIED:
@@ -290,17 +294,17 @@ __merge_paths__({STATEMENT})
     def visit_Compare(self, node: ast.Compare) -> Any:
         """Compare identities by a function, which knows signals."""
         self.generic_visit(node)
-        operator, *others = node.ops
-        is_identity = isinstance(operator, ast.Is | ast.IsNot) and not others
+        operator, *further = node.ops
+        is_identity = isinstance(operator, ast.Is | ast.IsNot) and not further
         if self.function is None or not is_identity:
             return node
-        (right,) = node.comparators
-        if isinstance(right, ast.Constant) and right.value is None:
+        (comparator,) = node.comparators
+        if isinstance(comparator, ast.Constant) and comparator.value is None:
             return node
-        same: Any = self._call("__is_same__", node, [node.left, right])
+        identity: Any = self._call("__is_same__", node, [node.left, comparator])
         if isinstance(operator, ast.Is):
-            return same
-        return ast.copy_location(ast.UnaryOp(ast.Not(), same), node)
+            return identity
+        return ast.copy_location(ast.UnaryOp(ast.Not(), identity), node)
 
     # --- patterns ---------------------------------------------------------------------------
 
