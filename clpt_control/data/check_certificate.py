@@ -246,9 +246,9 @@ class Certificate:
         if data["decay"]:
             self.decay, pulls = self.weight(data["decay"])
             need(pulls, "the decay is not known to be positive")
-        left = add(along(V, self.rates), multiply(self.decay, V))
-        left = add(add(left, losses), self.push, -1)
-        need(not left, "V' + decay V + losses - push is not 0")
+        remainder = add(along(V, self.rates), multiply(self.decay, V))
+        remainder = add(add(remainder, losses), self.push, -1)
+        need(not remainder, "V' + decay V + losses - push is not 0")
 
     def read(self, terms):
         """Read a polynomial; only positive constants have negative powers."""
@@ -306,96 +306,104 @@ class Certificate:
 
     # --- conclusions -----------------------------------------------------------------------------
 
-    def determined(self, forms, known):
+    def determined(self, forms, bounded):
         """Return unknown states as polynomials in the forms #k, and whether all can be 0.
 
         States are eliminated one by one.
         """
         values: dict = {}
-        can_vanish, left = True, {f"#{k}": p for k, p in enumerate(forms)}
-        while pivot := self.pivot(left, known):
+        can_vanish, remaining = True, {f"#{k}": p for k, p in enumerate(forms)}
+        while pivot := self.pivot(remaining, bounded):
             mark, s, value, vanishes = pivot
-            del left[mark]
-            left, values = (
+            del remaining[mark]
+            remaining, values = (
                 {k: replace(p, s, value) for k, p in old.items()}
-                for old in (left, values)
+                for old in (remaining, values)
             )
             values[s], can_vanish = value, can_vanish and vanishes
-        return values, can_vanish and not any(map(at_zero, left.values()))
+        return values, can_vanish and not any(map(at_zero, remaining.values()))
 
-    def pivot(self, left, known):
+    def pivot(self, forms, bounded):
         """Return a form, a state that it determines, the state's value, and whether it can be 0."""
-        for mark, p in left.items():
-            for s in sorted(names(p) & self.states - known):
-                own = {m: c for m, c in p.items() if s in dict(m)}
-                rest, (m, c) = add(p, own, -1), next(iter(own.items()))
+        for mark, p in forms.items():
+            for s in sorted(names(p) & self.states - bounded):
+                linear = {m: c for m, c in p.items() if s in dict(m)}
+                remainder, (m, c) = add(p, linear, -1), next(iter(linear.items()))
                 bound = {((mark, 1),): Fraction(1)}
-                if len(own) > 1 or not names(own) - {s} <= self.positive:
+                if len(linear) > 1 or not names(linear) - {s} <= self.positive:
                     continue
                 if dict(m)[s] == 1:  # s = (#k - rest)/factor
                     share = {monomial(*((v, -n) for v, n in m if v != s)): 1 / c}
-                    return mark, s, multiply(add(bound, rest, -1), share), True
-                if not names(rest) & self.states - known:  # c s^n + what is bounded
-                    return mark, s, bound, not at_zero(rest)
+                    return mark, s, multiply(add(bound, remainder, -1), share), True
+                if (
+                    not names(remainder) & self.states - bounded
+                ):  # c s^n + what is bounded
+                    return mark, s, bound, not at_zero(remainder)
         return None
 
     def bounded_states(self):
         """Return the states that are bounded: by V, or stable and driven by what is bounded."""
-        known: set = set()
+        bounded: set = set()
         before = None
-        while known != before:
-            before = {*known}
-            values, _ = self.determined(self.forms, known)
-            known |= {
-                s for s, p in values.items() if not names(p) & self.states - known
+        while bounded != before:
+            before = {*bounded}
+            values, _ = self.determined(self.forms, bounded)
+            bounded |= {
+                s for s, p in values.items() if not names(p) & self.states - bounded
             }
-            for s in self.states - known:
-                own = {m: c for m, c in self.rates[s].items() if s in dict(m)}
-                pulls = own and all(c < 0 and dict(m)[s] == 1 for m, c in own.items())
-                rest = names(add(self.rates[s], own, -1))
+            for s in self.states - bounded:
+                linear = {m: c for m, c in self.rates[s].items() if s in dict(m)}
+                pulls = linear and all(
+                    c < 0 and dict(m)[s] == 1 for m, c in linear.items()
+                )
+                remainder = names(add(self.rates[s], linear, -1))
                 if (
                     pulls
-                    and names(own) - {s} <= self.positive
-                    and rest <= known | self.bounded
+                    and names(linear) - {s} <= self.positive
+                    and remainder <= bounded | self.bounded
                 ):
-                    known.add(s)
-        return known
+                    bounded.add(s)
+        return bounded
 
     def conclusions(self):
         """Return each conclusion that holds, and the forms that it is true of."""
-        known = self.bounded_states()
+        bounded = self.bounded_states()
         of_states = [q for q in self.lost if names(q) <= self.states | self.fixed]
-        free, falls = self.states - known, not self.push
+        free, falls = self.states - bounded, not self.push
         degrees = [
             sum(n for s, n in m if s in free) for f in free for m in self.rates[f]
         ]
         exist = max(degrees, default=0) <= 1
-        found: dict = {"V' is at most the push": []}
+        conclusions: dict = {"V' is at most the push": []}
         if falls:
-            found |= {"V does not increase": [], "square-integrable": of_states}
+            conclusions |= {"V does not increase": [], "square-integrable": of_states}
         elif exist and names(self.push) <= self.bounded | self.signals:
-            found["bounded in the mean"] = of_states
+            conclusions["bounded in the mean"] = of_states
         if exist and self.decay and names(self.push) <= self.bounded:
-            found["ultimately bounded"] = []
+            conclusions["ultimately bounded"] = []
         if exist and falls:
-            found["goes to zero"] = [q for q in of_states if self.is_calm(q, known)]
-            (rest, has_rest), (end, has_end) = (
+            conclusions["goes to zero"] = [
+                q for q in of_states if self.is_calm(q, bounded)
+            ]
+            (equilibrium, has_rest), (end, has_end) = (
                 self.determined(forms, set()) for forms in (self.forms, self.lost)
             )
             V = self.V
-            for s, p in rest.items():
+            for s, p in equilibrium.items():
                 V = replace(V, s, at_zero(p))
-            has_rest = has_rest and rest.keys() == self.states and not V
+            has_rest = has_rest and equilibrium.keys() == self.states and not V
             if has_rest and not self.signals:
-                found["stable"] = []
-                points = [{s: at_zero(p) for s, p in v.items()} for v in (rest, end)]
+                conclusions["stable"] = []
+                points = [
+                    {s: at_zero(p) for s, p in v.items()} for v in (equilibrium, end)
+                ]
                 if has_end and points[0] == points[1]:
-                    found["asymptotically stable"] = []
-        return found
+                    conclusions["asymptotically stable"] = []
+        return conclusions
 
-    def is_calm(self, form, known):
+    def is_calm(self, form, bounded):
         """Return whether a form has a bounded rate, so that it goes to zero (Barbalat)."""
-        return names(along(form, self.rates)) <= known | self.bounded
+        return names(along(form, self.rates)) <= bounded | self.bounded
 
     # --- printing --------------------------------------------------------------------------------
 
@@ -445,10 +453,10 @@ class Certificate:
 
     def shown(self, claim, of, conditions):
         """Return a claim with all that it needs; reject a claim that does not follow."""
-        found, forms = self.conclusions(), [*map(self.read, of)]
-        need(claim in found, f"'{claim}' does not follow")
+        conclusions, forms = self.conclusions(), [*map(self.read, of)]
+        need(claim in conclusions, f"'{claim}' does not follow")
         need(
-            all(p in found[claim] for p in forms),
+            all(p in conclusions[claim] for p in forms),
             f"'{claim}' does not follow of each form",
         )
         need(forms or claim not in ABOUT, f"'{claim}' is said of nothing")
@@ -459,15 +467,15 @@ class Certificate:
         need(self.is_possible(), "no point is found where all assumptions hold")
         about = ", ".join(map(text, forms)) or f"V of {', '.join(sorted(self.in_V))}"
         by = " by the push" if claim == "bounded in the mean" else ""
-        parts = [f"{claim}{by} ({about})"]
-        parts += [f"push: {text(self.push)}"] if self.push else []
-        parts += [f"decay: {text(self.decay)}"] if self.decay else []
+        words = [f"{claim}{by} ({about})"]
+        words += [f"push: {text(self.push)}"] if self.push else []
+        words += [f"decay: {text(self.decay)}"] if self.decay else []
         facts, says = (
             "; ".join(self.assumptions()),
             ", ".join(map(json.dumps, conditions)),
         )
-        parts += [f"assumed: {facts}"] * bool(facts)
-        return "; ".join([*parts, *[f"says, not checked: {says}"] * bool(says)])
+        words += [f"assumed: {facts}"] * bool(facts)
+        return "; ".join([*words, *[f"says, not checked: {says}"] * bool(says)])
 
     def equations(self):
         """Return states, rates, V and what it loses as lines."""

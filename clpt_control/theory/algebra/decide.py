@@ -105,28 +105,28 @@ def without_fading(expression: Expr, variables: set) -> Expr | None:
         polynomials[common] += term / common
     if [*polynomials] == [S.One]:
         return None
-    kept = S.Zero
+    total = S.Zero
     for common, polynomial in polynomials.items():
         factors, polynomial = Mul.make_args(common), expand(polynomial)
         if not all(map(_is_nonnegative, factors)):
             return None
         if groups_never_positive(polynomial, variables):
-            kept += common * polynomial
+            total += common * polynomial
             continue
         cases = _where_not_zero(factors)
         if not all(_in_piece(polynomial, variables, margins) for margins in cases):
             return None
-    return kept
+    return total
 
 
 def _where_not_zero(factors: Iterable[Expr]) -> list[tuple[Expr, ...]]:
     """Return sets of expressions; where no factor is zero, those of one set are not negative."""
     cases: list[tuple[Expr, ...]] = [()]
     for call in factors:
-        pieces = pieces_of(call)
-        margins = [margins for margins, values in pieces if values.get(call) != 0]
-        if len(margins) < len(pieces):
-            cases = [(*case, *more) for case in cases for more in margins]
+        branches = pieces_of(call)
+        margins = [margins for margins, values in branches if values.get(call) != 0]
+        if len(margins) < len(branches):
+            cases = [(*case, *margin) for case in cases for margin in margins]
     return cases
 
 
@@ -148,27 +148,27 @@ def _inputs_in(expression: Expr) -> set:
 @lru_cache(maxsize=10_000)
 def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
     """Write it as -sum g form^2, each function a symbol with what is known of it (`gram`)."""
-    whole = sympy.Tuple(expression, *conditions)
-    functions = functions_in(whole)
+    problem = sympy.Tuple(expression, *conditions)
+    functions = functions_in(problem)
     if len(functions) > MOST_FUNCTIONS:
         return False
     symbols = {
         call: Dummy(f"f_{k}", real=True)
-        for k, call in enumerate(sorted({*functions, *_inputs_in(whole)}, key=str))
+        for k, call in enumerate(sorted({*functions, *_inputs_in(problem)}, key=str))
     }
-    known = *conditions, *facts_of(functions)
-    expressions = [e.xreplace(symbols) for e in (expression, *known)]
+    facts = *conditions, *facts_of(functions)
+    expressions = [e.xreplace(symbols) for e in (expression, *facts)]
     variables = expressions[0].free_symbols
     expressions += [s for s in variables if s.is_nonnegative]
     expressions += [-s for s in variables if s.is_nonpositive and not s.is_nonnegative]
     numerator, divisor = sympy.fraction(sympy.together(expressions[0]))
     if not all(map(_is_nonnegative, Mul.make_args(divisor))):
         return False
-    given, total = [*map(expand, expressions[1:])], expand(-numerator)
+    polynomials, total = [*map(expand, expressions[1:])], expand(-numerator)
     lifted = 1 + sympy.Add(*(s**2 for s in total.free_symbols))
     return bool(
-        sum_of_squares(total, given)
-        or (not given and sum_of_squares(expand(total * lifted)))
+        sum_of_squares(total, polynomials)
+        or (not polynomials and sum_of_squares(expand(total * lifted)))
     )
 
 
@@ -319,10 +319,10 @@ def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -
 
     `conditions` are expressions that are not negative in the piece that is tested.
     """
-    pieces = _split(group)
-    return bool(pieces) and all(
+    branches = _split(group)
+    return bool(branches) and all(
         _in_piece(value, variables, (*conditions, *margins))
-        for margins, value in pieces
+        for margins, value in branches
     )
 
 
@@ -358,20 +358,20 @@ def without_choices(expression: Expr, variables: set) -> Expr | None:
     variables = variables | {*inputs.values()}
     branches = {choice: _branches(choice) for choice in words}
     for default in (-1, 0):
-        taken = {words[choice]: of[default][1] for choice, of in branches.items()}
+        chosen = {words[choice]: of[default][1] for choice, of in branches.items()}
         added: dict[Any, Expr] = {}  # under the same condition
         for choice, of in branches.items():
             for conditions, value in of:
                 change = slopes[choice] * (value - of[default][1])
                 added[conditions] = added.get(conditions, S.Zero) + change
-        pieces = [
+        terms = [
             (change, margins)
             for conditions, change in added.items()
             for margins in _margins(conditions)
         ]
-        bound = expand(linear.xreplace(taken))
+        bound = expand(linear.xreplace(chosen))
         if groups_never_positive(bound, variables) and all(
-            _in_piece(change, variables, margins) for change, margins in pieces
+            _in_piece(change, variables, margins) for change, margins in terms
         ):
             return bound.xreplace({symbol: f for f, symbol in inputs.items()})
     return None
@@ -393,19 +393,19 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
     cases: list[tuple[Expr, ...]] = [()]
     for condition, truth in conditions:
         name, arguments = condition.func.__name__, condition.args
-        found: list[tuple[Expr, ...]]
+        margins: list[tuple[Expr, ...]]
         if name in COMPARISONS:
             a, b = arguments if (name in ("gt", "ge")) == truth else arguments[::-1]
-            found = [(expand(a - b),)]
+            margins = [(expand(a - b),)]
         elif name == "not_":
-            found = _margins([(arguments[0], not truth)])
+            margins = _margins([(arguments[0], not truth)])
         elif (name == "and_") == truth and name in LOGIC:
-            found = _margins((a, truth) for a in arguments)
+            margins = _margins((a, truth) for a in arguments)
         elif name in LOGIC:
-            found = [case for a in arguments for case in _margins([(a, truth)])]
+            margins = [case for a in arguments for case in _margins([(a, truth)])]
         else:
-            found = [()]
-        cases = [(*case, *more) for case in cases for more in found]
+            margins = [()]
+        cases = [(*case, *margin) for case in cases for margin in margins]
     return cases
 
 
@@ -440,15 +440,15 @@ def _without_root(condition: Expr) -> Expr:
 
 def in_one_piece(e: Expr, conditions: tuple[Expr, ...] = ()) -> Expr | None:
     """Return the polynomial that a continuous expression is in all its pieces, or None."""
-    pieces = _split(e)
-    if not pieces:
+    branches = _split(e)
+    if not branches:
         return None if functions_in(e) and conditions else expand(e)
     values = set()
-    for margins, value in pieces:
-        known = tuple(map(expand, (*conditions, *margins)))
-        has_inside = not any(expand(-c) in known for c in known)
-        if has_inside and not _is_empty(known):
-            values.add(in_one_piece(value, known))
+    for margins, value in branches:
+        facts = tuple(map(expand, (*conditions, *margins)))
+        has_inside = not any(expand(-c) in facts for c in facts)
+        if has_inside and not _is_empty(facts):
+            values.add(in_one_piece(value, facts))
     return values.pop() if len(values) == 1 else None
 
 

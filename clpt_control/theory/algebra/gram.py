@@ -67,14 +67,14 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
         return None
     ring = PolyRing(symbols, QQ)
     try:
-        target, *given = (ring.from_expr(sympy.expand(e)) for e in expressions)
+        target, *assumed = (ring.from_expr(sympy.expand(e)) for e in expressions)
     except (ValueError, CoercionFailed):  # no polynomial with rational numbers
         return None
     if not target or max(map(sum, target)) > MOST_DEGREE:
         return None
-    known = [g for g in given if g]
-    known += [a * b for a, b in combinations(known, 2)]
-    blocks = _blocks(target, [ring.one, *known])
+    nonnegative = [g for g in assumed if g]
+    nonnegative += [a * b for a, b in combinations(nonnegative, 2)]
+    blocks = _blocks(target, [ring.one, *nonnegative])
     for _ in range(3):
         if any(len(block.basis) > MOST_MONOMIALS for block in blocks):
             return None
@@ -104,10 +104,10 @@ def _blocks(target: PolyElement, conditions: list[PolyElement]) -> list[Block]:
     most, total = powers.max(axis=0), powers.sum(axis=1)
     blocks = []
     for condition in conditions:
-        own = np.array([*condition]).max(axis=0)
-        if (own > most).any():
+        highest = np.array([*condition]).max(axis=0)
+        if (highest > most).any():
             continue
-        room = (most - own) // 2
+        room = (most - highest) // 2
         monomials = [
             m
             for m in product(*(range(n + 1) for n in room))
@@ -121,14 +121,14 @@ def _blocks(target: PolyElement, conditions: list[PolyElement]) -> list[Block]:
 
 def _pruned(target: PolyElement, blocks: list[Block]) -> list[Block]:
     """Drop monomials of the first block whose square nothing else can make or take away."""
-    first, *others = blocks
-    reached = {m for block in others for p in block.products() for m in p} | {*target}
-    basis, before = first.basis, None
+    leading, *further = blocks
+    reached = {m for block in further for p in block.products() for m in p} | {*target}
+    basis, before = leading.basis, None
     while basis != before:
         before = basis
         fixed = reached.union(*(a * b for a, b in combinations(basis, 2)))
         basis = [m for m in basis if {*m**2} <= fixed]
-    return [first._replace(basis=basis), *others]
+    return [leading._replace(basis=basis), *further]
 
 
 # --- floating point -------------------------------------------------------------------------
@@ -211,11 +211,11 @@ def _regular(blocks: list[Block], matrices: list[np.ndarray]) -> list[Block]:
     for block, G in zip(blocks, matrices, strict=True):
         values, vectors = np.linalg.eigh(G) if len(G) else (np.ones(0), G)
         most = max(float(np.abs(G).max()) for G in matrices if len(G))
-        kept = vectors[:, values > SINGULAR * most].T
-        if len(kept) == len(G):
+        directions = vectors[:, values > SINGULAR * most].T
+        if len(directions) == len(G):
             smaller.append(block)
             continue
-        rows = _echelon(kept)
+        rows = _echelon(directions)
         basis = [_combined(row, block.basis) for row in rows]
         if basis:
             smaller.append(block._replace(basis=basis))
@@ -280,11 +280,11 @@ def _exact(
     return squares
 
 
-def _solved(products: list[PolyElement], left: PolyElement) -> list[Any] | None:
+def _solved(products: list[PolyElement], target: PolyElement) -> list[Any] | None:
     """Return changes of the matrices that make up for what is left of each coefficient."""
-    rows = {m: k for k, m in enumerate({*left}.union(*products))}
+    rows = {m: k for k, m in enumerate({*target}.union(*products))}
     entries: dict[int, dict[int, Any]] = {}
-    for column, p in enumerate([*products, left]):
+    for column, p in enumerate([*products, target]):
         for m, c in p.items():
             entries.setdefault(rows[m], {})[column] = c
     last = len(products)

@@ -105,14 +105,14 @@ def _call_meets_smoothly(V: Expr, call: Any, order: int) -> bool:
         return all(map(is_truth, arguments[:1] if name == "where" else arguments))
     if fact_of(call).kind == "smooth":
         return True
-    pieces = pieces_of(call)
+    branches = pieces_of(call)
     is_nested = bool(functions_in(Add(*arguments)))
-    if not pieces or is_nested:
+    if not branches or is_nested:
         return False
-    values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
-    for j, k in combinations(range(len(pieces)), 2):
-        opposite = [expand(-margin) for margin in pieces[k][0]]
-        borders = [margin for margin in pieces[j][0] if expand(margin) in opposite]
+    values = [decided(V.xreplace(replaced)) for _, replaced in branches]
+    for j, k in combinations(range(len(branches)), 2):
+        opposite = [expand(-margin) for margin in branches[k][0]]
+        borders = [margin for margin in branches[j][0] if expand(margin) in opposite]
         if not all(_agrees(values[j] - values[k], b, order) for b in borders):
             return False
     return True

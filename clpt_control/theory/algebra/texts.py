@@ -54,11 +54,11 @@ def bound_text(bound: Any, up: bool = True) -> str:
             return e if e.is_Integer else sympy.Float(text, 4)
         if e.is_Pow:
             return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)
-        coefficient, rest = e.as_coeff_Mul()
+        coefficient, factor = e.as_coeff_Mul()
         if coefficient != 1:
             up_rest = up != bool(coefficient.is_negative)
-            return rounded(coefficient, up) * rounded(rest, up_rest)
-        return e.func(*(rounded(part, up) for part in e.args)) if e.args else e
+            return rounded(coefficient, up) * rounded(factor, up_rest)
+        return e.func(*(rounded(argument, up) for argument in e.args)) if e.args else e
 
     def grouped(e: Any) -> Any:
         """Return a sum with terms of one factor in brackets."""
@@ -68,8 +68,8 @@ def bound_text(bound: Any, up: bool = True) -> str:
             return e.func(*map(grouped, e.args))
         groups: dict[Any, list] = {}
         for term in e.args:
-            coefficient, rest = term.as_coeff_Mul()
-            groups.setdefault(coefficient, []).append(rest)
+            coefficient, factor = term.as_coeff_Mul()
+            groups.setdefault(coefficient, []).append(factor)
         sums = [
             sympy.Mul(c, sympy.Add(*g), evaluate=len(g) == 1) for c, g in groups.items()
         ]

@@ -82,14 +82,14 @@ def equations_of(diagram: Diagram) -> Equations:
         return loop.elements.leaf_symbol(key, shape, index)
 
     def watch(row: int, kind: str, arguments: tuple) -> None:
-        first, last = sympy.sympify(arguments[0]), sympy.sympify(arguments[-1])
-        if NOT_WRITTEN(kind) and (first.free_symbols or last.free_symbols):
-            raise DiagramError(f"{kind}({first}): has no form in Coq here. Replace it")
+        begin, last = sympy.sympify(arguments[0]), sympy.sympify(arguments[-1])
+        if NOT_WRITTEN(kind) and (begin.free_symbols or last.free_symbols):
+            raise DiagramError(f"{kind}({begin}): has no form in Coq here. Replace it")
         is_power = kind == "pow"
         if kind == "sqrt" or (is_power and not last.is_integer):
-            conditions[first, ">= 0"] = None
+            conditions[begin, ">= 0"] = None
         if kind == "div" or (is_power and last.is_negative):
-            conditions[last if kind == "div" else first, "<> 0"] = None
+            conditions[last if kind == "div" else begin, "<> 0"] = None
 
     elements = Sums(loop.tape.operations, leaf, watch)
 
@@ -104,5 +104,5 @@ def equations_of(diagram: Diagram) -> Equations:
         jumps.update(zip(read(state), after, strict=True))
     inputs = [symbol for port in loop.inputs.values() for symbol in read(port)]
     V = read(loop.signals["V"])[0]
-    known = [c for c in conditions if c[0].free_symbols]
-    return Equations(rates, inputs, V, known, jumps if loop.jumps else {})
+    with_symbols = [c for c in conditions if c[0].free_symbols]
+    return Equations(rates, inputs, V, with_symbols, jumps if loop.jumps else {})

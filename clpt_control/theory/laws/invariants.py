@@ -327,9 +327,9 @@ class Invariants(LoopCandidate):
             fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
         grown = self.known_states[2]
         positive = f"{' and '.join(grown)} > 0" * bool(grown)
-        kept = "the relations hold" * (not self.is_row)
+        condition = "the relations hold" * (not self.is_row)
         fall.conditions = [
-            Condition("start", text) for text in (kept, positive) if text
+            Condition("start", text) for text in (condition, positive) if text
         ]
         return fall
 
@@ -398,13 +398,13 @@ def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
 def claims_of(case: Invariants) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     law, names = case.law, case.law.semidefinite
-    kept, sizes = "what the law's states keep is kept", f"N = {case.N}"
+    sentence, sizes = "what the law's states keep is kept", f"N = {case.N}"
     start = off_at_the_start
     if not case.is_row:
-        kept += " where it begins so"
+        sentence += " where it begins so"
         sizes += " and the parameters as they are"
         start = off_at_zero
-    claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
+    claims: Claims = {sentence: ("", lambda case: case.broken() or start(case))}
     if not case.is_row:
         claims["what is kept does not repel"] = "", repels
     if case.loop.jumps:

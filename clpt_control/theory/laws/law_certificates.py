@@ -43,10 +43,10 @@ class LawLoop:
         """Return V' as losses of e and `others`, which the case has, and a push if more is left."""
         case, push, losses = self.case, S.Zero, list[Term]()
         decay = Add(*(k * e**2 for e, k in self.pairs))
-        left = along(self.V, case.motion) + others + decay
-        is_pushed = not vanishes(left)
+        remainder = along(self.V, case.motion) + others + decay
+        is_pushed = not vanishes(remainder)
         for e, k in self.pairs:
-            drive = sympy.diff(left, e)
+            drive = sympy.diff(remainder, e)
             losses += [Term(k / 2, [e]), Term(k / 2, [e - drive / k])] * is_pushed
             push += drive**2 / (2 * k) if is_pushed else 0
         losses = losses or [Term(k, [e]) for e, k in self.pairs]
@@ -121,8 +121,10 @@ class WithRelations(LawLoop):
         """Return a product of factors that are not negative as terms."""
         terms = [Term(S.One, [S.One])]
         for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
-            found = self.weighed(factor) or self.squared(factor)
-            terms = [term.times(other) for term in terms for other in found]
+            second = self.weighed(factor) or self.squared(factor)
+            terms = [
+                term.times(second_term) for term in terms for second_term in second
+            ]
         return terms
 
     def squared(self, factor: Expr) -> list[Term]:

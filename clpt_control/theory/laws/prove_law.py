@@ -109,13 +109,13 @@ def prove(
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
         scenario, own_law = _law_of(law_block)
-        part, row = own_law or scenario.law_block, scenario.learning.row
+        learner, row = own_law or scenario.law_block, scenario.learning.row
         is_row = own_law is None and V is None and invariants is None
-        if is_row and _has_signs_of(row, part):
-            verdict = verdict_on_row(row, points, part, seed)
+        if is_row and _has_signs_of(row, learner):
+            verdict = verdict_on_row(row, points, learner, seed)
         else:
             arguments = V, points, seed, invariants, semidefinite, losses, start
-            verdict = prove(part, *arguments)
+            verdict = prove(learner, *arguments)
         is_limited = scenario.vehicle.max_speed is not None
         if not (is_limited and verdict.status == "proved"):
             return verdict
@@ -166,13 +166,13 @@ def _judged_for_sizes(law: Law, points: int, seed: int) -> Verdict:
     verdict = judge(Invariants(law, MIDDLE, points, seed))
     if verdict.status != "proved":
         return verdict
-    others = [Invariants(law, N, points, seed) for N in SIZES if N != MIDDLE]
-    claim = "each exact step holds for " + " and ".join(case.sizes for case in others)
+    cases = [Invariants(law, N, points, seed) for N in SIZES if N != MIDDLE]
+    claim = "each exact step holds for " + " and ".join(case.sizes for case in cases)
 
     def missing(case: Invariants) -> str:
         return first_failure(case.exact_steps())
 
-    step = exact_step(others, claim, missing)
+    step = exact_step(cases, claim, missing)
     if not step.holds:
         failed = first_failure([step])
         return Verdict("open", failed, V=verdict.V, rate=verdict.rate, steps=(step,))
@@ -188,7 +188,9 @@ def _has_signs_of(law: Law, block: Block) -> bool:
         return False  # as of a sampled law
     pairs = zip(block.parameters, law_and_V(law, 1)[0].parameters, strict=True)
     signs = ([{*np.sign(np.ravel(v)).tolist()} for v in pair] for pair in pairs)
-    return all(own <= of_row or len(of_row) > 1 for own, of_row in signs)
+    return all(
+        signs_of_own <= of_row or len(of_row) > 1 for signs_of_own, of_row in signs
+    )
 
 
 def _law_of(diagram: Diagram) -> tuple[Scenario, Block | None]:

@@ -87,9 +87,9 @@ def off_at_zero(case: Any) -> str:
 
     No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
     """
-    own = case.states.keys() - {"x", "z", *LEARNED}
+    law_states = case.states.keys() - {"x", "z", *LEARNED}
     start: dict[Any, sympy.Expr] = {}
-    for name in own | case.start.keys():
+    for name in law_states | case.start.keys():
         value = np.asarray(case.start.get(name, 0.0), float)
         values = np.broadcast_to(value, case.states[name].shape)
         start |= equated(case.states, {name: np.vectorize(rational)(values)})
@@ -148,20 +148,20 @@ def bounded_states(case: Any) -> tuple[set, set, list[str]]:
         c = arbitrary(len(M))
         rate = c @ case.rates[port] @ c
         flows = not loop.jumps
-        same = equated(case.matrices, {port: case.symmetric[port]})
+        symmetry = equated(case.matrices, {port: case.symmetric[port]})
         grown += [port] * (flows and case.not_negative(rate, set(c)))
         at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
-        excess = (rate - at_zero).xreplace(same)
+        excess = (rate - at_zero).xreplace(symmetry)
         has_bound = port == "P" and law.weighted_error is not None
-        made = {*M.flat}
-        made |= {*case.states["theta_hat"].flat} if law.makes_estimate else set()
+        entries = {*M.flat}
+        entries |= {*case.states["theta_hat"].flat} if law.makes_estimate else set()
         if has_bound or keeps_a_ceiling(case, port):
-            bounded |= made
+            bounded |= entries
         elif flows and as_factors(excess).is_nonpositive:
             if at_zero == 0:
-                bounded |= made
+                bounded |= entries
             elif not at_zero.free_symbols & {*loop.motion}:
-                exist |= made
+                exist |= entries
         bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
         V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
     in_V = [port for port in LEARNED if port in loop.states]
@@ -219,9 +219,9 @@ def keeps_a_ceiling(case: Any, port: str) -> bool:
 def covariance_claims(law: Law) -> dict[str, Any]:
     """Return the bounds of P and eta that a law has: claim -> what it shows, its check."""
     # where CLPE drives alpha BOUNDS[0] does not hold
-    first = int(not law.driving_estimate)
+    offset = int(not law.driving_estimate)
     claims = {
-        BOUNDS[k]: ("", partial(_has_rate, index=k)) for k in range(first, len(BOUNDS))
+        BOUNDS[k]: ("", partial(_has_rate, index=k)) for k in range(offset, len(BOUNDS))
     }
     return {**claims, BOUNDED_BY_V: ("", _is_bounded_by_V)}
 

@@ -37,8 +37,8 @@ def terms_of(expression: Expr, fixed: set) -> list[Term]:
     total = squares(expression, fixed)
     if total is None or not total.constant.is_nonnegative:
         raise NoCertificate(f"{short(expression)} is not known as a sum of squares")
-    parts = [part for term in total.terms for part in apart(term, fixed)]
-    terms = [square(part, fixed) for part in parts]
+    summands = [summand for term in total.terms for summand in apart(term, fixed)]
+    terms = [square(summand, fixed) for summand in summands]
     constant = [Term(total.constant, [S.One])] * bool(total.constant)
     return of_gram(terms) + constant
 
@@ -113,8 +113,8 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     losses = []
     for s, (a, b) in pairs.items():
         spare = rates[s] - decay
-        parts = (shares[s] * spare, S.One) if is_number else (shares[s], spare)
-        losses += [Term(parts[0], [forms[s]], factor=parts[1])] * (spare != 0)
+        weights = (shares[s] * spare, S.One) if is_number else (shares[s], spare)
+        losses += [Term(weights[0], [forms[s]], factor=weights[1])] * (spare != 0)
         losses.append(Term(a / 2, [forms[s] - b / a]))
         push += b**2 / (2 * a)
     fixed = case.fixed | decay.free_symbols
@@ -136,12 +136,12 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         return lost(system(), case.rate.xreplace(fall.zeroed))
 
     def pulls() -> Case:
-        found = in_forms(case, definite)
-        if fall.level is None or found is None:
+        terms = in_forms(case, definite)
+        if fall.level is None or terms is None:
             raise NoCertificate("V' does not pull V back")
-        numbers = pulled_at_once(*found[:3])
+        numbers = pulled_at_once(*terms[:3])
         if numbers is None:
-            return pulled(system(), *found)
+            return pulled(system(), *terms)
         loss = case.rate + numbers.rate * case.V - numbers.push
         return replace(lost(system(), loss), decay=numbers.rate, push=numbers.push)
 
@@ -193,7 +193,7 @@ def with_certificates(
     proof = prove()
     if proof.status == "open":
         return replace(proof, why_no_certificate=NOTHING_PROVED)
-    found = [written(ways, []) for ways in cases()]
-    reason = next((why for _, why in found if why), "")
-    certificates = None if reason else [data for data, _ in found]
+    certified = [written(ways, []) for ways in cases()]
+    reason = next((why for _, why in certified if why), "")
+    certificates = None if reason else [data for data, _ in certified]
     return replace(proof, certificate=certificates, why_no_certificate=reason)

@@ -100,8 +100,8 @@ class Case:
             f"{self.names[r]} = 1/({short(e)})" for e, r in self.divisors.items()
         ]
         turned = [f"{name} = -{s}" for s in below if (name := self.names.get(above[s]))]
-        said = [*self.conditions, *divisors, *sorted(turned)]
-        data["conditions"] = [ascii(condition)[1:-1] for condition in said]
+        conditions = [*self.conditions, *divisors, *sorted(turned)]
+        data["conditions"] = [ascii(condition)[1:-1] for condition in conditions]
         return strongest(data | {"conclusion": "V' is at most the push", "of": []})
 
     def rates(self) -> dict[str, list]:
@@ -142,10 +142,10 @@ class Case:
 
     def kind(self, atom: Any) -> str:
         """Return the kind of a symbol."""
-        known = {**dict.fromkeys(self.motion, "rates"), **self.functions}
+        kinds = {**dict.fromkeys(self.motion, "rates"), **self.functions}
         of_parameter = "positive" if atom.is_positive else "constants"
         of_time = "inputs" if isinstance(atom, AppliedUndef) else "signals"
-        return known.get(atom, of_parameter if atom in self.fixed else of_time)
+        return kinds.get(atom, of_parameter if atom in self.fixed else of_time)
 
     def polynomial(self, expression: Any) -> list:
         """Return an expression as a list of [coefficient, {symbol: power}]."""
@@ -183,14 +183,16 @@ def strongest(data: dict) -> dict:
     """Return a certificate with the strongest conclusion that the checker derives from it."""
     try:
         certificate = checker.Certificate(data)
-        found = certificate.conclusions()
+        conclusions = certificate.conclusions()
         forms = [p for term in data["losses"] for p in term["basis"]]
         about = {
-            name: [p for p in forms if certificate.read(p) in shown]
-            for name, shown in found.items()
+            name: [p for p in forms if certificate.read(p) in stated]
+            for name, stated in conclusions.items()
         }
         claims = (
-            c for c in SHOWN if c in found and (about[c] or c not in checker.ABOUT)
+            c
+            for c in SHOWN
+            if c in conclusions and (about[c] or c not in checker.ABOUT)
         )
         conclusion = next(claims)
         data = data | {"conclusion": conclusion, "of": about[conclusion]}
@@ -207,9 +209,9 @@ def without_rate(data: dict, s: str) -> dict:
     rates = {name: rate for name, rate in data["rates"].items() if name != s}
     less = data | {"rates": rates, "signals": [*data["signals"], s]}
     certificate = checker.Certificate(less)
-    found, of = certificate.conclusions(), map(certificate.read, data["of"])
+    conclusions, of = certificate.conclusions(), map(certificate.read, data["of"])
     claim = data["conclusion"]
-    if claim not in found or not all(p in found[claim] for p in of):
+    if claim not in conclusions or not all(p in conclusions[claim] for p in of):
         return data
     kinds = checker.KINDS[1:]
     return less | {k: [v for v in less[k] if v in certificate.used] for k in kinds}
@@ -220,9 +222,9 @@ def written(
 ) -> tuple[dict | None, str]:
     """Return the first certificate of several ways to write V', or the first way's failure."""
     reasons = [NOTHING_PROVED]
-    for way in ways:
+    for make_case in ways:
         try:
-            case = way()
+            case = make_case()
             case.conditions += [f"{c}" for c in conditions if c.name not in CHECKED]
             return case.certificate(), ""
         except NoCertificate as reason:

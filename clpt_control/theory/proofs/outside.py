@@ -93,10 +93,12 @@ class Motion:
         stable = list[Any]()
         self.free = outside
         for states in _in_order(rates):  # each driven by those before it
-            own = [rates[s].xreplace(self.bounded) for s in states]
-            if not jumps.keys() & {*states} and self._is_linear_and_stable(own, states):
+            own_rates = [rates[s].xreplace(self.bounded) for s in states]
+            if not jumps.keys() & {*states} and self._is_linear_and_stable(
+                own_rates, states
+            ):
                 stable += states
-                self.driving |= self.inputs_of(own)
+                self.driving |= self.inputs_of(own_rates)
                 self.free = [s for s in self.free if s not in states]
                 self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
         if stable:
@@ -104,12 +106,12 @@ class Motion:
             self.conditions.append(Condition("outside V, bounded", names))
             claim = f"{names} linear and stable, driven by what is bounded{condition}"
         # a rate as it is or expanded, which hides roots
-        asked = [s for s in self.free if s not in self.exist]
-        left = [rates[s].xreplace(self.bounded) for s in asked]
-        written: list[tuple] = [(rate, sympy.expand(rate)) for rate in left]
-        written += [(jumps[s],) for s in asked if s in jumps]
+        unbounded = [s for s in self.free if s not in self.exist]
+        their_rates = [rates[s].xreplace(self.bounded) for s in unbounded]
+        written: list[tuple] = [(rate, sympy.expand(rate)) for rate in their_rates]
+        written += [(jumps[s],) for s in unbounded if s in jumps]
         exist = self.eq.discrete or all(
-            min(degree(f, asked.__contains__) for f in forms_of_rate) <= 1
+            min(degree(f, unbounded.__contains__) for f in forms_of_rate) <= 1
             for forms_of_rate in written
         )
         if self.free:
@@ -133,8 +135,8 @@ class Motion:
         ports = [*self.eq.inputs.items()]
         used = {*inputs}
         names = [port for port, symbols in ports if used & {*symbols.flat}]
-        known = {f for _, symbols in ports for f in symbols.flat}
-        return are(names + sorted(str(f.func) for f in used - known))
+        free_names = {f for _, symbols in ports for f in symbols.flat}
+        return are(names + sorted(str(f.func) for f in used - free_names))
 
     def _is_linear_and_stable(self, rates: list, states: list) -> bool:
         """Return whether rates are linear in some states, stable, and driven by what is bounded."""
@@ -240,8 +242,8 @@ def _state_of(
         return None
     (s,), bound = states, sympy.Dummy("bound", real=True)
     if not form.is_polynomial(s):  # s and what is bounded whatever s is
-        rest = sympy.expand(form - s)
-        return {s: bound} if degree(rest, lambda a: a == s) == 0 else None
+        shift = sympy.expand(form - s)
+        return {s: bound} if degree(shift, lambda a: a == s) == 0 else None
     leading, *coefficients = sympy.Poly(form, s).all_coeffs()
     if not leading.is_nonzero or leading.free_symbols - fixed:
         return None
@@ -275,5 +277,5 @@ def hurwitz(A: sympy.Matrix) -> bool:
 
 def schur(A: sympy.Matrix) -> bool:
     """Return whether all eigenvalues are within the unit circle, by those of (A - I)/(A + I)."""
-    one = sympy.eye(A.rows)
-    return (A + one).det() != 0 and hurwitz((A - one) * (A + one).inv())
+    identity = sympy.eye(A.rows)
+    return (A + identity).det() != 0 and hurwitz((A - identity) * (A + identity).inv())

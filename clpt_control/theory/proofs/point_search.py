@@ -85,8 +85,8 @@ class RunningBlocks:
             if node.system.nstates:
                 rates.T[node.states] = self._values_of(k, "update", signals, t, x, u)
         V = np.zeros(len(t))
-        for place in self.V:
-            for k, gain in self.wiring.outputs[place].items():
+        for argument in self.V:
+            for k, gain in self.wiring.outputs[argument].items():
                 V += gain * (signals[k] if k >= 0 else u.T[~k])
         return rates, V
 
@@ -194,8 +194,8 @@ class PointSearch:
         inputs = (getattr(f, "func", f) for f in self.inputs)
         names = [TIME, *self.states, *inputs, *self.eq.values]
         numbers = [point.t, *point.x, *np.ravel(point.u), *self.eq.values.values()]
-        parts = zip(names, map(float, numbers), strict=True)
-        return ", ".join(f"{name} = {number:.6g}" for name, number in parts)
+        pairs = zip(names, map(float, numbers), strict=True)
+        return ", ".join(f"{name} = {number:.6g}" for name, number in pairs)
 
     def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero.
@@ -227,14 +227,14 @@ class PointSearch:
     def rest_at(self, x: np.ndarray) -> np.ndarray:
         """Return the rest of states (n, ...), which may depend on other states."""
         values = dict(zip(self.states, x, strict=True))
-        rest = self.numbers(*(self.rest.get(s, S.Zero) for s in self.states))
-        return rest.at(values, x.shape[1])
+        equilibrium = self.numbers(*(self.rest.get(s, S.Zero) for s in self.states))
+        return equilibrium.at(values, x.shape[1])
 
     def farther(self, x: np.ndarray, factors: tuple[float, ...]) -> np.ndarray:
         """Return states (len(factors), n) with the distance from the rest times factors."""
-        rest = self.rest_at(x[:, None])[:, 0]
-        rest = np.where([s in self.rest for s in self.states], rest, x)
-        return rest + np.outer(factors, x - rest)
+        equilibrium = self.rest_at(x[:, None])[:, 0]
+        equilibrium = np.where([s in self.rest for s in self.states], equilibrium, x)
+        return equilibrium + np.outer(factors, x - equilibrium)
 
     def value_at(self, expression: Expr, point: Point) -> float:
         """Return an expression at a point."""
@@ -317,13 +317,15 @@ class PointSearch:
 
         With `sign` -1, V' is below the claim.
         """
-        for found in self.highest(sign * (rate - claim), still):
-            rest = self.rest_at(found.x[:, None])[:, 0]
-            states = self.inside(rest + np.outer(ENLARGED, found.x - rest))
+        for highest in self.highest(sign * (rate - claim), still):
+            equilibrium = self.rest_at(highest.x[:, None])[:, 0]
+            states = self.inside(
+                equilibrium + np.outer(ENLARGED, highest.x - equilibrium)
+            )
             is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
             is_small[-1] = True  # the point itself
-            points = [found._replace(x=x) for x in states[is_small]]
-            values, sizes, _ = self.rates_at(found, states[is_small])
+            points = [highest._replace(x=x) for x in states[is_small]]
+            values, sizes, _ = self.rates_at(highest, states[is_small])
             for point, value, size in zip(points, values, sizes, strict=True):
                 claimed = self.value_at(claim, point)
                 excess = sign * (value - claimed)
@@ -339,8 +341,12 @@ class PointSearch:
         """
         is_fixed = np.array([s in fixed for s in self.states])
         for point in self.highest(rate, still=False):
-            rest = np.where(is_fixed, point.x, self.rest_at(point.x[:, None])[:, 0])
-            states = self.inside(rest + np.outer(DISTANCES, point.x - rest))
+            equilibrium = np.where(
+                is_fixed, point.x, self.rest_at(point.x[:, None])[:, 0]
+            )
+            states = self.inside(
+                equilibrium + np.outer(DISTANCES, point.x - equilibrium)
+            )
             rises, size, V = self.rates_at(point, states)
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:

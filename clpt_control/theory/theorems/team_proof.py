@@ -76,38 +76,44 @@ def steps_of(name: str, edges: tuple[tuple[str, str], ...]) -> list[Step]:
     loop = ArrayLoop(team_diagram(edges, WIRED))
     team = {v: PaperLoop(loop=loop, vehicle=v) for v in vehicles(edges)}
     members = team.values()
-    one = next(iter(members))
+    member = next(iter(members))
     kappa = loop.parameters[named("a", "consensus")].coupling
-    apart = [team[i].alpha - team[j].alpha for i, j in edges]
+    differences = [team[i].alpha - team[j].alpha for i, j in edges]
     pairs = [
         (v, [team[j] for edge in edges if i in edge for j in edge if j != i])
         for i, v in team.items()
     ]
     fall = sum(np.sum(v.KD * v.e**2) for v in members)
-    fall = fall + kappa / one.gamma * sum(np.sum(d**2) for d in apart)
+    fall = fall + kappa / member.gamma * sum(np.sum(d**2) for d in differences)
     V = sum(v.sum_of_squares() for v in members)
     x_rates = [v.rate(v.x) - v.vehicle_rate for v in members]
     e_rates = [v.rate(v.e) - v.error_rate for v in members]
-    sums = {v: kappa * sum(v.alpha - w.alpha for w in near) for v, near in pairs}
+    sums = {
+        v: kappa * sum(v.alpha - w.alpha for w in neighbours) for v, neighbours in pairs
+    }
     alpha_rates = [
         v.rate(v.alpha) + v.gamma * np.outer(v.e, v.phi) + pull
         for v, pull in sums.items()
     ]
-    positive = one.positive(*(v.KD for v in members))
+    positive = member.positive(*(v.KD for v in members))
     return [
         line(
-            f"{CLAIM}, {name}", one.zero(one.rate(V) + fall), shows="values falls loses"
+            f"{CLAIM}, {name}",
+            member.zero(member.rate(V) + fall),
+            shows="values falls loses",
         ),
         line(
             "V is half the sum of squares of the errors of all vehicles, each with a positive "
             f"weight, {name}",
-            one.zero(one.V - V),
+            member.zero(member.V - V),
             shows="definite",
         ),
-        line("x_i is bounded, Eq. (9)", positive, one.zero(*x_rates), shows="exists"),
+        line(
+            "x_i is bounded, Eq. (9)", positive, member.zero(*x_rates), shows="exists"
+        ),
         line(
             "(27)  e_i' and alpha_i' are made of phi, zc and what V and x_i bound",
-            one.zero(*e_rates, *alpha_rates),
+            member.zero(*e_rates, *alpha_rates),
             shows="limit",
         ),
     ]

@@ -310,11 +310,11 @@ def audit(
     'proved'
     """
     proofs = {}
-    for done, number in enumerate(numbers_of(theorem), 1):
+    for finished, number in enumerate(numbers_of(theorem), 1):
         interrupt.check()
         proofs[number] = proof_or_failure(THEOREMS[number])
         if progress is not None:
-            progress(done)
+            progress(finished)
     return proofs
 
 
@@ -335,10 +335,10 @@ def circle_step() -> Step:
         c, s = sympy.cos(2 * a), sympy.sin(2 * a)
         doubled = zc * zc.T - sympy.Matrix([[1 + c, s], [s, 1 - c]]) / 2
         geometric = (q**n - 1) / (q - 1)
-        more = geometric.subs(n, n + 1) - geometric - q**n
+        difference = geometric.subs(n, n + 1) - geometric - q**n
         closed = sympy.exp(4 * sympy.pi * sympy.I / (m + 3)) ** (m + 3) - 1
         below_a_turn = sympy.factor(1 - 2 / (m + 3))  # so q is not 1
-        zero = *sympy.simplify(doubled), sympy.simplify(more), closed
+        zero = *sympy.simplify(doubled), sympy.simplify(difference), closed
         return not any(zero) and bool(below_a_turn.is_positive), (
             "zc zc^T = (r^2/2) (I + [[cos 2a, sin 2a], [sin 2a, -cos 2a]]), and sum exp(2 i a) is "
             "(q^n - 1)/(q - 1) = 0 with q = exp(4 pi i/n)"
