@@ -52,7 +52,7 @@ RESULTS = [
         clpt_control.prove,
         clpt_control.fit_parameters,
         clpt_control.currents.fit_current,
-        clpt_control.currents.fit_tides,
+        clpt_control.currents.tidal_basis,
         clpt_control.gramian,
     )
 ]

@@ -11,7 +11,6 @@ import pytest
 import yaml
 from packaging.requirements import Requirement
 from subprocesses import ran
-from tidal_records import times, waves, write_table
 
 import clpt_control
 
@@ -161,7 +160,6 @@ COMMANDS = {
     "replay --sample": "pyproj",
     "ensemble mine.toml --vary learning.gain=0.2:2.0 --members 3 --out e.zarr": "zarr",
     "tune mine.toml": "zarr",
-    "fit record.csv --tides --constituents M2 --latitude 41.2": "utide",
     "fit current.nc --out fit.toml": "netCDF4",
 }
 TOLD = f"""
@@ -185,7 +183,6 @@ def said(tmp_path_factory):
     """The status and complaint of commands, in a process that runs ten lines and a law first."""
     folder = tmp_path_factory.mktemp("core")
     (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
-    write_table(folder / "record.csv", times(20), waves(times(20)))
     readme = (HOUSE / "README.md").read_text()
     [lines] = re.findall(r"## The paper.*?```python\n(.*?)```", readme, re.S)
     (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)

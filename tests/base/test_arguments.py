@@ -15,6 +15,7 @@ from pathlib import Path
 import control
 import numpy as np
 import pytest
+import utide
 import xarray
 from error_sentences import says
 from law_blocks import papers_law
@@ -153,14 +154,8 @@ def right(tmp_path_factory):
     fit = clpt.currents.fit_current(currents, (40.9, 41.55, -69.9, -69.0))
     shoals = fit.save(folder / "shoals.toml")
     dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
-    tides = {
-        "time": HOURS,
-        "u": TIDE,
-        "v": TIDE,
-        "latitude": 40.0,
-        "constituents": ["M2"],
-    }
-    found = clpt.currents.fit_tides(**tides)
+    fit = {"lat": 40.0, "constit": ["M2"], "trend": False, "verbose": False}
+    tides = utide.solve(HOURS, TIDE, TIDE, **fit)
     ensemble = clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2)
     named = {
         **{
@@ -170,13 +165,7 @@ def right(tmp_path_factory):
             "diagram": loop,
             "block": CLPE,
         },
-        **{
-            "replay": replay,
-            "dives": DIVES,
-            "dive": DIVES[0],
-            "fit": found,
-            "source": SCENARIO,
-        },
+        **{"replay": replay, "dives": DIVES, "dive": DIVES[0], "source": SCENARIO},
         **{"window": 20.0, "start": 0.0, "path": folder / "s.toml", "folder": folder},
         **{
             "flow_model": Made(lambda *_: (0.0, 0.0)),
@@ -189,7 +178,8 @@ def right(tmp_path_factory):
     own = {
         "connect": {"blocks": [CLPE], "external": ["x", "z"]},
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
-        **{"lookup": {"table": [1.0, 2.0], "index": 1.0}, "fit_tides": tides},
+        "lookup": {"table": [1.0, 2.0], "index": 1.0},
+        "tidal_basis": {"tides": tides, "epoch": HOURS[0], "unit": "m s-1"},
         "flow_estimate": {"source": run, "scenario": None, "every": 5.0},
         "FlowEstimator": {"scenario": OF_FIXES},
         "FlowEstimator.fix": {"self": estimator(), "time": 60.0, **PLACE},
@@ -215,7 +205,6 @@ def right(tmp_path_factory):
             for name in ("read_currents", "fit_current")
         },
         "read_flow_model": {"path": currents},
-        "read_record": {"path": currents, "at": (41.2, -69.5)},
         "load_scenario": {"path": folder / "team.toml"},
         "read_dives": {"paths": [folder / "sample.csv"]},
         "write_dive_table": {"path": folder / "dives.csv"},

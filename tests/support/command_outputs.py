@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from synthetic_vehicle import one_file_each
 from team_scenarios import FILE
-from tidal_records import times, waves, write_table
 
 import clpt_control as clpt
 
@@ -51,7 +50,6 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
         "b.png",
     ),
     ("fit", "c.nc", "--out", "f.toml", "--json"): ("f.toml", "f_field.nc"),
-    ("fit", "r.csv", "--tides", "--constituents", "M2,S2"): (),
     ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
     FOLLOW: None,
     ("report", "r.nc", "--film", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
@@ -88,12 +86,11 @@ def write(changes, path="s.toml"):
 
 
 def write_each(folder, duration):
-    """Write a scenario, its run, a team, a current, a tidal record and dives."""
+    """Write a scenario, its run, a team, a current and dives."""
     scenario = clpt.paper_scenario().with_values({"run.duration": duration})
     clpt.save_scenario(scenario, folder / "s.toml")
     clpt.save_run(clpt.simulate(scenario), folder / "r.nc")
     for name, file in (("team.toml", FILE), ("c.nc", clpt.currents.sample_currents())):
         shutil.copyfile(file, folder / name)
-    write_table(folder / "r.csv", times(20), waves(times(20)))
     (folder / "in").mkdir()
     one_file_each(folder / "in", clpt.gliders.sample_dives()[:4])

@@ -42,8 +42,6 @@ USES = (
     f"ensemble s.toml --out begun.zarr --json {VARY} | begun.zarr",
     "excitation s.toml --bounds --json",
     "fit grid.nc --rows 2 --columns 2 --out out.toml --json",
-    "fit record.nc --tides --constituents M2,K1 --json",
-    "fit record.csv --tides --constituents M2,K1 --json",
     "replay dives.csv --out out --json",
     "replay dives.csv --flow-model model.nc --json | model.nc",
     "replay dives.csv --flow-model fit.toml --json | fit.toml",
@@ -75,8 +73,10 @@ OPTIONS = (  # words, options whose values are damaged
         "--members --vary --seed --threads --chunk --design",
     ),
     ("tune s.toml --members 2 --law learned-flow", "--members --prior --seed"),
-    ("fit grid.nc --out out.toml", "--rows --columns --width-km --units"),
-    ("fit record.csv --tides --constituents M2", "--constituents --latitude"),
+    (
+        "fit grid.nc --out out.toml",
+        "--rows --columns --width-km --units --constituents --depth",
+    ),
     ("estimate run.nc", "--every --prior --noise --until"),
     (
         "replay dives.csv --aim 41 -69",
@@ -89,7 +89,6 @@ OPTIONS = (  # words, options whose values are damaged
 def make_valid(folder):
     """Write one valid file of each kind that commands read."""
     from gridded_currents import gridded_current, uniform_field
-    from tidal_records import MARACOOS, times, waves, write_netcdf, write_table
 
     import clpt_control as clpt
     from clpt_control.gliders import sample_dives, write_dive_table
@@ -118,9 +117,7 @@ def make_valid(folder):
     clpt.run_ensemble(short, "learning.gain=0.2:2", 4, out=folder / "e.zarr", chunk=2)
     shutil.copytree(folder / "e.zarr", folder / "begun.zarr")
     (folder / "begun.zarr/done/c/1").unlink()
-    write_table(folder / "record.csv", times(3), waves(times(3)))
-    write_netcdf(folder / "record.nc", times(3), waves(times(3)))
-    shutil.copy(MARACOOS, folder / "grid.nc")
+    shutil.copy(clpt.currents.sample_currents(), folder / "grid.nc")
     lat, lon, hours = (
         np.linspace(-44, -42, 4),
         np.linspace(7, 9.5, 5),

@@ -25,13 +25,13 @@ from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
-from ...paper.currents.text_table import SUFFIXES
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
 from .dive_table import table_dives
 from .dives import Dive, Skipped
 from .log_rows import STAYS
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
+from .text_table import SUFFIXES
 from .usable_dives import LEAST_DURATION
 from .vehicle_log import NO_MOTION, mark_of
 

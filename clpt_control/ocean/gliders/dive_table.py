@@ -28,7 +28,6 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from ...paper.currents.text_table import other_marks, table_of
 from .dive_fields import NUMBER, DiveField, whole_number
 from .dives import (
     CONTRADICTS,
@@ -42,6 +41,7 @@ from .dives import (
     with_dac_note,
     without_current,
 )
+from .text_table import other_marks, table_of
 from .vehicle_log import GIVE, log_legs, mark_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")

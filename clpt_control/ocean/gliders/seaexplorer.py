@@ -24,11 +24,11 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.files.reading import LARGEST, read_bytes, text_of
-from ...paper.currents.text_table import table_of
 from .dive_fields import HEADINGS, VARIATIONS
 from .dives import LEAST_DEPTH, Dive, Fix, Three, ThroughWater, dive_between, fixes_in
 from .mission_files import dives_across_files, logged
 from .samples import PITCHES, deepest, degrees, summed, within
+from .text_table import table_of
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"

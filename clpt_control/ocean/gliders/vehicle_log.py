@@ -31,10 +31,10 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970, speed_in_metres_per_second
-from ...paper.currents.text_table import HEADER, OTHER_MARKS, table_of
 from .dive_fields import name_of
 from .dives import PLACE, STEERING, STRETCH, Dive, Fix, Skipped, make_dive
 from .log_rows import LogRows, Pair, time_fault
+from .text_table import HEADER, OTHER_MARKS, table_of
 
 NAMES = {
     "time": ("time", "date", "datetime", "date_time"),

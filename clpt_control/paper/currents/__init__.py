@@ -1,5 +1,5 @@
-"""Measured currents: gridded fields and records, fits to them, tides.
+"""Measured currents: gridded fields (`read_currents`), fits to them, tides.
 
-Currents on a grid (`read_currents`, `fit_current`), tides of a record (`read_record`,
-`fit_tides`).
+`fit_current` makes a scenario in a gridded current, `tidal_basis` the theta of tides that UTide
+fitted to a record at one place.
 """

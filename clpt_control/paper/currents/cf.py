@@ -49,7 +49,7 @@ HEIGHTS = ("altitude", "height")
 DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
 DEPTH_NAMES = (
     *("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu"),
-    *("sigma", "siglay", "height_above_sensor"),  # the last one of IMOS
+    *("sigma", "siglay"),
 )
 CURE = (
     "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
@@ -154,47 +154,31 @@ def is_depth(data: xarray.Dataset, dim: Any) -> bool:
 def depths_of(data: xarray.Dataset, dim: Any, in_metres: bool = True) -> np.ndarray:
     """Return depths of levels below the surface, m or in their unit.
 
-    Heights above an instrument are subtracted from its depth; others from below are refused.
+    Heights above the sea floor are refused.
     """
     axis = data[dim]
     levels, unit = np.atleast_1d(numbers_of(axis)), said(axis)
     up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(
         HEIGHTS
     )
-    if str(dim).lower() == "height_above_sensor":
-        levels = _depth_of_sensor(data) - levels
-    elif up and np.any(levels > 0):
+    if up and np.any(levels > 0):
         raise DataError(
             f"{axis.name} counts up from the sea floor; must be depths below water"
         )
-    else:
-        levels = np.abs(levels)
+    levels = np.abs(levels)
     if in_metres and (unit or not str(dim).lower().startswith(("depth", "z"))):
         return levels * length_in_metres(unit, str(dim))
     return levels
 
 
-def _depth_of_sensor(data: xarray.Dataset) -> float:
-    """Return the median depth of an instrument, m."""
-    for name in map(str, data.variables):
-        if name.lower() in ("depth", "nominal_depth"):
-            return float(np.nanmedian(without_flagged(data, [name])[0]))
-    raise DataError(
-        "has heights above a sensor and no depth of the sensor. Write the variable DEPTH"
-    )
-
-
-def _level(data: xarray.Dataset, dim: Any, depth: float | None) -> tuple[int, str]:
-    """Return the index of the level nearest the surface, or a depth in m, and a note on it."""
-    depths = depths_of(data, dim, in_metres=depth is not None)
-    away = np.where(depths >= 0, np.abs(depths - (depth or 0.0)), np.inf)
-    level = int(
-        np.argmin(away)
-    )  # a level above water, or without a depth, is the last choice
-    nearest = "the surface" if depth is None else f"{depth:g} m"
-    unit = said(data[dim]).replace("1", "") if depth is None else "m"
+def _level(data: xarray.Dataset, dim: Any) -> tuple[int, str]:
+    """Return the index of the level nearest the surface, and a note on it."""
+    depths = depths_of(data, dim, in_metres=False)
+    # a level above water, or without a depth, is the last choice
+    level = int(np.argmin(np.where(depths >= 0, depths, np.inf)))
+    unit = said(data[dim]).replace("1", "")
     return level, (
-        f"{dim} has {depths.size} levels: the level nearest {nearest} is read, "
+        f"{dim} has {depths.size} levels: the level nearest the surface is read, "
         f"{depths[level]:.4g} {unit}".rstrip()
         + ". --depth (depth=) chooses by depth"
     )
@@ -206,11 +190,10 @@ def velocity_values(
     index: dict[Any, np.ndarray],
     units: str | None,
     notes: list[str],
-    depth: float | None = None,
 ) -> np.ndarray:
     """Return a velocity in m/s, NaN where missing or flagged bad, at the `index` of each dimension.
 
-    Of levels that are not among them the one nearest the surface, or nearest a depth (m), is taken.
+    Of levels that are not among them, the one nearest the surface is read.
     `units` are those of a variable that says none.  The level and the flags add to the notes.
     """
     values, levels = data[name], dict[Any, int]()
@@ -221,9 +204,10 @@ def velocity_values(
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
                 raise DataError(
-                    f"{name} has {values.sizes[dim]} {dim}. Choose one, --at LAT LON"
+                    f"{name} has {values.sizes[dim]} {dim}; must be on time, latitude, longitude "
+                    "and depth. Select one with xarray's isel"
                 )
-            levels[dim], note = _level(data, dim, depth)
+            levels[dim], note = _level(data, dim)
             notes.append(note)
     added = [dim for dim in index if dim not in values.dims]
     if any(dim not in data or data[dim].ndim for dim in added):

@@ -12,7 +12,7 @@ trade against each other.  "steady" is the speed 0: a tide beside a mean needs
 one full period.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from math import inf
 
@@ -38,11 +38,7 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     clpt_control.DataError: currents.nc: in 24 h, these cannot be distinguished: M2 and S2
     (354.4 h are needed)
     """
-    check_speeds({name: tidal_periods.speed(name) for name in names}, hours, where)
-
-
-def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
-    """Refuse tides, degrees per hour by name, that a record is too short to tell apart."""
+    speeds = {name: tidal_periods.speed(name) for name in names}
     differences = sorted(
         (abs(speeds[a] - speeds[b]), a, b) for a, b in combinations(speeds, 2)
     )

@@ -1,27 +1,28 @@
 """Tides of a current as theta of Eq. (3), for the basis of a scenario.
 
-UTide fits them (`utide.solve` of times, u, v and a latitude; D. L. Codiga, URI/GSO technical report
-2011-01).  A tide is an ellipse with axes L and l, inclination h and phase g:
+UTide fits the tides (`utide.solve` of times, u, v and a latitude; D. L. Codiga, URI/GSO technical
+report 2011-01).  A tide is an ellipse with axes L and l, inclination h and phase g:
 
-    u + iv = f (a exp(i (V + n)) + b exp(-i (V + n))),   a = (L + l)/2 exp(i (h - g))
-                                                          b = (L - l)/2 exp(i (h + g))
+    u + iv = a E + b conj(E),   E = f exp(i (V + n)),
+    a = (L + l)/2 exp(i (h - g)),   b = (L - l)/2 exp(i (h + g))
 
-The nodal factor f and angle n and the argument V are those of the epoch, t = 0 of the scenario:
-choose it in the middle of what is to be run; M2 changes by 0.4 % in half a year.  A scenario's sine
-is the phase -pi/2.
+The nodal factor f, the nodal angle n and the argument V are those of the epoch, t = 0 of the
+scenario.  Choose an epoch in the middle of the run; M2 changes by 0.4 % in half a year.
+A cosine has the phase 0 and a sine the phase -pi/2.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...base.arguments import public
+from ...base.arguments import brief, public
 from ...base.errors import DataError, import_optional
-from ...base.units import speed_in_metres_per_second
+from ...base.units import DAY, seconds_since_1970, speed_in_metres_per_second
 from ..scenario.tidal_periods import SPEEDS
 
 NAMES = {"NO1": "M1"}  # UTide's name and Schureman's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
+NODAL = ("nodsatlint", "nodsatnone", "gwchlint", "gwchnone")  # options of the fit
 
 
 class TidalBasis(NamedTuple):
@@ -34,13 +35,14 @@ class TidalBasis(NamedTuple):
 
 @public
 def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
-    """Return the tides that UTide has fitted as theta of a scenario.
+    """Return tides that UTide fitted as theta of a scenario.
 
     Parameters
     ----------
     tides : Bunch
-        What ``utide.solve(time, u, v, lat=latitude)`` returns, u and v in m/s.
-    epoch : str or datetime64
+        Result of ``utide.solve(time, u, v, lat=latitude, trend=False)``, u (east) and v (north)
+        in m/s, times in UTC.
+    epoch : str, datetime or datetime64
         t = 0 of the scenario, UTC.
     unit : str, optional
         Of theta: the scenario's length per time, such as "km h-1".
@@ -53,41 +55,42 @@ def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     Raises
     ------
     DataError
-        If the epoch or the unit cannot be read, or a scenario knows no such constituent.
+        If the tides are of one component or have a trend, the epoch or the unit cannot be read,
+        or a scenario has no such constituent.
 
     Examples
     --------
     >>> import utide
-    >>> time = np.datetime64("2019-01-01") + np.arange(720) * np.timedelta64(1, "h")
-    >>> wave = np.cos(np.radians(28.9841042) * np.arange(720))
-    >>> tides = utide.solve(time, wave, 0.5 * wave, lat=41.0, constit=["M2"], verbose=False)
-    >>> tidal_basis(tides, time[0]).theta.round(2) + 0
-    array([[ 0. ,  1. ,  0. ],
-           [ 0. ,  0.5,  0. ]])
+    >>> hours = np.arange(720)
+    >>> time = np.datetime64("2019-01-01") + hours * np.timedelta64(1, "h")
+    >>> wave = np.cos(np.radians(28.9841042) * hours)
+    >>> fit = {"lat": 41.0, "constit": ["M2"], "trend": False, "verbose": False}
+    >>> basis = tidal_basis(utide.solve(time, wave, 0.5 * wave, **fit), time[0])
+    >>> basis.constituents, basis.theta.round(2) + 0.0
+    (('steady', 'M2', 'M2'), array([[0. , 1. , 0. ],
+           [0. , 0.5, 0. ]]))
     """
+    try:
+        axes = [np.asarray(tides[key]) for key in ("Lsmaj", "Lsmin", "theta", "g")]
+    except (TypeError, KeyError, IndexError):
+        raise DataError(
+            "tides: must be of two components, utide.solve(time, u, v, lat=latitude, trend=False)"
+        ) from None
+    if not tides.aux.opt.notrend:
+        raise DataError(
+            "tides: have a trend, and a scenario has none. Use utide.solve(..., trend=False)"
+        )
     names = [NAMES.get(name, name) for name in map(str, tides.name)]
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
         raise DataError(
-            f"{', '.join(foreign)}: a scenario has only {', '.join(SPEEDS)}"
+            f"tides: have {', '.join(foreign)}; must be of {', '.join(SPEEDS)}"
         )
-    try:
-        days = np.datetime64(epoch, "ms").astype(float) / 86400e3 + DAYS_TO_1970
-    except (ValueError, TypeError):
-        raise DataError(f"epoch = {epoch}: must be such as 2019-01-01T06:00") from None
-    utide = import_optional("utide")
-    indices = np.array([utide.constit_index_dict[str(name)] for name in tides.name])
-    exact = [False] * 4  # nodal corrections and arguments at the epoch, none linearized
-    f, n, V = (
-        row[0]
-        for row in utide.harmonics.FUV(
-            np.array([days]), days, indices, tides.aux.lat, exact
-        )
-    )
-    h, g = np.radians(tides.theta), np.radians(tides.g)
-    turn = 2j * np.pi * (V + n)
-    a = f * (tides.Lsmaj + tides.Lsmin) / 2 * np.exp(1j * (h - g) + turn)
-    b = f * (tides.Lsmaj - tides.Lsmin) / 2 * np.exp(1j * (h + g) - turn)
+    major, minor, inclination, phase = axes
+    h, g = np.radians(inclination), np.radians(phase)
+    E = _waves(tides, epoch)
+    a = (major + minor) / 2 * np.exp(1j * (h - g)) * E
+    b = (major - minor) / 2 * np.exp(1j * (h + g)) * E.conj()
     columns = np.stack([a + b, 1j * (a - b)], axis=1).ravel()
     flow = np.append(tides.umean + 1j * tides.vmean, columns)
     flow = flow / speed_in_metres_per_second(unit, "theta")
@@ -96,3 +99,18 @@ def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
         (0.0, *([0.0, -np.pi / 2] * len(names))),
         np.array([flow.real, flow.imag]),
     )
+
+
+def _waves(tides: Any, epoch: Any) -> np.ndarray:
+    """Return E of each constituent at the epoch, by the options of the fit."""
+    try:
+        days = seconds_since_1970(str(epoch)) / DAY + DAYS_TO_1970
+    except ValueError:
+        raise DataError(
+            f"epoch = {brief(epoch)}: must be such as 2019-01-01T06:00"
+        ) from None
+    aux = tides.aux
+    options = [aux.opt[name] for name in NODAL]
+    wave = import_optional("utide.harmonics").ut_E
+    times = np.array([days])
+    return wave(times, aux.reftime, aux.frq, aux.lind, aux.lat, options, None)[0]

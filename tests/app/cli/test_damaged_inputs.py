@@ -348,12 +348,12 @@ def test_sizes_that_no_machine_holds_are_refused_before_work(refused_for):
 def test_long_headers_and_comments_are_read(refused_for):
     spaces, long = " " * 4000, " " * 10**5
     for text, said in (
-        (f"time,u{spaces}(m/s,v (m/s)\n1,2,3\n", "no column u"),
-        (f"{spaces}x{spaces}(\n1\n", "no column time"),
-        (f"# a{long}b\n# {'a' * 10**5}\n# x: {long}y\ntime\n", "no column u"),
+        (f"time,latitude,longitude,u{spaces}(m/s\n1,2,3,4\n", "no dives"),
+        (f"{spaces}x{spaces}(\n1\n", "no column dive"),
+        (f"# a{long}b\n# {'a' * 10**5}\n# x: {long}y\ntime\n", "no column dive"),
     ):
         Path("r.csv").write_text(text)
-        refused_for([said], "fit", "r.csv", "--tides", "--constituents", "M2")
+        refused_for([said], "replay", "r.csv")
 
 
 def test_files_of_each_command_and_each_glider_are_damaged(clpt):

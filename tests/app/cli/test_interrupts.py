@@ -63,7 +63,6 @@ IMPORTS = {  # what is imported when the interrupt comes -> the command
     "numpy": FOLLOW,
     "llvmlite.binding": RUN,
     "netCDF4": RUN,
-    "utide.harmonics": ("fit", "r.csv", "--tides", "--constituents", "M2"),
     "zarr": (*ENSEMBLE, "8"),
     "clpt_control.plots.drawing": ("export", "s.toml", "--drawing", "-o", "d.svg"),
 }

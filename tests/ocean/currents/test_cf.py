@@ -300,6 +300,20 @@ def test_other_grids_are_refused_with_the_cure(tmp_path, dims, axes, sentence):
         refuses(sentence, read_currents, tmp_path / "grid.nc", column=column)
 
 
+def test_units_can_be_given_where_a_file_has_none(refused, facts, tmp_path):
+    path = facts / "grids/wa_RTOFS_global.nc"
+    refuses("water_u has no units.*--units", read_currents, path)
+    metres, knots = read_currents(path, units="m/s"), read_currents(path, units="knots")
+    assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
+    said = write(tmp_path / "said.nc", *sample())
+    sentence = "u is in 'm/s'; units = 'cm/s' is for a file without"
+    refuses(sentence, read_currents, said, units="cm/s")
+    assert read_currents(said, units="m s-1").u.max() == pytest.approx(
+        sample()[0].max()
+    )
+    assert "furlongs" in refused(
+        "fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs"
+    )
 
 
 def test_a_wind_is_no_current_whatever_its_name(tmp_path):

@@ -160,24 +160,6 @@ def test_the_command_notes_the_level_and_takes_a_depth(tmp_path, printed, clpt):
     refuses("must be positive", fit_current, current(), depth=-1.0)
 
 
-def profiler(**more):
-    """Return a profiler of IMOS at 100 m: the current is 0.01 m/s times the height above it."""
-    heights, hours = np.array([10.0, 50.0, 90.0, 110.0]), np.arange(49.0)
-    u = np.cos(hours)[:, None] * 0.01 * heights
-    at = ("TIME", "HEIGHT_ABOVE_SENSOR")
-    return xarray.Dataset(
-        {"UCUR": (at, u, MS), "VCUR": (at, u, MS)} | more,
-        {
-            "TIME": ("TIME", hours, {"units": "hours since 2019-03-01"}),
-            "HEIGHT_ABOVE_SENSOR": (at[1:], heights, {"units": "m", "positive": "up"}),
-        },
-    )
-
-
-
-
-
-
 def on(dims, shape, **more):
     return dims, np.full(shape, 0.1), MS | more
 

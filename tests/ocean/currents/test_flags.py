@@ -1,7 +1,7 @@
-"""Quality flags of gridded currents and records: flagged values count as gaps, and are noted.
+"""Quality flags of gridded currents: flagged values count as gaps, and are noted.
 
 The current is 0.1 + 0.4 cos(w t - 1) m/s to the east, w that of M2, everywhere; nine of seventy
-cells, or hours 301 to 419 of a record, are wrong.
+cells are wrong.
 """
 
 import numpy as np
@@ -126,21 +126,6 @@ def test_flags_of_many_files_are_counted_together(tmp_path):
     for k in range(49):  # each with a scalar time
         data.isel(time=k).to_netcdf(tmp_path / f"{k:02d}.nc")
     assert fit_current(tmp_path).report["notes"] == [NOTE]
-
-
-@pytest.fixture
-def record():
-    hours = np.arange(720.0)
-    u, v = tide(hours)
-    wrong = (hours > 300) & (hours < 420)
-    u[wrong] += 1.5 * np.sin(M2 * hours[wrong])
-    return hours, u, v, wrong
-
-
-
-
-
-
 
 
 def test_flags_of_a_zarr_folder_are_read(tmp_path):

@@ -158,8 +158,6 @@ def test_a_box_is_read_as_one_block(tmp_path, monkeypatch):
     np.testing.assert_allclose(found.u, one[:, rows][:, :, columns])
 
 
-
-
 NANTUCKET = LocalPlane(41.225, -69.45)
 
 

@@ -1,24 +1,20 @@
-"""CSV tables: cells under a header with comments.
+"""CSV tables: cells under a header.
 
-    # latitude: 41.2
-    time,u (m/s),v (m/s)
-    2019-01-01T00:00:00Z,0.12,-0.05
+    # a log of one day
+    time,latitude,longitude,course,speed (m/s)
+    2019-01-01T00:00:00Z,41.2,-69.5,90,0.4
 
-Blank lines and lines that begin with `#` are left out; of `# NAME: TEXT` or
-`# NAME = TEXT` the text is read.
+Blank lines and comments, lines that begin with `#`, are left out.
 """
 
 import re
-from collections.abc import Hashable
 from csv import Error, reader
 from pathlib import Path
-from typing import Any
 
 import pandas
 
 from ...base.errors import DataError
 
-COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
 MOST = 10**8  # cells
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 SUFFIXES = (".csv", ".txt", ".dat")
@@ -31,23 +27,19 @@ def table_of(
 ) -> pandas.DataFrame:
     r"""Return the cells of a table, separated by `mark`, without spaces around them.
 
-    The index is the line in the file, from 1; the columns are the header.  `attrs` has the texts of
-    comments, by name in small letters, and in "wrong_lines" the cells of the lines that are left
-    out because they have fewer cells than the header, or more, with a sentence.
+    The index is the line in the file, from 1; the columns are the header.  `attrs["wrong_lines"]`
+    has the cells of the lines that are left out because they have fewer cells than the header, or
+    more, with a sentence.
 
-    >>> cells = table_of("# latitude: 41.2\n\ntime,u\n0, 1,\n3\n4,5", "mine.csv", "a table")
-    >>> cells.attrs["latitude"], list(cells.columns), list(cells.index), cells.values.tolist()
-    ('41.2', ['time', 'u'], [4, 6], [['0', '1'], ['4', '5']])
+    >>> cells = table_of("# a log\n\ntime,u\n0, 1,\n3\n4,5", "mine.csv", "a table")
+    >>> list(cells.columns), list(cells.index), cells.values.tolist()
+    (['time', 'u'], [4, 6], [['0', '1'], ['4', '5']])
     >>> cells.attrs["wrong_lines"]
     {5: (['3'], 'has 1 cell, the header 2')}
     """
-    comments: dict[Hashable, Any] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
-        comment = COMMENT.fullmatch(line)
-        if comment and comment[2].strip():
-            comments[comment[1].lower()] = comment[2].strip()
-        elif line and not line.startswith("#"):
+        if line and not line.startswith("#"):
             try:
                 row = next(
                     reader([line], delimiter=mark, skipinitialspace=True, strict=True)
@@ -77,7 +69,7 @@ def table_of(
     cells = pandas.DataFrame(
         list(right_lines.values()), list(right_lines), header, dtype=str
     )
-    cells.attrs = comments | {"wrong_lines": wrong_lines}
+    cells.attrs["wrong_lines"] = wrong_lines
     return cells
 
 
