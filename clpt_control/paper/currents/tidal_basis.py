@@ -11,6 +11,7 @@ scenario.  Choose an epoch in the middle of the run; M2 changes by 0.4 % in half
 A cosine has the phase 0 and a sine the phase -pi/2.
 """
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,12 +35,14 @@ class TidalBasis(NamedTuple):
 
 
 @public
-def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
+def tidal_basis(
+    tides: Mapping[str, Any], epoch: Any, unit: str = "m s-1"
+) -> TidalBasis:
     """Return tides that UTide fitted as theta of a scenario.
 
     Parameters
     ----------
-    tides : Bunch
+    tides : mapping
         Result of ``utide.solve(time, u, v, lat=latitude, trend=False)``, u (east) and v (north)
         in m/s, times in UTC.
     epoch : str, datetime or datetime64
@@ -72,15 +75,15 @@ def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     """
     try:
         axes = [np.asarray(tides[key]) for key in ("Lsmaj", "Lsmin", "theta", "g")]
-    except (TypeError, KeyError, IndexError):
+    except KeyError:
         raise DataError(
             "tides: must be of two components, utide.solve(time, u, v, lat=latitude, trend=False)"
         ) from None
-    if not tides.aux.opt.notrend:
+    if not tides["aux"]["opt"]["notrend"]:
         raise DataError(
             "tides: have a trend, and a scenario has none. Use utide.solve(..., trend=False)"
         )
-    names = [NAMES.get(name, name) for name in map(str, tides.name)]
+    names = [NAMES.get(name, name) for name in map(str, tides["name"])]
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
         raise DataError(
@@ -92,7 +95,7 @@ def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     a = (major + minor) / 2 * np.exp(1j * (h - g)) * E
     b = (major - minor) / 2 * np.exp(1j * (h + g)) * E.conj()
     columns = np.stack([a + b, 1j * (a - b)], axis=1).ravel()
-    flow = np.append(tides.umean + 1j * tides.vmean, columns)
+    flow = np.append(tides["umean"] + 1j * tides["vmean"], columns)
     flow = flow / speed_in_metres_per_second(unit, "theta")
     return TidalBasis(
         ("steady", *(name for name in names for _ in range(2))),
@@ -101,7 +104,7 @@ def tidal_basis(tides: Any, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     )
 
 
-def _waves(tides: Any, epoch: Any) -> np.ndarray:
+def _waves(tides: Mapping[str, Any], epoch: Any) -> np.ndarray:
     """Return E of each constituent at the epoch, by the options of the fit."""
     try:
         days = seconds_since_1970(str(epoch)) / DAY + DAYS_TO_1970
@@ -109,8 +112,9 @@ def _waves(tides: Any, epoch: Any) -> np.ndarray:
         raise DataError(
             f"epoch = {brief(epoch)}: must be such as 2019-01-01T06:00"
         ) from None
-    aux = tides.aux
-    options = [aux.opt[name] for name in NODAL]
+    aux = tides["aux"]
+    options = [aux["opt"][name] for name in NODAL]
     wave = import_optional("utide.harmonics").ut_E
     times = np.array([days])
-    return wave(times, aux.reftime, aux.frq, aux.lind, aux.lat, options, None)[0]
+    given = [aux[name] for name in ("reftime", "frq", "lind", "lat")]
+    return wave(times, *given, options, None)[0]
