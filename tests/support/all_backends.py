@@ -23,12 +23,20 @@ import control
 import numpy as np
 import sympy
 
-from clpt_control.base.arguments import public
+import clpt_control as clpt
 from clpt_control.base.errors import BlockError, DiagramError
 from clpt_control.engine.codegen.c_library import compiled, compiler, loaded
 from clpt_control.engine.codegen.c_text import CProgram, CRecord
 from clpt_control.engine.codegen.diagram_record import lay_out
 from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.conformance.checks import (
+    Sample,
+    python_values,
+    random_samples,
+    roles,
+)
+from clpt_control.engine.conformance.differences import Tolerance, differ
+from clpt_control.engine.diagram.wiring import blocks_of
 from clpt_control.engine.model.block import Block
 from clpt_control.engine.model.on_arrays import leaf_values
 from clpt_control.engine.record.graph import Shape, bound
@@ -41,6 +49,7 @@ from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.schedule import JUMPS
 
+BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 
 
@@ -55,7 +64,6 @@ class Backend(NamedTuple):
         return self.evaluate(t, x, u)
 
 
-@public
 def readings(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
 ) -> dict[str, Backend]:
@@ -121,6 +129,42 @@ def _compiled_backend(compile: Callable[[], Any]) -> Backend:
         return functions().jumped(t, x, u)
 
     return Backend(lambda *at: functions().values(*at), jump)
+
+
+def compare_backends(block: Block, samples: int = 20, seed: int = 0) -> None:
+    """Check a block, and compare each backend with Python at random points."""
+    clpt.check(block, seed=seed, samples=samples)
+    [(_, block)] = blocks_of(block)
+    drawn = [
+        sample
+        for sample in random_samples(block, seed, samples)
+        if all(np.isfinite(python_values(block, r, sample)).all() for r in roles(block))
+    ]
+    for name, backend in readings(block).items():
+        for sample in drawn:
+            _compare(block, name, backend, sample)
+
+
+def _compare(block: Block, name: str, backend: Backend, sample: Sample) -> None:
+    """Raise an error if a backend refuses or differs from Python at a sample."""
+    point = sample.t, sample.x, sample.u
+    try:
+        found = dict(zip(("update", "output"), backend(*point), strict=True))
+        if "jump" in roles(block) and name != "control":
+            found["jump"] = backend.jump(*point)
+    except clpt.ClptError as error:
+        raise BlockError(
+            f"{block.name}: the backend '{name}' refuses: {error}"
+        ) from None
+    for role, value in found.items():
+        wanted = np.zeros(0)
+        if role in roles(block):
+            wanted = python_values(block, role, sample)
+        if differ(value, wanted, BACKEND).any():
+            raise BlockError(
+                f"{block.name}.{role}: Python gives {wanted}, the backend '{name}' {value} at "
+                f"{sample}"
+            )
 
 
 class _CFunctions:

@@ -40,8 +40,8 @@ class Row:
     chosen : comparison a, b that says whether the slope is that of a; otherwise that of b.
     sympy : name in SymPy, or function of SymPy and the arguments. Without, smooth operations have
         the same name there, and others are undefined functions, so a proof holds for any.
-    exact : whether the SymPy expression has all digits and the whole range; `clpt.check` does not
-        compare one that has not.
+    exact : whether the SymPy expression has all digits and the whole range; tests do not compare
+        one that has not.
     llvm : instruction, comparison or intrinsic; "libm", a function of the C library; "inline" or
         "function", a function of `codegen.elementary`, printed in place or once.
     c : operator, or function: of math.h, or with "_" at its end of `data/numpy.c`.

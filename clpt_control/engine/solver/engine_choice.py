@@ -6,7 +6,7 @@ signals and jumps.  Points drawn at random would not reach every branch of a fun
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -171,7 +171,17 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     if runner.comparisons:
         samples = [runner.comparisons * STRIDE % n]
     runner.comparisons += 1
-    # compare them, then states next to those that differ
+    return difference_at(samples, runner, solution, inputs)
+
+
+def difference_at(
+    samples: Sequence[int],
+    runner: NativeDiagram,
+    solution: Solution,
+    inputs: Inputs | None,
+) -> str:
+    """Return a sentence on the function that differs at a sample of a solution, or ""."""
+    # compare the samples, then states next to those that differ
     segments = runner.segments_of(solution, inputs)
     solution.signals = runner.evaluated_signals(solution, inputs)
     signals = solution.signals[samples]

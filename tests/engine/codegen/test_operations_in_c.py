@@ -5,7 +5,15 @@ import math
 
 import numpy as np
 import pytest
-from engine_runs import COMPOSED, TABLE, UFUNCS, Row, compiler, readings
+from engine_runs import (
+    COMPOSED,
+    TABLE,
+    UFUNCS,
+    Row,
+    compare_backends,
+    compiler,
+    readings,
+)
 from recorded_blocks import static
 from scipy.special import gamma
 
@@ -75,7 +83,7 @@ def test_each_row_has_slopes_or_is_constant_between_jumps():
 
 @pytest.mark.parametrize("name", [n for n, row in TABLE.items() if not row.exact])
 def test_sympy_of_a_row_that_loses_digits_is_its_function(name):
-    """`clpt.check` compares NumPy's function in its place."""
+    """`readings` compares NumPy's function in its place."""
     (function,) = functions_of(name)
     block = static(lambda t, x, u, p: [function(u)], 2, 1)
     eq = clpt.equations(block)
@@ -102,4 +110,4 @@ def test_a_function_that_c_does_not_have_is_told(monkeypatch):
     monkeypatch.setitem(TABLE, "cosh", changed)
     block = static(lambda t, x, u, p: np.cosh(u[0]), 1)
     with pytest.raises(clpt.BlockError, match=r"(?s)'c' refuses: .*no_such_function"):
-        clpt.check(block)
+        compare_backends(block)

@@ -10,6 +10,7 @@ import pytest
 from engine_runs import (
     BACKEND,
     check_block,
+    compare_backends,
     differ,
     linear,
     python_values,
@@ -30,6 +31,7 @@ from clpt_control import ArgumentError, Block, BlockError, ClptError, check
 @pytest.mark.parametrize("block", EACH)
 def test_package_block_conforms(block):
     assert not check(block, samples=8).notes
+    compare_backends(block, samples=8)
 
 
 def test_a_report_counts_its_checks_and_repeats():
@@ -146,11 +148,16 @@ def asked_once(t, x, u, p):
     return 3.0 * p.k * u[0]
 
 
-def test_backends_that_disagree_are_named(monkeypatch):
+def test_machine_code_that_differs_is_told(monkeypatch):
     wrong = {**vectors.PRIMITIVES, "mul": vectors.PRIMITIVES["add"]}
     monkeypatch.setattr(vectors, "PRIMITIVES", wrong)
     told = failures(static(asked_once, 1, parameters={"k": 2.0}))
-    assert all(f"the backend '{name}'" in told for name in ("scalar", "lanes"))
+    assert "mine: differs as machine code at t = " in told
+    asked = readings(static(asked_once, 1, parameters={"k": 2.0}))
+    values = {name: ask(0.0, [], [5.0])[1] for name, ask in asked.items()}
+    assert {name for name, y in values.items() if y != 30.0} == {
+        *("native", "scalar", "looped", "lanes")
+    }
 
 
 BROKEN = {  # -> what is told
@@ -270,7 +277,7 @@ def bare(t, x, u, p):
 @pytest.mark.parametrize("output", [bare, root, large_constant])
 def test_good_user_blocks_pass(output):
     """Without a docstring, finite for half of the random inputs, of 2^70 too."""
-    check(static(output, 1, parameters={"k": 2.0}))
+    compare_backends(static(output, 1, parameters={"k": 2.0}))
 
 
 def test_a_block_too_large_for_sympy_is_told_so():
