@@ -9,11 +9,11 @@ import numpy as np
 
 import clpt_control as clpt
 from clpt_control import Block, lookup
-from clpt_control.engine.methods.table import RK4
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import compile
 
 from .engines import timed
+from .rk4 import RK4
 
 
 def place(t, x, p):
@@ -66,7 +66,8 @@ def advect(
     time, axis, u, v, x1, x2, step: float, steps: int
 ) -> tuple[np.ndarray, float]:
     """Move passive particles by RK4; return final positions (2, n) and seconds."""
-    native = compile(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
+    block = drifter(time, axis, u, v)
+    native = compile(clpt.connect([block], name="drifter")).unlocked()
     starts = np.column_stack([x1, x2])
     ends = np.array([0.0, step * steps])
 
@@ -74,7 +75,9 @@ def advect(
         callee = native.callee(native.lanes(len(starts)), None, RK4)
         parameters = np.tile(native.parameters(), (len(starts), 1))
         segments = [native.schedule(ends)]
-        batch = Batch(callee, starts, parameters, ends, segments, longest=step)
+        batch = Batch(
+            callee, starts, parameters, ends, segments, longest=step, opening=step
+        )
         batch.adaptive(1e-8, 1e-10)
         return batch.out
 

@@ -7,6 +7,7 @@ merged or moved changes this file alone.
 from functools import partial
 
 import numpy as np
+from all_backends import BACKEND, compare_backends, readings
 
 from clpt_control.engine.codegen import machine, vectors
 from clpt_control.engine.codegen.c_library import compiler
@@ -22,7 +23,6 @@ from clpt_control.engine.codegen.machine import (
 )
 from clpt_control.engine.codegen.plan import Nest, Program
 from clpt_control.engine.codegen.vectors import PRIMITIVES
-from all_backends import readings
 from clpt_control.engine.conformance.checks import (
     check_block,
     python_values,
@@ -30,10 +30,10 @@ from clpt_control.engine.conformance.checks import (
     roles,
 )
 from clpt_control.engine.conformance.confirmation import Confirmation
-from clpt_control.engine.conformance.differences import Tolerance, differ
+from clpt_control.engine.conformance.differences import differ
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
-from clpt_control.engine.methods.table import EXPLICIT, METHODS, RK4, ROWS
+from clpt_control.engine.methods.table import METHODS, ROWS
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.model.system import linear
 from clpt_control.engine.record.operations import ELEMENTWISE, TABLE, UFUNCS, Row
@@ -48,8 +48,6 @@ from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
 from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
 from clpt_control.engine.trace.ufuncs import COMPOSED
-
-BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
 
 __all__ = [
     "BACKEND",
@@ -83,6 +81,7 @@ __all__ = [
     "cached_code",
     "check_block",
     "code_name",
+    "compare_backends",
     "compile",
     "compiler",
     "differ",
@@ -110,23 +109,12 @@ ENGINES = {
 }
 
 
-def ways(step):
-    """Return each engine and a step: None for DOP853, a fixed one for RK4, which is compiled."""
-    compiled = [(engine, step) for engine in ENGINES if engine != "python"]
-    return [*((engine, None) for engine in ENGINES), *compiled]
-
-
-def side_by_side(
-    runner, lanes, starts, times, step=None, P=None, schedules=None, rtol=1e-8
-):
+def side_by_side(runner, lanes, starts, times, P=None, schedules=None, rtol=1e-8):
     """Return a batch of runs that has ended; of one start all have the runner's own parameters."""
     P = np.tile(runner.parameters(), (len(starts), 1)) if P is None else P
-    callee = runner.callee(lanes, None, EXPLICIT if step is None else RK4)
     group = np.arange(len(starts)) if schedules else None
     pieces = schedules or [runner.schedule((times[0], times[-1]))]
-    batch = Batch(
-        callee, starts, P, times, pieces, group, np.inf if step is None else step
-    )
+    batch = Batch(runner.callee(lanes), starts, P, times, pieces, group)
     batch.adaptive(rtol, 0.01 * rtol)
     return batch
 

@@ -32,7 +32,7 @@ def _to_next_sample(s: StepTape) -> New:
     return {}, {TRIAL_END: stop, TRIAL_SIZE: stop - s.lane(TIME)}
 
 
-def _control_fixed(s: StepTape) -> New:
+def _control(s: StepTape) -> New:
     """The new state, which must be finite; otherwise the run has ended."""
     state = s.z(RATE)
     end = s.lane(TRIAL_END)
@@ -51,29 +51,20 @@ def _control_fixed(s: StepTape) -> New:
     return {ARGUMENT: state}, numbers
 
 
-def _accept_fixed(s: StepTape) -> New:
+def _accept(s: StepTape) -> New:
     """The new state."""
     state = s.z(ARGUMENT)
     time = s.lane(TRIAL_END)
     return {STATE: state}, {TIME: time}
 
 
-def _dense_fixed(s: StepTape) -> New:
+def _dense(s: StepTape) -> New:
     """The straight line over the step."""
     return {TERMS: s.z(ARGUMENT) - s.z(STATE)}, {}
 
 
 def _formulas() -> dict[str, Formula]:
-    return in_order(
-        _control_fixed, _dense_fixed, [], attempt=_to_next_sample, accept=_accept_fixed
-    )
+    return in_order(_control, _dense, [], attempt=_to_next_sample, accept=_accept)
 
 
-DISCRETE = Method(
-    "none",
-    stages=1,
-    order=0,
-    formulas=_formulas,
-    adaptive=False,
-    discrete=True,
-)
+DISCRETE = Method("none", stages=1, order=0, formulas=_formulas, discrete=True)

@@ -14,7 +14,6 @@ class Method:
     stages : evaluations of a step, the rate at its end among them.
     order : of its global error.
     formulas : returns its formulas by name, in the order in which the solver numbers them.
-    adaptive : whether steps are chosen by an estimate of the error.
     implicit : whether stages are solved with a matrix of df/dx.
     discrete : whether a step leads from one sample of discrete time to the next.
     dense_stages : further evaluations for its interpolant; after them its formulas give the new
@@ -25,7 +24,6 @@ class Method:
     stages: int
     order: int
     formulas: Callable[[], dict[str, Formula]]
-    adaptive: bool = True
     implicit: bool = False
     discrete: bool = False
     dense_stages: int = 0
@@ -33,4 +31,4 @@ class Method:
     @property
     def ends_at_samples(self) -> bool:
         """True if each sample ends a step, so that steps depend on the samples."""
-        return self.implicit or not self.adaptive
+        return self.implicit or self.discrete

@@ -64,8 +64,7 @@ class Batch:
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN behind the
     end of a run, `status` how runs ended, `reached` how many samples are done, and
     `counts` (m, 4) steps, evaluations, restarts and rejected steps.  No step is longer than
-    `longest`, the step of a method that does not choose it; the first step tried is `opening`,
-    unless that is 0.
+    `longest`; the first step tried is `opening`, unless that is 0.
     """
 
     def __init__(
@@ -159,8 +158,6 @@ class Batch:
         """Set all runs to their beginning."""
         callee = self.callee
         self.schedules = schedules
-        if not (callee.method.adaptive or callee.method.discrete):
-            self.segments.smooth[:] = 0  # every segment begins anew
         # 1. results
         self.out.fill(np.nan)
         self.out[:, 0] = self.runs.states
@@ -209,13 +206,13 @@ class Batch:
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        Tries of steps without tolerances are not limited.  `watch` is called between the solver's
+        Tries of steps of discrete time are not limited.  `watch` is called between the solver's
         calls, each of about `PAUSE`.  `implicit` returns the functions that an implicit method
         calls, if stiff runs are to be continued with it, one after the other; `continuations` are
         the batches of these runs.  `over_kinks` is a `kinks.ManyKinks` of the only run.
         """
         self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
-        if not self.callee.method.adaptive:
+        if self.callee.method.discrete:
             most = ANY
         if self.callee.decided:
             first = self.callee.decided_at

@@ -48,7 +48,6 @@ class Callee(NamedTuple):
             self.nstates,
             self.method.stages,
             self.method.dense_stages,
-            int(self.method.adaptive),
             int(self.method.implicit),
             int(self.method.discrete),
             self.guarded,

@@ -165,27 +165,27 @@ def find_crossing(solver, start):
     """Find the first event behind a share of the step; return whether there is one.
 
     Set `event_index`, and `low` and `high` to the points around it.
-    A step of a fixed length is checked at its end only, and not halved.
+    A step of discrete time is checked at its end only, and not halved.
     """
     lane, integers, points = solver.lane, solver.integers, solver.points
-    fixed = solver.shape.adaptive == 0
+    discrete = solver.shape.discrete > 0
     integers[EVENT_INDEX, 0] = -1
     lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]
     if integers[RUN_INDEX, 0] < 0 or lane[ACCEPTED, 0] < 0.5:
         return False
-    point = SAMPLE_POINTS - 1 if fixed else 0
+    point = SAMPLE_POINTS - 1 if discrete else 0
     while point < SAMPLE_POINTS - 1 and SHARES[point + 1] <= start:
         point += 1
     first = point + 1
     while point < SAMPLE_POINTS and integers[EVENT_INDEX, 0] < 0:
         point += 1
         integers[EVENT_INDEX, 0] = first_crossed(points, point)
-    before = 0 if fixed else point - 1
+    before = 0 if discrete else point - 1
     lane[LOW, 0], lane[HIGH, 0] = max(start, SHARES[before]), SHARES[point]
     lane[DISTANCE_LOW, 0] = max(least_distance(points, before), 0.0)
     lane[DISTANCE_HIGH, 0] = least_distance(points, point)
     clear_until = point if integers[EVENT_INDEX, 0] < 0 else point - 1
-    divisible = not fixed and lane[TRIAL_SIZE, 0] > 2.0 * shortest_step(solver)
+    divisible = not discrete and lane[TRIAL_SIZE, 0] > 2.0 * shortest_step(solver)
     if divisible and may_hide(
         points, first, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]
     ):

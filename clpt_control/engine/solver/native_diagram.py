@@ -280,17 +280,14 @@ class NativeDiagram(NativeRuns):
     def in_form(self, form: Form) -> Self:
         """Return the diagram in another form; derivatives stay."""
         diagram = copy(self)
-        diagram.form = self._with_derivatives(form)
+        diagram.form = form
+        if isinstance(self.form, Directions):
+            diagram.form = self.form._replace(form=form)
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
         diagram._callees = {}
         diagram.kept = {}
         diagram.kept_series = {}
         return diagram
-
-    def _with_derivatives(self, form: Form) -> Form:
-        return (
-            self.form._replace(form=form) if isinstance(self.form, Directions) else form
-        )
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT

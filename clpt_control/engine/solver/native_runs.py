@@ -142,7 +142,7 @@ class NativeRuns(PythonDiagram):
         over_kinks: Any = None,
     ) -> None:
         """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
-        most = self.most if batch.callee.method.adaptive else ANY
+        most = ANY if batch.callee.method.discrete else self.most
         implicit = None
         if options.method == "auto":
             implicit = partial(self.implicit, inputs)

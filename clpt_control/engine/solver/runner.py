@@ -119,10 +119,6 @@ class PythonDiagram:
             Inputs of the diagram, as `simulate` takes them; zero without.
         progress : callable, optional
             Called with the time reached, several times a second.
-        step : float, optional
-            A fixed step: Runge and Kutta's classical method of order 4 in
-            place of DOP853, without tolerances and progress; steps end at
-            every breakpoint and sample.
         method : str, optional
             As `simulate` takes it; ``"auto"`` without.
         max_step, first_step : float, optional
@@ -228,7 +224,7 @@ LEAST = {"rtol": 0.0, "atol": 0.0, "max_step": 5e-324, "first_step": 5e-324}
 class RunOptions:
     """Options of a run.
 
-    A fixed `step` is also the longest one.  A `first_step` of 0 is chosen by the solver.
+    A `first_step` of 0 is chosen by the solver.
     """
 
     rtol: float = 1e-8
@@ -242,7 +238,7 @@ class RunOptions:
     def checked(cls, dt: Any, times: np.ndarray, **options: Any) -> "RunOptions":
         """Return the options of a run, of which those that are None have their default.
 
-        Refuse values out of range, and options that do not go with a fixed step or discrete time.
+        Refuse values out of range, and options that do not go with discrete time.
         """
         options = {name: value for name, value in options.items() if value is not None}
         checked_method(options.get("method"))
@@ -251,7 +247,11 @@ class RunOptions:
             refused = options.keys() - {"progress"}
             if options.get("method") == "auto":
                 refused -= {"method"}
-            _refuse(refused, "a diagram of discrete time")
+            if refused:
+                raise SimulationError(
+                    f"{', '.join(sorted(refused))}: a diagram of discrete time has none. Leave it "
+                    "out"
+                )
         for name in [name for name in LEAST if name in options]:
             size = numbers(name, options[name])
             if size.ndim or not size >= LEAST[name]:
@@ -264,14 +264,6 @@ class RunOptions:
         if checked.rtol == checked.atol == 0.0:
             raise SimulationError("rtol = atol = 0: one of them must be above 0")
         return checked
-
-
-def _refuse(names: Any, case: str) -> None:
-    """Refuse options that a kind of run does not have."""
-    if names:
-        raise SimulationError(
-            f"{', '.join(sorted(names))}: {case} has none. Leave it out"
-        )
 
 
 def checked_method(method: str | None) -> str:

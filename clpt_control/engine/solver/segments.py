@@ -125,7 +125,7 @@ def begin_segment(solver):
         lane[FRESH, k] = 0.0
         lane[REJECTED, k] = 0.0
         lane[FIRST_STEP, k] = 0.0
-        counts[integers[RUN_INDEX, k], EVALUATIONS] += 2 if shape.adaptive > 0 else 0
+        counts[integers[RUN_INDEX, k], EVALUATIONS] += 0 if shape.discrete > 0 else 2
         counts[integers[RUN_INDEX, k], RESTARTS] += 0 if shape.discrete > 0 else 1
         if lane[NOT_FINITE, k] != 0.0:
             fail(solver, k, Status.NOT_FINITE)

@@ -122,7 +122,6 @@ class Shape(NamedTuple):
     states: int
     stages: int  # of the method
     dense_stages: int  # further ones, for its interpolant
-    adaptive: int  # 1 if its steps are chosen by their error
     implicit: int  # 1 if its stages are solved with a matrix
     discrete: int  # 1 if a step leads to the next sample of discrete time
     guarded: int  # number of guards, which stop the run: the last events

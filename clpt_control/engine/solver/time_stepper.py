@@ -141,7 +141,7 @@ def start_segments(solver):
     if shape.decisions > 0:
         hold_decisions(solver)
     # 2. the first step, from the change of the rates over a trial step
-    if shape.adaptive > 0:
+    if shape.discrete == 0:
         derivative(solver, lane[TIME], STATE, RATE + 1)
         formula(solver, SIZES)
         formula(solver, TRIAL)
@@ -156,7 +156,7 @@ def attempt_step(solver):
     lane = solver.lane
     shape = solver.shape
     formula(solver, ATTEMPT)
-    if shape.adaptive == 0:
+    if shape.discrete > 0:
         derivative(solver, lane[TIME], STATE, RATE)
     if shape.implicit > 0:
         factor_matrix(solver)
@@ -199,9 +199,9 @@ def handle_events(solver, accepted, between, stiffness):
     """
     lane = solver.lane
     shape = solver.shape
-    explicit = shape.adaptive > 0 and shape.implicit == 0
+    explicit = shape.discrete == 0 and shape.implicit == 0
     # 1. the rate at the new state
-    if accepted and shape.adaptive > 0:
+    if accepted and shape.discrete == 0:
         derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
     if stiffness and explicit:
         formula(solver, STIFFNESS)

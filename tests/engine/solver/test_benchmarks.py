@@ -6,7 +6,6 @@ import sys
 
 import numpy as np
 import pytest
-from engine_runs import compile
 from image_checks import inked
 from paths import ROOT
 from subprocesses import ran
@@ -91,9 +90,8 @@ def test_the_page_is_made_of_the_figures_beside_it():
 @pytest.mark.slow
 def test_the_drifter_block_moves_as_the_c_program():
     from benchmarks import advection
-    from benchmarks.drifter import drifter
+    from benchmarks.drifter import advect
 
-    expected, end = advection.run_c(1)[0], advection.STEP * advection.STEPS
-    runner = compile(drifter(*advection.current()))
-    x = runner.run(np.ravel(advection.starts(1)), [0.0, end], step=advection.STEP).x[-1]
-    np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)
+    steps = advection.STEP, advection.STEPS
+    found, _ = advect(*advection.current(), *advection.starts(9), *steps)
+    np.testing.assert_allclose(found, advection.run_c(9)[0], rtol=1e-12)

@@ -3,15 +3,7 @@
 import control
 import numpy as np
 import pytest
-from engine_runs import (
-    ENGINES,
-    LANES,
-    NativeDiagram,
-    Status,
-    side_by_side,
-    ways,
-    wiring_of,
-)
+from engine_runs import ENGINES, LANES, NativeDiagram, Status, side_by_side, wiring_of
 from error_sentences import says
 from text_systems import written
 
@@ -57,16 +49,14 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
     )
 
 
-@pytest.mark.parametrize(("engine", "step"), ways(0.25))
+@every_form
 @pytest.mark.parametrize(
     ("start", "advice", "said"), [(2, "", 2), (2, "drop it", "2; drop it"), (-1, "", 0)]
 )
-def test_a_run_that_fails_says_what_its_own_guard_says(
-    engine, step, start, advice, said
-):
+def test_a_run_that_fails_says_what_its_own_guard_says(engine, start, advice, said):
     """Beyond the edge it ends at once."""
     with pytest.raises(clpt.SimulationError, match=f"^it landed at time {said}$"):
-        ENGINES[engine](falling(advice=advice)).run([start], [0.0, 5.0], step=step)
+        ENGINES[engine](falling(advice=advice)).run([start], [0.0, 5.0])
 
 
 @every_form
@@ -163,12 +153,11 @@ def test_a_run_ends_where_a_condition_is_no_longer_true_or_falls_to_zero(stop, e
 
 
 @pytest.mark.parametrize("lanes", [1, LANES])
-@pytest.mark.parametrize("step", [None, 0.01])
-def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
+def test_beside_others_a_run_keeps_what_it_reached(lanes):
     """A signal, sqrt(1.5 - s), ends to exist at t = 1.5."""
     diagram = wiring_of(written("s' = 1 + 0*sqrt(1.5 - s)")[0])
     times, starts = np.array([0.0, 0.4, 1.1]), np.linspace(0.0, 1.0, 5)[:, None]
-    runs = side_by_side(NativeDiagram(diagram), lanes, starts, times, step)
+    runs = side_by_side(NativeDiagram(diagram), lanes, starts, times)
     bad = (Status.NOT_FINITE, Status.STEP_TOO_SMALL)  # they end at 1.5, 1.25, ..., 0.5
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]

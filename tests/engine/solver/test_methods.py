@@ -13,7 +13,7 @@ import clpt_control as clpt
 
 TURNS = np.linspace(0.0, 20.0, 401)
 EACH = pytest.mark.parametrize(
-    "row", [row for row in ROWS if row.adaptive], ids=lambda row: row.name
+    "row", [row for row in ROWS if not row.discrete], ids=lambda row: row.name
 )
 
 

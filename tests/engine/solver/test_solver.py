@@ -38,13 +38,6 @@ def test_steps_and_dense_output_are_scipys(engine, tolerance):
     np.testing.assert_allclose(found.x, theirs.sol(TIMES).T, rtol=0, atol=1e-10)
 
 
-def test_rounding_of_times_adds_no_fixed_step():
-    """Samples 0.1 apart are two steps of 0.05 apart, also where times are known to 2e-13 alone."""
-    times = 1500.0 + 0.1 * np.arange(101)
-    found = NativeDiagram(wiring_of(HUNTED)).run(START, times, step=0.05)
-    assert found.statistics["steps"] == 200
-
-
 @every_engine
 @pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10, 1e-12])
 def test_samples_within_a_step_are_as_exact_as_its_ends(engine, rtol):
