@@ -1,8 +1,8 @@
 """The paper's section III on the equations that run.
 
 `audit` judges the four theorems, `misprints` lists the misprints, `design_track` finds waypoints.
-Proofs of laws (`prove`, `lyapunov`), the Gramian of a track (`gramian`) and
-bounds for every start (`certify`) are names of the package.
+Proofs of laws (`prove`, `lyapunov`), the Gramian of a track (`gramian`) and bounds for every start
+(`certify`) are names of the package.
 """
 
 import lazy_loader

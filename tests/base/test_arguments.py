@@ -117,7 +117,7 @@ TO = {"end": (9e3, 40.01, -70.0), "through_water": (1000.0, 0.0)}
 # what a function of the user's own raises is its own error
 CALLED = ("progress", "inputs")
 LONG = """animate audit design_track export
-fit_parameters prove refute report run_ensemble sensitivity tune_law"""
+fit_parameters prove report run_ensemble sensitivity tune_law"""
 LISTS = ("check",)  # a sentence for each failure
 OF_THE_ENGINE = {  # called at each step, and checked by no one
     "Block": ("values", "parameters_at", "interval_at", "with_params"),
@@ -208,7 +208,6 @@ def right(tmp_path_factory):
         "load_scenario": {"path": folder / "team.toml"},
         "read_dives": {"paths": [folder / "sample.csv"]},
         "write_dive_table": {"path": folder / "dives.csv"},
-        "refute": {"law": "sigma"},
         "animate": {"path": folder / "film.gif"},
         "report": {"path": folder / "page.html"},
         "run_ensemble": {"system": SCENARIO, "vary": "learning.gain=0.5:1"},

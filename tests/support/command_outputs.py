@@ -41,8 +41,7 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
     ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): (
         "t.toml",
     ),
-    ("prove", "--theorem", "3.2", "--again"): (),
-    ("prove", "sigma", "--search", "3", "--out", "broken.toml"): ("broken.toml",),
+    ("prove", "--theorem", "3.2"): (),
     ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
     ("excitation", "s.toml", "--bounds", "--json"): (),
     ("tune", "s.toml", "--waypoints", "--out", "b.toml", "--figure", "b.png"): (

@@ -1,4 +1,4 @@
-"""`clpt laws`: their table; `clpt prove`: theorems, laws."""
+"""`clpt laws`: their table; `clpt prove`: theorems and laws."""
 
 import json
 import os
@@ -72,7 +72,7 @@ def laws(
     if name is not None:
         page = listed[name]["page"] = laws_listed[0].page
         promises = [f"- {words}" for words in listed[name]["promises"]]
-        sentences = [page, "Asked along runs:", *promises, ""]
+        sentences = [page, "Promises:", *promises, ""]
     results = [
         Result(
             "Laws (learning.law)",
@@ -220,8 +220,6 @@ def _prove_by_coq(folder: Path, as_json: bool) -> None:
     }
     result = Result("Theorems checked by Coq", columns, rows, sentences)
     finish([result], {"coq": report_of_coq}, as_json, folder)
-
-
 
 
 def _fields(proof: Any, fields: str, name: str) -> Report:

@@ -58,9 +58,6 @@ def test_a_thing_shows_itself(things, name):
 
 def test_what_has_no_table_says_itself_in_one_line(things):
     for said, thing in {
-        "Search of learned-flow: not refuted in ": clpt.refute(
-            "learned-flow", budget=0.5
-        ),
         "NextDive: up 2016-02-01 ": things["Replay"].next_dive(),
         "Aim: aim at 42 48.00 S 8 24.00 E": things["Replay"].aims([(-42.8, 8.4)])[0],
     }.items():
