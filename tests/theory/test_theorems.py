@@ -1,6 +1,5 @@
 """The proof desk: what is printed, what holds, what fails, and by which counterexample."""
 
-import os
 import re
 
 import numpy as np
@@ -81,10 +80,7 @@ CONCLUDED = {  # of each law; V' of drem, kalman-flow and least-squares has e^T 
 
 
 @pytest.mark.slow
-def test_prove_prints_json(printed, monkeypatch, tmp_path):
-    """By this process alone; `test_cached_proofs` asks two."""
-    monkeypatch.setattr(os, "cpu_count", lambda: 1)
-    monkeypatch.setenv("CLPT_CONTROL_CACHE", str(tmp_path))
+def test_prove_prints_json(printed):
     found = printed("prove")
     theorems, limited, team, laws = (
         found[room] for room in ("theorems", "limited_speed", "team", "laws")

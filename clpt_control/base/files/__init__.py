@@ -232,7 +232,7 @@ def check_writable(path: AnyPath, kind: str = "", endings: Sequence[str] = ()) -
         raise DataError(f"{path}: {kind}'s name must end in {allowed}")
 
 
-# --- the user's cache: compiled code, verdicts ---------------------------------------------------
+# --- the user's cache of compiled code -----------------------------------------------------------
 
 
 def cache_folder() -> Path | None:

@@ -3,6 +3,8 @@
 import re
 from typing import Any
 
+import sympy
+
 from ...base.units import at_least, at_most
 
 LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
@@ -10,10 +12,9 @@ LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
 
 def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
-    from sympy import Dummy, Rational  # cached outcomes are read without SymPy
 
     def is_long(e: Any) -> bool:
-        return any(n.q > LARGEST_DENOMINATOR for n in e.atoms(Rational))
+        return any(n.q > LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational))
 
     def rounded(e: Any) -> Any:
         """Return an expression with long numbers rounded, functions of them as one number."""
@@ -25,7 +26,7 @@ def short(expression: Any, most: int = 160) -> str:
             return e.round()
         return e.n(6)
 
-    symbols = getattr(expression, "atoms", lambda kind: ())(Dummy)
+    symbols = getattr(expression, "atoms", lambda kind: ())(sympy.Dummy)
     text = str(rounded(expression) if hasattr(expression, "atoms") else expression)
     for symbol in symbols:
         text = text.replace(f"_{symbol.name}", symbol.name)
@@ -45,7 +46,6 @@ def bound_text(bound: Any, up: bool = True) -> str:
     >>> bound_text(a**2 / 3 + b**2 / 3 + a / (7 * k))
     '0.1429*a/k + 0.3334*(a**2 + b**2)'
     """
-    import sympy
 
     def rounded(e: Any, up: bool) -> Any:
         """Return an expression of positive symbols with its numbers rounded."""

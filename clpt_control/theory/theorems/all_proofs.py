@@ -95,14 +95,12 @@ class Statement(NamedTuple):
     name: str = ""
 
     def prove(self) -> Outcome:
-        """Prove the statement, without the cache."""
+        """Prove the statement."""
         if self.room == "misprints":
             keys = ("equation", "printed", "corrected", "check", "confirmed")
             rows = misprints()
             return [{key: getattr(row, key) for key in keys} for row in rows]
         return proof_or_failure(PROOFS[self.room][self.name])
-
-
 
 
 def statements(theorem: str | None = None, law: str | None = None) -> list[Statement]:
