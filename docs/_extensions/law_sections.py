@@ -156,7 +156,7 @@ def sections() -> str:
         f"({letter}) {typeset(text)}" for text, letter in CONDITIONS.items()
     )
     found = [
-        "`clpt prove --search` tests the promises along runs, under conditions in brackets: "
+        "A law makes its promises under the conditions in brackets: "
         f"{conditions}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):

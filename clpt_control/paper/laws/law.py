@@ -181,7 +181,7 @@ def output_and_states(
 
 
 class Promise(NamedTuple):
-    """A promise of a law, which `theory.laws.promises` describes and checks along runs."""
+    """A promise of a law, which `theory.laws.promises` describes."""
 
     claim: str  # a key of `theory.laws.promises.CLAIMS`
     conditions: tuple[str, ...]  # keys of `theory.laws.promises.CONDITIONS`

@@ -1,1 +1,1 @@
-"""Laws on the paper's loop: their V, V', relations, promises, and runs that break these."""
+"""Laws on the paper's loop: their V, V', relations, and promises."""

@@ -3,13 +3,13 @@
 import control
 import numpy as np
 import pytest
+from drawn_scenarios import NUMBERS, drawn
 from engine_runs import compile, run_many
 from law_blocks import HELD
 from scipy.optimize import brentq
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control.theory.laws import refuting
 
 RTOL, ATOL = 1e-10, 1e-12
 T = np.linspace(0.0, 10.0, 101)
@@ -218,8 +218,8 @@ def test_rounding_is_no_kink():
 @pytest.mark.parametrize(("seed", "which", "tight"), [(1, 3, 1.0), (2, 30, 1e-4)])
 def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
     """Rates of the projection law turn along a ball: a step cut at the kink ends before it."""
-    points = np.random.default_rng(seed).random((which + 1, refuting.NUMBERS))
-    scenario = refuting.drawn("projection", points[which])
+    points = np.random.default_rng(seed).random((which + 1, NUMBERS))
+    scenario = drawn("projection", points[which])
     loop, end = clpt.closed_loop(scenario), scenario.run.duration
     start, runner = clpt.initial_state(scenario), compile(loop)
     found = runner.run(start, [0.0, end], rtol=1e-8 * tight, atol=1e-10 * tight)

@@ -88,6 +88,9 @@ def test_documentation_and_the_example_name_each_kind():
 
 
 NEW_KIND = """
+    import sys
+
+    sys.path.append("tests/support")
     import numpy as np
     from clpt_control.base.random_numbers import normal
     from clpt_control.engine.model.declaration import Each
@@ -106,8 +109,8 @@ NEW_KIND = """
 
     import clpt_control as clpt
     from clpt_control.ensemble.candidates import unknown_of
-    from clpt_control.theory.laws.promises import CONDITIONS
-    from clpt_control.theory.laws.refuting import NUMBERS, drawn
+    from drawn_scenarios import NUMBERS, drawn
+    from promises_along_runs import CONDITIONS
 
     def disturbed(kind, law="learned-flow"):
         table = {"kind": kind, "amplitude": [0.003, 0.004], "period": 1.8}
@@ -120,7 +123,7 @@ NEW_KIND = """
     except clpt.ScenarioError as error:
         print(error)
     noise, drifting, sine = (
-        {name for name, (_, holds) in CONDITIONS.items() if name != "within"
+        {name for name, holds in CONDITIONS.items() if name != "within"
          and holds(disturbed(kind, "dead-zone"))}
         for kind in ("noise", "drifting", "sine")
     )
