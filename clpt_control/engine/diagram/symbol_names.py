@@ -46,7 +46,7 @@ def typeset(expression: Any, accent: str = "{}") -> str:
         letter, underscore, own_index = text.partition("_")
         text = accent.format(letter) + underscore + own_index
         if index:
-            text = f"{{{text}}}_{{{index}}}"
+            text = f"{{{text}}}_{{{index.replace('][', ',')}}}"
         if block:
             text += rf"^{{\mathrm{{{block}}}}}".replace("_", r"\_")
         latex[symbol] = text

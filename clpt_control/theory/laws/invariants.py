@@ -103,6 +103,7 @@ class Invariants(LoopCandidate):
         self.motion, self.fixed = self.loop.motion, {*self.loop.values}
         self.undefined = self.loop.undefined
         self.words: dict[Any, sympy.Symbol] = {}
+        self.known = NOTHING
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
             for ports in (self.loop.states, self.loop.rates)

@@ -69,6 +69,7 @@ class LoopCandidate(LyapunovCandidate):
     points: int
     seed: int
     sizes: str  # numbers of functions for which V' is as shown: N = 2
+    known: Mapping[Any, Any]  # symbols of numbers of the law
 
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
@@ -86,6 +87,10 @@ class LoopCandidate(LyapunovCandidate):
         if status == "proved":
             of_N = Condition("N", "every N" if for_every_N else self.sizes)
             fields["conditions"] = (*fields["conditions"], of_N)
+        rates = {
+            port: np.array([sympy.sympify(e).xreplace(self.known) for e in values.flat])
+            for port, values in self.loop.rates.items()
+        }
         return Verdict(
             status,
             claim,
@@ -94,6 +99,7 @@ class LoopCandidate(LyapunovCandidate):
             residual=self.at_z(fall.residual),
             diagram=self.loop.diagram,
             for_every_N=for_every_N,
+            equations=replace(self.loop, rates=rates, signals={}),
             **fields,
         )
 

@@ -40,6 +40,7 @@ from .answers import Definite, Fall, Jumps, Refutation
 from .certified import SHOWN, written
 from .conclusions import CONCLUSIONS, Condition, Judged, Status, concluded
 from .ends import Ends, ends
+from .in_latex import verdict_in_latex
 from .outside import Motion
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
@@ -85,6 +86,10 @@ class Verdict(Judged):
         Whether it is proved for every number of basis functions.
     after : Point or None
         Of a V that rises at a jump: where it jumps to.
+    claimed : sympy.Expr or None
+        The upper bound of V' that `lyapunov` was given as its `claim`.
+    equations : Equations or None
+        The equations in which V' was judged.
 
     Examples
     --------
@@ -104,6 +109,8 @@ class Verdict(Judged):
     residual: sympy.Expr = sympy.S.Zero
     diagram: Diagram | None = None
     after: Point | None = None
+    claimed: sympy.Expr | None = None
+    equations: Equations | None = field(default=None, compare=False)
     ways: Callable[[], Any] = field(default=tuple, repr=False, compare=False)
 
     def certificate(self) -> dict | None:
@@ -125,6 +132,27 @@ class Verdict(Judged):
         shown = SHOWN[data["conclusion"]].split()
         more = CONCLUSIONS[self.conclusion].requires.difference(shown)
         return tuple(step for step in self.steps if more & {*step.shows.split()})
+
+    def latex(self) -> str:
+        r"""Return the verdict in LaTeX, for a paper.
+
+        A proof is a theorem with its steps, a refutation a proposition with its point, an open
+        verdict a conjecture. Each has the equations, V and V'. The environments are those of
+        amsthm and amsmath.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
+        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:226])
+        \begin{theorem}
+        Let \[ \begin{aligned}\dot{x} &= - x\end{aligned} \]
+        and $\displaystyle V = \frac{x^{2}}{2}$.
+        Then $\displaystyle \dot V = - x^{2}$.
+        Conclusion: the rest is asymptotically stable from every start.
+        \end{theorem}
+        """
+        return verdict_in_latex(self)
 
     def __repr__(self) -> str:
         return f"<Verdict {self.status}: {self.sentence}>"

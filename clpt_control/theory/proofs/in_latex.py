@@ -1,0 +1,82 @@
+r"""A verdict in LaTeX: equations, V, V', the conclusion with its conditions, and the steps.
+
+The environments ``theorem``, ``proposition``, ``conjecture`` and ``proof`` are those of amsthm;
+``aligned`` is that of amsmath.  Equations, V, V', a claim and a level are formulas.  Conditions and
+steps are texts, with the names of signals as the user wrote them: a power is x^2, a product 2 x.
+In a line LaTeX breaks a long V' at its signs.
+"""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from ...engine.diagram.symbol_names import typeset
+from .conclusions import CONCLUSIONS, signs_of
+
+ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
+SIGNS = {  # replaced in this order
+    "V'": r"$\dot V$",
+    "**": "^",
+    "*": " ",
+    "^": r"\^{}",
+    "<=": r"$\le$",
+    ">=": r"$\ge$",
+    "<": "$<$",
+    ">": "$>$",
+    "|": "$|$",
+}
+
+
+def verdict_in_latex(verdict: Any) -> str:
+    """Return a verdict as a theorem with its proof, as a proposition, or as a conjecture."""
+    environment = ENVIRONMENTS[verdict.status]
+    lines = [rf"\begin{{{environment}}}", *_statement(verdict)]
+    lines.append(rf"\end{{{environment}}}")
+    if verdict.status == "proved":
+        lines.append("\\begin{proof}\n\\begin{itemize}")
+        shown = (f"{step.claim} ({step.how})" for step in verdict.steps if step.holds)
+        lines += [rf"\item {escaped(text)}." for text in shown]
+        lines.append("\\end{itemize}\n\\end{proof}")
+    text = "\n".join(lines).replace("GammaD_{", r"\Gamma_{D,")
+    return text.replace("KD_{", "K_{D,")  # the paper's index D
+
+
+def _statement(verdict: Any) -> Iterator[str]:
+    """Yield the formulas, and what is proved, refuted or open."""
+    equations, claim, level = verdict.equations, verdict.claim, ""
+    if equations is not None:
+        change = " = V(x^+) - V(x)" if equations.discrete else ""
+        yield rf"Let \[ {equations.latex()} \]"
+        yield rf"and $\displaystyle V = {typeset(verdict.V)}$."
+        yield rf"Then $\displaystyle \dot V{change} = {typeset(verdict.rate)}$."
+    if verdict.claimed is not None:
+        yield rf"Claim: $\displaystyle \dot V \le {typeset(verdict.claimed)}$."
+    if verdict.status == "refuted":
+        step = verdict.steps[-1]
+        yield f"Refuted: {escaped(step.claim)}: {escaped(step.detail)}."
+    if verdict.status == "open":
+        failed = "; ".join(step.claim for step in verdict.failed)
+        yield f"Not shown: {escaped(failed or claim)}."
+    if verdict.status != "proved":
+        return
+    row = CONCLUSIONS[verdict.conclusion]
+    if not row.requires & {"falls", "claimed"}:
+        yield f"Claim: {escaped(claim)}."
+    if verdict.level is not None:
+        level = f"$\\displaystyle {typeset(verdict.level)}$"
+    bound = escaped(verdict.bound) or level
+    words = row.sentence.format(of=escaped(verdict.of), bound=bound, level=level)
+    yield f"Conclusion: {words.removeprefix('so ')}."
+    conditions = [*map(str, verdict.conditions)]
+    if verdict.diagram is not None:  # a law, whose gains have these signs
+        conditions.append(signs_of(verdict.V.free_symbols | verdict.rate.free_symbols))
+    if conditions:
+        yield f"Conditions: {escaped('; '.join(conditions))}."
+
+
+def escaped(text: str) -> str:
+    """Return a text with the signs of LaTeX escaped."""
+    text = re.sub(r"[&%$#_{}]", r"\\\g<0>", text)
+    for sign, latex in SIGNS.items():
+        text = text.replace(sign, latex)
+    return text

@@ -1,0 +1,136 @@
+"""Verdicts in LaTeX: a theorem with its proof, a proposition, or a conjecture."""
+
+import re
+
+import pytest
+from small_scenarios import paper_of
+from text_systems import written
+
+import clpt_control as clpt
+
+ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
+FORGETTING = {"learning.composite_least_squares.forgetting": 0.1}  # that law needs one
+MATHEMATICS = r"\$[^$]*\$|\\\[[^\n]*\\\]"
+PYTHON = r"\*|`|(?<!\\)[_&#%]|[<>|]"  # no text of LaTeX
+
+
+def verdict_of(text, **more):
+    """Return the verdict on equations and V as text."""
+    return clpt.lyapunov(*written(text), **more)
+
+
+def well_formed(verdict):
+    """Return the LaTeX of a verdict, after a check of its braces, signs and environments."""
+    text = verdict.latex()
+    braces = re.sub(r"\\[{}]", "", text)
+    depth = 0
+    for letter in braces:
+        depth += (letter == "{") - (letter == "}")
+        assert depth >= 0, text
+    assert depth == 0
+    assert text.count("$") % 2 == 0
+    assert text.count(r"\left") == text.count(r"\right")
+    opened = []
+    for kind, name in re.findall(r"\\(begin|end)\{([a-z*]+)\}", text):
+        if kind == "begin":
+            opened.append(name)
+        else:
+            assert opened.pop() == name, text
+    assert opened == []
+    assert not re.search(PYTHON, re.sub(MATHEMATICS, "", text)), text
+    environment = ENVIRONMENTS[verdict.status]
+    assert text.startswith(rf"\begin{{{environment}}}")
+    assert (r"\begin{proof}" in text) == (verdict.status == "proved")
+    return text
+
+
+def test_a_linear_system_is_a_theorem():
+    """x' = -x, V = x^2: V' = -2 x^2."""
+    text = well_formed(verdict_of("x' = -x; V = x**2"))
+    assert r"\dot{x} &= - x" in text
+    assert "V = x^{2}$" in text
+    assert r"\dot V = - 2\,x^{2}$" in text
+    assert "Conclusion: the rest is asymptotically stable from every start." in text
+    assert "Conditions" not in text
+
+
+def test_a_condition_is_told():
+    lag = clpt.Block(
+        "lag",
+        update=lambda t, x, u, p: {"x": u.w - p.k * x.x},
+        states={"x": 1},
+        inputs={"w": 1},
+        parameters={"k": 2.0},
+    )
+    text = well_formed(clpt.lyapunov(lag, lambda s: s.x**2 / 2))
+    assert r"\dot V = - k\,x^{2}$" in text
+    assert "Conditions: where k $>$ 0; where w = 0." in text
+
+
+@pytest.mark.parametrize(("factor", "status"), [(1, "proved"), (3, "refuted")])
+def test_a_claim_is_a_formula(factor, status):
+    """V' = -2 x^2 is at most -x^2, but above -3 x^2."""
+    verdict = verdict_of("x' = -x; V = x**2", claim=lambda s: -factor * s.x**2)
+    text = well_formed(verdict)
+    assert verdict.status == status
+    claimed = r"- x^{2}" if factor == 1 else r"- 3\,x^{2}"
+    assert rf"\dot V \le {claimed}$" in text
+    assert ("Refuted: $\\dot V$ is above the claim at a point: t = " in text) == (
+        status == "refuted"
+    )
+
+
+def test_an_open_verdict_is_a_conjecture():
+    verdict = verdict_of("x' = -x; V = tanh(x**2)")  # a V that is bounded
+    assert verdict.status == "open"
+    text = well_formed(verdict)
+    assert r"V = \tanh{\left(x^{2} \right)}$" in text
+    assert "Not shown: V is positive definite." in text
+
+
+def test_a_search_without_a_V_is_a_conjecture_without_formulas():
+    plant, _ = written("x' = x; V = x**2")
+    verdict = clpt.lyapunov(plant)
+    assert (verdict.status, verdict.V) == ("open", None)
+    assert r"\dot" not in well_formed(verdict)
+
+
+def test_the_principle_of_LaSalle_is_typeset():
+    text = well_formed(verdict_of("x' = v; v' = -x**3 - v; V = x**4/4 + v**2/2"))
+    assert r"\dot{v} &= - v - x^{3}" in text
+    assert r"\dot V = - v^{2}$" in text
+
+
+def test_in_discrete_time_V_changes():
+    """x+ = x/2, V = x^2: V(x+) - V(x) = -3 x^2/4."""
+    half = clpt.Block(
+        "half", update=lambda t, x, u, p: {"x": x.x / 2}, states={"x": 1}, dt=1.0
+    )
+    text = well_formed(clpt.lyapunov(half, lambda s: s.x**2))
+    assert "x^{+} &= \\frac{x}{2}" in text
+    assert r"V(x^+) - V(x) = - \frac{3\,x^{2}}{4}$" in text
+
+
+@pytest.mark.thirds
+@pytest.mark.parametrize("name", clpt.laws())
+def test_the_verdict_on_a_law_is_well_formed(name):
+    scenario = paper_of(2, name)
+    if name == "composite-least-squares":
+        scenario = scenario.with_values(FORGETTING)
+    verdict = clpt.prove(clpt.closed_loop(scenario), points=20)
+    text = well_formed(verdict)
+    assert text.count("Conclusion: ") == 1
+    if verdict.V is not None:
+        assert "K_{D,1}" in text
+        assert r"\dot{z}_{1} &= " in text
+
+
+def test_theorem_3_2_is_typeset():
+    """V' = -e^T KD e, e = x - z, with gamma = 0.8: alpha' = -0.8 e phi."""
+    text = well_formed(clpt.prove(clpt.closed_loop(paper_of(1, "learned-flow"))))
+    e = [rf"\left(x_{{{i}}} - z_{{{i}}}\right)" for i in (1, 2)]
+    rate = rf"- K_{{D,1}}\,{e[0]}^{{2}} - K_{{D,2}}\,{e[1]}^{{2}}"
+    assert rf"\dot V = {rate}$" in text
+    assert rf"\dot{{K}}_{{1}} &= - \frac{{4\,z_{{1}}\,{e[0]}}}{{5}}" in text
+    assert "Conclusion: CLPE goes to zero." in text
+    assert r"K\_1" not in text.partition("Conditions")[0]
