@@ -27,7 +27,6 @@ from analysis.worst_disturbance import (
     worst_disturbance,
 )
 from clpt_control.ocean.gliders.usable_dives import usable
-from clpt_control.theory.excitation.regressor import joint_regressor
 from clpt_control.theory.theorems.counterexamples import (
     exact_run,
     scalar_matrix,
@@ -159,7 +158,7 @@ def test_where_w_is_held_the_margin_is_the_closed_form(kind):
     scenario = clpt.paper_scenario().with_values(still)
     end = clpt.simulate(scenario).position.values[-1]
     scenario = scenario.with_values({"vehicle.position": end})
-    along = joint_regressor(scenario.started_true(), 20.0, 20.0)
+    along = clpt.gramian(scenario.started_true(), 20.0, 20.0)
     g = 0.8 * np.max(np.sum(along.w**2, axis=-1))
     assert margin(scenario, kind) == pytest.approx(closed_form(kind, 1.0, g), rel=0.055)
 

@@ -17,7 +17,7 @@ from clpt_control.theory.excitation.certificates import (
     window_drops,
 )
 from clpt_control.theory.excitation.certify import after_window, least_error, settled
-from clpt_control.theory.excitation.regressor import joint_regressor, regressors
+from clpt_control.theory.excitation.regressor import regressors
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
@@ -175,7 +175,7 @@ def _pushed(A):
 
 
 def test_the_paper_s_contraction(true_paper):
-    found = certificates.certificate(joint_regressor(true_paper, 200.0, 200.0))
+    found = clpt.gramian(true_paper, 200.0, 200.0).certificate()
     assert found.contraction == pytest.approx(0.67988, abs=1e-4)
     assert found.drop == pytest.approx(1 - found.contraction, abs=1e-12)
     assert 0 < found.rho < found.drop

@@ -25,7 +25,7 @@ from clpt_control.theory.design.waypoint_tracks import (
     vehicle_alone,
 )
 from clpt_control.theory.excitation.gramian import gramian
-from clpt_control.theory.excitation.regressor import joint_regressor, w_along
+from clpt_control.theory.excitation.regressor import w_along
 
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
 
@@ -256,7 +256,7 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     found, _ = Tracks(scenario, (40.0, 60.0), 100.0, 3, 1e-10, gains=gains)(
         paper.waypoints[None]
     )
-    along = joint_regressor(vehicle_alone(scenario).started_true(), 40.0, 60.0).scenario
+    along = vehicle_alone(scenario).started_true()
     fine = np.linspace(60.0, 100.0, 40 * 100 + 1)
     times = (fine[1:] + fine[:-1]) / 2
     run = clpt.simulate(along, times)

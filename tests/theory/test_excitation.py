@@ -414,6 +414,9 @@ def test_the_certificate_of_one_vehicle_takes_no_team():
             clpt_package.DataError, match="A team and signals have Gramians only"
         ):
             excitation.certificate()
+        for measured in (excitation, excitation.vehicles["a"]):
+            said = "A team and its vehicles have Gramians of one window"
+            says(clpt_package.DataError, said, measured.plot)
 
 
 LINE = {

@@ -29,9 +29,8 @@ from ...base.figures import (
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import sample_times, simulate
 from ...simulation.mean_squares import clpe_of_samples, step_of_means
-from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian
-from ..excitation.regressor import checked_window
+from ..excitation.regressor import checked_window, gains_of_w
 from .search import FINE, best_waypoints
 from .waypoint_tracks import (
     Box,

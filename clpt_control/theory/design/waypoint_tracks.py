@@ -120,9 +120,8 @@ class Tracks:
 
     def _kappa(self, x: np.ndarray, waypoints: np.ndarray) -> np.ndarray:
         """Return kappa_1 of each axis or the drop of V; 0 if the run failed."""
-        times = np.broadcast_to(self.nodes, x.shape[:-1])
-        zc = np.broadcast_to(waypoints[:, self.node_waypoint], x.shape)
-        w = np.nan_to_num(w_along(self.basis, times, x, x, zc))
+        zc = waypoints[:, self.node_waypoint]
+        w = np.nan_to_num(w_along(self.basis, self.nodes, x, x, zc))
         if self.gains is None:
             kappa = smallest_eigenvalue(w, self.weights)
         else:

@@ -21,10 +21,10 @@ from functools import cache
 
 import numpy as np
 
-from ...base.errors import ScenarioError
+from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor, without_held
+from .regressor import Regressor, weighted_rows
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
@@ -80,20 +80,11 @@ class Certificate:
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
-    *batch, _, _, n = rows.shape
-    weighted = np.sqrt(weights)[..., None] * rows
-    matrix = weighted.reshape(*batch, -1, n)
-    if matrix.shape[-2] < n:
+    matrix = weighted_rows(rows, weights)
+    *batch, count, n = matrix.shape
+    if count < n:
         return np.zeros(batch)
-    singular_values = np.linalg.svd(matrix, compute_uv=False)
-    return singular_values[..., -1] ** 2
-
-
-def gains_of_w(scenario: Scenario) -> np.ndarray:
-    """Return the N + 2 adaptation gains of the parameters that multiply w; 0 if fixed."""
-    gains = scenario.learning.used_gains
-    flow = 0.0 if scenario.learning.row.given_estimate else gains.parameters
-    return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
+    return np.linalg.svd(matrix, compute_uv=False)[..., -1] ** 2
 
 
 def refuse_turns(turns: float) -> None:
@@ -227,24 +218,27 @@ def refuse_unproved(scenario: Scenario) -> None:
             )
 
 
-def certificate(
-    source: Source | Regressor, window: float | None = None, start: float | None = None
-) -> Certificate:
-    """Certify the decay of V over one window of a run.
+def certificate(regressor: Regressor) -> Certificate:
+    """Certify the decay of V over the window of a joint regressor.
 
     All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.  Gains that
     are fixed are those of the vehicle.
 
     >>> import clpt_control as clpt
-    >>> found = certificate(clpt.paper_scenario(), 60.0, 0.0)
+    >>> found = certificate(clpt.gramian(clpt.paper_scenario(), 60.0, 0.0))
     >>> 0 < found.rho < found.drop < 1
     True
     """
-    regressor = without_held(joint_regressor(source, window, start))
     scenario = regressor.scenario
-    law, gains = scenario.learning.law, scenario.learning.used_gains
+    if scenario is None:
+        raise DataError(
+            "no certificate: it is for the run of one scenario. A team and signals have Gramians "
+            "only"
+        )
+    law, adapted = scenario.learning.law, regressor.gains > 0
     paper_law = law in ("learned-flow", "known-flow")
-    one_gain = {gains.feedback, gains.feedforward} <= {0.0, gains.parameters}
+    gains = np.unique(regressor.gains[adapted])
+    one_gain = len(gains) <= 1
     if regressor.python_parts or not paper_law or not one_gain:
         raise ScenarioError(
             "no certificate: it is for the paper's two laws with one gain for all. The run has "
@@ -252,15 +246,13 @@ def certificate(
             + ("" if one_gain else " with a gain each")
         )
     refuse_unproved(scenario)
-    fixed = scenario.basis.N if scenario.learning.row.given_estimate else 0
-    flow, span, length = scenario.flow, regressor.window, regressor.run_length
-    w, KD = regressor.w[..., fixed:], np.array(scenario.vehicle.feedback)
-    gain, weights = gains.parameters, regressor.weights
-    if not (gain and w.shape[-1]):
+    if not adapted.any():
         raise ScenarioError("no certificate: the law adapts no parameter")
+    flow, span, length = scenario.flow, regressor.window, regressor.run_length
+    w, feedback = regressor.w[..., adapted], np.array(scenario.vehicle.feedback)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, length / span * (1 + 1e-12)))
-    *fallen, transition = window_drops(w, weights, KD, gain)
+    *fallen, transition = window_drops(w, regressor.weights, feedback, *gains)
     power = np.linalg.matrix_power(transition, windows)[..., 1:]
     learned = np.sum(np.linalg.svd(power, compute_uv=False) <= 0.1, axis=-1)
     drops, rhos, counts = (

@@ -50,9 +50,9 @@ from ...base.units import at_least, at_most
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ..laws.promises import largest_disturbance
-from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
+from .certificates import refuse_turns, refuse_unproved, worst_drop
 from .certify_fixes import FixBounds, certify_fixes
-from .regressor import checked_window, joint_regressor
+from .regressor import checked_window, gains_of_w, joint_regressors
 
 MAX_WINDOWS = 1_000_000
 LARGEST = 1e12  # radius and error
@@ -259,15 +259,17 @@ def _check(scenario: Scenario) -> None:
 
 def _drops(scenario: Scenario, window: float) -> np.ndarray:
     """Return delta of each whole window of the run, (windows, 2)."""
-    k, gains = np.array(scenario.vehicle.feedback), gains_of_w(scenario)
+    k, largest_gain = np.array(scenario.vehicle.feedback), gains_of_w(scenario).max()
     largest = scenario.basis.N + 4 * np.max(scenario.waypoints**2)
-    refuse_turns(window * np.sqrt(gains.max() * largest))
+    refuse_turns(window * np.sqrt(largest_gain * largest))
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
-    regressor = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], "position")
+    whole = float(ends[-1]), 0.0, ends[1:-1], "position"
+    regressor = joint_regressors(scenario, *whole)[""]
+    w, gains, weights = regressor.w, regressor.gains, regressor.weights
     return np.array(
         [
-            worst_drop(regressor.w[:, part], k, gains, regressor.weights[part])[0]
+            worst_drop(w[:, part], k, gains, weights[part])[0]
             for part in regressor.parts(ends[:-1], window)
         ]
     )

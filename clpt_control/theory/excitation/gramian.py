@@ -14,7 +14,7 @@ The vehicles of a team share the flow parameters of an axis and have their own K
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -22,7 +22,7 @@ import control
 import numpy as np
 
 from ...base.arguments import public
-from ...base.errors import ArgumentError, ClptError
+from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response
@@ -39,15 +39,12 @@ from .excitation_report import (
     slow_direction_of,
 )
 from .regressor import (
-    AnySource,
     Regressor,
     Source,
-    joint_regressor,
     joint_regressors,
-    signal_regressor,
     span_of,
     system_of,
-    without_held,
+    weighted_rows,
 )
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
@@ -95,7 +92,7 @@ class Excitation(Regressor):
     @cached_property
     def factors(self) -> dict[str, np.ndarray]:
         """Factor R of each axis, R^T R its Gramian, shape (n, n)."""
-        return dict(zip(self.names, map(factor, weighted(self)), strict=True))
+        return dict(zip(self.names, factors_of(self.w, self.weights), strict=True))
 
     @cached_property
     def certified(self) -> tuple[Certificate | None, str]:
@@ -126,20 +123,23 @@ class Excitation(Regressor):
 
     def sliding(self, count: int = 100) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Return starts of a sliding window and the eigenvalues of each axis, (count, n)."""
+        if self.source is None or self.vehicles:
+            raise DataError(
+                "sliding: is for the run of one scenario and for signals. A team and its vehicles "
+                "have Gramians of one window"
+            )
         begin, end = span_of(self.source)
         starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
         edges = np.concatenate([starts, starts + self.window])
-        whole = end - begin, begin, edges
-        if signals := self.names.get("w"):
-            regressor = signal_regressor(self.source, signals, *whole)
-        else:
-            regressor = without_held(joint_regressor(self.source, *whole))
-        eigenvalues = {}
-        parts = regressor.parts(starts, self.window)
-        for axis, rows in zip(regressor.names, weighted(regressor), strict=True):
-            factors = [factor(rows[part]) for part in parts]
-            eigenvalues[axis] = np.linalg.svd(factors, compute_uv=False)[:, ::-1] ** 2
-        return starts, eigenvalues
+        whole, signals = (end - begin, begin, edges), self.names.get("w")
+        regressor = joint_regressors(self.source, *whole, signals=signals)[""]
+        factors = [
+            factors_of(regressor.w[:, part], regressor.weights[part])
+            for part in regressor.parts(starts, self.window)
+        ]
+        eigenvalues = np.linalg.svd(factors, compute_uv=False)[..., ::-1] ** 2
+        by_axis = np.moveaxis(eigenvalues, 1, 0)
+        return starts, dict(zip(self.names, by_axis, strict=True))
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
@@ -218,21 +218,17 @@ class Excitation(Regressor):
         return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}
 
 
-def weighted(regressor: Regressor) -> np.ndarray:
-    """Return the rows of each axis's Gramian, (2, pieces, nodes, N + 2)."""
-    return np.sqrt(regressor.weights)[..., None] * regressor.w
-
-
-def factor(rows: np.ndarray) -> np.ndarray:
-    """Return R (n, n), R^T R the Gramian of rows (..., n)."""
-    n = rows.shape[-1]
-    padded = np.vstack([np.zeros((n, n)), rows.reshape(-1, n)])
+def factors_of(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return R (..., n, n), R^T R the Gramian of w (..., pieces, nodes, n)."""
+    rows = weighted_rows(w, weights)
+    *batch, _, n = rows.shape
+    padded = np.concatenate([np.zeros((*batch, n, n)), rows], axis=-2)
     return np.asarray(np.linalg.qr(padded, mode="r"))
 
 
 @public
 def gramian(
-    source: AnySource | control.InputOutputSystem,
+    source: Source | control.InputOutputSystem,
     window: float | None = None,
     start: float | None = None,
     *,
@@ -302,13 +298,7 @@ def gramian(
         )
     if options or not (recorded or signals is None):
         run = simulate(run, **options)
-    if signals is not None:
-        measured = signal_regressor(run, signals, window, start)
-        return Excitation(**vars(measured), source=run)
-    regressors = {
-        name: without_held(regressor)
-        for name, regressor in joint_regressors(run, window, start).items()
-    }
+    regressors = joint_regressors(run, window, start, signals=signals)
     if "" not in regressors:
         return _team_excitation(regressors, run)
     return Excitation(**vars(regressors[""]), source=run)
@@ -316,26 +306,24 @@ def gramian(
 
 def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitation:
     """Return the pooled excitation of a team, with each vehicle's."""
-    regressor = next(iter(regressors.values()))
-    N, names = regressor.scenario.basis.N, regressor.names
-    gains = len(names["x1"]) - N
+    first = next(iter(regressors.values()))
+    N = first.scenario.basis.N
     vehicles = {}
     pooled = []
-    for k, (name, single) in enumerate(regressors.items()):
-        w = single.w
-        alone = vars(single) | {"names": names, "scenario": None}
+    for name, regressor in regressors.items():
+        alone = vars(replace(regressor, scenario=None))
         vehicles[name] = Excitation(**alone)
+        flow, gains = np.split(regressor.w, [N], axis=-1)
         # the vehicle's gains have columns of their own
-        wide = np.zeros((*w.shape[:-1], N + gains * len(regressors)))
-        wide[..., [*range(N), *range(N + gains * k, N + gains * (k + 1))]] = w
-        pooled.append(wide)
-    team_names = {
+        own = [gains * (other == name) for other in regressors]
+        pooled.append(np.concatenate([flow, *own], axis=-1))
+    names = {
         axis: labels[:N] + [f"{g} of {name}" for name in regressors for g in labels[N:]]
-        for axis, labels in names.items()
+        for axis, labels in first.names.items()
     }
     weights = np.concatenate([single.weights for single in regressors.values()])
     w = np.concatenate(pooled, axis=1)
-    alone |= {"names": team_names, "w": w, "weights": weights}
+    alone |= {"names": names, "w": w, "weights": weights}
     return Excitation(**alone, vehicles=vehicles, source=source)
 
 

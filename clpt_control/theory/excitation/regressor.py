@@ -14,7 +14,7 @@ samples, and the trapezoidal rule integrates their products.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
@@ -42,11 +42,10 @@ PYTHON_PARTS = {
     OWN_PARTS: "parts given in Python,",
     CHANGED: "parameters",
 }
-Source = Union[Scenario, "xarray.Dataset"]
-AnySource = Union[Scenario, Team, "xarray.Dataset"]  # of one vehicle or several
+Source = Union[Scenario, Team, "xarray.Dataset"]
 
 
-def system_of(source: AnySource) -> Scenario | Team:
+def system_of(source: Source) -> Scenario | Team:
     """Return a scenario or team, or that of a recorded run."""
     if isinstance(source, Scenario | Team):
         return source
@@ -65,7 +64,7 @@ def members_of(system: Scenario | Team) -> Mapping[str, Scenario]:
     return {"": system} if isinstance(system, Scenario) else system.members
 
 
-def span_of(source: AnySource) -> tuple[float, float]:
+def span_of(source: Source) -> tuple[float, float]:
     """Return the start and end of a run."""
     if isinstance(source, Scenario | Team):
         return 0.0, float(source.run.duration)
@@ -100,6 +99,7 @@ def positions_between(
 
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
+NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
 MAX_PIECES = 1e6
 SHORTEST = 1e-9  # window, share of the run
 ROUGH = 1e-6  # last Legendre coefficients of a piece, share of the largest w
@@ -118,7 +118,8 @@ class Regressor:
     weights: np.ndarray  # (pieces, nodes)
     w: np.ndarray  # shape (Gramians, pieces, nodes, n); [phi, z_i, zc_i] of each axis
     run_length: float
-    scenario: Any = None  # gains and law of the joint regressor, Eq. (31)
+    scenario: Any = None  # law of the joint regressor, Eq. (31)
+    gains: Any = None  # adaptation gains of its n parameters; 0 if fixed
     python_parts: str = ""  # parts of a recorded run that its scenario does not contain
 
     @property
@@ -174,9 +175,8 @@ def quadrature(
         for a, b in pairwise(ends)
     ]
     cuts = np.append(np.concatenate(pieces), end)
-    node, weight = np.polynomial.legendre.leggauss(NODES)
     radius = np.diff(cuts)[:, None] / 2
-    return cuts, cuts[:-1, None] + radius * (1 + node), radius * weight
+    return cuts, cuts[:-1, None] + radius * (1 + NODE), radius * WEIGHT
 
 
 def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
@@ -186,7 +186,7 @@ def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
 
 
 def checked_window(
-    source: AnySource,
+    source: Source,
     window: float | None,
     start: float | None,
     cycle: float = 0.0,
@@ -213,51 +213,33 @@ def checked_window(
     return window, start
 
 
-def joint_regressor(
-    source: Source | Regressor, *args: Any, **options: Any
-) -> Regressor:
-    """Return the joint regressor of one vehicle, as `joint_regressors` does."""
-    regressor = joint_regressors(source, *args, **options).get("")
-    if regressor is None or regressor.scenario is None:
-        raise DataError(
-            "no certificate: it is for the run of one scenario. A team and signals have Gramians "
-            "only"
-        )
-    return regressor
-
-
-def without_held(regressor: Regressor) -> Regressor:
-    """Return a regressor without the components of K and Gamma if the law does not adapt them."""
-    scenario = regressor.scenario
-    if scenario is None or regressor.python_parts:
-        return regressor
-    if scenario.learning.used_gains.feedback:
-        return regressor
-    N = scenario.basis.N
-    names = {axis: labels[:N] for axis, labels in regressor.names.items()}
-    return replace(regressor, names=names, w=regressor.w[..., :N])
+def gains_of_w(scenario: Scenario) -> np.ndarray:
+    """Return the N + 2 adaptation gains of the parameters that multiply w; 0 if fixed."""
+    gains = scenario.learning.used_gains
+    flow = 0.0 if scenario.learning.row.given_estimate else gains.parameters
+    return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
 
 
 def joint_regressors(
-    source: AnySource | Regressor,
+    source: Source,
     window: float | None = None,
     start: float | None = None,
     edges: Any = (),
     predicted: str = PREDICTED,
+    signals: Sequence[str] | None = None,
 ) -> dict[str, Regressor]:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle.
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or w of `signals`.
 
     Pieces end at `edges` too; z is the variable `predicted` of a run.  A piece with large last
     Legendre coefficients is cut in four, because the learner oscillates within a dwell.
     """
-    if isinstance(source, Regressor):
-        return {"": source}
+    if signals is not None:
+        return {"": signal_regressor(source, signals, window, start, edges)}
     system = system_of(source)
     members, simulated = members_of(system), isinstance(source, Scenario | Team)
     window, start = checked_window(source, window, start)
-    node, weight = np.polynomial.legendre.leggauss(NODES)
-    legendre = np.polynomial.legendre.legvander(node, NODES - 1)
-    last_coefficients = (legendre * weight[:, None])[:, -2:] * NODES
+    legendre = np.polynomial.legendre.legvander(NODE, NODES - 1)
+    last_coefficients = (legendre * WEIGHT[:, None])[:, -2:] * NODES
     for _ in range(REFINEMENTS):
         nodes = {
             name: quadrature(scenario, start, start + window, edges)
@@ -331,18 +313,31 @@ def _regressor(
         named = [key for key in PYTHON_PARTS if key in run.attrs]
         python_parts = " and ".join(f"{PYTHON_PARTS[k]} {run.attrs[k]}" for k in named)
     zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
-    w = w_along(scenario.basis_block(), times, x, z, np.broadcast_to(zc, z.shape))
-    numbers, unit = range(1, scenario.basis.N + 1), scenario.units.time
-    names = {
-        f"x{i}": [*(f"theta_{i}[{k}]" for k in numbers), f"K_{i}", f"Gamma_{i}"]
-        for i in (1, 2)
-    }
-    of_run = run_length, scenario, python_parts
-    return Regressor(names, unit, trajectory, cuts, weights, w, *of_run)
+    w = w_along(scenario.basis_block(), times, x, z, zc)
+    N, gains = scenario.basis.N, gains_of_w(scenario)
+    # K and Gamma are left out if the law does not adapt them
+    columns = [j for j in range(N + 2) if j < N or gains[j] or python_parts]
+    names = {}
+    for i in (1, 2):
+        theta = [f"theta_{i}[{k}]" for k in range(1, N + 1)]
+        labels = [*theta, f"K_{i}", f"Gamma_{i}"]
+        names[f"x{i}"] = [labels[j] for j in columns]
+    return Regressor(
+        names,
+        scenario.units.time,
+        trajectory,
+        cuts,
+        weights,
+        w[..., columns],
+        run_length,
+        scenario,
+        gains[columns],
+        python_parts,
+    )
 
 
 def signal_regressor(
-    run: "xarray.Dataset",
+    run: Any,
     signals: Sequence[str],
     window: float | None = None,
     start: float | None = None,
@@ -388,5 +383,13 @@ def w_along(
     basis: Block, times: np.ndarray, x: np.ndarray, z: np.ndarray, zc: np.ndarray
 ) -> np.ndarray:
     """Return w at times (...) and positions (..., 2), shape (2, ..., N + 2)."""
-    phi = evaluate(basis, times.ravel(), x.reshape(-1, 2))
-    return regressors(phi.reshape(*times.shape, -1), z, zc)
+    *shape, _ = x.shape
+    every_time = np.broadcast_to(times, shape).ravel()
+    phi = evaluate(basis, every_time, x.reshape(-1, 2))
+    return regressors(phi.reshape(*shape, -1), z, np.broadcast_to(zc, z.shape))
+
+
+def weighted_rows(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return matrices M of w (..., pieces, nodes, n), with M^T M the Gramian int w w^T dt."""
+    *batch, _, _, n = w.shape
+    return (np.sqrt(weights)[..., None] * w).reshape(*batch, -1, n)
