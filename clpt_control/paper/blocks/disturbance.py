@@ -10,7 +10,7 @@
 a is the amplitude of each axis (length per time), T the period (time).  The noise is a hash of
 (seed, interval, axis).  It has no state, so it can be computed at any time, in any order.
 
-A kind is one row of `KINDS`.  Scenarios, `certify`, promises, ensembles and searches read the row.
+A kind is one row of `KINDS`.  Scenarios, `certify` and ensembles read the row.
 
 Ports: none -> delta[2] (length per time).
 """

@@ -55,8 +55,8 @@ def _statement(verdict: Any) -> Iterator[str]:
         step = verdict.steps[-1]
         yield f"Refuted: {escaped(step.claim)}: {escaped(step.detail)}."
     if verdict.status == "open":
-        failed = "; ".join(step.claim for step in verdict.failed)
-        yield f"Not shown: {escaped(failed or claim)}."
+        missing = verdict.failed[0].claim if verdict.failed else claim
+        yield f"Not shown: {escaped(missing)}."
     if verdict.status != "proved":
         return
     row = CONCLUSIONS[verdict.conclusion]

@@ -53,10 +53,7 @@ def proof_of(verdict: Verdict) -> Proof:
 
 
 def declared_level_step(law: Law, level: sympy.Expr) -> Step:
-    """Check that the level a law declares is not below the bound of V that is proved.
-
-    `clpt laws --check` and runs compare V with the declared level.
-    """
+    """Check that the level a law declares is not below the bound of V that is proved."""
     scenario = theorem_scenario(N, law.name)
     parameters, truth = law_and_V(law, N)[0].parameters, truth_of(scenario)
     numbers = {f"KD_{i + 1}": value for i, value in enumerate(truth.KD)}
