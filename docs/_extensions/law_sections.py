@@ -156,8 +156,7 @@ def sections() -> str:
         f"({letter}) {typeset(text)}" for text, letter in CONDITIONS.items()
     )
     found = [
-        "A law makes its promises under the conditions in brackets: "
-        f"{conditions}.\n"
+        f"A law makes its promises under the conditions in brackets: {conditions}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
