@@ -557,13 +557,5 @@ class SystemCandidate(LyapunovCandidate):
         V = self.in_signals(self.V)
         rate = self.readable_rate(self.rate if fall.rate is None else fall.rate)
         inputs = tuple(self.depends_on(self.rate))
-        return Verdict(
-            status,
-            claim,
-            V=V,
-            rate=rate,
-            inputs=inputs,
-            claimed=self.claim,
-            equations=self.eq,
-            **fields,
-        )
+        fields |= {"claimed": self.claim, "equations": self.eq}
+        return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)
