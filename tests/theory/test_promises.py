@@ -148,11 +148,3 @@ def test_an_option_that_would_be_ignored_is_refused(
     monkeypatch.chdir(tmp_path)
     assert "--coq" in refused("prove", "--coq", "folder", *words)
     assert [*tmp_path.iterdir()] == []
-
-
-@pytest.mark.parametrize(
-    ("words", "cure"),
-    [(("--search", 20), "clpt prove LAW"), (("--again",), "Leave it out")],
-)
-def test_an_option_that_is_gone_is_refused_with_what_serves(words, cure, refused):
-    assert cure in refused("prove", "sigma", *words)
