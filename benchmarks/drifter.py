@@ -75,9 +75,7 @@ def advect(
         callee = native.callee(native.lanes(len(starts)), None, RK4)
         parameters = np.tile(native.parameters(), (len(starts), 1))
         segments = [native.schedule(ends)]
-        batch = Batch(
-            callee, starts, parameters, ends, segments, longest=step, opening=step
-        )
+        batch = Batch(callee, starts, parameters, ends, segments, longest=step)
         batch.adaptive(1e-8, 1e-10)
         return batch.out
 
