@@ -1,19 +1,30 @@
-"""Rows of the fields of a dive: unit, column of a table, name in results, and reader of a cell.
+"""Rows of columns: unit, names in tables, name in results, limits, and reader of a cell.
 
 A field of `dives.Dive` has its row beside its name. The rows make the columns of a CSV table
 (`dive_table`), the keys of a dive in the JSON of a replay (`forecast.step`), and the variables of
 its NetCDF file with their units (`forecast.netcdf_export`). A field without a row is in none.
 
+Columns that only a log of a vehicle has are rows of `MOMENT` (`vehicle_log`). A further spelling
+of a name or of a unit goes to the row.
+
 A reader returns the value of a cell, or None if the text is no such value.
 """
 
+import re
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, field, fields, replace
+from functools import partial
 from math import inf, isfinite
 from typing import Any, NamedTuple
 
-from ...base.units import number, seconds_since_1970
+from ...base.errors import DataError
+from ...base.units import (
+    length_in_metres,
+    number,
+    seconds_since_1970,
+    speed_in_metres_per_second,
+)
 
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LONGEST_NAME = 40  # letters; a longer one is no name
@@ -23,6 +34,9 @@ SIZES = (0.0, inf)
 SAME = "name of the field"
 NORTH, EAST = "degrees_north", "degrees_east"
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
+HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
+GIVE = "time,latitude,longitude,course,speed"
 
 
 def whole_number(value: float | str | None) -> int | None:
@@ -56,29 +70,47 @@ def name_of(*values: Any) -> str | None:
     return None
 
 
-def _number(text: str) -> float | None:
+def _number(text: str, size: float = 1.0) -> float | None:
+    """Return a number times the size of its unit."""
     with suppress(ValueError):
-        return float(text)
+        return float(text) * size
     return None
 
 
-def _seconds(text: str) -> float | None:
-    """Return a number, or the seconds since 1970 of a date."""
-    value = _number(text)
+def _seconds(text: str, size: float = 1.0) -> float | None:
+    """Return a number times the size of its unit, or the seconds since 1970 of a date."""
+    value = _number(text, size)
     with suppress(ValueError):
         return seconds_since_1970(text) if value is None else value
     return None
 
 
+def _degrees(text: str, size: float = 1.0) -> float | None:
+    """Return a number times the size of its unit, or the degrees of a text with a hemisphere.
+
+    >>> _degrees("36 42.5 N"), _degrees("122.1W"), _degrees("361234567", 1e-7), _degrees("36 61 N")
+    (36.708333333333336, -122.1, 36.1234567, None)
+    """
+    matched = MINUTES.fullmatch(text) or HEMISPHERE.fullmatch(text)
+    if matched is None:
+        return _number(text, size)
+    degrees, *minutes, hemisphere = matched.groups()
+    value = float(degrees) + sum(map(float, minutes)) / 60.0
+    if any(float(number) >= 60.0 for number in minutes):
+        return None
+    return -value if hemisphere in "SW" else value
+
+
 class Reader(NamedTuple):
     """Reader of a cell, what a cell must be, and whether an empty cell is a gap."""
 
-    read: Callable[[str], Any]
+    read: Callable[..., Any]  # text, and the size of its unit if the header has a unit
     must_be: str
     gaps: bool = True
 
 
 NUMBER = Reader(_number, "must be a number")
+DEGREES = Reader(_degrees, "must be a number")
 TIME = Reader(
     _seconds, "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
 )
@@ -88,35 +120,39 @@ TEXT = Reader(str, "must be a text")
 
 
 @dataclass(frozen=True)
-class DiveField:
-    """Row of a field of `Dive`.
+class Column:
+    """Row of a column of a table, and of a field of `Dive` that has the column.
 
-    `column` is its name in a table, `result` that in results, where "" leaves the field out. A
-    column without a reader is written and never read. Values outside of `limits` are gaps.
+    `header` is its name in a table, `result` the name of the field in results, where "" leaves it
+    out. In a log the column may have another of `names`, and a unit, of which `size_of` returns
+    the size. A column without a reader is written and never read. Values outside of `limits` are
+    gaps.
     """
 
     unit: str
     reader: Reader | None = NUMBER
-    column: str = SAME
+    header: str = SAME
     result: str = SAME
     limits: tuple[float, float] = (-inf, inf)
+    names: str = ""
+    size_of: Callable[[str, str], float] = length_in_metres
     name: str = ""
     default: Any = None
     is_required: bool = False
 
-    def value(self, text: str) -> tuple[Any, str]:
+    def value(self, text: str, *size: float) -> tuple[Any, str]:
         """Return the value of a cell, None if it has none, and what is wrong with the text."""
         if self.reader is None or (self.reader.gaps and not text):
             return None, ""
-        value = self.reader.read(text)
+        value = self.reader.read(text, *size)
         if value is None:
-            return None, f"{self.column} is {text[:30]!r}; {self.reader.must_be}"
+            return None, f"{self.header} is {text[:30]!r}; {self.reader.must_be}"
         if isinstance(value, str):
             return value, ""
         low, high = self.limits
         if value < low or value > high:
-            allowed = f"must be {low:g} to {high:g} {self.unit}"
-            return None, f"{self.column} is {value:g}; {allowed}"
+            allowed = f"{low:g} or more," if high == inf else f"{low:g} to {high:g}"
+            return None, f"{self.header} is {value:g}; must be {allowed} {self.unit}"
         return (value if isfinite(value) else None), ""
 
     def cell(self, dive: Any) -> str:
@@ -129,9 +165,44 @@ class DiveField:
         return str(value) if isinstance(value, int) else repr(float(value))
 
 
-def in_files(*row: Any, **others: Any) -> dict[str, DiveField]:
+def _size(sizes: dict[str, float], unit: str, where: str) -> float:
+    """Return the size of a unit by the first pattern that it matches."""
+    for pattern, size in sizes.items():
+        if re.fullmatch(pattern, unit):
+            return size
+    raise DataError(f"{where} is in {unit!r}. Give {GIVE} in degrees and m/s")
+
+
+TIMES = partial(_size, {"utc|gmt|s|(y|iso).*": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9})
+ANGLES = partial(_size, {"dege7|1e-7deg": 1e-7, "deg[ws]": -1.0, "(deg|°).*": 1.0})
+MOMENT = (  # columns of a log, beside the displacement
+    Column(EPOCH, TIME, "time", names="date datetime date_time", size_of=TIMES),
+    Column(NORTH, DEGREES, "latitude", names="lat", size_of=ANGLES),
+    Column(EAST, DEGREES, "longitude", names="lon long lng", size_of=ANGLES),
+    Column(
+        "degrees",
+        NUMBER,
+        "course",
+        names="heading true_heading",
+        size_of=ANGLES,
+        limits=HEADINGS,
+        is_required=True,
+    ),
+    Column(
+        "m/s",
+        NUMBER,
+        "speed",
+        names="stw speed_through_water",
+        size_of=speed_in_metres_per_second,
+        limits=SIZES,
+        is_required=True,
+    ),
+)
+
+
+def in_files(*row: Any, **others: Any) -> dict[str, Column]:
     """Return the metadata of a field with its row."""
-    return {"row": DiveField(*row, **others)}
+    return {"row": Column(*row, **others)}
 
 
 def optional(
@@ -141,13 +212,13 @@ def optional(
     return field(default=default, compare=compare, metadata=in_files(*row, **others))
 
 
-def rows_of(kind: type) -> tuple[DiveField, ...]:
+def rows_of(kind: type) -> tuple[Column, ...]:
     """Return the rows of a class's fields, each with its names and its default."""
     return tuple(
         replace(
             row,
             name=one.name,
-            column=one.name if row.column is SAME else row.column,
+            header=one.name if row.header is SAME else row.header,
             result=one.name if row.result is SAME else row.result,
             default=None if one.default is MISSING else one.default,
             is_required=one.default is MISSING,

@@ -28,8 +28,9 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from .dive_fields import NUMBER, DiveField, whole_number
+from .dive_fields import GIVE, whole_number
 from .dives import (
+    COLUMNS,
     CONTRADICTS,
     FIELDS,
     STEERING,
@@ -42,14 +43,13 @@ from .dives import (
     without_current,
 )
 from .text_table import other_marks, table_of
-from .vehicle_log import GIVE, log_legs, mark_of
+from .vehicle_log import log_legs, mark_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
 CURRENT = ("dac_east", "dac_north")
-COLUMNS: dict[str, DiveField] = {row.column: row for row in FIELDS if row.column}
-REQUIRED = [name for name, row in COLUMNS.items() if row.is_required and row.reader]
-OPTIONAL = [row for row in COLUMNS.values() if not row.is_required]
+REQUIRED = [row.header for row in FIELDS if row.is_required and row.reader]
+OPTIONAL = [row for row in FIELDS if not row.is_required]
 OTHERWISE = (
     "; course (degrees), speed (m/s), or dac_east, dac_north (m/s), the vehicle's own current, may "
     "stand instead of dr_east_m, dr_north_m"
@@ -128,9 +128,7 @@ def _check_header(header: list[str], name: str | Path) -> None:
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
         raise DataError(f"{name}: {marks or why}")
     double = [
-        column
-        for column, row in COLUMNS.items()
-        if row.reader and header.count(column) > 1
+        row.header for row in FIELDS if row.reader and header.count(row.header) > 1
     ]
     if double:
         raise DataError(
@@ -141,22 +139,22 @@ def _check_header(header: list[str], name: str | Path) -> None:
 def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
     cells: dict[str, Any] = {}
     notes: list[str] = []
-    for column, row in COLUMNS.items():
-        value, fault = row.value(texts.get(column, ""))
+    is_steered = not set(STRETCH) & set(texts) and set(STEERING) <= set(texts)
+    steering = [COLUMNS[name] for name in STEERING] if is_steered else []
+    for row in (*FIELDS, *steering):
+        value, fault = row.value(texts.get(row.header, ""))
         if fault and row.is_required:
             return Skipped(cells.get("dive"), f"{where}: {fault}")
         if fault:
             notes.append(f"{where}: {fault}")
         default = nan if row.is_required else row.default
-        cells[column] = default if value is None else value
+        cells[row.header] = default if value is None else value
     number = cells["dive"]
     start, end, through_water = (
         tuple(cells[column] for column in columns) for columns in (START, END, STRETCH)
     )
-    if not set(STRETCH) & set(texts) and set(STEERING) <= set(texts):
-        course, speed = (NUMBER.read(texts[column]) for column in STEERING)
-        course, speed = (nan if x is None else x for x in (course, speed))
-        velocity = velocity_of(course, speed, where)
+    if is_steered:
+        velocity = velocity_of(*(cells[column] for column in STEERING))
         duration = end[0] - start[0]
         through_water = velocity[0] * duration, velocity[1] * duration
     elif not set(STRETCH) & set(texts):
@@ -174,7 +172,7 @@ def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
         start,
         end,
         through_water,
-        **{row.name: cells[row.column] for row in OPTIONAL},
+        **{row.name: cells[row.header] for row in OPTIONAL},
         notes=tuple(notes),
     )
     return with_dac_note(dive)
@@ -212,6 +210,6 @@ def write_dive_table(
     True
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
-    lines.append(",".join(COLUMNS))
-    lines += [",".join(row.cell(dive) for row in COLUMNS.values()) for dive in dives]
+    lines.append(",".join(row.header for row in FIELDS))
+    lines += [",".join(row.cell(dive) for row in FIELDS) for dive in dives]
     write_file(path, "\n".join(lines) + "\n")

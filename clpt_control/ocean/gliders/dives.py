@@ -34,7 +34,7 @@ next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m)
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from math import cos, hypot, inf, isfinite, nan, radians, sin
+from math import cos, hypot, inf, nan, radians, sin
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -47,6 +47,7 @@ from .dive_fields import (
     EAST,
     EPOCH,
     HEADINGS,
+    MOMENT,
     NAME,
     NORTH,
     SIZES,
@@ -64,7 +65,6 @@ Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m 
 PLACE = ("latitude", "longitude")
 STEERING = ("course", "speed")
 STRETCH = ("dr_east_m", "dr_north_m")
-COURSES = -180.0, 540.0  # degrees
 # m/s by which a file's own current may be off
 MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -139,17 +139,17 @@ class Dive:
     <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
     """
 
-    number: int = field(metadata=in_files("1", WHOLE, column="dive", result="dive"))
+    number: int = field(metadata=in_files("1", WHOLE, header="dive", result="dive"))
     t_gps2: OrNaN = field(metadata=in_files(EPOCH, TIME, result="start_time"))
     lat_gps2: OrNaN = field(metadata=in_files(NORTH, result="start_latitude"))
     lon_gps2: OrNaN = field(metadata=in_files(EAST, result="start_longitude"))
     t_gpse: OrNaN = field(metadata=in_files(EPOCH, TIME, result="end_time"))
     lat_gpse: OrNaN = field(metadata=in_files(NORTH, result="end_latitude"))
     lon_gpse: OrNaN = field(metadata=in_files(EAST, result="end_longitude"))
-    gps_east: OrNaN = field(metadata=in_files("m", None, column="gps_east_m"))
-    gps_north: OrNaN = field(metadata=in_files("m", None, column="gps_north_m"))
-    dr_east: OrNaN = field(metadata=in_files("m", column="dr_east_m"))
-    dr_north: OrNaN = field(metadata=in_files("m", column="dr_north_m"))
+    gps_east: OrNaN = field(metadata=in_files("m", None, header="gps_east_m"))
+    gps_north: OrNaN = field(metadata=in_files("m", None, header="gps_north_m"))
+    dr_east: OrNaN = field(metadata=in_files("m", header="dr_east_m"))
+    dr_north: OrNaN = field(metadata=in_files("m", header="dr_north_m"))
     t_gps1: OrNaN | None = optional(EPOCH, TIME, result="first_fix_time")
     lat_gps1: OrNaN | None = optional(NORTH, result="first_fix_latitude")
     lon_gps1: OrNaN | None = optional(EAST, result="first_fix_longitude")
@@ -231,6 +231,7 @@ class Dive:
 
 
 FIELDS = rows_of(Dive)
+COLUMNS = {row.header: row for row in (*FIELDS, *MOMENT)}
 
 
 @public
@@ -414,19 +415,12 @@ def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return ends[0], ends[1], ends[2]
 
 
-def velocity_of(course: float, speed: float, where: str) -> tuple[float, float]:
+def velocity_of(course: float, speed: float) -> tuple[float, float]:
     """Return the velocity to the east and to the north, m/s; NaN if it is not known.
 
-    >>> velocity_of(90.0, 1.0, "line 2")[0]
+    >>> velocity_of(90.0, 1.0)[0]
     1.0
     """
-    low, high = COURSES
-    if isfinite(course) and not low <= course <= high:
-        raise DataError(
-            f"{where}: course is {course:g}; must be {low:g} to {high:g} degrees"
-        )
-    if speed < 0:
-        raise DataError(f"{where}: speed is {speed:g}; must be 0 or more, m/s")
     if speed == 0:
         return 0.0, 0.0
     return speed * sin(radians(course)), speed * cos(radians(course))

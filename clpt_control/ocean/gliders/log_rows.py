@@ -1,4 +1,4 @@
-"""Rows of a vehicle's log in their order, recorded or live: the screen that both pass.
+"""Rows of a vehicle's log in their order: the screen that they pass.
 
 A row has a time and parts: a fix, the course and speed that hold until the next row, or the
 displacement since the row before.  These are left out, each with its reason:
@@ -56,16 +56,15 @@ class LogRows:
     def read(
         self,
         time: float,
-        place: Pair | None = None,
-        steering: Pair | None = None,
-        stretch: Pair | None = None,
-        where: str = "line",
+        place: Pair | None,
+        steering: Pair | None,
+        stretch: Pair | None,
     ) -> Reading:
         """Read a row: fix (degrees), course and speed (degrees, m/s), displacement (m).
 
         None is a part that the row has not, NaN an unknown one.
         """
-        velocity = None if steering is None else velocity_of(*steering, where)
+        velocity = None if steering is None else velocity_of(*steering)
         has = [part is not None for part in (place, steering, stretch)]
         motion = repr((time, steering, stretch))
         if fault := self._time_fault(time, has):

@@ -1,13 +1,12 @@
 """CSV tables: cells under a header.
 
-    # a log of one day
-    time,latitude,longitude,course,speed (m/s)
-    2019-01-01T00:00:00Z,41.2,-69.5,90,0.4
+    # a comment
+    time,latitude,longitude,speed (kn)
+    2019-01-01T00:00:00Z,36.70,-122.10,1.9
 
-Blank lines and comments, lines that begin with `#`, are left out.
+Blank lines and lines that begin with `#` are left out.
 """
 
-import re
 from csv import Error, reader
 from pathlib import Path
 
@@ -18,8 +17,6 @@ from ...base.errors import DataError
 MOST = 10**8  # cells
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 SUFFIXES = (".csv", ".txt", ".dat")
-# without spaces: they would be tried
-HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
 
 
 def table_of(
@@ -27,11 +24,11 @@ def table_of(
 ) -> pandas.DataFrame:
     r"""Return the cells of a table, separated by `mark`, without spaces around them.
 
-    The index is the line in the file, from 1; the columns are the header.  `attrs["wrong_lines"]`
-    has the cells of the lines that are left out because they have fewer cells than the header, or
-    more, with a sentence.
+    The index is the line in the file, from 1; the columns are the header.  `attrs` has in
+    "wrong_lines" the cells of the lines that are left out because they have fewer cells than the
+    header, or more, with a sentence.
 
-    >>> cells = table_of("# a log\n\ntime,u\n0, 1,\n3\n4,5", "mine.csv", "a table")
+    >>> cells = table_of("# a comment\n\ntime,u\n0, 1,\n3\n4,5", "mine.csv", "a table")
     >>> list(cells.columns), list(cells.index), cells.values.tolist()
     (['time', 'u'], [4, 6], [['0', '1'], ['4', '5']])
     >>> cells.attrs["wrong_lines"]
@@ -69,7 +66,7 @@ def table_of(
     cells = pandas.DataFrame(
         list(right_lines.values()), list(right_lines), header, dtype=str
     )
-    cells.attrs["wrong_lines"] = wrong_lines
+    cells.attrs = {"wrong_lines": wrong_lines}
     return cells
 
 
