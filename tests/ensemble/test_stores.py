@@ -55,6 +55,11 @@ def shortened(path):
     path.write_bytes(path.read_bytes()[:-6])
 
 
+def another_chunk(path):
+    """Put the first chunk in the place of the second one; its own checksum is right."""
+    shutil.copy(str(path).replace("/c/1", "/c/0"), path)
+
+
 def put(make):
     """Put something else in the place of a file."""
 
@@ -83,6 +88,7 @@ DAMAGES = [  # a file, what happens to it, what is said: its array is not as it 
     ("zarr.json", put(lambda at: at.write_text("{}")), LOST),
     ("time/c/0", flipped, LOST),
     ("learning.gain/c/1", flipped, LOST),
+    ("learning.gain/c/1", another_chunk, LOST),
     ("member/c/0", os.unlink, LOST),
     ("status", shutil.rmtree, LOST),
     (
@@ -124,6 +130,7 @@ CHUNKS = [
     ("gain_error/c/0/0", flipped),
     ("alpha/c/1/0/0/0", flipped),
     ("gain_error/c/1/0", shortened),
+    ("gain_error/c/1/0", another_chunk),
     ("done/c/0", shortened),  # a checksum
     ("clpe_rms_whole/c/1", os.unlink),
     ("alpha/c/1/0/0/0", os.unlink),
