@@ -3,7 +3,7 @@
 A row has a time and parts: a fix, the course and speed that hold until the next row, or the
 displacement since the row before.  These are left out, each with its reason:
 
-    a row that is not later than the rows before, unless it adds a part to the last row
+    a row that is not later than the rows before, unless it adds a fix to the last row
     a row that is more than 30 days later, unless the next row is of the same clock
     a fix at 0 N 0 E, or that is no place on Earth
     a stretch above 5 m/s through the water, or of unknown speed: the motion until then is unknown
@@ -23,7 +23,7 @@ Pair = tuple[float, float]
 NOT_GIVEN, NOT_MOVED = "no course and speed", "no displacement"
 STAYS = f"{NOT_GIVEN} before it", f"{NOT_MOVED} before it"  # ends of their reasons
 ROUNDING = 1.0 + 1e-9
-SENT_AGAIN = 100  # rows that a sender may repeat after it was cut off
+SENT_AGAIN = 100  # rows that a sender may have repeated after it was cut off
 DEG_E7 = 1e6  # a larger number of a place is in units of 1e-7 degrees
 
 
@@ -43,13 +43,13 @@ class Reading(NamedTuple):
 
 @dataclass
 class LogRows:
-    """Reader of rows: the time of the last one, the parts that it had, and the velocity since."""
+    """Reader of rows: the time of the last one, its fix, and the velocity since."""
 
     time: float = nan  # s since 1970 UTC
     ahead: float = nan  # of a row that was left out as too late
     velocity: Pair = (nan, nan)  # m/s to the east and north
     unknown: str = NOT_GIVEN  # why the velocity is not known
-    had: list[bool] = field(default_factory=lambda: 3 * [False])
+    had_fix: bool = False  # whether a row at this time had one
     lost: str = ""  # why a row before the next one is not known
     recent: list[str] = field(default_factory=list)  # motions that were read
 
@@ -62,43 +62,41 @@ class LogRows:
     ) -> Reading:
         """Read a row: fix (degrees), course and speed (degrees, m/s), displacement (m).
 
-        None is a part that the row has not, NaN an unknown one.
+        None is a part that the row has not, NaN an unknown one. All rows of a log have the same
+        parts, but the fix.
         """
-        velocity = None if steering is None else velocity_of(*steering)
-        has = [part is not None for part in (place, steering, stretch)]
+        has_fix = place is not None
+        has_motion = steering is not None or stretch is not None
         motion = repr((time, steering, stretch))
-        if fault := self._time_fault(time, has):
-            if any(has[1:]) and motion not in self.recent:
+        if fault := self._time_fault(time, has_fix):
+            if has_motion and motion not in self.recent:
                 self.lost = "a motion is left out"
             return Reading(skipped=fault, is_taken=False)
         if place is not None and (fault := place_fault(*place)):
             place = None
-            if not any(has[1:]):
+            if not has_motion:
                 return Reading(skipped=fault, is_taken=False)
         moved, unknown = self._moved(time, stretch)
         if self.lost:
             moved, unknown = None, self.lost
             self.velocity, self.unknown = (nan, nan), self.lost
         self.lost = ""
-        if any(has[1:]):
-            self.recent = [*self.recent[1 - SENT_AGAIN :], motion]
-        if steering is not None and velocity is not None:
-            self.velocity = velocity
+        self.recent = [*self.recent[1 - SENT_AGAIN :], motion]
+        if steering is not None:
+            self.velocity = velocity_of(*steering)
             self.unknown = _half(steering, STEERING) or NOT_GIVEN
-        if time == self.time:
-            has = [a or b for a, b in zip(has, self.had, strict=True)]
-        self.had = has
+        self.had_fix = has_fix or (time == self.time and self.had_fix)
         self.time, self.ahead = time, nan
         return Reading(moved, place, unknown, fault)
 
-    def _time_fault(self, time: float, has: list[bool]) -> str:
+    def _time_fault(self, time: float, has_fix: bool) -> str:
         """Return why a row is left out by its time, or an empty text."""
         if self.time < time <= self.time + LONGEST < LATEST:
             return ""
         if not 0.0 <= time < LATEST:
             return time_fault(time)
-        adds = any(a and not b for a, b in zip(has, self.had, strict=True))
-        if time < self.time or (time == self.time and not adds):
+        adds_fix = has_fix and not self.had_fix
+        if time < self.time or (time == self.time and not adds_fix):
             return f"not later than the row before, {iso(self.time)}"
         is_late = time - self.time > LONGEST
         if is_late and not 0.0 < time - self.ahead <= LONGEST:
@@ -145,13 +143,12 @@ def time_fault(time: float) -> str:
     >>> time_fault(1.7e12)
     'time 1700000000000 looks like milliseconds since 1970. Give seconds, or name it time (ms)'
     """
-    for unit, size in (
-        ("milliseconds", 1e3),
-        ("microseconds", 1e6),
-        ("nanoseconds", 1e9),
+    for unit, name, size in (
+        ("milliseconds", "ms", 1e3),
+        ("microseconds", "us", 1e6),
+        ("nanoseconds", "ns", 1e9),
     ):
         if 1e9 < time / size < LATEST:
-            name = {1e3: "ms", 1e6: "us", 1e9: "ns"}[size]
             return (
                 f"time {time:.15g} looks like {unit} since 1970. Give seconds, or name it time "
                 f"({name})"

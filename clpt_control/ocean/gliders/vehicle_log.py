@@ -16,8 +16,8 @@ Columns are separated by semicolons or tabs, too, then with decimal commas.
 
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
 (`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
-lines and rows that are not in the order of time are left out; a table of which a
-quarter is left out is refused.
+lines and rows that are not in the order of time are left out; a table of which a quarter is left
+out is refused.
 """
 
 import re
