@@ -35,7 +35,7 @@ class Reading(NamedTuple):
     """
 
     moved: Pair | None = None
-    place: Pair | None = None
+    fix: Pair | None = None
     unknown: str = ""
     skipped: str = ""
     is_taken: bool = True
@@ -54,26 +54,22 @@ class LogRows:
     recent: list[str] = field(default_factory=list)  # motions that were read
 
     def read(
-        self,
-        time: float,
-        place: Pair | None,
-        steering: Pair | None,
-        stretch: Pair | None,
+        self, time: float, fix: Pair | None, steering: Pair | None, stretch: Pair | None
     ) -> Reading:
         """Read a row: fix (degrees), course and speed (degrees, m/s), displacement (m).
 
         None is a part that the row has not, NaN an unknown one. All rows of a log have the same
         parts, but the fix.
         """
-        has_fix = place is not None
+        has_fix = fix is not None
         has_motion = steering is not None or stretch is not None
         motion = repr((time, steering, stretch))
         if fault := self._time_fault(time, has_fix):
             if has_motion and motion not in self.recent:
                 self.lost = "a motion is left out"
             return Reading(skipped=fault, is_taken=False)
-        if place is not None and (fault := place_fault(*place)):
-            place = None
+        if fix is not None and (fault := place_fault(*fix)):
+            fix = None
             if not has_motion:
                 return Reading(skipped=fault, is_taken=False)
         moved, unknown = self._moved(time, stretch)
@@ -87,7 +83,7 @@ class LogRows:
             self.unknown = _half(steering, STEERING) or NOT_GIVEN
         self.had_fix = has_fix or (time == self.time and self.had_fix)
         self.time, self.ahead = time, nan
-        return Reading(moved, place, unknown, fault)
+        return Reading(moved, fix, unknown, fault)
 
     def _time_fault(self, time: float, has_fix: bool) -> str:
         """Return why a row is left out by its time, or an empty text."""

@@ -102,9 +102,9 @@ def _row_of(name: str) -> Column | None:
 
 
 def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]]:
-    """Return the place of each column that is read, and the size of its unit."""
+    """Return the number of each column that is read, and the size of its unit."""
     columns: dict[str, tuple[int, float]] = {}
-    for place, cell in enumerate(header):
+    for number, cell in enumerate(header):
         name, unit = _name_and_unit(cell)
         is_course = any(word in name for word in ("heading", "course"))
         if is_course and ("mag" in name or unit.startswith("mag")):
@@ -117,7 +117,7 @@ def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]
         if row.header in columns:
             raise DataError(f"{path}: has {row.header} twice, as {cell}. Leave one out")
         size = row.size_of(unit, f"{path}: {row.header}") if unit else 1.0
-        columns[row.header] = place, size
+        columns[row.header] = number, size
     return columns
 
 
@@ -144,11 +144,11 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
     for line, (_, why) in cells.attrs["wrong_lines"].items():
         moments[line] = UNKNOWN, f"{why}. Leave gaps as empty"
     repeated = cells.index[(cells == cells.shift()).all(axis=1)]
-    found = _legs_of(moments, set(repeated), path)
+    legs = _legs_of(moments, set(repeated), path)
     changes: dict[str, Any] = {"vehicle": vehicles.pop()}
     if not motions:
         changes["notes"] = (NO_MOTION,)
-    return [replace(row, **changes) if isinstance(row, Dive) else row for row in found]
+    return [replace(row, **changes) if isinstance(row, Dive) else row for row in legs]
 
 
 def _moment(
@@ -156,8 +156,8 @@ def _moment(
 ) -> tuple[Moment, str]:
     """Return the parts of a row, and what is wrong with a cell."""
     numbers, fault = {}, ""
-    for name, (place, size) in columns.items():
-        number, wrong = COLUMNS[name].value(texts[place], size)
+    for name, (column, size) in columns.items():
+        number, wrong = COLUMNS[name].value(texts[column], size)
         numbers[name] = nan if number is None else number
         fault = wrong or fault
     if isnan(numbers["time"]) and not fault:
@@ -175,37 +175,37 @@ def _legs_of(
     moments: dict[int, tuple[Moment, str]], repeated: set[int], path: str | Path
 ) -> list[Dive | Skipped]:
     """Return legs and what is left out of rows by line, each with its fault."""
-    found: list[Dive | Skipped] = []
-    rows, way, number = LogRows(), None, 0
+    legs: list[Dive | Skipped] = []
+    rows, track, number = LogRows(), None, 0
     left_out: list[str] = []
     for line, (moment, fault) in sorted(moments.items()):
         where = f"{path}, line {line}"
         before, time = rows.time, moment[0]
         if fault:
             left_out.append(f"{where}: {fault}")
-            found.append(Skipped(number + 1, left_out[-1]))
+            legs.append(Skipped(number + 1, left_out[-1]))
             rows.lost = f"line {line} is left out"  # which may be a turn
             continue
         reading = rows.read(*moment)
         if not reading.is_taken and line in repeated:
             continue
         if reading.skipped:
-            found.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
+            legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
         if not reading.is_taken:
             if not time > before:
                 cure = "" if time_fault(time) else ". Sort the rows by time"
                 left_out.append(f"{where}: {reading.skipped}{cure}")
             continue
-        if way is not None:
-            if reading.unknown and not way.unknown:
-                way.unknown = f"{where}: {reading.unknown} before it"
-            way.stretch(time, *(reading.moved or (0.0, 0.0)))
-        if reading.place is not None:
-            dated = (time, *reading.place)
-            if way is not None:
+        if track is not None:
+            if reading.unknown and not track.unknown:
+                track.unknown = f"{where}: {reading.unknown} before it"
+            track.stretch(time, *(reading.moved or (0.0, 0.0)))
+        if reading.fix is not None:
+            dated = (time, *reading.fix)
+            if track is not None:
                 number += 1
-                found.append(way.leg(number, dated))
-            way = Way(dated)
+                legs.append(track.leg(number, dated))
+            track = Way(dated)
     if len(left_out) > MOST_LEFT_OUT * len(moments):
         raise DataError(left_out[0])
-    return found
+    return legs

@@ -181,6 +181,46 @@ def test_angles_that_are_none_are_left_out_and_said(tmp_path):
     assert "next_course is 9.97e+36; must be -180 to 540" in dive.notes[1]
 
 
+@pytest.mark.parametrize(
+    ("course", "said"),
+    [
+        ("720", "course is 720; must be -180 to 540 degrees"),
+        ("inf", "course is inf; must be -180 to 540 degrees"),
+        ("north", "course is 'north'; must be a number"),
+    ],
+)
+def test_a_wrong_course_costs_its_line(tmp_path, course, said):
+    """In a table of dives, and in a log; courses of the other lines are east at 1 m/s."""
+    head = HEAD.replace("dr_east_m,dr_north_m", "course,speed")
+    rows = [f"{k},{9000 * k},-43,8,{9000 * k + 8000},-43,8.1," for k in (1, 2, 3)]
+    courses = ("90", course, "90")
+    lines = [f"{row}{own},1" for row, own in zip(rows, courses, strict=True)]
+    (tmp_path / "dives.csv").write_text(head + "\n".join(lines))
+    dives, (skipped,) = read_dives(tmp_path / "dives.csv", usable=False)
+    assert [dive.number for dive in dives] == [1, 3]
+    assert [dive.dr_east for dive in dives] == pytest.approx([8000.0, 8000.0])
+    assert f"line 3: {said}" in skipped.why
+    rows = [f"{9000 * k},-43,{8 + 0.1 * k},90,1" for k in range(9)]
+    rows[4] = rows[4].replace("90,1", f"{course},1")
+    head = "time,latitude,longitude,course,speed\n"
+    (tmp_path / "log.csv").write_text(head + "\n".join(rows))
+    legs, (skipped,) = read_dives(tmp_path / "log.csv", usable=False)
+    assert f"line 6: {said}" in skipped.why
+    known = [leg.dr_east for leg in legs if not np.isnan(leg.dr_east)]
+    assert known == pytest.approx(6 * [9000.0])
+
+
+def test_displacements_of_a_log_have_units(tmp_path):
+    rows = [f"{9000 * k},-43,{8 + 0.1 * k},8,-0.5" for k in range(3)]
+    head = "time,latitude,longitude,dr_east_m (km),dr_north_m (km)\n"
+    (tmp_path / "log.csv").write_text(head + "\n".join(rows))
+    legs = dives_in(tmp_path / "log.csv")
+    assert [leg.through_water for leg in legs] == 2 * [(8000.0, -500.0)]
+    (tmp_path / "log.csv").write_text(head.replace("km", "s") + rows[0])
+    said = "dr_east_m has units 's'; use a unit such as 'm', 'km'"
+    refuses(said, read_dives, tmp_path / "log.csv")
+
+
 def test_quotes_join_cells_and_never_lines(tmp_path):
     head = HEAD.replace("\n", ",note\n")
     cells = (
