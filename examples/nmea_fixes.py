@@ -1,20 +1,31 @@
-"""Turn NMEA 0183 sentences into lines for `clpt estimate -`.
+"""Learn the flow from NMEA 0183 sentences as they arrive, and go on after a restart.
 
-    python examples/nmea_fixes.py < log.nmea | clpt estimate - --scenario mine.toml --state s.json
+    python examples/nmea_fixes.py mine.toml learned.state < log.nmea
 
 RMC has time, date and position: a fix, unless its status is not A or its mode is estimated (E),
 none (N) or a simulator (S).  VHW has true heading and speed through the water: they hold until
-the next VHW.  VHW has no time, so its line gets that of the last RMC, valid or not: receivers
-keep their clock under water.  Sentences with a wrong checksum, or with fields that are empty or
-short, are skipped.  A magnetic heading alone is told once.
+the next VHW.  VHW has no time, so it gets that of the last RMC, valid or not: receivers keep
+their clock under water.  Sentences with a wrong checksum, or with fields that are empty or short,
+are skipped.  A magnetic heading alone is told once.
+
+Each fix is answered by one object of JSON, and the learner is saved.  A killed process is started
+again with the sentences since the last fix, or all of them: sentences before the last fix are not
+learned again.  If sentences are lost, the motion until the next fix is unknown, and that fix
+begins a leg.
 """
 
 import json
 import sys
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
+from math import cos, radians, sin
+from pathlib import Path
+from typing import Any
+
+import clpt_control as clpt
 
 KNOT = 1852 / 3600  # m/s
+FASTEST = 5.0  # m/s through the water; a greater speed is taken as unknown
 NO_FIX = ("E", "N", "S")  # modes of RMC: estimated, none, simulator
 MAGNETIC = "VHW has a magnetic heading alone. Turn it by the variation of the place"
 
@@ -38,7 +49,7 @@ def degrees(text: str, hemisphere: str) -> float:
 
 
 def fix_of(fields: list[str], time: float) -> dict[str, float] | None:
-    """Return the line of an RMC, or None if it is no fix."""
+    """Return the fix of an RMC, or None if it has none."""
     mode = fields[12] if len(fields) > 12 else "A"
     if fields[2] != "A" or mode in NO_FIX:
         return None
@@ -49,8 +60,8 @@ def fix_of(fields: list[str], time: float) -> dict[str, float] | None:
     }
 
 
-def lines(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
-    """Yield a line for each fix and each change of heading or speed."""
+def readings(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
+    """Yield each fix and each heading (degrees) with speed (m/s)."""
     time, is_told = None, False
     for sentence in sentences:
         fields = fields_of(sentence)
@@ -61,8 +72,8 @@ def lines(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
             if kind == "RMC":
                 clock = datetime.strptime(fields[9] + fields[1][:6], "%d%m%y%H%M%S")
                 time = clock.replace(tzinfo=UTC).timestamp()
-                if line := fix_of(fields, time):
-                    yield line
+                if fix := fix_of(fields, time):
+                    yield fix
             elif kind == "VHW" and time is not None and fields[1]:
                 speed = float(fields[5]) * KNOT
                 yield {"time": time, "course": float(fields[1]), "speed": speed}
@@ -74,6 +85,46 @@ def lines(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
             continue
 
 
+def learn(
+    sentences: Iterable[str], estimator: clpt.currents.FlowEstimator, state: Path
+) -> Iterator[dict[str, Any]]:
+    """Move and fix a learner by sentences, save it after each fix, and yield what it learned."""
+    velocity = None  # m/s to the east and north; None while it is not known
+    is_known = False  # the motion since the last fix
+    for reading in readings(sentences):
+        time = reading["time"]
+        # s since the last stretch or fix; the estimator rounds times to about 1e-7 s
+        span = round(time - estimator.time, 3)
+        is_known = is_known and (velocity is not None or span <= 0)
+        if is_known and velocity is not None and span > 0:
+            estimator.move(time, velocity[0] * span, velocity[1] * span)
+        if "course" in reading:
+            course, speed = radians(reading["course"]), reading["speed"]
+            way = speed * sin(course), speed * cos(course)
+            velocity = way if 0 <= speed <= FASTEST else None
+            continue
+        place = reading["latitude"], reading["longitude"]
+        if span > 0:
+            learned = estimator.fix(time, *place)
+            estimator.save(state)
+            yield {
+                **reading,
+                "error_m": None if learned.forecast is None else learned.error,
+                "flow_m_s": learned.flow,
+                "note": learned.note,
+            }
+        is_known = span >= 0 or is_known
+
+
+def main(scenario: str, state: Path) -> None:
+    """Go on from the saved learner if there is one, and print a line for each fix."""
+    if state.exists():
+        estimator = clpt.currents.FlowEstimator.load(state)
+    else:
+        estimator = clpt.currents.FlowEstimator(clpt.load_scenario(scenario))
+    for answer in learn(sys.stdin, estimator, state):
+        print(json.dumps(answer), flush=True)
+
+
 if __name__ == "__main__":
-    for line in lines(sys.stdin):
-        print(json.dumps(line), flush=True)
+    main(sys.argv[1], Path(sys.argv[2]))

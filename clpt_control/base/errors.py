@@ -14,7 +14,7 @@ from typing import Any
 
 EXTRAS = (  # packages that are installed together
     ("dask", "distributed", "zarr"),
-    ("filelock", "netCDF4", "pandas", "ppigrf", "pyproj", "utide"),
+    ("netCDF4", "pandas", "ppigrf", "pyproj", "utide"),
 )
 
 

@@ -1,7 +1,6 @@
 """Made missions in a uniform current, by geodesics: fixes and course and speed of a vehicle."""
 
 import itertools
-import json
 from math import cos, radians, sin
 
 import numpy as np
@@ -71,12 +70,3 @@ def table(path, rows, head=HEAD, mark=","):
     cells = [[f"{row[0]:.3f}", *(f"{cell:.9g}" for cell in row[1:])] for row in rows]
     path.write_text("\n".join([head, *map(mark.join, cells)]) + "\n")
     return path
-
-
-def lines_of(rows):
-    """Lines of JSON: a fix, then course and speed."""
-    lines = []
-    for time, latitude, longitude, course, speed in rows:
-        lines.append({"time": time, "latitude": latitude, "longitude": longitude})
-        lines.append({"time": time, "course": course, "speed": speed})
-    return [json.dumps(line) for line in lines]

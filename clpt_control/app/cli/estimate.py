@@ -25,16 +25,13 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray
 
-
 MISSION = "made_auv_mission.csv"
 OF_RUNS = ("every", "prior", "noise", "until")
 
 
 def estimate(
     source: str | None = arg(
-        "FIXES",
-        "Table of fixes or a vehicle's files; or a run's NetCDF.",
-        default=None,
+        "FIXES", "Table of fixes or a vehicle's files; or a run's NetCDF.", default=None
     ),
     scenario: Path | None = opt(
         "SCENARIO", "Scenario file: functions and law, for fixes."
@@ -99,8 +96,10 @@ def estimate(
     if sample:
         source, scenario = _sample(source, scenario)
     if source is None:
+        raise DataError("FIXES: are missing. Give a table or a run, or --sample")
+    if source == "-":
         raise DataError(
-            "FIXES: are missing. Give a table or a run, or --sample"
+            "FIXES: - is no file. For fixes that arrive call clpt.currents.FlowEstimator in Python"
         )
     if source.endswith(".toml"):
         raise DataError(
@@ -206,10 +205,6 @@ def known_scenario(
         }
     )
     return clpt.currents.known_flow_scenario(titled, theta)
-
-
-
-
 
 
 # --- of a run -------------------------------------------------------------------------------------

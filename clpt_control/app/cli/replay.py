@@ -1,7 +1,7 @@
 """`clpt replay`: dives of a glider, each forecast before its end; `clpt watch`: new dives.
 
-A folder of a fleet with files of dives holds a vehicle, or several that their files name.  What was
-read of it, its page and its numbers are kept in a folder of the same name within the results.
+A folder of a fleet with files of dives holds a vehicle, or several that their files name.  Its page
+and its numbers are written to a folder of the same name within the results.
 """
 
 import os
@@ -266,11 +266,10 @@ def job_of(
         raise ScenarioError(
             f"--variation {variation:g} degrees: must be -180 to 180, east positive"
         )
-    targets = [] if aim is None else [aim]
     job = replay_report.Job(
         replay,
         () if plan is None else (3600 * plan[0], plan[1:]),
-        targets,
+        [] if aim is None else [aim],
         speed,
         None if hours is None else 3600 * hours,
         variation,

@@ -5,6 +5,7 @@ the order of their rank while they fit; those of rank 0 always stand.
 A folder that is followed is watched for new files of dives.
 """
 
+import os
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from ...base.errors import DataError, ScenarioError
-from ...base.files import write_together
+from ...base.files import make_folder, write_together
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar, tell
 from ...base.units import DAY
@@ -27,6 +28,7 @@ ROWS = {
     "clpe_rms_after_3": "after the third dive",
 }
 LONGEST = DAY  # s between looks
+SENSOR_LISTS = (".cac", ".ccc")  # that files of a Slocum need
 
 
 @dataclass
@@ -34,15 +36,14 @@ class Job:
     """A replay that grows, what is asked of it, and the formats of its figures.
 
     Dives must last longer than `least`, s. `plan` is of the next dive (s; m east, m north);
-    `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
-    (degrees east) are for aiming. `follows`: what the dives so far do not allow is told once, and
-    work
-    goes on. A vehicle that no file names is called `name`.
+    `targets` are waypoints to aim at. Speed (m/s), duration (s) and variation (degrees east) are
+    for aiming. `follows`: what the dives so far do not allow is told once, and work goes on. A
+    vehicle that no file names is called `name`.
     """
 
     replay: Any
     plan: tuple = ()
-    targets: list[tuple[float, float]] = field(default_factory=list)
+    targets: Sequence[tuple[float, float]] = ()
     speed: float | None = None
     duration: float | None = None
     variation: float | None = None
@@ -82,13 +83,7 @@ class Job:
             self.told.add(str(error))
 
     def aims(self) -> list[Any]:
-        """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
-        from ...base.geodesy import distance
-        from ...ocean.forecast.aim import ARRIVED
-
-        fix: tuple[float, float] = self.replay.fix[1:]
-        while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
-            self.targets.pop(0)
+        """Return an `Aim` for each waypoint."""
         how = self.targets, self.speed, self.duration, self.variation
         with self.so_far():
             return self.replay.aims(*how) if self.targets else []
@@ -255,19 +250,20 @@ def check_pace(every: float, patience: float) -> None:
         raise ScenarioError(f"--patience {patience:g} s: must be 0 s or more")
 
 
-def stamps(folder: Path, known: dict[Path, Any]) -> dict[Path, Any]:
-    """Return what is in a folder: size and time of each file; as known where it is gone."""
-    if not folder.is_dir():
-        if known:
-            return known
-        raise DataError(
-            f"{folder}: folder not found. Give the folder where dives arrive"
-        )
+def stamps(folder: Path, results: str, known: dict[Path, Any]) -> dict[Path, Any]:
+    """Return size and times of files below a folder, except results; as known if it is gone."""
+    from ...ocean.gliders.dive_files import may_hold_dives
+
+    if known and not folder.is_dir():
+        return known
     found = {}
-    for path in folder.iterdir():
-        with suppress(OSError):
-            status = path.stat()
-            found[path] = status.st_size, status.st_mtime_ns
+    for where, _, names in os.walk(folder):
+        for path in [Path(where, name) for name in names]:
+            is_read = may_hold_dives(path) or path.suffix.lower() in SENSOR_LISTS
+            if is_read and not path.is_relative_to(results):
+                with suppress(OSError):
+                    status = path.stat()
+                    found[path] = status.st_size, status.st_mtime_ns, status.st_ctime_ns
     return found
 
 
@@ -279,7 +275,7 @@ def watch(
     patience: float,
     alert: Sequence[str],
 ) -> Report:
-    """Replay all dives of a folder whenever a file arrives; return what the last replay found.
+    """Replay all dives of a folder whenever its files change; return what the last replay found.
 
     Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
     it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
@@ -287,6 +283,17 @@ def watch(
     from ...ocean.forecast.fleet import Alerts
     from ...ocean.gliders.dive_files import read_all_dives
 
+    inside, results = Path(os.path.realpath(folder)), os.path.realpath(out)
+    if not inside.is_dir():
+        raise DataError(
+            f"{folder}: folder not found. Give the folder where dives arrive"
+        )
+    if results == str(inside):
+        raise DataError(
+            f"--out {out}: results would be in the watched folder {folder} and count as new "
+            "files there. Give another folder, or leave --out out"
+        )
+    make_folder(out)
     summary: Report | None = None  # None while results are not those of all files
     seen: dict[Path, Any] = {}
     alerts = Alerts(alert, out)
@@ -294,14 +301,17 @@ def watch(
     with interrupt.terminated():
         try:
             while True:
-                known, seen = seen, stamps(folder, seen)
+                known, seen = seen, stamps(inside, results, seen)
                 if summary is None or seen != known:
                     summary, dives = None, ([], [])
                     with job.so_far():
                         dives = read_all_dives(folder)
-                    learned, line = job.learn(dives, len(seen.keys() - known), out)
+                    new = len(seen.items() - known.items())
+                    learned, line = job.learn(dives, new, out)
+                    faults = {skip.why for skip in dives[1]} - job.told
+                    job.told |= faults
                     summary = learned  # from where the line is seen, an interrupt has its results
-                    tell(line)
+                    tell(line + "".join(f"; skipped {why}" for why in sorted(faults)))
                     since = time.monotonic()
                 alerts.tell(summary)
                 remaining = since + patience - time.monotonic()

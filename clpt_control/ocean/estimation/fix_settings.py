@@ -1,4 +1,4 @@
-"""Settings with which a scenario's law learns from recorded or live fixes, and its local frame.
+"""Settings with which a scenario's law learns from fixes, and its local frame.
 
 A key of the law's own table that is set has its value.  Otherwise
 

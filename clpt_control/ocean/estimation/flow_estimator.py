@@ -21,18 +21,24 @@ Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 """
 
 import copy
+import json
 from dataclasses import asdict, dataclass, replace
 from math import hypot
+from pathlib import Path
 from typing import Any, NamedTuple
+from zlib import crc32
 
 import numpy as np
 
 from ...base.arguments import OrNaN, Positive, public
 from ...base.errors import DataError
+from ...base.files import write_file
+from ...base.files.reading import read_text
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import at_least
 from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import scenario_from_text, scenario_to_text
 from .fix_settings import FixSettings, LocalFrame
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
@@ -44,6 +50,8 @@ LEAST_UNKNOWN = 5.0  # s
 EARTH = 2e7  # m, half of its circumference
 NEAR = 20e3  # m from the origin of the plane, where east is the plane's to 0.2 degrees
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
+# first words of a saved file, before its checksum
+KIND, VERSION = "clpt-flow-estimator", "1"
 
 
 class Ahead(NamedTuple):
@@ -162,7 +170,8 @@ class FlowEstimator:
         unmodelled: Positive = UNMODELLED,
     ) -> None:
         self.scenario = scenario
-        self.settings = FixSettings(scenario, shear, unmodelled)
+        self._limits = {"shear": shear, "unmodelled": unmodelled}
+        self.settings = FixSettings(scenario, **self._limits)
         self._guessing = LegGuesses(scenario, self.settings)
         basis = scenario.basis_block("z")
         self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
@@ -247,6 +256,9 @@ class FlowEstimator:
     @public
     def move(self, time: OrNaN, east: OrNaN, north: OrNaN) -> None:
         """Move the prediction by a straight stretch through the water.
+
+        If a displacement is not known, leave out `move` until the next fix, which then begins a
+        leg.
 
         Parameters
         ----------
@@ -432,6 +444,61 @@ class FlowEstimator:
 
     # --- state ----------------------------------------------------------------------------------
 
+    @public
+    def save(self, path: str | Path) -> None:
+        """Write scenario, limits and state to a file, without rounding.
+
+        A process that is killed leaves the file as it was, or the new one.
+
+        Parameters
+        ----------
+        path : str or Path
+            File to write or replace.
+        """
+        parts = {
+            "scenario": scenario_to_text(self.scenario, Path(path).parent),
+            "limits": self._limits,
+            "state": self.state,
+        }
+        text = json.dumps(parts)
+        write_file(path, f"{KIND} {VERSION} {_checksum(text)}\n{text}")
+
+    @classmethod
+    @public
+    def load(cls, path: str | Path) -> "FlowEstimator":
+        """Return the estimator that a file of `save` holds.
+
+        It returns the same numbers, to the last bit, as the estimator that was saved.
+
+        Parameters
+        ----------
+        path : str or Path
+            File of `save`.
+
+        Returns
+        -------
+        FlowEstimator
+
+        Raises
+        ------
+        DataError
+            If the file is damaged, of another version, or no file of `save`.
+        """
+        fault = "is damaged, or no file of FlowEstimator.save. Give another file"
+        head, _, text = read_text(path, fault).partition("\n")
+        words = head.split(" ")
+        if len(words) == 3 and words[0] == KIND and words[1] != VERSION:
+            raise DataError(
+                f"{path}: was saved by another version of clpt-control. Load it with that version"
+            )
+        if words != [KIND, VERSION, _checksum(text)]:
+            raise DataError(f"{path}: {fault}")
+        parts = json.loads(text)
+        scenario = scenario_from_text(parts["scenario"], str(path), Path(path).parent)
+        estimator = cls(scenario, **parts["limits"])
+        estimator.state = parts["state"]
+        return estimator
+
     @property
     def state(self) -> dict[str, Any]:
         """State as numbers and lists, which JSON writes without loss."""
@@ -583,6 +650,8 @@ def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
             leg.add(t, x, y, estimator.track.size)
 
 
+def _checksum(text: str) -> str:
+    return f"{crc32(text.encode()):08x}"
 
 
 def flow_by(

@@ -15,9 +15,9 @@ A command of the user's own is run when something asks for a pilot.  It is run w
 second one JSON object: id, vehicle, event, dive, fix, sentence, next_dive.  The id of an event is
 vehicle, kind and the time of the fix after its dive, because dive numbers begin again when a
 vehicle is redeployed and some files give all their dives one number.  The command is run for each
-event until it ends well; then the event's id goes into a file beside the
-results.  So none is lost: who is killed between the two tells it again, with the same id.  A
-command that fails or lasts too long is one sentence.
+event until it ends well; then the event's id goes into a file beside the results.  So none is lost:
+a command that was killed between the two is run again, with the same id.  A command that fails or
+lasts too long is one sentence.
 """
 
 import json

@@ -204,17 +204,11 @@ class Replay:
         last = self.steps[-1].dive
         return max((last.t_gpse, *last.end), self.seen)
 
-    def start(self, rng: np.random.Generator | None = None) -> Fix:
-        """Return the fix where the next dive begins; `rng` draws it."""
+    def start(self) -> Fix:
+        """Return the fix where the next dive begins."""
         time, *place = self.fix
-        stay, late = self.dive_statistics.stay()
-        drift, spread = self.dive_statistics.drift()
-        if rng is not None:
-            stay = max(rng.normal(stay, late), 0.0)
-            drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
+        stay, drift = self.dive_statistics.stay()[0], self.dive_statistics.drift()[0]
         return (time + stay, *place_from(*place, *drift))
-
-
 
     def surfacing(
         self, guess: Guess | None = None, start: Fix | None = None

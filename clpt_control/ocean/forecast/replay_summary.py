@@ -258,21 +258,15 @@ def record_sentence(forecast: dict[str, Any]) -> str:
 
 
 def coming(report: dict[str, Any]) -> list[str]:
-    """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
+    """Return what comes of what `--json` prints: the next surfacing, aims."""
     first = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
-    return first + _legs(report, 0)
+    return [*first, *map(aim_sentence, report["aim"])]
 
 
 def beyond_cards(report: dict[str, Any]) -> list[str]:
-    """Return sentences on what no card has: later legs and the route."""
+    """Return sentences on what no card has: later legs."""
     why = uncovered(report["next_dive"])
-    return ([why] if why else []) + _legs(report, 1)
-
-
-def _legs(report: dict[str, Any], first: int) -> list[str]:
-    """Return the sentences on aims from the first one on, and on the route."""
-    legs = [*map(aim_sentence, report["aim"][first:])]
-    return legs
+    return [*([why] if why else []), *map(aim_sentence, report["aim"][1:])]
 
 
 def remarks(summary: dict[str, Any]) -> list[str]:

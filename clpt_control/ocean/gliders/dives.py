@@ -26,7 +26,7 @@ that its current was made of.
 In a file a dive lies between two fixes, far enough apart in time, with a time under water between
 them.
 
-Columns of a vehicle's log, in tables and in lines of JSON: `latitude`, `longitude` (degrees) are a
+Columns of a vehicle's log: `latitude`, `longitude` (degrees) are a
 fix; `course` (degrees from true north) and `speed` (m/s) are the motion through the water until the
 next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m).
 """
@@ -283,10 +283,6 @@ class Skipped:
 
     dive: int | None
     why: str
-
-
-class NotYet(DataError):
-    """A file that can be read once something beside it is there; it is tried at each look."""
 
 
 def is_fix(lat: Any, lon: Any) -> Any:

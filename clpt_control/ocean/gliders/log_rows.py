@@ -23,7 +23,7 @@ Pair = tuple[float, float]
 NOT_GIVEN, NOT_MOVED = "no course and speed", "no displacement"
 STAYS = f"{NOT_GIVEN} before it", f"{NOT_MOVED} before it"  # ends of their reasons
 ROUNDING = 1.0 + 1e-9
-SENT_AGAIN = 100  # rows that a sender may have repeated after it was cut off
+REPEATED = 100  # rows that a logger may write again
 DEG_E7 = 1e6  # a larger number of a place is in units of 1e-7 degrees
 
 
@@ -77,7 +77,7 @@ class LogRows:
             moved, unknown = None, self.lost
             self.velocity, self.unknown = (nan, nan), self.lost
         self.lost = ""
-        self.recent = [*self.recent[1 - SENT_AGAIN :], motion]
+        self.recent = [*self.recent[1 - REPEATED :], motion]
         if steering is not None:
             self.velocity = velocity_of(*steering)
             self.unknown = _half(steering, STEERING) or NOT_GIVEN

@@ -6,11 +6,8 @@ same vehicle in the same folder, are merged with it.
 """
 
 import re
-from bisect import bisect_left
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import suppress
-from itertools import groupby
-from operator import itemgetter
 from pathlib import Path
 
 import numpy as np
@@ -65,21 +62,10 @@ def files_before(path: Path) -> list[Path]:
         inside = [file for file in path.parent.iterdir() if file.name[:1] != "."]
     except OSError:
         return []
-    return before_each(dict.fromkeys([*inside, path]))[path]
-
-
-def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
-    """Return for each file of a folder those before it of the same vehicle, the nearest last."""
-    earlier = {}
-    ordered = sorted((*_order(file), file) for file in files)
-    for _, group in groupby(ordered, itemgetter(0)):
-        numbered = list(group)
-        for _, order, file in numbered:
-            k = bisect_left(numbered, order, key=itemgetter(1))
-            earlier[file] = [
-                earlier_file for *_, earlier_file in numbered[max(k - BACK, 0) : k]
-            ]
-    return earlier
+    vehicle, order = _order(path)
+    orders = {file: _order(file) for file in inside}
+    before = [file for file, (who, k) in orders.items() if who == vehicle and k < order]
+    return sorted(before, key=lambda file: (orders[file][1], file))[-BACK:]
 
 
 def dives_across_files(

@@ -29,7 +29,6 @@ import pandas
 from ...base.errors import DataError
 from ...base.files.reading import read_bytes
 from ...base.units import number
-from .dives import NotYet
 
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 TEXT = "DBD_ASC"  # first letters of its value in a text
@@ -199,14 +198,11 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
         except OSError:
             continue
         if list_file := inside.get(name) or inside.get(packed):
-            try:
-                listed = read_bytes(list_file)
-                return list_file, uncompressed(listed)[0] if list_file is inside.get(
-                    packed
-                ) else listed
-            except DataError as error:
-                raise NotYet(str(error)) from None
-    raise NotYet(
+            listed = read_bytes(list_file)
+            if list_file is inside.get(packed):
+                listed = uncompressed(listed)[0]
+            return list_file, listed
+    raise DataError(
         f"{path}: its list of sensors {name} was not found next to it or in a folder 'cac' there. "
         "Get it from the glider's or dockserver's 'cache' and put it there, or name its folder in "
         "CLPT_CAC"
@@ -230,7 +226,7 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
         in_order = [sensors[index] for index in range(len(sensors))]
         if len(rows) == total and all(mark == b"s:" for mark, *_ in entries):
             return in_order
-    raise NotYet(
+    raise DataError(
         f"{path}: is not a list of {total} sensors of a Slocum. Get it again from the "
         "glider or its "
         "dockserver"

@@ -1,18 +1,18 @@
-"""Fixes one by one, as lines of JSON, with a state on disk: the numbers of all at once."""
+"""Fixes one by one, saved and loaded between them: the numbers of all at once."""
 
-import io
 import json
+import pickle
 import random
 import subprocess
 import sys
-import time
-from datetime import datetime
 from pathlib import Path
 
 import numpy as np
 import pytest
-from subprocesses import CLPT, GUARD, ran
-from test_recorded_fixes import SCENARIO, straight_mission
+from geodesics import displacement
+from refusals import refuses
+from subprocesses import GUARD, await_line, kill_while_it_writes, ran, started
+from test_recorded_fixes import LAWS, SCENARIO, place, straight_mission
 
 import clpt_control as clpt
 
@@ -30,203 +30,238 @@ constituents = ["steady", "steady", "steady"]
 [learning]
 law = "fix-regression"
 """
+BEGIN = 1777636800.0  # 2026-05-01 12:00 UTC
+PLACE = 36.7, -122.1
 
 
-def stream(fixes, seed=4):
-    """Lines of a vehicle that changes its course twice between two fixes, in a current."""
+def calls(fixes, seed=4):
+    """Calls of a vehicle with two courses between fixes, at 1 m/s in a current of (0.2, -0.1)."""
     numbers = np.random.default_rng(seed)
-    latitude, longitude, t = 36.7, -122.1, 1.7e9
-    lines = [{"time": t, "latitude": latitude, "longitude": longitude}]
+    at, t = np.array([4000.0, 3000.0]), 1.7e9  # m from the origin
+    made = [("fix", t, *place(at))]
     for _ in range(fixes):
         for _ in range(2):
-            course = float(numbers.uniform(0, 360))
-            lines.append({"time": t, "course": course, "speed": 1.0})
-            t += 900.0
-            angle = np.radians(course)
-            latitude += (900 * (np.cos(angle) - 0.1)) / 111e3
-            longitude += (900 * (np.sin(angle) + 0.2)) / 89e3
-        # the vehicle is kept near the functions
-        latitude, longitude = (
-            float(np.clip(latitude, 36.6, 36.8)),
-            float(np.clip(longitude, -122.2, -122.0)),
-        )
-        lines.append({"time": t, "latitude": latitude, "longitude": longitude})
-    return [json.dumps(line) for line in lines]
+            ahead = numbers.uniform(0, 12e3, 2) - at
+            way = 900.0 * ahead / np.hypot(*ahead)
+            at, t = at + way + (180.0, -90.0), t + 900.0
+            made.append(("move", t, *way.tolist()))
+        made.append(("fix", t, *place(at)))
+    return made
 
 
-@pytest.fixture
-def scenario(tmp_path):
-    path = tmp_path / "mine.toml"
-    path.write_text(SCENARIO_TEXT)
-    return path
+def numbers_of(learner, learned):
+    """All numbers of a learner and of its last fix, as text: NaN is NaN."""
+    when = learner.time, *PLACE
+    ahead = learner.forecast([(learner.time + 3600, 3000.0, -900.0)])
+    arrays = learned.flow_parameters, learned.standard_error, learner.covariance
+    return (
+        *(array.tolist() for array in arrays),
+        repr((learned.forecast, learned.error_east, learned.note, learned.turn)),
+        repr((ahead, learner.flow(*when), learner.guaranteed(*when))),
+        (learner.legs, learner.warnings, learner.guarantee),
+    )
 
 
-@pytest.fixture
-def estimate(clpt, scenario, monkeypatch):
-    """Run `clpt estimate -` in-process on lines of standard input."""
-
-    def run(lines, *words, status=0):
-        monkeypatch.setattr(sys, "stdin", io.StringIO("\n".join(lines)))
-        done = clpt("estimate", "-", "--scenario", scenario, *words)
-        assert done.status == status, done.err
-        return done
-
-    return run
+def fed(learner, made):
+    """Call a learner; return what its last fix taught."""
+    learned = None
+    for name, *arguments in made:
+        learned = getattr(learner, name)(*arguments) or learned
+    return learned
 
 
-def answers(out):
-    return [json.loads(line) for line in out.splitlines()]
-
-
-def test_legs_one_by_one_are_legs_at_once(tmp_path, estimate):
-    """The table's numbers, to the last bit, from lines of the same legs."""
+def test_legs_one_by_one_are_legs_at_once(tmp_path):
+    """The table's numbers, to the last bit, from calls of the same legs."""
     rows = straight_mission(legs=10)
-    names = ["number", "start", "lat0", "lon0", "end", "lat1", "lon1", "east", "north"]
-    lines = []
-    for row in rows:
-        leg = dict(zip(names, row, strict=True))
-        lines += [
-            {"time": leg["start"], "latitude": leg["lat0"], "longitude": leg["lon0"]},
-            {"time": leg["end"], "dr_east_m": leg["east"], "dr_north_m": leg["north"]},
-            {"time": leg["end"], "latitude": leg["lat1"], "longitude": leg["lon1"]},
-        ]
-    done = estimate(map(json.dumps, lines))
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    live = []
+    for _, start, lat0, lon0, end, lat1, lon1, east, north in rows:
+        learner.fix(start, lat0, lon0)
+        learner.move(end, east, north)
+        live.append(learner.fix(end, lat1, lon1).flow_parameters.tolist())
     head = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
     table = tmp_path / "legs.csv"
     table.write_text("\n".join([head, *(",".join(map(repr, row)) for row in rows)]))
     legs, _ = clpt.gliders.read_dives(table)
     data = clpt.currents.flow_estimate(legs, clpt.Scenario(**SCENARIO))
-    live = [a for a in answers(done.out) if a.get("error_m") is not None]
-    expected = data.flow_parameters_estimate.values.tolist()
-    assert [answer["theta_m_s"] for answer in live] == expected
+    assert live == data.flow_parameters_estimate.values.tolist()
 
 
-@pytest.mark.long
-def test_a_restarted_learner_has_the_same_numbers(tmp_path, scenario, estimate):
-    """Stopped after any line and started anew with its state: equal to the last bit."""
-    lines = stream(25)
-    expected = answers(estimate(lines).out)[-1]
-    state = tmp_path / "state.json"
-    cuts = sorted(random.Random(2).sample(range(2, len(lines)), 3))
-    for begin, end in zip([0, *cuts], [*cuts, len(lines)], strict=True):
-        # a sender that is not sure what arrived sends three lines again
-        again = lines[max(begin - 3, 0) : end]
-        done = estimate(again, "--state", state)
-    assert answers(done.out)[-1] == expected
-    # by a process of its own, too
-    words = [*CLPT, "estimate", "-", "--scenario", scenario]
-    alone = ran(*words, input="\n".join(lines)).stdout
-    assert answers(alone)[-1] == expected
+def scenario_of(law, count):
+    """A scenario with so many functions, at odd places."""
+    centers = np.random.default_rng(count).uniform(-15, 15, (count, 2)).tolist()
+    basis = {
+        "kernel": "gaussian",
+        "centers": centers,
+        "widths": [8.1] * count,
+        "constituents": ["steady"] * count,
+    }
+    return clpt.Scenario(**{**SCENARIO, "basis": basis, "learning": {"law": law}})
 
 
-def fresh(path):
-    """Return the number of answers that are no repetition."""
-    return path.read_text().count("error_m")
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("count", [1, 13])
+def test_a_loaded_learner_has_the_same_numbers(tmp_path, law, count):
+    """Saved and loaded between any two calls, a wild fix among them: equal to the last bit."""
+    made, path = calls(20), tmp_path / "learned.state"
+    made[30] = (*made[30][:2], 36.9, -122.4)
+    made[45:47] = []  # a displacement that is not known
+    limits = {"shear": 2e-5, "unmodelled": 0.03}
+    whole = clpt.currents.FlowEstimator(scenario_of(law, count), **limits)
+    expected = fed(whole, made)
+    learner = clpt.currents.FlowEstimator(scenario_of(law, count), **limits)
+    learned = None
+    for call in made:
+        learned = fed(learner, [call]) or learned
+        learner.save(path)
+        learner = clpt.currents.FlowEstimator.load(path)
+    assert numbers_of(learner, learned) == numbers_of(whole, expected)
+
+
+def test_the_limits_of_the_guarantee_are_in_the_file(tmp_path):
+    """Larger limits guarantee a larger error; a loaded learner has its own."""
+    guaranteed = []
+    for unmodelled in (0.02, 0.04):
+        limits = {"shear": 5e-5, "unmodelled": unmodelled}
+        learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO), **limits)
+        learner.save(tmp_path / "new")
+        made = calls(12)
+        first = fed(learner, made).guaranteed
+        loaded = clpt.currents.FlowEstimator.load(tmp_path / "new")
+        assert fed(loaded, made).guaranteed == first < np.inf
+        guaranteed.append(first)
+    assert guaranteed[0] < guaranteed[1]
+
+
+def test_a_learner_without_a_fix_is_saved(tmp_path):
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    learner.save(tmp_path / "new")
+    loaded = clpt.currents.FlowEstimator.load(str(tmp_path / "new"))
+    made = calls(3)
+    first, second = fed(learner, made), fed(loaded, made)
+    assert numbers_of(learner, first) == numbers_of(loaded, second)
+
+
+PROGRAM = """
+import json, sys
+from pathlib import Path
+import clpt_control as clpt
+made, path = json.loads(Path(sys.argv[1]).read_text()), Path(sys.argv[2])
+if path.exists():
+    learner = clpt.currents.FlowEstimator.load(path)
+else:
+    learner = clpt.currents.FlowEstimator(clpt.load_scenario(sys.argv[3]), shear=2e-5)
+last = learner.time
+for name, time, *way in made:
+    if time < last + 1.0:
+        continue
+    learned = getattr(learner, name)(time, *way)
+    if name == "fix":
+        learner.save(path)
+        print("saved", flush=True)
+print(learner.flow_parameters.tolist(), learner.covariance.tolist(), learned.guaranteed)
+"""
 
 
 @pytest.mark.processes
-def test_a_killed_learner_has_the_same_numbers(tmp_path, scenario):
-    """1,000 fixes, killed ten times at random, fed again from the start: equal to the last bit."""
-    lines = stream(1000)
-    whole = ran(*CLPT, "estimate", "-", "--scenario", scenario, input="\n".join(lines))
-    expected = answers(whole.stdout)[-1]
-    state = tmp_path / "state.json"
-    words = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
-    chance, killed = random.Random(5), 0
-    (tmp_path / "lines").write_text("\n".join(lines))
-    for _ in range(10):
-        out = tmp_path / "out"
-        with (tmp_path / "lines").open() as fed, out.open("w") as answered:
-            process = subprocess.Popen(
-                [*map(str, words)],
-                stdin=fed,
-                stdout=answered,
-                stderr=subprocess.DEVNULL,
-            )
-            least = chance.randint(60, 110)  # answers that are new, about
-            while process.poll() is None and fresh(out) < least:
-                time.sleep(0.01)
-            time.sleep(chance.random() * 0.05)
-            killed += process.poll() is None
+def test_a_killed_learner_has_the_same_numbers(tmp_path):
+    """1,000 fixes; killed within saves and between them, and begun again: the last bit."""
+    (tmp_path / "mine.toml").write_text(SCENARIO_TEXT)
+    (tmp_path / "calls").write_text(json.dumps(calls(1000)))
+    words = [sys.executable, "-c", PROGRAM, tmp_path / "calls"]
+    scenario = tmp_path / "mine.toml"
+    expected = ran(*words, tmp_path / "whole", scenario).stdout.splitlines()[-1]
+    folder, chance = tmp_path / "broken", random.Random(5)
+    folder.mkdir()
+    again = [*words, folder / "learned.state", scenario]
+    for number in range(10):
+        with started(again, stderr=subprocess.DEVNULL) as process:
+            for _ in range(chance.randint(40, 90)):
+                await_line(process, process.stdout, "saved")
+            if number % 2:
+                kill_while_it_writes(process, folder, ".learned.state.*.part")
             process.kill()
             process.wait(GUARD)
-    assert killed == 10
-    done = ran(*words, input="\n".join(lines))
-    assert answers(done.stdout)[-1] == expected
+    done = ran(*again)
+    assert done.stdout.splitlines()[-1] == expected
+    assert [file.name for file in folder.iterdir()] == ["learned.state"]
 
 
-def test_a_plan_is_forecast(estimate):
+@pytest.fixture
+def saved(tmp_path):
+    """A saved learner: its path and its bytes."""
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    fed(learner, calls(4))
+    learner.save(tmp_path / "learned.state")
+    return tmp_path / "learned.state", (tmp_path / "learned.state").read_bytes()
+
+
+def is_refused(path, raw):
+    """Refuse a file of these bytes by one sentence, and leave it as it is."""
+    path.write_bytes(raw)
+    said = refuses("learned.state: .+", clpt.currents.FlowEstimator.load, path)
+    assert path.read_bytes() == raw
+    return said
+
+
+def test_a_file_that_is_no_saved_learner_is_refused(saved):
+    """Cut short at any place, a changed byte anywhere, another kind of file."""
+    path, whole = saved
+    chance = random.Random(1)
+    for end in [*range(40), *chance.sample(range(len(whole)), 60), len(whole) - 1]:
+        is_refused(path, whole[:end])
+    for byte in [*range(40), *chance.sample(range(len(whole)), 200)]:
+        changed = bytearray(whole)
+        changed[byte] ^= 1 << chance.randrange(8)
+        is_refused(path, bytes(changed))
+    others = b"{}", b"[" * 10**5, SCENARIO_TEXT.encode(), b"CDF\x01", b"\xff" * 100
+    for raw in (*others, pickle.dumps(SCENARIO), whole + b" ", whole + whole):
+        assert "no file of FlowEstimator.save" in is_refused(path, raw)
+
+
+def test_a_file_of_a_newer_version_is_refused(saved):
+    path, whole = saved
+    kind, version, rest = whole.split(b" ", 2)
+    newer = b" ".join([kind, str(int(version) + 1).encode(), rest])
+    assert "by another version of clpt-control" in is_refused(path, newer)
+
+
+def test_a_file_that_is_missing_or_a_folder_is_refused(tmp_path):
+    load = clpt.currents.FlowEstimator.load
+    refuses("none: no such file", load, tmp_path / "none")
+    refuses("is a folder", load, tmp_path)
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    refuses("the folder .* does not exist", learner.save, tmp_path / "none" / "state")
+
+
+def test_a_plan_is_forecast():
     """The next fix: the plan's displacement, drifted by the learned flow."""
-    lines = stream(40)
-    last = json.loads(lines[-1])
-    end = last["time"] + 3600
-    plan = {"plan": [{"time": end, "course": 90.0, "speed": 1.0}]}
-    lines[-1] = json.dumps(last | plan)
-    ahead = answers(estimate(lines).out)[-1]["next"]
-    assert datetime.fromisoformat(ahead["time"]).timestamp() == end
-    way = (ahead["longitude"] - last["longitude"]) * 89.3e3
-    assert 3600 < way < 3600 * 1.5  # 1 m/s to the east and a current to the east
-    assert 0 < ahead["radius_m"] < 3000
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    last = fed(learner, calls(40))
+    end = last.time + 3600
+    ahead = learner.forecast([(end, 3600.0, 0.0)])
+    assert ahead.time == pytest.approx(end, abs=1e-3)
+    way = (ahead.longitude - last.longitude) * 89.3e3
+    assert way == pytest.approx(3600 * 1.2, rel=0.03)  # 1 m/s and the current
+    assert 0 < ahead.radius < 3000
 
 
-@pytest.mark.parametrize(
-    ("line", "sentence"),
-    [
-        ("{", "is not JSON"),
-        ("[1]", "must be an object"),
-        ('{"latitude": 1, "longitude": 2}', 'with "time"'),
-        ('{"time": 1, "lat": 2}', "unknown key 'lat'"),
-        ('{"time": 1, "latitude": 2}', "latitude without the other"),
-        ('{"time": NaN, "course": 1, "speed": 2}', "must be a finite number"),
-        ('{"time": 1, "course": 900, "speed": 2}', "course is 900"),
-        ('{"time": 1, "dr_east_m": 1, "dr_north_m": 2}', "no fix yet"),
-    ],
-)
-def test_a_wrong_line_is_told_and_left_out(estimate, line, sentence):
-    """The others are learned as if it were not there; the status is 2."""
-    lines = stream(3)
-    good, done = estimate(lines), estimate([line, *lines], status=2)
-    assert sentence in done.err
-    assert done.out == good.out
-
-
-def test_a_gap_begins_a_leg(estimate):
+def test_a_gap_begins_a_leg():
     """A time of unknown displacement teaches nothing, and is told."""
-    first = {"time": 0, "latitude": 36.7, "longitude": -122.1}
-    later = {"time": 7200, "latitude": 36.75, "longitude": -122.0}
-    answer = answers(estimate(map(json.dumps, [first, later])).out)[-1]
-    assert answer["legs"] == 0
-    assert "7200 s before it is not known" in answer["note"]
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    learner.fix(0.0, 36.7, -122.1)
+    learned = learner.fix(7200.0, 36.75, -122.0)
+    assert learner.legs == 0
+    assert "7200 s before it is not known" in learned.note
 
 
-def test_the_state_of_another_scenario_is_refused(tmp_path, scenario, estimate):
-    """So is a file that is no state; nothing is written."""
-    state = tmp_path / "state.json"
-    estimate(stream(2), "--state", state)
-    before = state.read_text()
-    scenario.write_text(SCENARIO_TEXT.replace("8.0, 8.0, 8.0", "8.0, 8.0, 9.0"))
-    done = estimate([], "--state", state, status=2)
-    assert "state of another scenario" in done.err
-    assert state.read_text() == before
-    state.write_text("{}")
-    assert "is not the state" in estimate([], "--state", state, status=2).err
+def test_the_old_word_of_the_command_names_what_serves(clpt):
+    done = clpt("estimate", "-")
+    assert done.status == 2
+    assert "call clpt.currents.FlowEstimator in Python" in done.err
 
 
-def test_nmea_sentences_become_lines():
-    """RMC is a fix, VHW course and speed; a wrong checksum is left out."""
-    sentences = [
-        checked("GPRMC,120000,A,3642.000,N,12206.000,W,0.0,0.0,010526,,"),
-        checked("IIVHW,90.0,T,80.0,M,2.0,N,3.7,K"),
-        checked("GPRMC,130000,V,,,,,0.0,0.0,010526,,"),
-        "$IIVHW,45.0,T,80.0,M,2.0,N,3.7,K*00",
-    ]
-    done = ran(sys.executable, EXAMPLE, input="\n".join(sentences))
-    fix, steering = answers(done.stdout)
-    assert fix["latitude"] == pytest.approx(36.7)
-    assert fix["longitude"] == pytest.approx(-122.1)
-    assert fix["time"] == 1777636800.0  # 2026-05-01 12:00 UTC
-    assert steering["course"] == 90.0
-    assert steering["speed"] == pytest.approx(1.02889, abs=1e-5)
+# --- NMEA -----------------------------------------------------------------------------------------
 
 
 def checked(body):
@@ -237,38 +272,86 @@ def checked(body):
     return f"${body}*{total:02x}"
 
 
-def before_a_fix(late):
-    """A leg of 2 h whose first hour is told by a line of its own."""
-    at = "2026-05-01T0{}:00:00Z".format
-    fixes = [{"latitude": 36.7, "longitude": y} for y in (-122.1, -122.03)]
-    course = json.dumps({"time": at(1), "course": 90, "speed": 1.0})
-    first, last = (
-        json.dumps({"time": at(k), **f}) for k, f in zip((0, 2), fixes, strict=True)
-    )
-    return [first, late, course, last]
+def rmc(hour, minutes_east, status="A"):
+    """A fix on 36 42 N, some minutes to the east of 122 06 W."""
+    minutes = 6.0 - minutes_east
+    place = f"3642.000,N,122{minutes:06.3f},W"
+    return checked(f"GPRMC,{hour:02d}0000,{status},{place},0.0,0.0,010526,,")
+
+
+def vhw(course, knots=2.0):
+    return checked(f"IIVHW,{course:.1f},T,80.0,M,{knots},N,3.7,K")
+
+
+@pytest.fixture
+def nmea(tmp_path):
+    """Learn from sentences by the example; return its answers and what it tells."""
+    (tmp_path / "mine.toml").write_text(SCENARIO_TEXT)
+
+    def run(sentences, state="learned.state"):
+        words = EXAMPLE, tmp_path / "mine.toml", tmp_path / state
+        done = ran(sys.executable, *words, input="\n".join(sentences))
+        return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
+
+    return run
+
+
+def test_nmea_sentences_are_learned(nmea):
+    """RMC is a fix, VHW course and speed; a wrong checksum is left out."""
+    wrong = "$IIVHW,45.0,T,80.0,M,2.0,N,3.7,K*00"
+    # 2 knots to the east for 2 h are 7408 m; the fixes are 7.5 minutes apart
+    answers, _ = nmea([rmc(12, 0), vhw(90), rmc(13, 0, "V"), wrong, rmc(14, 7.5)])
+    first, second = answers
+    assert (first["time"], second["time"]) == (BEGIN, BEGIN + 7200)
+    assert first["latitude"] == pytest.approx(36.7)
+    assert first["longitude"] == pytest.approx(-122.1)
+    assert first["error_m"] is None
+    # the forecast before any leg is dead reckoning
+    east, _ = displacement(36.7, -122.1, 36.7, -122.1 + 7.5 / 60)
+    assert second["error_m"] == pytest.approx(east - 7408, abs=5)
+    assert second["note"] == ""
+
+
+def test_the_example_goes_on_after_a_restart(nmea):
+    """With all sentences again: the same numbers. With lost sentences: a leg begins."""
+    log = []
+    for k in range(6):
+        log += [rmc(2 * k, 1.5 * (k % 2)), vhw(90 if k % 2 == 0 else 270, 0.4)]
+    whole, _ = nmea(log, "whole")
+    nmea(log[:7])
+    answers, _ = nmea(log)
+    assert answers == whole[-2:]
+    nmea(log[:6], "lost")
+    answers, _ = nmea(log[7:], "lost")  # the sentences between them never arrived
+    assert "begins a leg" in answers[0]["note"]
+    assert "begins a leg" not in answers[1]["note"]
+
+
+def test_a_speed_that_cannot_be_makes_the_motion_unknown(nmea):
+    log = [rmc(1, 0), vhw(90), rmc(2, 1, "V"), vhw(90, 120), rmc(3, 2, "V"), vhw(90)]
+    answers, _ = nmea([*log, rmc(4, 3), rmc(5, 5)])
+    assert "begins a leg" in answers[1]["note"]
+    assert "begins a leg" not in answers[2]["note"]
 
 
 @pytest.mark.parametrize(
-    ("line", "status"),
+    ("body", "count"),
     [
-        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "speed": null}', 0),
-        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "speed": 60}', 0),
-        ('{"time": "2026-05-01T00:00:00Z", "course": 90, "spe', 2),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,A", 1),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,E", 0),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,N", 0),
+        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,S", 0),
+        ("GPRMC,120000.00,A,,,,,0.1,0.0,010526,,,A", 0),
+        ("GPRMC,120000,A,3642,N,12206,W,0,0,010526,,", 1),
+        ("GPRMC,120000,A", 0),
+        ("IIVHW,,T,80.0,M,2.0,N,3.7,K", 0),
     ],
 )
-def test_an_hour_of_unknown_motion_is_no_hour_at_rest(estimate, line, status):
-    """A leg that a later course ends is not learned, as in a table with the same rows."""
-    last = answers(estimate(before_a_fix(line), status=status).out)[-1]
-    assert last["legs"] == 0
-    assert "3600 s before it is not known" in last["note"]
+def test_sentences_that_are_no_fix_end_nothing(nmea, body, count):
+    answers, _ = nmea([checked(body), rmc(13, 0)])
+    assert len(answers) == count + 1
 
 
-@pytest.mark.long
-def test_a_torn_line_is_remembered_by_the_state(scenario, tmp_path):
-    """A process that ends behind a torn line answers as one that goes on."""
-    state = tmp_path / "state"
-    command = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
-    lines = before_a_fix('{"time": "2026-05-01T00:00:00Z", "course": 90, "spe')
-    ran(*command, input="\n".join(lines[:2]) + "\n", status=2)
-    done = ran(*command, input="\n".join(lines[2:]) + "\n")
-    assert answers(done.stdout)[-1]["legs"] == 0
+def test_a_magnetic_heading_alone_is_told(nmea):
+    _, told = nmea([rmc(13, 0), checked("IIVHW,,T,80.0,M,2.0,N,3.7,K")])
+    assert "magnetic heading alone" in told

@@ -1,15 +1,12 @@
-"""Logs as loggers write them, recorded and live: read, or named."""
+"""Logs as loggers write them: read, or named."""
 
 import itertools
 import json
-import sys
 
 import numpy as np
 import pytest
 from geodesics import displacement
-from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, lines_of, mission, table
-from subprocesses import CLPT, ran
-from test_live_fixes import EXAMPLE, checked
+from made_missions import BEGIN, CURRENT, HEAD, LEG, UNIFORM, mission, table
 
 import clpt_control as clpt
 
@@ -30,25 +27,12 @@ def estimate(tmp_path, clpt, monkeypatch):
     return run
 
 
-@pytest.fixture
-def live(tmp_path):
-    """Answer lines by `clpt estimate -`; return answers and standard error."""
-    (tmp_path / "s.toml").write_text(UNIFORM)
-
-    def run(lines, *words, status=0):
-        command = [*CLPT, "estimate", "-", "--scenario", tmp_path / "s.toml", *words]
-        done = ran(*command, input="\n".join(lines), status=status)
-        return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
-
-    return run
-
-
 def near(report, current=CURRENT):
     theta = np.array(report["theta_m_s"])[:, 0]
     return np.abs(theta - current).max() < 0.02
 
 
-# --- one screen for recorded and live -------------------------------------------------------------
+# --- what is left out -----------------------------------------------------------------------------
 
 
 def wild(rows):
@@ -76,7 +60,6 @@ def unknown_speed(rows):
 
 
 @pytest.mark.thirds
-@pytest.mark.thirds
 @pytest.mark.parametrize(
     "damage",
     [
@@ -88,27 +71,21 @@ def unknown_speed(rows):
         unknown_speed,
     ],
 )
-def test_recorded_and_live_have_the_same_numbers(tmp_path, estimate, live, damage):
+def test_a_wrong_row_costs_its_legs_alone(tmp_path, estimate, damage):
     rows = mission(30, seed=1)
     damage(rows)
     report = estimate(table(tmp_path / "log.csv", rows))
-    read = [(row[0], *map(float, (f"{cell:.9g}" for cell in row[1:]))) for row in rows]
-    answers, _ = live(line.replace("NaN", "null") for line in lines_of(read))
-    last = answers[-1]
     assert near(report)
-    for key in ("theta_m_s", "standard_error_m_s"):
-        np.testing.assert_allclose(last[key], report[key], rtol=1e-9)
     told = json.dumps([report["skipped"], report["notes"]])
     if damage in (without_a_fix, first_without_a_fix, dated_ahead):
         assert report["skipped"]
-        assert any("skipped" in answer for answer in answers)
     assert damage is wild or "line" in told
 
 
 @pytest.mark.thirds
 @pytest.mark.parametrize("off", [-4 * 3600.0, -9e9, 3e8, 1.8e12])
 @pytest.mark.parametrize("columns", ["course,speed", "dr_east_m,dr_north_m"])
-def test_a_motion_left_out_invents_no_current(tmp_path, estimate, live, off, columns):
+def test_a_motion_left_out_invents_no_current(tmp_path, estimate, off, columns):
     """Exact fixes in a known current: each forecast after the first legs is exact."""
     rows, moved = mission(12, scatter=0.0, fix=0.0), []
     for before, row in zip([rows[0], *rows], rows, strict=False):
@@ -119,78 +96,10 @@ def test_a_motion_left_out_invents_no_current(tmp_path, estimate, live, off, col
     rows[6] = (rows[6][0] + off, *rows[6][1:])
     head = f"time,latitude,longitude,{columns}"
     report = estimate(table(tmp_path / "log.csv", rows, head))
-    keys = head.split(",")
-    lines = [dict(zip(keys, row, strict=True)) for row in rows]
-    lines[0] = dict([*lines[0].items()][: 3 if rows is moved else 5])
-    answers, _ = live(map(json.dumps, lines))
     errors = [leg["error_m"] for leg in report["legs"][2:]]
-    seen = [one["error_m"] for one in answers if one.get("error_m") is not None][2:]
-    assert (len(errors), len(seen)) == (8, 8)
-    assert max(errors + seen) < 60.0  # 5 mm/s
+    assert len(errors) == 8
+    assert max(errors) < 60.0  # 5 mm/s
     assert near(report)
-
-
-@pytest.mark.long
-def test_a_clock_that_is_ahead_at_first_ends_nothing(live):
-    rows = mission(12, seed=3)
-    rows[0] = (rows[0][0] + 20 * 365 * 86400, *rows[0][1:])
-    answers, _ = live(lines_of(rows))
-    assert answers[-1]["legs"] >= 10
-
-
-@pytest.mark.long
-def test_a_late_course_is_told(live):
-    lines = lines_of(mission(3, seed=3))
-    late = json.dumps({"time": BEGIN + LEG / 2, "course": 90, "speed": 1.0})
-    answers, told = live([*lines[:4], late, *lines[4:]])
-    skipped = [answer for answer in answers if "skipped" in answer]
-    assert skipped[0]["time"] == "2026-05-01T01:30:00Z"
-    assert "line 5: skipped, not later than the row before" in told
-
-
-@pytest.mark.long
-def test_a_bad_plan_loses_the_plan_not_the_fix(live):
-    """And the plan of the last fix can be asked again after a kill."""
-    rows = mission(3, seed=3)
-    lines = lines_of(rows)[:-1]
-    early = [{"time": BEGIN, "course": 90, "speed": 1.0}]
-    lines[-1] = json.dumps(json.loads(lines[-1]) | {"plan": early})
-    good = [{"time": rows[-1][0] + LEG, "course": 90, "speed": 1.0}]
-    again = json.dumps(json.loads(lines[-1]) | {"plan": good})
-    answers, _ = live([*lines, again])
-    assert [answer["legs"] for answer in answers[:-1]] == [0, 1, 2, 3]
-    said = "plan: time 2026-05-01T00:00:00Z must be later than 2026-05-01T09:00:00Z"
-    assert answers[-2]["plan_refused"] == said
-    assert answers[-1]["next"]["time"] == "2026-05-01T12:00:00Z"
-    assert answers[-1]["next"]["radius_m"] > 0
-
-
-@pytest.mark.long
-def test_lines_between_fixes_are_appended_and_read_again(tmp_path, live):
-    """A torn last line, as a kill leaves it, is no line."""
-    rows, state = mission(4, seed=3), tmp_path / "state.json"
-    lines = lines_of(rows)
-    turn = {"time": rows[2][0] + 600, "course": 30.0, "speed": 1.0}
-    lines.insert(6, json.dumps(turn))
-    whole, _ = live(lines)
-    live(lines[:6], "--state", state)
-    with state.open("a") as journal:
-        journal.write('{"time": 17')
-    live(lines[6:7], "--state", state)
-    assert json.loads(state.read_text().splitlines()[-1]) == turn
-    answers, _ = live(lines[7:], "--state", state)
-    assert answers[-1] == whole[-1]
-
-
-def test_two_writers_of_a_state_are_refused(tmp_path, clpt, monkeypatch):
-    filelock = pytest.importorskip("filelock")
-    (tmp_path / "s.toml").write_text(UNIFORM)
-    state = tmp_path / "state.json"
-    command = "estimate", "-", "--scenario", tmp_path / "s.toml", "--state", state
-    with filelock.FileLock(f"{state}.lock", timeout=0):
-        done = clpt(*command)
-    assert done.status == 2
-    assert "another clpt estimate writes it" in done.err
 
 
 @pytest.mark.long
@@ -377,8 +286,7 @@ def out_of_order(rows):
         out_of_order,
     ],
 )
-def test_one_wrong_row_is_left_out_recorded_and_live(tmp_path, estimate, live, damage):
-    """A row in the middle of a log, and its line in the middle of a stream."""
+def test_one_wrong_row_in_the_middle_is_left_out(tmp_path, estimate, damage):
     rows = [(*row, 1.0)[:5] for row in mission(30, seed=1)]
     number, wrong = damage(rows)
     objects = [dict(zip(HEAD.split(","), row, strict=True)) for row in rows]
@@ -390,14 +298,8 @@ def test_one_wrong_row_is_left_out_recorded_and_live(tmp_path, estimate, live, d
     ]
     path.write_text("\n".join([HEAD, *texts]))
     report = estimate(path)
-    is_read = damage in (early_by_weeks, out_of_order)
-    answers, told = live(map(json.dumps, objects), status=0 if is_read else 2)
     assert near(report)
-    np.testing.assert_allclose(answers[-1]["theta_m_s"], report["theta_m_s"], rtol=1e-9)
-    assert answers[-1]["legs"] == len(report["legs"])
-    line = f"line {number + 2}"
-    assert any(line in skip["why"] for skip in report["skipped"])
-    assert f"line {number + 1}: " in told or any("skipped" in one for one in answers)
+    assert any(f"line {number + 2}" in skip["why"] for skip in report["skipped"])
 
 
 def test_a_log_that_is_not_in_order_is_refused(tmp_path, estimate):
@@ -408,24 +310,29 @@ def test_a_log_that_is_not_in_order_is_refused(tmp_path, estimate):
 
 @pytest.mark.parametrize("skipped", [0, 1])
 def test_the_origin_is_the_start_of_the_first_leg_that_is_learned(
-    tmp_path, estimate, live, skipped
+    tmp_path, estimate, skipped
 ):
-    """With a flow that differs by place and hour, recorded and live."""
+    """With a flow that differs by place and hour; a learner of live fixes has it too."""
     (tmp_path / "s.toml").write_text(
         UNIFORM.replace("origin", "# origin").replace("1e5", "30.0")
     )
     rows = mission(30, seed=1)
     rows[:skipped] = [(*row[:3], float("nan"), float("nan")) for row in rows[:skipped]]
     read = [(row[0], *map(float, (f"{cell:.9g}" for cell in row[1:]))) for row in rows]
-    known = tmp_path / "a.toml", tmp_path / "b.toml"
-    report = estimate(table(tmp_path / "log.csv", rows), "--out", known[0])
-    lines = (line.replace("NaN", "null") for line in lines_of(read))
-    answers, _ = live(lines, "--out", known[1])
-    np.testing.assert_allclose(answers[-1]["theta_m_s"], report["theta_m_s"], rtol=1e-9)
-    first, second = (clpt.load_scenario(path) for path in known)
-    assert first.origin == pytest.approx(read[skipped][1:3], abs=1e-6)
-    assert second.origin == pytest.approx(first.origin, abs=1e-6)
-    assert first.title == second.title
+    known = tmp_path / "known.toml"
+    report = estimate(table(tmp_path / "log.csv", rows), "--out", known)
+    learner = clpt.currents.FlowEstimator(clpt.load_scenario(tmp_path / "s.toml"))
+    for row, after in itertools.pairwise(read):
+        learner.fix(*row[:3])
+        angle, way = np.radians(row[3]), row[4] * LEG
+        if np.isfinite(way):
+            learner.move(after[0], way * np.sin(angle), way * np.cos(angle))
+    learner.fix(*read[-1][:3])
+    theta = learner.flow_parameters
+    np.testing.assert_allclose(theta, report["theta_m_s"], rtol=1e-9)
+    assert clpt.load_scenario(known).origin == pytest.approx(
+        read[skipped][1:3], abs=1e-6
+    )
 
 
 # --- units and axes -------------------------------------------------------------------------------
@@ -491,34 +398,6 @@ def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
     assert "look like those over ground" in notes
     clean = estimate(table(tmp_path / "log.csv", rows))
     assert clean["notes"] == []
-
-
-@pytest.mark.parametrize(
-    ("body", "count"),
-    [
-        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,A", 1),
-        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,E", 0),
-        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,N", 0),
-        ("GPRMC,120000.00,A,3642.0000,N,12206.0000,W,0.1,0.0,010526,,,S", 0),
-        ("GPRMC,120000.00,A,,,,,0.1,0.0,010526,,,A", 0),
-        ("GPRMC,120000,A,3642,N,12206,W,0,0,010526,,", 1),
-        ("GPRMC,120000,A", 0),
-        ("IIVHW,,T,80.0,M,2.0,N,3.7,K", 0),
-    ],
-)
-def test_sentences_that_are_no_fix_end_nothing(body, count):
-    good = checked("GPRMC,130000,A,3642.000,N,12206.000,W,0.0,0.0,010526,,")
-    done = ran(sys.executable, EXAMPLE, input=f"{checked(body)}\n{good}\n")
-    assert len(done.stdout.splitlines()) == count + 1
-
-
-def test_a_magnetic_heading_alone_is_told():
-    sentences = [
-        checked("GPRMC,130000,A,3642.000,N,12206.000,W,0.0,0.0,010526,,"),
-        checked("IIVHW,,T,80.0,M,2.0,N,3.7,K"),
-    ]
-    done = ran(sys.executable, EXAMPLE, input="\n".join(sentences))
-    assert "magnetic heading alone" in done.stderr
 
 
 def test_read_dives_takes_a_log_too(tmp_path):

@@ -1,21 +1,18 @@
-"""Aiming: the triangle of currents, what cannot be made, geodesics, tides; routes over days."""
+"""Aiming: the triangle of currents, what cannot be made, geodesics, tides."""
 
 import json
 import math
-import re
 from dataclasses import replace
-from datetime import datetime
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from refusals import refuses
-from synthetic_vehicle import STEADY, along, chained, map_of, vehicle
+from synthetic_vehicle import along, chained, vehicle
 
 from clpt_control import ScenarioError
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.ocean.forecast import route
 from clpt_control.ocean.forecast.aim import triangle
 from clpt_control.replay import replay_dives
 
@@ -190,157 +187,3 @@ def test_a_speed_that_no_vehicle_has_is_refused():
         ({"duration": math.inf}, "inf hours"),
     ):
         refuses(says, known(0.0, 0.0).aims, [(40.0, 8.0)], error=ScenarioError, **more)
-
-
-# --- over days: waypoints and areas, by drawing the dives ---
-
-
-STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
-
-
-@pytest.fixture(scope="module")
-def steady():
-    """A vehicle in a steady current that it knows; it lies where it was at each fix."""
-    return replay_dives(vehicle(1, 40, flow="steady"))
-
-
-def arrival(replay, east, north, areas=(), speed=V, draws=30, **more):
-    """What is drawn of a waypoint so far from 40 N 8 E, m, and its row."""
-    place = place_from(40.0, 8.0, east, north)
-    found = route.arrivals(replay, [place], areas, speed, 14400.0, draws=draws, **more)
-    return found, found["waypoints"][0]
-
-
-def seconds(time):
-    return datetime.fromisoformat(time).timestamp()
-
-
-def box(lat, lon, size=0.02):
-    corners = (-size, -size), (-size, size), (size, size), (size, -size)
-    return [(lat + a, lon + b) for a, b in corners]
-
-
-def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
-    """Across the line the nose makes up for the current; along it the rest of both goes on."""
-    far = 40_000.0
-    middle = (8.0 + place_from(40.0, 8.0, far, 0.0)[1]) / 2
-    areas = [("across", box(40.0, middle, 0.05)), ("beside", box(40.3, 8.2))]
-    found, one = arrival(steady, far, 0.0, areas)
-    east = STEADY[0] + math.sqrt(V**2 - STEADY[1] ** 2)
-    due = far / east + math.ceil(far / east / 14400) * STAY
-    took = {
-        key: seconds(one[key]) - steady.steps[-1].dive.t_gpse for key in route.SHARES
-    }
-    assert took["time"] == pytest.approx(due, rel=0.04)
-    assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
-    assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
-
-
-@pytest.mark.long
-def test_who_knows_less_arrives_less_surely(steady):
-    width = []
-    for replay in (steady, replay_dives(vehicle(1, 1, flow="steady"))):
-        _, one = arrival(replay, 10_000.0, 0.0)
-        width.append(seconds(one["by"] or one["time"]) - seconds(one["not_before"]))
-    assert width[1] > 2 * width[0]
-
-
-def test_a_waypoint_against_the_current_is_not_made(steady):
-    found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05, draws=50, dives=3)
-    assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
-    assert (found["dives"], found["draws"]) == (3, 40)
-
-
-def test_the_same_draws_say_the_same(steady):
-    asked = steady, 5_000.0, 3_000.0, [("here", box(40.0, 8.0))], None
-    found, _ = arrival(*asked)
-    assert (found, found["waypoints"][0]) == arrival(*asked)
-    assert found["areas"][0]["entered"] == 1  # it begins within
-    assert len(steady.steps) == 40  # it learned nothing of what was drawn
-
-
-SQUARE = [[8.0, 40.0], [8.1, 40.0], [8.1, 40.1], [8.0, 40.0]]
-
-
-def shape(kind, *coordinates):
-    return {"type": kind, "coordinates": list(coordinates)}
-
-
-def together(*shapes):
-    return {"type": "GeometryCollection", "geometries": shapes}
-
-
-def test_routes_are_read(tmp_path):
-    path = tmp_path / "route"
-    path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
-    assert route.read_route(path) == ([(-42.8, 8.4), (-42.7, 8.3)], [])
-    shapes = [
-        (shape("Point", 8.4, -42.8, 0.0), {"name": "P"}),
-        (shape("Polygon", SQUARE, SQUARE), {"name": "ground"}),
-        (shape("LineString", [8.3, -42.7], [8.2, -42.6]), None),
-        (together(shape("MultiPolygon", [SQUARE], [SQUARE])), {}),
-    ]
-    features = [
-        {"type": "Feature", "geometry": one, "properties": name} for one, name in shapes
-    ]
-    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
-    targets, areas = route.read_route(path)
-    assert targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
-    assert [name for name, _ in areas] == ["ground", "area", "area"]
-    assert areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
-    parts = [[8.4, -42.8], [8.3, -42.7]], [[8.2, -42.6], [8.1, -42.5]]
-    path.write_text(json.dumps(shape("MultiLineString", *parts)))  # as QGIS saves lines
-    places = [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2), (-42.5, 8.1)]
-    assert route.read_route(path)[0] == places
-    path.write_text("-42.8 8.4\n" * 100)
-    assert route.read_route(path)[0] == [(-42.8, 8.4)] * 100
-
-
-RING = [[8.0, 40.0 + 1e-6 * k] for k in range(20_001)]
-MANY = together(shape("Polygon", RING), shape("Point", 8.0, 40.0))
-NO_ROUTES = [
-    ("", "has no waypoint"),
-    ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
-    ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is not a position"),
-    ('{"type": "Circle"}', "has no waypoint"),
-    (json.dumps(shape("Polygon", SQUARE)), "has no waypoint"),
-    ("{" * 10**5, "is neither GeoJSON"),
-    (json.dumps(shape("LineString", [[8.0, 40.0]])), "places are pairs"),
-    (json.dumps(shape("Point", 10**400, 1)), "is neither GeoJSON"),
-    (json.dumps(shape("Polygon", SQUARE[:2])), "at least three corners"),
-    ("-42.8 8.4\n" * 101, "has 101 waypoints, and areas of 0 points; at most 100,"),
-    (json.dumps(MANY), "and areas of 20001 points; at most 100,"),
-    (" " * 10**7 + "1", "is larger than the limit of 10 MB"),
-]
-
-
-def test_what_is_no_route_is_one_sentence(tmp_path):
-    for text, says in NO_ROUTES:
-        (tmp_path / "route").write_text(text)
-        refuses(f"route: .*{says}", route.read_route, tmp_path / "route")
-
-
-@pytest.mark.long
-@pytest.mark.usefixtures("undrawn")
-def test_the_command_draws_the_way(command, tmp_path):
-    line = shape("LineString", [8.45, -42.93], [8.45, -42.925])
-    ring = [[8.44, -42.94], [8.46, -42.94], [8.46, -42.92], [8.44, -42.94]]
-    (tmp_path / "route.json").write_text(
-        json.dumps(together(line, shape("Polygon", ring)))
-    )
-    words = ("--sample", "--route", tmp_path / "route.json", "--json")
-    found = json.loads(command(*words, "--out", tmp_path / "out").stdout)
-    assert found["aim"][0]["latitude"] == -42.93
-    assert found["route"]["waypoints"][0]["made"] > 0.5
-    page = re.sub("<[^>]*>", "", (tmp_path / "out" / "replay.html").read_text("utf-8"))
-    waypoints = found["route"]["waypoints"]
-    for waypoint in waypoints:
-        said = re.search(f"route to {waypoint['place']}: ([^/]*?UTC|not there)", page)[
-            1
-        ]
-        assert said.startswith("there 20" if waypoint["time"] else "not there")
-    assert page.count("cannot be made before") == len(waypoints)
-    entered = found["route"]["areas"][0]["entered"]
-    assert f"area: entered in {100 * entered:.0f} % of the draws" in page
-    (area,) = map_of(found).patches
-    assert (len(area.get_xy()), found["paste"]["file"]) == (4, "targets")

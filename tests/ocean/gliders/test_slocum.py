@@ -3,6 +3,7 @@
 import csv
 import shutil
 import struct
+from functools import partial
 from itertools import permutations
 
 import numpy as np
@@ -23,9 +24,9 @@ from slocum_writer import (
     ddmm,
     segment,
 )
+from watched_folder import watched
 
 from clpt_control.gliders import read_dives
-from clpt_control.ocean.forecast.follow import Follower
 from clpt_control.ocean.gliders.slocum_file import read_segment, uncompressed
 
 LZ4 = pytest.importorskip("numcodecs").LZ4
@@ -476,24 +477,25 @@ def test_a_dive_over_several_files_is_one(in_three_files, tmp_path):
     assert any("no samples for" in note for note in dive.notes)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
-def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
+def test_watched_files_come_in_any_order(
+    in_three_files, tmp_path, order, clpt, monkeypatch
+):
     (source, wanted), inbox = in_three_files, tmp_path / "inbox"
     inbox.mkdir()
-    follower = Follower(inbox, tmp_path / "state")
     things = [*sorted(source.glob("*.sbd")), source / "cac"]
-    for k in order:
-        (shutil.copytree if things[k].is_dir() else shutil.copy)(
-            things[k], inbox / things[k].name
-        )
-        follower.look()
-    assert follower.dives() == wanted
-    for path in inbox.glob("*-[01].sbd"):
-        path.unlink()
-        follower.look()
-    again = Follower(inbox, tmp_path / "state")
-    again.look()
-    assert follower.dives()[0] == again.dives()[0] == wanted[0]
+
+    def arrive(k):
+        copy = shutil.copytree if things[k].is_dir() else shutil.copy
+        copy(things[k], inbox / things[k].name)
+
+    changes = [partial(arrive, k) for k in order]
+    words = "--format", "svg", "--out", tmp_path / "out"
+    found, _ = watched(clpt, monkeypatch, inbox, changes, *words)
+    used = found["each_dive"]
+    assert [row["dive"] for row in used] == [dive.number for dive in wanted[0]]
+    assert read_dives(inbox, usable=False) == wanted
 
 
 def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
