@@ -40,7 +40,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.arguments import OrNaN, public
-from ...base.errors import DataError
 from ...base.geodesy import direction, displacement, is_place
 from ...base.units import finite_or_none
 from .dive_fields import (
