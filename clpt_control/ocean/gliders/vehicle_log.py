@@ -35,7 +35,8 @@ from .dives import COLUMNS, PLACE, STEERING, STRETCH, Dive, Fix, Skipped, make_d
 from .log_rows import LogRows, Pair, time_fault
 from .text_table import OTHER_MARKS, table_of
 
-HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # a name, and a unit
+# a name, and a unit; without spaces, which would be tried
+HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
 PLACED = ("time", *PLACE)
 # time, fix, course and speed, displacement: None for a part that the row has not
 Moment = tuple[float, Pair | None, Pair | None, Pair | None]
