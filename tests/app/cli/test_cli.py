@@ -438,7 +438,7 @@ MISSPELT = r"""
     prove sigma --search 20 -> --search: is gone\. `clpt prove LAW`.*
     replay --sample --route a.geojson -> --aim
     estimate fixes.csv --state a.json -> FlowEstimator\.save.*
-    estimate - -> FlowEstimator.*
+    estimate - -> FlowEstimator in Python
 """
 
 
