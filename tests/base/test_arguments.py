@@ -188,6 +188,7 @@ def right(tmp_path_factory):
             f"FlowEstimator.{name}": {"self": estimator(), "time": 60.0, **PLACE}
             for name in ("flow", "guaranteed")
         },
+        "FlowEstimator.save": {"self": estimator(), "path": folder / "state"},
         "FlowEstimator.forecast": {
             "self": estimator(),
             "stretches": [(60.0, 1.0, 0.0)],

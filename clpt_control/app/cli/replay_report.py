@@ -303,7 +303,8 @@ def watch(
             while True:
                 known, seen = seen, stamps(inside, results, seen)
                 if summary is None or seen != known:
-                    summary, dives = None, ([], [])
+                    summary = None
+                    dives: tuple[Any, Any] = [], []
                     with job.so_far():
                         dives = read_all_dives(folder)
                     new = len(seen.items() - known.items())

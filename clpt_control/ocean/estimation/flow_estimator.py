@@ -171,7 +171,7 @@ class FlowEstimator:
     ) -> None:
         self.scenario = scenario
         self._limits = {"shear": shear, "unmodelled": unmodelled}
-        self.settings = FixSettings(scenario, **self._limits)
+        self.settings = FixSettings(scenario, shear, unmodelled)
         self._guessing = LegGuesses(scenario, self.settings)
         basis = scenario.basis_block("z")
         self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
@@ -484,15 +484,17 @@ class FlowEstimator:
         DataError
             If the file is damaged, of another version, or no file of `save`.
         """
-        fault = "is damaged, or no file of FlowEstimator.save. Give another file"
-        head, _, text = read_text(path, fault).partition("\n")
+        no_text = "is no file of FlowEstimator.save. Give another file"
+        head, _, text = read_text(path, no_text).partition("\n")
         words = head.split(" ")
         if len(words) == 3 and words[0] == KIND and words[1] != VERSION:
             raise DataError(
                 f"{path}: was saved by another version of clpt-control. Load it with that version"
             )
         if words != [KIND, VERSION, _checksum(text)]:
-            raise DataError(f"{path}: {fault}")
+            raise DataError(
+                f"{path}: is damaged, or no file of FlowEstimator.save. Give another file"
+            )
         parts = json.loads(text)
         scenario = scenario_from_text(parts["scenario"], str(path), Path(path).parent)
         estimator = cls(scenario, **parts["limits"])
