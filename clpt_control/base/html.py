@@ -1,31 +1,41 @@
-"""Pages as single HTML files: escaped text, elements, documents, and fragments for notebooks.
+"""HTML: escaped text, elements of pages, and fragments for notebooks.
 
-Nothing is fetched: style and script are in the file, and its Content-Security-Policy allows only
-them.  A fragment is the HTML of an object in a notebook; its colours follow the notebook's text, so
+A fragment is the HTML of an object in a notebook; its colours follow the notebook's text, so
 that it is readable on light and dark backgrounds.
 """
 
 import re
-from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from functools import cache
-from hashlib import sha256
 from html import escape
 from importlib import resources
 from typing import NamedTuple
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+UNBROKEN = re.compile(  # angles, times and sizes that stay on one line
+    r"\d+(?: \d\d)?\.\d+ [NSEW]\b|\+- [\d.]+ \w+|\d+ x \d+ m\b|\d+ of \d+|"
+    r"(?:\d{4}-)?\d\d-\d\d \d\d:\d\d"
+)
 WORDS = ' class="words"'
+ALARM = ' class="alarm"'
+LOUD = ("OUT", "overdue", "cannot be read")  # beginnings of cells that are alarms
 LONGEST = 300  # letters of a cell
 
 
 class Result(NamedTuple):
-    """A table of results for the terminal and for pages; its first column names rows."""
+    """A table of results for the terminal and for pages; its first column names rows.
+
+    On a page, columns of a high rank are hidden on a telephone and on paper; a row may have
+    attributes in HTML, and its name a link.
+    """
 
     title: str = ""
     columns: Sequence[str] = ()
     rows: Sequence[Sequence[str]] = ()
     sentences: Sequence[str] = ()
+    ranks: Sequence[int] = ()
+    attributes: Sequence[str] = ()
+    links: Sequence[str | None] = ()
 
 
 def plain(text: object) -> str:
@@ -52,12 +62,26 @@ def paragraphs(sentences: Sequence[str], style: str = "") -> str:
     return "\n".join(f"<p{kind}>{safe(sentence)}</p>" for sentence in sentences)
 
 
-def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def unbroken(text: str) -> str:
+    """Return a text as HTML that keeps angles, times and sizes on one line.
+
+    >>> unbroken("42 55.80 S")
+    '<span class="whole">42 55.80 S</span>'
+    """
+    return UNBROKEN.sub(
+        lambda match: f'<span class="whole">{match[0]}</span>', safe(text)
+    )
+
+
+def table(result: Result) -> str:
     """Return a table whose first column names the rows; wide tables scroll horizontally."""
-    styles = [
-        "" if all(map(_is_number, cells)) else WORDS
-        for cells in zip(*rows, strict=True)
-    ]
+    caption, columns, rows = result[:3]
+    styles = [f' class="rank{rank}"' if rank else "" for rank in result.ranks]
+    if not styles:
+        styles = [
+            "" if all(map(_is_number, cells)) else WORDS
+            for cells in zip(*rows, strict=True)
+        ]
     styles = styles or [""] * len(columns)
     heads = "".join(
         f'<th scope="col"{style}>{safe(name)}</th>'
@@ -65,12 +89,16 @@ def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -
     )
     heads = f"<thead><tr>{heads}</tr></thead>" if any(columns) else ""
     lines = []
-    for name, *values in rows:
+    for k, (name, *values) in enumerate(rows):
+        attributes = result.attributes[k] if result.attributes else ""
+        text = unbroken(name)
+        if result.links and result.links[k]:
+            text = f'<a href="{safe(result.links[k])}">{text}</a>'
         cells = "".join(
-            f"<td{style}>{safe(cell)}</td>"
+            f"<td{ALARM if cell.startswith(LOUD) else style}>{unbroken(cell)}</td>"
             for cell, style in zip(values, styles[1:], strict=True)
         )
-        lines.append(f'<tr><th scope="row">{safe(name)}</th>{cells}</tr>')
+        lines.append(f'<tr{attributes}><th scope="row">{text}</th>{cells}</tr>')
     return (
         f'<div class="table" role="region" aria-label="{safe(caption)}" tabindex="0"><table>'
         f"<caption>{safe(caption)}</caption>{heads}"
@@ -92,38 +120,10 @@ def listing(text: str) -> str:
     return f"<pre><code>{safe(text)}</code></pre>"
 
 
-def document(
-    title: str, body: str, style: str, scripts: Sequence[str] = (), head: str = ""
-) -> str:
-    """Return a page; `style` and `scripts` name files of the package, next to `page.css`."""
-    styles = _asset("page.css") + _asset(style)
-    policy = f"default-src 'none'; style-src {_hash(styles)}"
-    ending = ""
-    if scripts:
-        code = "".join(map(_asset, scripts))
-        policy += f"; script-src {_hash(code)}"
-        ending = f"<script>{code}</script>"
-    return "\n".join(
-        [
-            "<!DOCTYPE html>",
-            '<html lang="en"><head><meta charset="utf-8">',
-            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"{head}<title>{safe(title)}</title>",
-            f"<style>{styles}</style></head><body>",
-            f"{body}{ending}</body></html>",
-            "",
-        ]
-    )
-
-
 @cache
-def _asset(name: str) -> str:
+def asset(name: str) -> str:
+    """Return the text of a style or a script of the package."""
     return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
-
-
-def _hash(text: str) -> str:
-    return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
 
 
 def fragment(kind: str, name: object, *contents: str) -> str:
@@ -133,7 +133,7 @@ def fragment(kind: str, name: object, *contents: str) -> str:
         if kind
         else ""
     )
-    style = _asset("notebook.css").replace("\n", "")
+    style = asset("notebook.css").replace("\n", "")
     return f'<div class="clpt"><style>{style}</style>{head}{"".join(contents)}</div>'
 
 

@@ -29,4 +29,7 @@ function countOn() {
   for (const row of document.querySelectorAll("tr[data-end]")) countRow(row);
 }
 countOn();
+// A zoomed map is being read, and stays.
+const again = document.body.dataset.again;
+if (again) setInterval(() => { if (!document.querySelector(".zoomed")) location.reload(); }, 1000 * again);
 setInterval(countOn, 60000);

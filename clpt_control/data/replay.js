@@ -1,8 +1,8 @@
 // The map's zoom and the dive under the pointer. The page reads well without.
 const map = document.getElementById("map"), said = document.getElementById("said");
 const full = { x: 0, y: 0, w: map.viewBox.baseVal.width, h: map.viewBox.baseVal.height };
-const [left, top_, wide, high] = map.dataset.box.split(" ").map(Number);
-const [south, north, west, east] = map.dataset.edges.split(" ").map(Number);
+// place of the chart in the map, its edges in degrees, metres of a unit
+const [left, top_, wide, high, south, north, west, east, metres] = map.dataset.chart.split(" ").map(Number);
 const DEEPEST = 200, STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800];
 let view = { ...full };
 
@@ -47,8 +47,8 @@ function grid() {
   }
 }
 function scaleBar() {
-  const most = 0.25 * view.w * map.dataset.metres, power = 10 ** Math.floor(Math.log10(most));
-  const length = [5, 2, 1].find((m) => m * power <= most) * power, long = length / map.dataset.metres;
+  const most = 0.25 * view.w * metres, power = 10 ** Math.floor(Math.log10(most));
+  const length = [5, 2, 1].find((m) => m * power <= most) * power, long = length / metres;
   const x = view.x + 0.97 * view.w - long, y = view.y + view.h - 24 * pixel();
   part("path", { class: "scale", d: `M${x} ${y - 6 * pixel()}V${y}h${long}v${-6 * pixel()}` }, over);
   label(x + 6 * pixel(), y - 8 * pixel(), length >= 1000 ? length / 1000 + " km" : length + " m", "");
@@ -158,8 +158,5 @@ for (const [name, hint, act] of [
 for (const row of document.querySelectorAll("tr[id]"))
   for (const name of ["pointerenter", "click"])
     row.addEventListener(name, () => choose(row));
-const again = document.querySelector("[data-again]");
-// A zoomed map is being read, and stays.
-if (again) setInterval(() => { if (!zoomed()) location.reload(); }, 1000 * again.dataset.again);
 addEventListener("resize", draw);
 draw();

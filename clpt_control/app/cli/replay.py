@@ -370,6 +370,7 @@ def look_at(
     job: replay_report.Job, top: Path, out: Path, alert: Sequence[str]
 ) -> tuple[Report, Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
+    from ...base.page import page_html
     from ...ocean.forecast.fleet import Alerts, fleet_page, ordered, standing, unread
     from ...ocean.forecast.table_rows import utc
     from ...ocean.gliders.dive_files import FROM_GLIDER, read_all_dives
@@ -417,7 +418,7 @@ def look_at(
             f"{top}: no subfolder has dive files. Give a folder with one subfolder per vehicle"
         )
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}
-    write_file(out / "fleet.html", fleet_page(fleet))
+    write_file(out / "fleet.html", page_html(fleet_page(fleet)))
     return fleet, out / "fleet.html"
 
 

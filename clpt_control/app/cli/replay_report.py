@@ -219,6 +219,7 @@ def write(
     will be written anew.
     """
     from ...base.figures import figure_of
+    from ...base.page import page_html
     from ...ocean.forecast.map_layers import next_geojson, track_kml
     from ...ocean.forecast.netcdf_export import dataset_of
     from ...ocean.forecast.plots import replay_plot
@@ -226,7 +227,7 @@ def write(
 
     results: dict[str, Any] = {
         "replay.nc": dataset_of(summary),
-        "replay.html": replay_page(summary, again),
+        "replay.html": page_html(replay_page(summary, again)),
         "next.geojson": next_geojson(summary),
         "track.kml": track_kml(summary, summary["vehicle"]),
     }

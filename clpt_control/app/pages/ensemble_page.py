@@ -11,6 +11,7 @@ import numpy as np
 from xarray import Dataset
 
 from ...base.html import Result, folded, listing
+from ...base.page import Page, Section, drawn, versions_section
 from ...ensemble.ensemble_statistics import (
     by_member,
     curves_of,
@@ -20,7 +21,6 @@ from ...ensemble.ensemble_statistics import (
     rms_of,
 )
 from ...simulation.comparison import MAX_PORTS
-from .page import Page, Section, drawn, versions_section
 from .results import Summary
 
 MOST_ROUNDS = 8

@@ -11,9 +11,9 @@ from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ...base.figures.degree_axes import degree_axes
 from ...base.geodesy import LocalPlane
 from ...base.html import Result
+from ...base.page import Page, Section, drawn, versions_section
 from ...base.units import at_most, finite_or_none
 from ...ocean.estimation.fix_model import LEVEL, PERCENT
-from .page import Page, Section, drawn, versions_section
 
 Report = dict[str, Any]  # ready for JSON
 MANY = 40  # legs; beyond, marks are small

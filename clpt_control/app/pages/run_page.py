@@ -8,6 +8,7 @@ from xarray import Dataset
 from ...base.errors import ClptError
 from ...base.figures import figure_of, new_figure
 from ...base.html import Result, folded, listing
+from ...base.page import Drawn, Page, Section, drawn, versions_section
 from ...engine.diagram.interconnection import Diagram
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
@@ -30,7 +31,6 @@ from ...simulation.team_plots import team_plot
 from ...simulation.track_chart import track_plot
 from ...theory.excitation.gramian import gramian
 from . import results
-from .page import Drawn, Page, Section, drawn, versions_section
 from .results import Summary
 
 KINDS = ("Run of a scenario", "Run of a diagram")

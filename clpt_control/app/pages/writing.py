@@ -23,9 +23,9 @@ from ...paper.scenario.recorded_run import (
 if TYPE_CHECKING:
     import xarray
 
+    from ...base.page import Page
     from ...ocean.forecast.replay import Replay
     from ...paper.scenario.experiment import Scenario
-    from .page import Page
 
 NEEDED = (  # variables of a run
     *(
@@ -97,53 +97,41 @@ def _written(
     run: Any, path: Path, title: str | None, figures: Any, kinds: Sequence[str]
 ) -> dict[str, Any]:
     """Write the page; return what `report` returns."""
-    from .page import page_html
+    from ...base.page import page_html
 
-    source: Any = run
-    name = "the replay"
+    source, name = run, "the replay"
     if isinstance(run, str | Path):
-        source, name = read(Path(run)), str(Path(run))
+        source, name = read(Path(run)), str(run)
+    folder = None if figures is None else make_folder(figures)
+    page = page_of(source, title, name)
+    text = page_html(page)
     results: dict[Path, Any] = {}
-    if hasattr(source, "steps") or kind_of(source) == "replay":
-        from ...ocean.forecast.netcdf_export import report_of as replay_report
-
-        replay = replay_report(source, name)
-        if figures is not None:
-            raise DataError(
-                "figures: not available for a replay. Use clpt replay --out"
-            )
-        kind = "Replay of a glider's dives"
-        title_used = title or f"{replay['vehicle']}: where it comes up next"
-        text, sentences = _replay(replay, title)
-    else:
-        folder = None if figures is None else make_folder(figures)
-        page = page_of(source, title)
-        kind, title_used, text = page.kind, page.title, page_html(page)
-        sentences = [*page.sentences, *page.warnings]
-        if folder is not None:
-            results = {
-                folder / f"{item.name}.{end}": item.figure
-                for item in page.figures
-                for end in kinds
-            }
+    if folder is not None:
+        results = {
+            folder / f"{item.name}.{end}": item.figure
+            for item in page.figures
+            for end in kinds
+        }
     write_together({path: text, **results})
     return {
         "file": str(path),
         "bytes": len(text.encode()),
-        "kind": kind,
-        "title": title_used,
-        "sentences": [*sentences],
+        "kind": page.kind,
+        "title": page.title,
+        "sentences": [*page.sentences, *page.warnings],
         "figures": [str(item) for item in results],
     }
 
 
-def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
-    """Return the page of a run, a team's or a diagram's, of an ensemble or of fixes."""
+def page_of(data: Any, title: str | None, name: str) -> "Page":
+    """Return the page of a run, a team's or a diagram's, of an ensemble, fixes or a replay."""
     from ...paper.scenario.team import system_of_run
     from .ensemble_page import ensemble_page
     from .fixes_page import fixes_page
     from .run_page import diagram_page, run_page
 
+    if hasattr(data, "steps") or kind_of(data) == "replay":
+        return _page_of_replay(data, title, name)
     if kind_of(data) == "ensemble":
         return ensemble_page(data, title)
     if kind_of(data) == "fixes":
@@ -187,13 +175,14 @@ def _by_key(scenario: "Scenario") -> dict[str, Any]:
     }
 
 
-def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
-    """Return the page of a replay and its sentence."""
+def _page_of_replay(data: Any, title: str | None, name: str) -> "Page":
+    """Return the page of a replay, or refuse one that is damaged."""
+    from ...ocean.forecast.netcdf_export import report_of
     from ...ocean.forecast.replay_page import replay_page
-    from ...ocean.forecast.replay_summary import next_surfacing
 
+    replay = report_of(data, name)
     try:
-        return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]
+        return replay_page(replay, title=title)
     except (
         LookupError,
         ArithmeticError,

@@ -5,12 +5,11 @@ time at the surface included.  Ages and hours are those at the time of computing
 script `clock.js` counts them on.
 """
 
-import re
 from math import hypot
 from typing import Any
 
 from ...base.geodesy import displacement, distance
-from ...base.html import safe
+from ...base.html import safe, unbroken
 from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import PERCENT
 from . import table_rows
@@ -19,21 +18,6 @@ from .table_rows import BASES, ellipse_words, half_axes, is_outside, place_in
 
 Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
-UNBROKEN = re.compile(  # angles, times and sizes that stay on one line
-    r"\d+(?: \d\d)?\.\d+ [NSEW]\b|\+- [\d.]+ \w+|\d+ x \d+ m\b|\d+ of \d+|"
-    r"(?:\d{4}-)?\d\d-\d\d \d\d:\d\d"
-)
-
-
-def unbroken(text: str) -> str:
-    """Return a text as HTML that keeps angles, times and sizes on one line.
-
-    >>> unbroken("42 55.80 S")
-    '<span class="whole">42 55.80 S</span>'
-    """
-    return UNBROKEN.sub(
-        lambda match: f'<span class="whole">{match[0]}</span>', safe(text)
-    )
 
 
 def cards(report: Report) -> list[str]:

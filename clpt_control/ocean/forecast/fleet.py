@@ -35,12 +35,13 @@ from urllib.parse import quote
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import read_text
-from ...base.html import document, safe
+from ...base.html import safe
+from ...base.page import Page, Section
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from ..estimation.fix_model import PERCENT
-from .cards import attributes, overdue_marks, unbroken
-from .replay_page import cell_table
+from .cards import attributes, overdue_marks
+from .replay_page import AGAIN, ranked_table
 from .surfacing import RECENT, overdue_times
 from .table_rows import (
     Columns,
@@ -175,45 +176,36 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     }
 
 
-def fleet_page(fleet: dict[str, Any]) -> str:
-    """Return the fleet as one HTML file, which links the page of each vehicle."""
+def fleet_page(fleet: dict[str, Any]) -> Page:
+    """Return the page of a fleet, which links the page of each vehicle."""
     rows = fleet["vehicles"]
     cells_of_rows = [
         fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows
     ]
     pages = [row["page"] and quote(row["page"]) for row in rows]
+    title, times = "Those that need a pilot first", [*map(_times, rows)]
+    vehicles = ranked_table(title, cells_of_rows, FLEET, times, pages)
     since = f'<span data-since="{safe(fleet["now"])}">ages are of then</span>'
-    body = "\n".join(
-        [
-            "<h1>Fleet</h1>",
-            f"<p>{unbroken(clock(fleet['now']))}, {since}: {fleet_sentence(rows)}.</p>",
-            '<div class="fleet">',
-            *cell_table(
-                "Vehicles, those that need a pilot first",
-                cells_of_rows,
-                FLEET,
-                _marks(rows),
-                pages,
-            ),
-            "</div>",
-        ]
+    sentence = fleet_sentence(rows)
+    return Page(
+        "Replay of the dives of several vehicles",
+        f"Fleet, {clock(fleet['now'])}",
+        [sentence],
+        [],
+        [Section("vehicles", "Vehicles", vehicles)],
+        f"<p>{since}: {sentence}.</p>",
+        ("clock.js",),
+        AGAIN,
     )
-    again = '<meta http-equiv="refresh" content="60">\n'
-    title = f"Fleet, {clock(fleet['now'])}"
-    return document(title, body, "replay.css", ("clock.js",), again)
 
 
-def _marks(rows: list[dict[str, Any]]) -> list[str]:
-    """Return for each row the times and the sentence by which the script counts on."""
-    marks = []
-    for row in rows:
-        if "dive" not in row:
-            marks.append("")
-            continue
-        ahead = row["next_dive"]
-        words = {"end": row["time"], "words": _overdue(row["dive"], ahead)}
-        marks.append(attributes(overdue_marks(ahead, row["time"]) | words))
-    return marks
+def _times(row: dict[str, Any]) -> str:
+    """Return the times and the sentence of a row by which the script counts on."""
+    if "dive" not in row:
+        return ""
+    ahead = row["next_dive"]
+    words = {"end": row["time"], "words": _overdue(row["dive"], ahead)}
+    return attributes(overdue_marks(ahead, row["time"]) | words)
 
 
 def fleet_sentence(rows: list[dict[str, Any]]) -> str:

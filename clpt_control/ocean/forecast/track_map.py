@@ -49,7 +49,7 @@ POINTS = 72  # units of SVG in an inch
 LABEL, PHONE_LABEL = (
     8,
     11,
-)  # points of the degrees; on a telephone, as `replay.css` has them
+)  # points of the degrees; on a telephone, as `page.css` has them
 FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
 AIM = {"color": "black", "label": "to the waypoint"}
 DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
@@ -222,14 +222,11 @@ def map_svg(report: dict[str, Any]) -> str:
     (x0, y0), (x1, y1) = ax.get_position().get_points() * units
     (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
     wide = (east - west) * degree_at((south + north) / 2, east_of(west))[0]
-    for name, numbers in (
-        ("box", (x0, units[1] - y1, x1 - x0, y1 - y0)),
-        ("edges", (south, north, west, east)),
-        ("metres", (wide / (x1 - x0),)),
-    ):
-        words = " ".join(f"{number:.9g}" for number in numbers)
-        text = text.replace("<svg ", f'<svg data-{name}="{words}" ', 1)
-    return text.replace("<svg ", '<svg id="map" ', 1).replace(' target="_blank"', "")
+    box = x0, units[1] - y1, x1 - x0, y1 - y0
+    numbers = *box, south, north, west, east, wide / (x1 - x0)
+    words = " ".join(f"{number:.9g}" for number in numbers)
+    text = text.replace("<svg ", f'<svg id="map" data-chart="{words}" ', 1)
+    return text.replace(' target="_blank"', "")
 
 
 def with_room(points: np.ndarray) -> list[int]:

@@ -65,7 +65,7 @@ class Excitation(Regressor):
 
     def _repr_html_(self) -> str:
         found = self.result
-        contents = table(found.title, found.columns, found.rows)
+        contents = table(found)
         return fragment("Excitation", self.span, contents, paragraphs(found.sentences))
 
     report = property(report_of)

@@ -284,7 +284,7 @@ def test_the_degrees_of_a_telephone_have_room(lat, lon):
     """Letters of 11 units, each 0.62 of their height, and a tick, left of the chart."""
     dives = [replace(one, lat_gps2=lat) for one in fixes_of(4, lat, lon)]
     svg, _ = page_and_sentence(told(dives))
-    left = float(re.search(r'data-box="([\d.]+)', svg)[1])
+    left = float(re.search(r'data-chart="([\d.]+)', svg)[1])
     names = re.findall(r">(\d+°[\d.]+'[NS])<", svg)
     assert names
     assert left > 11 * 0.62 * max(map(len, names)) + 4

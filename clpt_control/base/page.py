@@ -1,18 +1,21 @@
-"""The parts of a page to send, and its HTML.
+"""Pages of runs, ensembles, fixes, replays and fleets: one HTML file each, which fetches nothing.
 
-A sentence comes first, then sections: results beside their figures.  Figures stay
-figures until the page is written, so that they can be files of their own too.  The last section
-tells which versions made it.
+A sentence or cards come first, then sections: a result beside its figures.  Figures stay figures
+until the page is written, so that they can be files of their own too.  Style and script are in the
+file, and its Content-Security-Policy allows only them.  A page reads well without its script.
+Every text is escaped.
 """
 
 import platform
+from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
+from hashlib import sha256
 from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ...base.figures import TITLE, figure_of, inline_svg
-from ...base.html import Result, document, paragraphs, safe, table
+from .figures import TITLE, figure_of, inline_svg
+from .html import Result, asset, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,7 +30,7 @@ PACKAGES = (
     "matplotlib",
 )
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
-LETTERS = 50  # of a title's line there
+LETTERS = 53  # of a title's line there
 RECORDED = ("software", "engine", "method", "message")  # attributes
 
 
@@ -51,13 +54,20 @@ class Section(NamedTuple):
 
 
 class Page(NamedTuple):
-    """A page: its kind, its title, what it is of, warnings and sections."""
+    """A page: its kind, its title, what it is of, warnings and sections.
+
+    Its `lead` is HTML in place of the sentences.  A page is loaded again each so many seconds, if
+    `again` is not 0.
+    """
 
     kind: str
     title: str
     sentences: Sequence[str]
     warnings: Sequence[str]
     sections: Sequence[Section]
+    lead: str = ""
+    scripts: Sequence[str] = ("figures.js",)
+    again: int = 0
 
     @property
     def figures(self) -> list[Drawn]:
@@ -82,25 +92,44 @@ def page_html(page: Page) -> str:
         f'<li><a href="#{section.name}">{safe(section.heading)}</a></li>'
         for section in page.sections
     )
-    body = "\n".join(
+    contents = f'<nav aria-label="Contents"><ul>{links}</ul></nav>'
+    style, script = asset("page.css"), "".join(map(asset, page.scripts))
+    head, mark = "", ""
+    if page.again:
+        mark = f' data-again="{page.again}"'
+        refresh = f'<meta http-equiv="refresh" content="{page.again}">'
+        head = f"<noscript>{refresh}</noscript>"
+    policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
+    return "\n".join(
         [
+            "<!DOCTYPE html>",
+            '<html lang="en"><head><meta charset="utf-8">',
+            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"{head}<title>{safe(page.title)}</title>",
+            f"<style>{style}</style></head><body{mark}>",
             f'<header><p class="soft">{safe(page.kind)}</p><h1>{safe(page.title)}</h1>',
-            f'<div class="lead">{paragraphs(page.sentences)}</div>',
+            f'<div class="lead">{page.lead or paragraphs(page.sentences)}</div>',
             f"{paragraphs(page.warnings, 'alarm')}</header>",
-            f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
+            f"{contents if len(page.sections) > 1 else ''}<main>",
             *map(_section, page.sections),
             '</main><footer class="soft">',
             f"<p>Written by clpt-control {version('clpt-control')}.</p></footer>",
+            f"<script>{script}</script></body></html>",
+            "",
         ]
     )
-    return document(page.title, body, "report.css", ("figures.js",))
+
+
+def _hash(text: str) -> str:
+    return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
 
 
 def _section(section: Section) -> str:
     result, name = section.result, section.name
     wide = [_figure(one) for one in section.figures if one.wide]
     beside = [_figure(one) for one in section.figures if not one.wide]
-    table_html = table(*result[:3]) if result.columns else ""
+    table_html = table(result) if result.columns else ""
     if beside:
         table_html = f"<div>{table_html}</div>" if table_html else ""
         table_html = f'<div class="figures">{"".join(beside)}{table_html}</div>'
