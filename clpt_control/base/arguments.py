@@ -144,9 +144,11 @@ def _refuse_other_names(
     name: str, names: Collection[str], named: Mapping[str, Any]
 ) -> None:
     """Refuse names of arguments that python-control or SciPy has for those of a function."""
-    for other, (own, advice) in OTHER_NAMES.items():
-        if other in named and own in names:
-            raise ArgumentError(f"{name}: {other}= is not an argument. {advice}")
+    for name_elsewhere, (name_here, advice) in OTHER_NAMES.items():
+        if name_elsewhere in named and name_here in names:
+            raise ArgumentError(
+                f"{name}: {name_elsewhere}= is not an argument. {advice}"
+            )
 
 
 def without_mask(value: Any) -> Any:
@@ -234,9 +236,9 @@ def _fits_at_once(value: Any, kinds: Kinds) -> bool:
 @cache
 def _classes(kinds: Kinds) -> tuple[type, ...]:
     """Return the kinds that are classes of this package or of python-control."""
-    own = ("clpt_control.", "control.")
+    prefixes = ("clpt_control.", "control.")
     classes = [kind for kind in kinds if isinstance(kind, type)]
-    return tuple(kind for kind in classes if kind.__module__.startswith(own))
+    return tuple(kind for kind in classes if kind.__module__.startswith(prefixes))
 
 
 def fits(value: Any, kinds: Kinds) -> bool:

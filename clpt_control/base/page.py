@@ -127,13 +127,13 @@ def _hash(text: str) -> str:
 
 def _section(section: Section) -> str:
     result, name = section.result, section.name
-    wide = [_figure(one) for one in section.figures if one.wide]
-    beside = [_figure(one) for one in section.figures if not one.wide]
+    wide = [_figure(item) for item in section.figures if item.wide]
+    narrow = [_figure(item) for item in section.figures if not item.wide]
     table_html = table(result) if result.columns else ""
-    if beside:
+    if narrow:
         table_html = f"<div>{table_html}</div>" if table_html else ""
-        table_html = f'<div class="figures">{"".join(beside)}{table_html}</div>'
-    sentences = paragraphs([f"{one.removesuffix('.')}." for one in result.sentences])
+        table_html = f'<div class="figures">{"".join(narrow)}{table_html}</div>'
+    sentences = paragraphs([f"{item.removesuffix('.')}." for item in result.sentences])
     return (
         f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
         + "\n".join([section.more, table_html, sentences, *wide])

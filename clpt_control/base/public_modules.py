@@ -52,8 +52,8 @@ def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
                 )
     from .arguments import nearest
 
-    near = nearest(name, names)
-    advice = f". Did you mean {short}.{near}?" if near else ""
+    similar = nearest(name, names)
+    advice = f". Did you mean {short}.{similar}?" if similar else ""
     return AttributeError(f"No {module} attribute {name}{advice}")
 
 

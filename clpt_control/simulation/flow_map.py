@@ -49,18 +49,18 @@ class _Learned:
         """Return times since t = 0, and the coordinate of the map."""
         time = self.end if time is None else time
         try:
-            given = np.atleast_1d(time)
+            values = np.atleast_1d(time)
         except (TypeError, ValueError):  # rows of several lengths, or no numbers
-            given = _row("time", time)
+            values = _row("time", time)
         unit = self.scenario.units.time
-        if given.dtype.kind == "M":
+        if values.dtype.kind == "M":
             if self.date is None:
                 raise DataError(
                     "time: the run has no date. Give numbers since its start"
                 )
-            elapsed = (given - np.datetime64(self.date)) / np.timedelta64(1, "s")
-            return elapsed / SECONDS[unit], ("time", given.astype("M8[ns]"))
-        times = _row("time", given)
+            elapsed = (values - np.datetime64(self.date)) / np.timedelta64(1, "s")
+            return elapsed / SECONDS[unit], ("time", values.astype("M8[ns]"))
+        times = _row("time", values)
         if self.date is None:
             start = {"long_name": "time since the start of the run", "units": unit}
             return times, ("time", times, start)
@@ -203,10 +203,10 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         raise DataError(
             "the run has other basis functions than its scenario, so no map"
         )
-    places, field = run.position.values, None
+    points, field = run.position.values, None
     if scenario.field_path is not None:
         field = read_field(scenario.field_path, scenario.units)
-        places = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
+        points = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
     estimate = run.flow_parameters_estimate
     return _Learned(
         scenario,
@@ -214,7 +214,7 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         estimate.attrs["units"],
         None,
         None if scenario.origin is None else scenario.plane,
-        places,
+        points,
         run.attrs.get("time_origin"),
         run.time.values[-1],
         "true_flow" not in unknown,

@@ -71,15 +71,15 @@ def learner(loop: ClosedLoop, name: str) -> Diagram:
     outside = {*INPUTS, *loop.external} - ({"zc"} - {*loop.external})
     makers = {port: block for block in blocks for port in output_ports(block)}
     makers["taken"] = paper_block("received", "-> taken", output=received)
-    found: list[Part] = [makers["alpha"]]
+    parts: list[Part] = [makers["alpha"]]
     read: set[str] = set()
-    for block in found:
+    for block in parts:
         ports = input_ports(block).keys()
         read |= ports
-        found += [makers[port] for port in ports - outside if makers[port] not in found]
+        parts += [makers[port] for port in ports - outside if makers[port] not in parts]
     inputs = dict.fromkeys([*INPUTS, *loop.external])
     external = [port for port in inputs if port in read & outside]
-    in_order = [block for block in [*blocks, makers["taken"]] if block in found]
+    in_order = [block for block in [*blocks, makers["taken"]] if block in parts]
     diagram = connect(in_order, external, name)
     diagram.origin = loop
     return diagram
@@ -130,8 +130,8 @@ class LearnerFile(CFile):
         intervals = list(self.layout.intervals)
         for k in sampled:
             samples = self.wiring.nodes[k].system.first_held is not None
-            first = f"after[{self._jump_index(k)}] = {-1.0 * samples};"
-            yield f"if (kept[{intervals.index(k)}] < 0.0) {first}"
+            statement = f"after[{self._jump_index(k)}] = {-1.0 * samples};"
+            yield f"if (kept[{intervals.index(k)}] < 0.0) {statement}"
 
 
 def comment_lines(lines: Iterable[str]) -> str:

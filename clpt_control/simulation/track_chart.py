@@ -209,9 +209,12 @@ def legend_beside(ax: Any) -> None:
 
 def _merge_truth(line: Any, others: Iterable[Any]) -> None:
     """Remove a line of a true value that several runs have, and draw the first in grey."""
-    for other in others:
-        if other.get_gid() == TRUTH and other.get_ydata()[0] == line.get_ydata()[0]:
-            other.set_color(GREY)
+    for line_of_run in others:
+        if (
+            line_of_run.get_gid() == TRUTH
+            and line_of_run.get_ydata()[0] == line.get_ydata()[0]
+        ):
+            line_of_run.set_color(GREY)
             line.remove()
             return
 

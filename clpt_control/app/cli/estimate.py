@@ -162,8 +162,8 @@ def _recorded(
     legs, skipped = read_legs(source, drifter)
     data, theta = flow_of_legs(legs, scenario, method, **limits)
     begin, origin = data.attrs["time_origin"], data.attrs["origin"]
-    known = known_scenario(scenario, theta, begin, origin)
-    _finish(data, known, Path(source).name, paths, as_json, skipped)
+    known_flow = known_scenario(scenario, theta, begin, origin)
+    _finish(data, known_flow, Path(source).name, paths, as_json, skipped)
 
 
 def _finish(
@@ -232,9 +232,9 @@ def of_run(
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    found, theta = flow_of_run(data, method, *settings)
+    estimate, theta = flow_of_run(data, method, *settings)
     speed = METRES[scenario.units.length] / SECONDS[scenario.units.time]
     theta_true = scenario.flow.parameters
     truth = None if theta_true is None else np.array(theta_true) * speed
-    known = clpt.currents.known_flow_scenario(scenario, theta)
-    _finish(found, known, run.name, paths, as_json, truth=truth)
+    known_flow = clpt.currents.known_flow_scenario(scenario, theta)
+    _finish(estimate, known_flow, run.name, paths, as_json, truth=truth)

@@ -187,8 +187,8 @@ def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:
         if not m["confirmed"]
     ]
     if wrong:
-        more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
-        raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+        further = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
+        raise SimulationError(f"the proof fails: {wrong[0]}{further}")
 
 
 def _prove_by_coq(folder: Path, as_json: bool) -> None:

@@ -127,10 +127,10 @@ class Job:
         legs = self.aims()
         aimed = legs and not self.plan
         goal = legs[0].ahead if aimed else replay.next_dive(*self.plan)
-        found = replay.summary(skipped, goal, legs)
+        report = replay.summary(skipped, goal, legs)
         if self.name and not replay.steps[-1].dive.vehicle:
-            found["vehicle"] = self.name
-        return found | {"paste": paste(found)}
+            report["vehicle"] = self.name
+        return report | {"paste": paste(report)}
 
     def learn(
         self, dives: tuple[Any, Any], files: int, out: Path
@@ -257,15 +257,19 @@ def stamps(folder: Path, results: str, known: dict[Path, Any]) -> dict[Path, Any
 
     if known and not folder.is_dir():
         return known
-    found = {}
+    stamp_of = {}
     for where, _, names in os.walk(folder):
         for path in [Path(where, name) for name in names]:
             is_read = may_hold_dives(path) or path.suffix.lower() in SENSOR_LISTS
             if is_read and not path.is_relative_to(results):
                 with suppress(OSError):
                     status = path.stat()
-                    found[path] = status.st_size, status.st_mtime_ns, status.st_ctime_ns
-    return found
+                    stamp_of[path] = (
+                        status.st_size,
+                        status.st_mtime_ns,
+                        status.st_ctime_ns,
+                    )
+    return stamp_of
 
 
 def watch(
@@ -296,19 +300,19 @@ def watch(
         )
     make_folder(out)
     summary: Report | None = None  # None while results are not those of all files
-    seen: dict[Path, Any] = {}
+    current: dict[Path, Any] = {}
     alerts = Alerts(alert, out)
     since = time.monotonic()
     with interrupt.terminated():
         try:
             while True:
-                known, seen = seen, stamps(inside, results, seen)
-                if summary is None or seen != known:
+                previous, current = current, stamps(inside, results, current)
+                if summary is None or current != previous:
                     summary = None
                     dives: tuple[Any, Any] = [], []
                     with job.so_far():
                         dives = read_all_dives(folder)
-                    new = len(seen.items() - known.items())
+                    new = len(current.items() - previous.items())
                     learned, line = job.learn(dives, new, out)
                     faults = {skip.why for skip in dives[1]} - job.told
                     job.told |= faults

@@ -71,8 +71,8 @@ def excitation(
     if bounds:
         if start is not None:
             raise ClptError("--start: is not of --bounds. Leave one out")
-        given = {**of_bounds, "window": window}
-        _bound_errors(scenario, given, figure, as_json)
+        options = {**of_bounds, "window": window}
+        _bound_errors(scenario, options, figure, as_json)
         return
     for name in [name for name, value in of_bounds.items() if value is not None]:
         raise ClptError(f"--{name}: is of --bounds. Give that too, or leave it out")

@@ -85,8 +85,8 @@ def _spread(data: Dataset, summary: Summary, completed: int) -> Section:
             caption = (
                 f"{label} over time: the median run, half of all runs, nine in ten."
             )
-            one = signal.to_dataset(name=label).assign_attrs(data.attrs)
-            figures.append(drawn(f"output-{k}", 2.8, caption, ensemble_plot, one))
+            spread = signal.to_dataset(name=label).assign_attrs(data.attrs)
+            figures.append(drawn(f"output-{k}", 2.8, caption, ensemble_plot, spread))
         if hidden := len(curves) - len(figures):
             sentences.append(f"{hidden} more outputs are not drawn")
     else:
@@ -118,9 +118,9 @@ def percentile_table(
     if hidden:
         left_out = f"left out: cycles from {MOST_ROUNDS} to the last but one"
         sentences = [*sentences, left_out]
-    first = summary["first_failed"]
-    if first is not None:
-        sentences = [*sentences, f"the first member that did not finish is {first}"]
+    failed = summary["first_failed"]
+    if failed is not None:
+        sentences = [*sentences, f"the first member that did not finish is {failed}"]
     columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
     return Result(f"{name}: {ended}", columns, rows, [*sentences])
 

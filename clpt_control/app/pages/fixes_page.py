@@ -115,9 +115,11 @@ def results_of(report: Report) -> list[Result]:
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
     largest, bound = report["largest_error_m_s"], report["legs"][-1]["guaranteed_m_s"]
-    known = "" if bound is None else f"flow at the last fix: to {at_most(bound, 3)} m/s"
+    sentence = (
+        "" if bound is None else f"flow at the last fix: to {at_most(bound, 3)} m/s"
+    )
     sentences = [
-        *([f"{known}, {report['guarantee']}"] if known else []),
+        *([f"{sentence}, {report['guarantee']}"] if sentence else []),
         *([] if largest is None else [f"largest error: {largest:.2e} m/s"]),
         f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
         f"rms of the errors {report['error_rms_m']:.0f} m",

@@ -239,9 +239,9 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
         for index in np.ndindex(learned.shape[1:])
     ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
-    said = [f"0 stands for less than the tolerance, {atol:g}"]
-    said *= any(row[1] == "0" for row in rows)
-    result = Result(title, ["", "learned", "true"], rows, said)
+    note = [f"0 stands for less than the tolerance, {atol:g}"]
+    note *= any(row[1] == "0" for row in rows)
+    result = Result(title, ["", "learned", "true"], rows, note)
     return Section("learning", "Learned parameters", result)
 
 

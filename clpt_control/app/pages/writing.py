@@ -159,8 +159,8 @@ def _title_of(run: "xarray.Dataset") -> str:
         if name in run.attrs
     ]
     if "scenario" in run.attrs:
-        own, of_paper = map(_by_key, (scenario_of_run(run), paper))
-        keys = [key for key in own if own[key] != of_paper.get(key)]
+        values, of_paper = map(_by_key, (scenario_of_run(run), paper))
+        keys = [key for key in values if values[key] != of_paper.get(key)]
         changes += [f"other {', '.join(keys)}"] if keys else []
     return f"The paper's loop with {'; '.join(changes)}" if changes else title
 

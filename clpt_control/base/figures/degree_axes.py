@@ -34,8 +34,8 @@ class _Degrees:
     def to_point(self, degrees: float) -> float:
         """Return the coordinate of a longitude or latitude."""
         lat, lon = map(float, self.plane.to_earth(*self._centre()))
-        place = (lat, degrees) if self.is_longitude else (degrees, lon)
-        return float(self.plane.to_plane(*place)[int(not self.is_longitude)])
+        position = (lat, degrees) if self.is_longitude else (degrees, lon)
+        return float(self.plane.to_plane(*position)[int(not self.is_longitude)])
 
 
 class _DegreeLocator(Locator):

@@ -101,9 +101,9 @@ def _aim(report: Report, leg: Report) -> str:
     texts = [table_rows.against(leg) if is_against else leg["state"]]
     if leg["crab"] is not None:
         texts.append(f"crab {leg['crab']:+z.0f} degrees")
-    made, full = leg["made_good"], leg["through_water_full"]
+    made_good, full = leg["made_good"], leg["through_water_full"]
     texts.append(
-        f"the dive brings it {made:.0f} m nearer, of {full:.0f} m through the water"
+        f"the dive brings it {made_good:.0f} m nearer, of {full:.0f} m through the water"
     )
     texts.append(f"expected position error {leg['expected_miss']:.0f} m")
     if half_axes(leg) != half_axes(report["next_dive"]):

@@ -128,17 +128,17 @@ def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
 def _feature(kind: str, row: dict[str, Any]) -> Feature:
     """Return a feature of a row; only points have the values of the row."""
     _, prefixes, name, colour, words_of, time = KINDS[kind]
-    places = [place_in(row, prefix) for prefix in prefixes]
+    points = [place_in(row, prefix) for prefix in prefixes]
     words, when = words_of(row), row[time] if time else ""
     shape, properties = "LineString", {"time": when} if when else {}
     if kind.startswith("ring"):
-        shape, places = "Polygon", ring_of(row, *places)
-    if len(places) == 1:
+        shape, points = "Polygon", ring_of(row, *points)
+    if len(points) == 1:
         shape = "Point"
         properties = {key: value for key, value in row.items() if value is not None}
     if kind == "next":
         properties = {"description": words, **properties}
-    return Feature(name.format_map(row), shape, places, colour, when, words, properties)
+    return Feature(name.format_map(row), shape, points, colour, when, words, properties)
 
 
 def next_geojson(report: dict[str, Any]) -> str:
@@ -153,7 +153,7 @@ def next_geojson(report: dict[str, Any]) -> str:
 def track_kml(report: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
     layers = layers_of(report)
-    fixes, first = layers["fix"], layers["track"][0]
-    places = [first.places[0], *(fix.places[0] for fix in fixes)]
+    fixes, track = layers["fix"], layers["track"][0]
+    points = [track.places[0], *(fix.places[0] for fix in fixes)]
     ahead = (feature for kind in AHEAD for feature in layers[kind])
-    return kml([first._replace(places=places), *fixes, *ahead], name)
+    return kml([track._replace(places=points), *fixes, *ahead], name)

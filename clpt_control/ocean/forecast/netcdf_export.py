@@ -143,8 +143,8 @@ def dataset_of(replay: Source) -> xarray.Dataset:
     data["trajectory"] = ((), report["vehicle"], {"cf_role": "trajectory_id"})
     for name, column in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
-        known = column.dropna()
-        if len(known) and all(isinstance(value, bool | np.bool_) for value in known):
+        filled = column.dropna()
+        if len(filled) and all(isinstance(value, bool | np.bool_) for value in filled):
             flags = {
                 "flag_values": np.array([-1, 0, 1], np.int8),
                 "flag_meanings": "unknown no yes",

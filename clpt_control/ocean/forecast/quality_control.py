@@ -168,9 +168,9 @@ def check_dead_reckoning(dives: Sequence[Dive]) -> None:
     dives = dives[-COMPARED:]
     if len(dives) < FEWEST:
         return
-    ways = np.array([(*d.over_ground, *d.through_water) for d in dives])
-    ways /= np.array([d.duration for d in dives])[:, None]
-    over_ground, reckoned = ways[:, :2], ways[:, 2:]
+    displacements = np.array([(*d.over_ground, *d.through_water) for d in dives])
+    displacements /= np.array([d.duration for d in dives])[:, None]
+    over_ground, reckoned = displacements[:, :2], displacements[:, 2:]
     limit = residual(over_ground, reckoned, (0.0, FACTORS[1]))
     limit *= np.exp(-CLEAR / (len(dives) - 1))
     residuals = {

@@ -206,9 +206,9 @@ class Replay:
 
     def start(self) -> Fix:
         """Return the fix where the next dive begins."""
-        time, *place = self.fix
+        time, *position = self.fix
         stay, drift = self.dive_statistics.stay()[0], self.dive_statistics.drift()[0]
-        return (time + stay, *place_from(*place, *drift))
+        return (time + stay, *place_from(*position, *drift))
 
     def surfacing(
         self, guess: Guess | None = None, start: Fix | None = None
@@ -339,15 +339,15 @@ class Replay:
         self._before = self._state()
         last = self.steps[-1].dive if self.steps else None
         surface_drift = drift(dive, last)
-        held = None
+        is_inside = None
         if headline is not None and last is not None and follows(dive, last):
-            held = headline.holds(dive)
-        self.dive_statistics.learn(dive, surface_drift, held or ())
+            is_inside = headline.holds(dive)
+        self.dive_statistics.learn(dive, surface_drift, is_inside or ())
         dive = self._learn(dive, forecast)
         mean, covariance = forecast
         inside = squared_distance(dive.miss, mean, covariance) <= CHI_SQUARED
         clpe = self._clpe(dive, last, mean)
-        judged = clpe, mean, covariance, inside, surface_drift, headline, held
+        judged = clpe, mean, covariance, inside, surface_drift, headline, is_inside
         self.steps.append(Step(dive, *judged, **self._learner.learned(dive)))
 
     def _learn(self, dive: Dive, forecast: Forecast) -> Dive:
@@ -365,13 +365,13 @@ class Replay:
         """Trust or doubt the last dive by the end of this one; return the forecast after that."""
         if self._outlier is None:
             return forecast
-        other = self._outlier[1].predict(dive)
+        rival = self._outlier[1].predict(dive)
         y = dive.miss
-        log_odds = log_density(y, *other) - log_density(y, *forecast)
+        log_odds = log_density(y, *rival) - log_density(y, *forecast)
         is_trusted = self.steps[-1].dive.doubt < self._outlier[0].doubt
         if log_odds > (SURE if is_trusted else 0.0):
             self._swap_outlier()
-            forecast = other
+            forecast = rival
         self._outlier = None
         return forecast
 
@@ -382,7 +382,10 @@ class Replay:
         carried_by = [np.zeros(2), scale * (last or dive).miss, mean]
         if self.flow_model is not None:
             carried_by.append(np.array([dive.model_east, dive.model_north], float))
-        sizes = [finite_or_none(float(np.hypot(*(y - way)))) for way in carried_by]
+        sizes = [
+            finite_or_none(float(np.hypot(*(y - displacement))))
+            for displacement in carried_by
+        ]
         return dict(zip(self.models, sizes, strict=True))
 
 

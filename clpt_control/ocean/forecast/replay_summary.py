@@ -160,7 +160,7 @@ def summary(
     differences = [
         difference for difference in differences_of_dives if isfinite(difference)
     ]
-    held = [step.headline_held for step in steps if step.headline_held]
+    judged = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last if self.model.learn_speed else None
     model = self.flow_model
@@ -180,9 +180,9 @@ def summary(
         "dac_identity_median": float(np.median(differences)) if differences else None,
         "level": LEVEL,
         "forecast": {
-            "judged": len(held),
-            "inside": sum(inside for inside, _ in held),
-            "on_time": sum(on_time for _, on_time in held),
+            "judged": len(judged),
+            "inside": sum(inside for inside, _ in judged),
+            "on_time": sum(on_time for _, on_time in judged),
         },
         "hindsight": {
             "judged": len(steps),
@@ -259,8 +259,8 @@ def record_sentence(forecast: dict[str, Any]) -> str:
 
 def coming(report: dict[str, Any]) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing, aims."""
-    first = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
-    return [*first, *map(aim_sentence, report["aim"])]
+    sentences = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
+    return [*sentences, *map(aim_sentence, report["aim"])]
 
 
 def beyond_cards(report: dict[str, Any]) -> list[str]:

@@ -217,12 +217,12 @@ def rows_of(kind: type) -> tuple[Column, ...]:
     return tuple(
         replace(
             row,
-            name=one.name,
-            header=one.name if row.header is SAME else row.header,
-            result=one.name if row.result is SAME else row.result,
-            default=None if one.default is MISSING else one.default,
-            is_required=one.default is MISSING,
+            name=each_field.name,
+            header=each_field.name if row.header is SAME else row.header,
+            result=each_field.name if row.result is SAME else row.result,
+            default=None if each_field.default is MISSING else each_field.default,
+            is_required=each_field.default is MISSING,
         )
-        for one in fields(kind)
-        if (row := one.metadata.get("row"))
+        for each_field in fields(kind)
+        if (row := each_field.metadata.get("row"))
     )

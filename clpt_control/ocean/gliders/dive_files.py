@@ -188,8 +188,8 @@ def named_by_file(files: Iterable[tuple[Path, Sequence[Dive]]]) -> list[Dive]:
     unnamed = [(dive, path) for dive, path in dives if not dive.vehicle]
     unnamed.sort(key=lambda dive_and_path: dive_and_path[0].t_gps2)
     is_fleet = any(
-        path != other_path and usable_dives.is_other_at_once(dive, other)
-        for (dive, path), (other, other_path) in pairwise(unnamed)
+        path != other_path and usable_dives.is_other_at_once(dive, next_dive)
+        for (dive, path), (next_dive, other_path) in pairwise(unnamed)
     )
     return [
         replace(dive, vehicle=name_of(path.stem))
@@ -307,13 +307,13 @@ def read_legs(
     With `drifting` an unknown displacement through the water is 0.
     """
     legs, skipped = read_all_dives(path)
-    known = [isfinite(leg.dr_east) and isfinite(leg.dr_north) for leg in legs]
+    moves = [isfinite(leg.dr_east) and isfinite(leg.dr_north) for leg in legs]
     if drifting:
         legs = [
             leg if is_known else replace(leg, dr_east=0.0, dr_north=0.0, notes=())
-            for leg, is_known in zip(legs, known, strict=True)
+            for leg, is_known in zip(legs, moves, strict=True)
         ]
-    elif not any(known) and all(NO_MOTION in leg.notes for leg in legs):
+    elif not any(moves) and all(NO_MOTION in leg.notes for leg in legs):
         raise DataError(f"{path}: {NO_MOTION}")
     used, unused = known_legs(legs) if is_log(path) else usable_dives.usable(legs, 0.0)
     if not used:
@@ -341,6 +341,6 @@ def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:
             skipped.append(Skipped(leg.number, why))
     stays = [skip for skip in skipped if skip.why.endswith(STAYS)]
     if stays[1:]:
-        first = Skipped(stays[0].dive, f"{stays[0].why} (one of {len(stays)} legs)")
-        skipped = [first, *(skip for skip in skipped if skip not in stays)]
+        summary = Skipped(stays[0].dive, f"{stays[0].why} (one of {len(stays)} legs)")
+        skipped = [summary, *(skip for skip in skipped if skip not in stays)]
     return used, skipped

@@ -225,8 +225,8 @@ class Dive:
         """Miss over duration less the file's current, m/s; or NaN."""
         if self.dac_east is None or self.dac_north is None or not self.duration > 0:
             return nan
-        own = self.dac_east, self.dac_north
-        return float(np.hypot(*(self.miss / self.duration - own)))
+        current = self.dac_east, self.dac_north
+        return float(np.hypot(*(self.miss / self.duration - current)))
 
 
 FIELDS = rows_of(Dive)

@@ -52,8 +52,10 @@ def in_order(path: Path) -> tuple[list[str | int], str]:
     >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
     'sea035.1.gli.sub.9'
     """
-    pieces = re.split(r"(\d+)", path.name)
-    return [int(piece) if k % 2 else piece for k, piece in enumerate(pieces)], path.name
+    segments = re.split(r"(\d+)", path.name)
+    return [
+        int(segment) if k % 2 else segment for k, segment in enumerate(segments)
+    ], path.name
 
 
 def files_before(path: Path) -> list[Path]:
@@ -64,7 +66,11 @@ def files_before(path: Path) -> list[Path]:
         return []
     vehicle, order = _order(path)
     orders = {file: _order(file) for file in inside}
-    before = [file for file, (who, k) in orders.items() if who == vehicle and k < order]
+    before = [
+        file
+        for file, (vehicle_of_file, k) in orders.items()
+        if vehicle_of_file == vehicle and k < order
+    ]
     return sorted(before, key=lambda file: (orders[file][1], file))[-BACK:]
 
 

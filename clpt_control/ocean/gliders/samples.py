@@ -258,7 +258,7 @@ def known_names(data: xarray.Dataset) -> dict[str, str]:
 def columns_of(data: xarray.Dataset, key: str) -> Iterator[tuple[str, np.ndarray]]:
     """Yield name and numbers of the variables that have a quantity, the preferred one before."""
     names, (candidates, read) = known_names(data), QUANTITIES[key]
-    for name in (names[known] for known in candidates if known in names):
+    for name in (names[column] for column in candidates if column in names):
         yield name, read(data, name)
 
 

@@ -78,7 +78,7 @@ def dives_of(text: str, path: Path) -> list[Dive]:
     log, dive_fixes = dives_across_files(path, last, read, _fixes_and_wet)
     if not _fixes_and_wet(log)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
-    digits = [piece for piece in path.name.split(".") if piece.isdecimal()]
+    digits = [field for field in path.name.split(".") if field.isdecimal()]
     number = int(digits[-1]) if digits else 0
     return [
         _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number)

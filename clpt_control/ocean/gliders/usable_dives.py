@@ -100,15 +100,17 @@ def usable(
     used, astray = ordered[:1], None
     for dive in ordered[1:]:
         before = used[-1]
-        overlap, far = _overlap(dive, before), _too_far(dive, before)
-        if overlap or (far and not (astray and _reaches(dive, astray))):
-            skipped.append(Skipped(dive.number, overlap or far))
+        overlap, too_far = _overlap(dive, before), _too_far(dive, before)
+        if overlap or (too_far and not (astray and _reaches(dive, astray))):
+            skipped.append(Skipped(dive.number, overlap or too_far))
             astray = None if overlap else dive
             continue
         astray = None
         if break_before := _break_before(dive, before):
             why = f"of an earlier record: dive {dive.number} begins a new one, {break_before}"
-            skipped += [Skipped(one.number, f"{why}; {OWN}") for one in used]
+            skipped += [
+                Skipped(dive_before.number, f"{why}; {OWN}") for dive_before in used
+            ]
             used = [noted(dive, f"begins a new record, {break_before}")]
             continue
         missing = dive.number - before.number - 1
@@ -317,8 +319,8 @@ def _overlap(dive: Dive, before: Dive) -> str:
 
 def is_other_at_once(dive: Dive, other: Dive) -> bool:
     """Return whether the next dive by start time starts during a dive, and is no copy of it."""
-    apart = distance(*dive.end, *other.end)
-    is_copy = abs(dive.t_gpse - other.t_gpse) < OVERLAP and apart < COPY
+    separation = distance(*dive.end, *other.end)
+    is_copy = abs(dive.t_gpse - other.t_gpse) < OVERLAP and separation < COPY
     return other.t_gps2 < dive.t_gpse - OVERLAP and not is_copy
 
 

@@ -264,12 +264,12 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     refuse_turns(window * np.sqrt(largest_gain * largest))
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
-    whole = float(ends[-1]), 0.0, ends[1:-1], "position"
-    regressor = joint_regressors(scenario, *whole)[""]
+    span = float(ends[-1]), 0.0, ends[1:-1], "position"
+    regressor = joint_regressors(scenario, *span)[""]
     w, gains, weights = regressor.w, regressor.gains, regressor.weights
     return np.array(
         [
-            worst_drop(w[:, part], k, gains, weights[part])[0]
-            for part in regressor.parts(ends[:-1], window)
+            worst_drop(w[:, nodes], k, gains, weights[nodes])[0]
+            for nodes in regressor.parts(ends[:-1], window)
         ]
     )

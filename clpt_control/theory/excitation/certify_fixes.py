@@ -93,10 +93,10 @@ class FixBounds:
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draw guaranteed and made errors against the interval."""
         axes = axes_for(ax, 6.0, 4.0)
-        made = f"largest of {MISSIONS} made missions"
+        label = f"largest of {MISSIONS} made missions"
         style = {"linestyle": "-", "marker": "o"}
         axes.semilogy(self.interval, self.flow, color=BLUE, label="guaranteed", **style)
-        axes.semilogy(self.interval, self.missions, color=RED, label=made, **style)
+        axes.semilogy(self.interval, self.missions, color=RED, label=label, **style)
         axes.set_xlabel(f"interval between fixes ({self.units['time']})")
         axes.set_ylabel("error of the flow on the track (m/s)")
         axes.legend(frameon=False)
@@ -114,12 +114,12 @@ def certify_fixes(
     # Step 1: limits of the sea and the fixes
     context = scenario.known_to_law
     noise = scenario.learning.row.parameters_of(context).noise
-    first, prior = -np.array(scenario.learning_parameters), context.prior
-    theta = first if scenario.flow.parameters is None else scenario.flow.parameters
-    radius = max(1.0, float(np.linalg.norm(theta - first)) / prior)
+    estimate, prior = -np.array(scenario.learning_parameters), context.prior
+    theta = estimate if scenario.flow.parameters is None else scenario.flow.parameters
+    radius = max(1.0, float(np.linalg.norm(theta - estimate)) / prior)
     spread = radius * prior
     if shear is None:
-        usual = largest_shear(basis.kernel, basis.widths, first, spread)
+        usual = largest_shear(basis.kernel, basis.widths, estimate, spread)
         shear = usual / SECONDS[time]
     if unmodelled is None:
         unmodelled = max(UNMODELLED, largest_disturbance(scenario) * speed)
@@ -132,18 +132,23 @@ def certify_fixes(
     most = scenario.run.duration / interval
     for factor in sorted(x for x in INTERVALS if x <= most):
         T, r = factor * interval, max(1.0, factor) * noise
-        times, phi = _planned(scenario, T, r, first)
+        times, phi = _planned(scenario, T, r, estimate)
         bound = ErrorBound(np.full(basis.N, prior), radius, limits)
-        places = phi[-max(1, math.ceil(judged / T - 1e-9)) :]
+        judged_phi = phi[-max(1, math.ceil(judged / T - 1e-9)) :]
         with np.errstate(over="ignore", invalid="ignore"):
             for m in cumulative_simpson(phi, x=times, axis=1, initial=0.0):
                 bound.learn(LegRegressor(times, m), r)
-            errors = [_guaranteed(bound, a, spread) for a in (places, np.eye(basis.N))]
+            errors = [
+                _guaranteed(bound, a, spread) for a in (judged_phi, np.eye(basis.N))
+            ]
         missions = MISSIONS * np.isfinite(errors[0])
-        made = [
-            _made(scenario, T, r, first, spread, limits, k) for k in range(missions)
+        errors_of_missions = [
+            _made(scenario, T, r, estimate, spread, limits, k) for k in range(missions)
         ]
-        off = [np.linalg.norm(places @ eta.T, axis=-1).max() for eta in made]
+        off = [
+            np.linalg.norm(judged_phi @ eta.T, axis=-1).max()
+            for eta in errors_of_missions
+        ]
         rows.append([T, *(speed * x for x in (*errors, max(off, default=np.nan)))])
     # Step 3: sentences
     gain, s = largest_gain(basis.N), "s" * (basis.N > 1)
@@ -159,7 +164,7 @@ def certify_fixes(
             "or give the shear of the flow if it is smaller"
         )
     T = interval if interval in by_interval else max(by_interval)
-    none = f"with a fix each {interval:g} {time} nothing is guaranteed; "
+    no_bound = f"with a fix each {interval:g} {time} nothing is guaranteed; "
     said = (
         f"with a fix each {T:g} {time} the flow on the last {judged:g} {time} of the planned track "
         "is known to "
@@ -176,7 +181,7 @@ def certify_fixes(
         unmodelled=unmodelled,
         noise=largest,
         prior=speed * spread,
-        said=said if interval == T else none + said,
+        said=said if interval == T else no_bound + said,
         limit=limit,
         units=units,
     )
@@ -238,11 +243,11 @@ def _flown(
 
 
 def _planned(
-    scenario: Scenario, T: float, r: float, first: np.ndarray
+    scenario: Scenario, T: float, r: float, estimate: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return times since a fix (n,), and phi (legs, n, N) along the plan."""
     exact = {"localization.noise": 0.0, "run.output_step": T / NODES}
-    run = _flown(scenario, T, r, {"parameters": first.tolist()}, **exact)
+    run = _flown(scenario, T, r, {"parameters": estimate.tolist()}, **exact)
     times, z = run.time.values, run.predicted_position.values
     phi = evaluate(scenario.basis_block("z"), times, z)
     starts = np.arange(0, len(times) - NODES, NODES)
@@ -253,18 +258,18 @@ def _made(
     scenario: Scenario,
     T: float,
     r: float,
-    first: np.ndarray,
+    estimate: np.ndarray,
     spread: float,
     limits: Limits,
     seed: int,
 ) -> np.ndarray:
     """Return the error of theta, (2, N), after a made mission."""
     rng = np.random.default_rng(seed)
-    eta, along = rng.standard_normal(first.shape), rng.standard_normal(2)
+    eta, along = rng.standard_normal(estimate.shape), rng.standard_normal(2)
     eta *= spread / np.linalg.norm(eta)
     basis = scenario.basis
-    steepest = largest_shear(basis.kernel, basis.widths, first + eta, 0.0)
-    theta = first + eta * min(1.0, limits.shear / steepest)
+    steepest = largest_shear(basis.kernel, basis.widths, estimate + eta, 0.0)
+    theta = estimate + eta * min(1.0, limits.shear / steepest)
     amplitude = limits.unmodelled * along / np.linalg.norm(along)
     delta = {"kind": "square", "amplitude": amplitude.tolist(), "period": 10 * T}
     flow = {"parameters": theta.tolist(), "disturbance": delta}

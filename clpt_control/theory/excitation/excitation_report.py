@@ -88,13 +88,13 @@ def result_of(excitation: Any) -> Result:
         [] if team else ["upper bound of the smallest", "least excited direction"]
     )
     rows, sentences = [], [f"measured: {SHARED}"] if team else []
-    for name, one in {**excitation.vehicles, team: excitation}.items():
-        for axis, values in one.eigenvalues.items():
+    for name, member in {**excitation.vehicles, team: excitation}.items():
+        for axis, values in member.eigenvalues.items():
             row = [f"{name} {axis}".strip(), f"{values[0]:.4g}", f"{values[-1]:.4g}"]
-            row.append(f"{one.dimension[axis]} of {len(values)}")
-            rows.append(row + ([] if team else _direction(one, axis)))
-        who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
-        sentences += [who + said for said in one.not_learnable]
+            row.append(f"{member.dimension[axis]} of {len(values)}")
+            rows.append(row + ([] if team else _direction(member, axis)))
+        subject = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
+        sentences += [subject + sentence for sentence in member.not_learnable]
     title = f"Excitation {excitation.span}, {excitation.trajectory}"
     sentences += [] if team else _how_fast(excitation)
     if excitation.without_noise is not excitation:

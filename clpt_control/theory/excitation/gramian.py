@@ -64,9 +64,9 @@ class Excitation(Regressor):
         return f"<Excitation {self.span}: excited {self.counted()}{learned or ''}>"
 
     def _repr_html_(self) -> str:
-        found = self.result
-        contents = table(found)
-        return fragment("Excitation", self.span, contents, paragraphs(found.sentences))
+        result = self.result
+        contents = table(result)
+        return fragment("Excitation", self.span, contents, paragraphs(result.sentences))
 
     report = property(report_of)
     result = property(result_of)
@@ -131,11 +131,11 @@ class Excitation(Regressor):
         begin, end = span_of(self.source)
         starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
         edges = np.concatenate([starts, starts + self.window])
-        whole, signals = (end - begin, begin, edges), self.names.get("w")
-        regressor = joint_regressors(self.source, *whole, signals=signals)[""]
+        span, signals = (end - begin, begin, edges), self.names.get("w")
+        regressor = joint_regressors(self.source, *span, signals=signals)[""]
         factors = [
-            factors_of(regressor.w[:, part], regressor.weights[part])
-            for part in regressor.parts(starts, self.window)
+            factors_of(regressor.w[:, nodes], regressor.weights[nodes])
+            for nodes in regressor.parts(starts, self.window)
         ]
         eigenvalues = np.linalg.svd(factors, compute_uv=False)[..., ::-1] ** 2
         by_axis = np.moveaxis(eigenvalues, 1, 0)
@@ -183,8 +183,10 @@ class Excitation(Regressor):
         forces = vehicle.max_speed, flow.disturbance, scenario.localization
         if any(force is not None for force in forces):
             return {}
-        known = np.subtract(flow.parameters, scenario.model_parameters)
-        c = np.column_stack([known, np.negative(vehicle.feedback), vehicle.feedforward])
+        errors = np.subtract(flow.parameters, scenario.model_parameters)
+        c = np.column_stack(
+            [errors, np.negative(vehicle.feedback), vehicle.feedforward]
+        )
         return {axis: row for axis, row in zip(self.names, c, strict=True) if row.any()}
 
     @property
@@ -306,8 +308,8 @@ def gramian(
 
 def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitation:
     """Return the pooled excitation of a team, with each vehicle's."""
-    first = next(iter(regressors.values()))
-    N = first.scenario.basis.N
+    any_regressor = next(iter(regressors.values()))
+    N = any_regressor.scenario.basis.N
     vehicles = {}
     pooled = []
     for name, regressor in regressors.items():
@@ -315,11 +317,11 @@ def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitatio
         vehicles[name] = Excitation(**alone)
         flow, gains = np.split(regressor.w, [N], axis=-1)
         # the vehicle's gains have columns of their own
-        own = [gains * (other == name) for other in regressors]
-        pooled.append(np.concatenate([flow, *own], axis=-1))
+        gain_columns = [gains * (vehicle == name) for vehicle in regressors]
+        pooled.append(np.concatenate([flow, *gain_columns], axis=-1))
     names = {
         axis: labels[:N] + [f"{g} of {name}" for name in regressors for g in labels[N:]]
-        for axis, labels in first.names.items()
+        for axis, labels in any_regressor.names.items()
     }
     weights = np.concatenate([single.weights for single in regressors.values()])
     w = np.concatenate(pooled, axis=1)

@@ -170,11 +170,11 @@ def quadrature(
     inner = inner[(inner > start + tolerance) & (inner < end - tolerance)]
     ends = start, *inner[np.diff(inner, prepend=start) > tolerance], end
     # Step 2: equal pieces between two cuts
-    pieces = [
+    cuts_of_dwells = [
         np.linspace(a, b, int(np.ceil((b - a) / longest * (1 - 1e-12))) + 1)[:-1]
         for a, b in pairwise(ends)
     ]
-    cuts = np.append(np.concatenate(pieces), end)
+    cuts = np.append(np.concatenate(cuts_of_dwells), end)
     radius = np.diff(cuts)[:, None] / 2
     return cuts, cuts[:-1, None] + radius * (1 + NODE), radius * WEIGHT
 

@@ -121,9 +121,9 @@ class WithRelations(LawLoop):
         """Return a product of factors that are not negative as terms."""
         terms = [Term(S.One, [S.One])]
         for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
-            second = self.weighed(factor) or self.squared(factor)
+            multiplied = self.weighed(factor) or self.squared(factor)
             terms = [
-                term.times(second_term) for term in terms for second_term in second
+                term.times(second_term) for term in terms for second_term in multiplied
             ]
         return terms
 
