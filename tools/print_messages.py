@@ -18,7 +18,6 @@ ERRORS = {
     "ClptError",
     "DataError",
     "DiagramError",
-    "NotYet",
     "ScenarioError",
     "SimulationError",
     "Uncovered",

@@ -247,7 +247,7 @@ def test_cards_are_not_repeated_in_prose():
     assert repr(second).removeprefix("<Aim: ").removesuffix(">") in page
 
 
-KEYS = ("track", "drift", "miss", "ring", "next", "target", "made", "outside", "area")
+KEYS = ("track", "drift", "miss", "ring", "next", "target", "made", "outside")
 
 
 def keys_of(found):
@@ -271,10 +271,8 @@ def test_the_legend_has_what_is_drawn_alone():
     first, *rows = many["each_dive"]
     away = {"forecast": rows[0]["forecast"] | {"inside": False}}
     rows = [first, *(row | away for row in rows)]
-    ring = [(40.0, 8.0), (40.1, 8.0), (40.1, 8.1), (40.0, 8.0)]
-    route = {"areas": [{"name": "a", "entered": 0.0, "ring": ring}], "waypoints": []}
-    more = keys_of(many | {"each_dive": rows, "route": route}) - keys_of(many)
-    assert more == {"outside", "area"}
+    more = keys_of(many | {"each_dive": rows}) - keys_of(many)
+    assert more == {"outside"}
     assert keys_of(aimed) | more == set(KEYS)
 
 
