@@ -258,13 +258,13 @@ def record_sentence(forecast: dict[str, Any]) -> str:
 
 
 def coming(report: dict[str, Any]) -> list[str]:
-    """Return what comes of what `--json` prints: the next surfacing, aims."""
+    """Return what comes of what `--json` prints: the next surfacing and aims."""
     sentences = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
     return [*sentences, *map(aim_sentence, report["aim"])]
 
 
 def beyond_cards(report: dict[str, Any]) -> list[str]:
-    """Return sentences on what no card has: later legs."""
+    """Return sentences on what no card has: later aims, and a flow model without the next dive."""
     why = uncovered(report["next_dive"])
     return [*([why] if why else []), *map(aim_sentence, report["aim"][1:])]
 

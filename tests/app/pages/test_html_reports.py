@@ -315,8 +315,11 @@ def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(
         path.name for path in out.iterdir() if path.suffix in (".svg", ".pdf", ".png")
     }
     assert drawn == {f"replay.{k}" for k in ("svg", "pdf")}
-    assert clpt("report", out / "replay.nc", "-o", again).status == 0
+    words = ("--figures", tmp_path / "charts", "--format", "svg")
+    assert clpt("report", out / "replay.nc", "-o", again, *words).status == 0
     assert again.read_bytes() == (out / "replay.html").read_bytes()
+    charts = {path.name for path in (tmp_path / "charts").iterdir()}
+    assert charts == {"clpe.svg", "learned.svg"}
     own = {"figures": tmp_path, "formats": ["gif"]}
     said = "format 'gif': must be one of png, pdf, svg"
     says(ClptError, said, report, run, tmp_path / "r.html", **own)
