@@ -14,9 +14,12 @@ Each also computes the jumps of states, except python-control, which has no jump
 """
 
 import ctypes
+import platform
+import tempfile
 from collections.abc import Callable, Mapping
 from functools import cache
 from math import copysign, isfinite, prod
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import control
@@ -25,7 +28,7 @@ import sympy
 
 import clpt_control as clpt
 from clpt_control.base.errors import BlockError, DiagramError
-from clpt_control.engine.codegen.c_library import compiled, compiler, loaded
+from clpt_control.engine.codegen.c_library import ENDINGS, compiled, compiler
 from clpt_control.engine.codegen.c_text import CProgram, CRecord
 from clpt_control.engine.codegen.diagram_record import lay_out
 from clpt_control.engine.codegen.machine import LANES
@@ -51,6 +54,14 @@ from clpt_control.engine.solver.schedule import JUMPS
 
 BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
+
+
+def loaded(library: bytes) -> ctypes.CDLL:
+    """Return a shared library, loaded; its file is gone where the system lets it go."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        path = Path(folder) / f"model{ENDINGS[platform.system()]}"
+        path.write_bytes(library)
+        return ctypes.CDLL(str(path))
 
 
 class Backend(NamedTuple):

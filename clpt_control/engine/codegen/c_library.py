@@ -1,6 +1,5 @@
 """Shared libraries of C text, made by the C compiler `cc`, or that of the variable CC."""
 
-import ctypes
 import os
 import platform
 import shutil
@@ -36,11 +35,3 @@ def compiled(text: str, *flags: str) -> bytes:
         reason = error.strerror or error
         raise DiagramError(f"{program} has no folder to work in: {reason}") from None
     raise DiagramError(f"{program} failed: {result.stderr:.200}")
-
-
-def loaded(library: bytes) -> ctypes.CDLL:
-    """Return a shared library, loaded; its file is gone where the system lets it go."""
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        path = Path(folder) / f"model{ENDINGS[platform.system()]}"
-        path.write_bytes(library)
-        return ctypes.CDLL(str(path))
