@@ -131,7 +131,9 @@ def arguments() -> dict[str, tuple]:
         states=real(3),
         points=real(3),
         levels=real(1),
-        linear=layout.Linear(real(1), real(1), whole(1), (1, 1), *(whole(1),) * 6),
+        linear=layout.Linear(
+            real(1), real(1), *(whole(1),) * 3, (1, 1), *(whole(1),) * 6
+        ),
     )
     points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {

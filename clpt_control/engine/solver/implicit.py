@@ -98,9 +98,39 @@ def solve_stage(solver, stage):
     for i in range(n):
         right_side = states[RATE + stage, i, 0] + states[ADDEND, i, 0]
         states[ARGUMENT, linear.order[i], 0] = right_side
+    find_nonzero(n, linear, solver.memory.Z, ARGUMENT * n)
     solve(n, low, high, linear.factors, linear.pivots, solver.memory.Z, ARGUMENT * n)
     for i in range(n):
-        states[RATE + stage, i, 0] = states[ARGUMENT, linear.order[i], 0]
+        j = linear.order[i]
+        states[RATE + stage, i, 0] = (
+            states[ARGUMENT, j, 0] if linear.nonzero[j] else 0.0
+        )
+
+
+def find_nonzero(n, linear, b, at):
+    """Find which components of the solution may differ from 0, for the right-hand side b[at:].
+
+    The others form a group without right-hand side, whose equations have no other components: an
+    absent species, or several that only turn into each other.  Their exact solution is 0; rounding
+    errors of the elimination would make them grow.
+    """
+    low, high = linear.band
+    nonzero, queue = linear.nonzero, linear.queue
+    count = 0
+    for i in range(n):
+        nonzero[i] = b[at + i] != 0.0
+        if nonzero[i]:
+            queue[count] = i
+            count += 1
+    done = 0
+    while done < count < n:
+        j = queue[done]
+        done += 1
+        for i in range(max(0, j - high), min(n, j + low + 1)):
+            if linear.jacobian[j * n + i] != 0.0 and not nonzero[i]:
+                nonzero[i] = 1
+                queue[count] = i
+                count += 1
 
 
 # --- linear equations of a band matrix ------------------------------------------------------

@@ -175,6 +175,8 @@ class Linear(NamedTuple):
     jacobian: Any  # df/dx, column by column
     factors: Any  # of I/(h gamma) - df/dx
     pivots: Any
+    nonzero: Any  # 1 where the solution may differ from 0
+    queue: Any  # indices of these
     band: Any  # numbers of diagonals below and above the main one
     order: Any  # index of each state in the matrix
     groups: Any  # of each state, then of time: columns that share a difference

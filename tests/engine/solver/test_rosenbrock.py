@@ -6,6 +6,7 @@ import re
 import sys
 import time
 
+import control
 import numpy as np
 import pytest
 from engine_runs import (
@@ -219,6 +220,78 @@ def loop_of(values):
     """The paper's loop with values, to be run, and its start."""
     scenario = clpt.paper_scenario().with_values(values)
     return NativeDiagram(clpt.closed_loop(scenario)), clpt.initial_state(scenario)
+
+
+# --- absent species ------------------------------------------------------------------------------
+
+
+def food_web(seed):
+    """Prey by the logistic law, a quick sensor of it, and two to five absent stages of predators.
+
+    The stages turn into each other, eat prey and each other, and are seen by the sensor.
+    """
+    random = np.random.default_rng(seed)
+    count = 2 + seed % 4
+    turns = 10.0 ** random.uniform(-1.0, 3.0, (count, count))
+    births = 10.0 ** random.uniform(0.0, 2.0, (count, count))
+    seen = 10.0 ** random.uniform(2.0, 5.0, count)
+
+    def rates(t, x, u, p):
+        prey, sensor, stages = x[0], x[1], x[2:]
+        eaten = births @ (stages / (0.1 + prey + stages)) * prey
+        moved = turns @ stages - turns.sum(axis=0) * stages
+        return [
+            p["growth"] * prey * (1.0 - prey) - np.sum(stages) * prey,
+            3e4 * (prey - sensor) + seen @ stages,
+            *(moved + eaten - 0.3 * stages),
+        ]
+
+    n = count + 2
+    return control.nlsys(
+        rates, inputs=0, states=n, outputs=n, name="web", params={"growth": 0.7}
+    )
+
+
+@pytest.mark.parametrize("method", ["auto", "rodas5p"])
+@pytest.mark.parametrize("seed", range(6))
+def test_absent_groups_of_species_stay_absent(seed, method):
+    web, times = food_web(seed), np.linspace(0.0, 40.0, 5)
+    start = [0.01, 0.9, *[0.0] * (web.nstates - 2)]
+    run = clpt.simulate(web, times, None, start, method=method)
+    assert "Rodas5P" in run.attrs["method"]
+    x = run.states.values
+    assert np.all(x[:, 2:] == 0.0)
+    np.testing.assert_allclose(
+        x[:, 0], 1.0 / (1.0 + 99.0 * np.exp(-0.7 * times)), rtol=1e-6
+    )
+
+
+def test_absent_species_arrive_with_an_input():
+    """x' = a (y - x) + u, y' = a (x - y): the mean of both is u t / 2 from where u begins."""
+
+    def rates(t, x, u, p):
+        return [1e4 * (x[1] - x[0]) + u[0], 1e4 * (x[0] - x[1]), -1e5 * (x[2] - 1.0)]
+
+    pair = control.nlsys(rates, inputs=1, states=3, outputs=3, name="pair")
+    times = np.linspace(0.0, 20.0, 21)
+    arrival = np.where(times < 10.0, 0.0, 0.5 * (times - 10.0))
+    run = clpt.simulate(pair, times, arrival, [0.0, 0.0, 0.2], method="rodas5p")
+    x = run.states.values
+    assert np.all(x[:11, :2] == 0.0)
+    assert np.sum(x[-1, :2]) == pytest.approx(0.25 * 10.0**2, rel=1e-7)
+
+
+def test_absent_species_of_members_stay_absent():
+    web = food_web(1)
+    growth = [0.2, 0.5, 1.0]
+    data = clpt.run_ensemble(
+        web, {"growth": growth}, timepts=[0.0, 5.0], trajectories=True,
+        initial_state=[0.01, 0.9, 0.0, 0.0, 0.0], method="rodas5p",
+    )  # fmt: skip
+    x = data.y.values[:, -1]
+    assert np.all(x[:, 2:] == 0.0)
+    right = 1.0 / (1.0 + 99.0 * np.exp(-5.0 * np.array(growth)))
+    np.testing.assert_allclose(x[:, 0], right, rtol=1e-6)
 
 
 # --- in a diagram with pieces, jumps and guards -------------------------------------------------
