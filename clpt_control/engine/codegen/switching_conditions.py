@@ -118,6 +118,8 @@ class Decisions:
         ]()  # entries with locked decisions of the first rates
         self._numbers = dict[tuple, int]()  # of each operation's decisions in these
         self._block = 0  # how many numbers were decided before
+        self._sources: dict[int, frozenset[str]] = {}  # arrays that an entry reads
+        self._bounded: set[int] = set()  # entries whose states have a rounding error
         self._bound = Direction(record.tape, {}, bound=True)
         self._true: list[Port] = []  # distances, also of numbers that are held
 
@@ -398,11 +400,17 @@ class Decisions:
     def _is_of_time(self, refs: Sequence[Ref]) -> bool:
         """Return whether values are computed of time and parameters alone."""
         entries = self.record.entries
-        nodes = [ref for ref in refs if type(ref) is int]
-        loads = [
-            entries[k].at for k in reached(entries, nodes) if entries[k].kind == "load"
-        ]
-        return any(at[0] == "t" for at in loads) and all(at[0] in "tP" for at in loads)
+        for k in sorted(reached(entries, refs, self._sources)):
+            kind, arguments, _, at = entries[k]
+            own = at[0] if kind == "load" else ""
+            self._sources[k] = self._arrays_of(arguments).union(own)
+        arrays = self._arrays_of(refs)
+        return "t" in arrays and arrays <= {"t", "P"}
+
+    def _arrays_of(self, refs: Sequence[Ref]) -> frozenset[str]:
+        """Return the arrays that values are computed of."""
+        sources = [self._sources[ref] for ref in refs if type(ref) is int]
+        return frozenset[str]().union(*sources)
 
     def rounding_of(self, distance: Ref) -> Ref:
         """Return the rounding error of a guard's distance: of its operands, and of its states."""
@@ -422,7 +430,9 @@ class Decisions:
         record = self.record
         if type(distance) is float:
             return 0.0
-        for k in reached(record.entries, [distance]):
+        new = reached(record.entries, [distance], self._bounded)
+        self._bounded |= new
+        for k in new:
             kind, _, _, at = record.entries[k]
             if kind == "load" and at[0] == "X":
                 self._bound.known.setdefault(

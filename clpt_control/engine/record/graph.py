@@ -29,7 +29,7 @@ a number, or the name of an open size, ``"N"``.
 """
 
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -131,14 +131,16 @@ def deep() -> Iterator[None]:
         sys.setrecursionlimit(before)
 
 
-def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:
-    """Return the values that roots depend on."""
+def reached(
+    operations: Iterable[Any], roots: Iterable[Ref], known: Container[int] = ()
+) -> set[int]:
+    """Return the values that roots depend on, except known ones and what these depend on."""
     lines = operations if isinstance(operations, list | tuple) else list(operations)
     values: set[int] = set()
     stack = [root for root in roots if type(root) is int]
     while stack:
         value = stack.pop()
-        if value not in values:
+        if value not in values and value not in known:
             values.add(value)
             arguments = [a for a in lines[value].arguments if type(a) is int]
             stack += [a for a in arguments if a not in values]

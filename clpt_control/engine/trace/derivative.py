@@ -53,7 +53,7 @@ class Direction:
         ref = operand(value)
         if type(ref) is float:
             return 0.0
-        new = reached(self.tape.operations, [ref]) - self.known.keys()
+        new = reached(self.tape.operations, [ref], self.known)
         for k in sorted(new):
             self.known[k] = self._slope(k)
         slope = self.known[ref]

@@ -158,3 +158,17 @@ def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
     size = np.abs(exact.y).max()
     assert 0.1 < size < 100.0
     assert np.abs(run.states.values - exact.y.T).max() < 1e-7 * size
+
+
+@pytest.mark.long
+def test_a_sort_of_many_signals_is_compiled():
+    """Signals that fall as exp(-t) stay in their order."""
+    start = np.random.default_rng(3).permutation(np.linspace(0.1, 2.0, 64))
+    rank = np.argsort(np.argsort(start))
+    sorting = control.nlsys(
+        lambda t, x, u, p: -np.sort(x)[rank],
+        inputs=0, outputs=64, states=64, name="sorting",
+    )  # fmt: skip
+    run = clpt.simulate(sorting, [0.0, 1.0], initial_state=start)
+    assert run.attrs["engine"] == "native"
+    np.testing.assert_allclose(run.states.values[-1], start * np.exp(-1.0), rtol=1e-7)
