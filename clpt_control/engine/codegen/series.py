@@ -26,7 +26,7 @@ from .vectors import PRIMITIVES
 
 # of an argument in a step: a part of what is divided by, and the change of another one
 RELATIVE, ABSOLUTE = 0.75, 4.0
-MOST_LINES = 5000  # of coefficients; LLVM takes a second for them
+MOST_LINES = 15_000  # of coefficients; LLVM takes five seconds for them
 MOST_DEGREE = 64  # of a function; its peaks are as narrow as its degree is high
 ALL_SMOOTH = (SMOOTH, Smoothness.FOLDS)
 
@@ -207,7 +207,16 @@ class Coefficients(LLVMPrinter):
             return self.operate("fmul", rest, self.inverse(argument, 2.0))
         if name == "pow" and self.is_constant(arguments[1]):
             return self.power(argument, k)
+        if name == "where" and self.is_of_nan(arguments[0]):
+            return at(arguments[2], k)
         return self.by_slopes(argument, k)
+
+    def is_of_nan(self, condition: Any) -> bool:
+        """Return whether a condition holds only if a value is NaN, where a series ends."""
+        name, arguments, _ = self.components[condition[0]]
+        if name == "and":
+            return any(map(self.is_of_nan, arguments))
+        return name == "ne" and arguments[0] == arguments[1]
 
     def power(self, argument: Any, k: int) -> Any:
         """Return coefficient k of f = a^b: sum of (b (k - j) - j) / k a_(k - j) f_j over a_0."""

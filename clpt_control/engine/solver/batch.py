@@ -261,6 +261,7 @@ class Batch:
         self._call[-2:] = budget, most
         return self.callee.call("advance", self._call)
 
+    @np.errstate(over="ignore")  # times and states may be as large as numbers go
     def _end_diverging(
         self,
         most: int,

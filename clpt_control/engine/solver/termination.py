@@ -106,6 +106,7 @@ def _points_of(batch: Batch) -> list[tuple[float, ndarray]]:
     return points_ahead(t, x, rate, 0.0 if is_map else batch.lane[SEGMENT_END, 0] - t)
 
 
+@np.errstate(all="ignore")  # times and rates may be as large as numbers go
 def points_ahead(
     t: float, x: ndarray, rate: ndarray, span: float
 ) -> list[tuple[float, ndarray]]:

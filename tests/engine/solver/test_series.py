@@ -127,14 +127,14 @@ def test_a_pole_is_the_error_of_dop853():
 
 
 def many(t, x, u, p):
-    return [np.sin(np.roll(x, k) @ x) * np.exp(np.cos(x[k])) for k in range(12)]
+    return [np.sin(np.roll(x, k) @ x) * np.exp(np.cos(x[k])) for k in range(len(x))]
 
 
 REFUSED = {
     "conditions or kinks": of_state(lambda x: 1.0 - np.abs(x - 1.0)),
     "conditions": of_state(lambda x: -1.0 if x > 0.5 else -0.5),
     "kinks": of_state(lambda x: np.minimum(x, 0.5)),
-    "more than 5000 operations": system(many, 12),
+    "more than 15000 operations": system(many, 24),
     "degree 600": of_state(lambda x: (x * x * x) ** 144 * (1.0 - x) ** 168),
     "degree 500": of_time(lambda t: np.cos(t) ** 500),
     "discrete time": control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=1.0),
@@ -287,6 +287,101 @@ def test_sensitivities_by_series():
         for values in run.data_vars.values()
         if values.ndim and values.shape[0] == 2
     )
+
+
+def turned(t, x):
+    """A point that turns with its distance from 0 as speed: x' = |x| J x."""
+    r = np.hypot(*x)
+    turn = np.array([[np.cos(r * t), -np.sin(r * t)], [np.sin(r * t), np.cos(r * t)]])
+    quarter = np.array([[0.0, -1.0], [1.0, 0.0]])
+    return turn + t * quarter @ turn @ np.outer(x, x) / r
+
+
+# rates of x and p = 1.3; derivative by the start 0.6, and by p
+SLOPES = {
+    "root": (
+        lambda x, p: -p * np.sqrt(x),
+        lambda t, a, p: (1.0 - 0.5 * p * t / np.sqrt(a), 0.5 * p * t**2 - t * np.sqrt(a)),
+    ),
+    "logarithm": (
+        lambda x, p: -p * x * np.log(x),
+        lambda t, a, p: (
+            a ** np.exp(-p * t) * np.exp(-p * t) / a,
+            -t * np.log(a) * np.exp(-p * t) * a ** np.exp(-p * t),
+        ),
+    ),
+    "power": (
+        lambda x, p: -p * x**1.5,
+        lambda t, a, p: (
+            (1.0 + 0.5 * p * t * a**0.5) ** -3,
+            -t * (a**-0.5 + 0.5 * p * t) ** -3,
+        ),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SLOPES)
+def test_sensitivities_of_roots_by_series(name):
+    rate, right = SLOPES[name]
+    model = system(lambda t, x, u, p: [rate(x[0], p["p"])], p=1.3)
+    found = clpt.sensitivity(
+        model, [0.0, 0.8], "states", ["x0", "p"], None, [0.6], **SERIES
+    )
+    assert found.attrs["method"] == "Taylor 13"
+    np.testing.assert_allclose(
+        np.ravel(found.states.values[-1]), right(0.8, 0.6, 1.3), rtol=1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    "norm", [np.linalg.norm, lambda x: np.hypot(x[0], x[1]), lambda x: (x @ x) ** 0.5]
+)
+def test_sensitivities_of_norms_by_series(norm):
+    def rates(t, x, u, p):
+        r = norm(x[:2])
+        return [-r * x[1], r * x[0], 0.0 * x[2]]
+
+    start = [0.8, -0.5]
+    found = clpt.sensitivity(
+        system(rates, 3), [0.0, 3.0], "states", "x0", None, [*start, 1.0], **SERIES
+    )
+    assert found.attrs["method"] == "Taylor 13"
+    slopes = found.states.values[-1, :2, :2]
+    np.testing.assert_allclose(slopes, turned(3.0, np.array(start)), atol=1e-6)
+
+
+def test_orbits_in_space_have_series():
+    """Kepler's motion keeps the derivatives of energy and angular momentum by the start."""
+
+    def rates(t, x, u, p):
+        return np.concatenate([x[3:], -x[:3] / np.linalg.norm(x[:3]) ** 3])
+
+    start = np.array([1.0, 0.0, 0.2, 0.0, 1.0, 0.3])
+    orbit = system(rates, 6)
+    found = clpt.sensitivity(orbit, [0.0, 7.0], "states", "x0", None, start, **SERIES)
+    assert found.attrs["method"] == "Taylor 13"
+    end_state = clpt.simulate(orbit, [0.0, 7.0], None, start, rtol=1e-12).states[-1]
+
+    def slopes_of_invariants(x):
+        r, v = x[:3], x[3:]
+        energy = np.concatenate([r / np.linalg.norm(r) ** 3, v])
+        momentum = [np.concatenate([np.cross(v, a), np.cross(a, r)]) for a in np.eye(3)]
+        return np.array([energy, *momentum])
+
+    kept = slopes_of_invariants(end_state.values) @ found.states.values[-1]
+    np.testing.assert_allclose(kept, slopes_of_invariants(start), atol=1e-5)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("last", [1e300, 1e308])
+def test_times_as_large_as_numbers_make_no_warning(last):
+    """exp(t) is the largest number at its logarithm."""
+    said = refuses(
+        "state .* is not finite", end, of_state(lambda x: x), [1.0], [0.0, last],
+        error=clpt.SimulationError,
+    )  # fmt: skip
+    reached = float(said.partition("t = ")[2].partition(":")[0])
+    assert reached == pytest.approx(np.log(np.finfo(float).max), rel=1e-6)
 
 
 # --- what a step must not leap over --------------------------------------------------------------
