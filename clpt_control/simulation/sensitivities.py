@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 STEPS = (1e-3, 1e-4, 1e-5)  # of central differences, relative
 TOLERANCE = 1e-3  # of derivatives, relative to the largest
 TIGHT = {"rtol": 1e-10, "atol": 1e-13}  # solver options of central differences
+ATOL = 1e-10  # of a run, if not given
 
 
 class RunWithDerivatives(NamedTuple):
@@ -84,6 +85,7 @@ class SensitivityRun:
             with request.drawn_around():
                 run = compiled(request.diagram, params, request.sizes())
             self.wiring = run.wiring
+            self.atol = 0.0 if self.wiring.dt else request.options["atol"] or ATOL
             self.states = run.states
             self.parameters = run.runner.sweep.parameters
             self.varied = varied_numbers(to, self.wiring, self.states)
@@ -186,31 +188,48 @@ class SensitivityRun:
                 continue
             change = np.zeros(len(values))
             change[j] = size
-            wrong = self._wrong_signals(values, change, run.signals[..., 1 + j] * size)
+            derivatives = run.signals[..., 1 + j]
+            wrong, largest = self._wrong_signals(values, change, derivatives * size)
             if wrong.any():
-                label = [*self.labels, *self.states][int(np.argmax(wrong))]
+                k = int(np.argmax(wrong))
+                label = [*self.labels, *self.states][k]
+                reason = (
+                    f"a function jumps where the run crosses something that moves with it (look in "
+                    f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as "
+                    "np.tanh, or fit runs of clpt.prepare by scipy.optimize.least_squares, which "
+                    "needs no derivative"
+                )
+                if largest[k] < self.atol:
+                    reason = (
+                        f"runs differ by less than their errors, atol = {self.atol:g}. Give an "
+                        "atol far below the sizes of the states"
+                    )
                 raise SimulationError(
-                    f"{label}: differences of runs do not confirm its derivative by {name}, for a "
-                    "function jumps where the run crosses something that moves with it (look in "
-                    f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as np.tanh, "
-                    "or fit runs of clpt.prepare by scipy.optimize.least_squares, which needs no "
-                    "derivative"
+                    f"{label}: differences of runs do not confirm its derivative by {name}, for "
+                    f"{reason}"
                 )
 
     def _wrong_signals(
         self, values: np.ndarray, change: np.ndarray, derivative: np.ndarray
-    ) -> np.ndarray:
-        """Return which signals differ from central differences at every step size."""
-        solver = {} if self.wiring.dt else TIGHT
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return which signals differ from central differences at every step size.
+
+        Also return the largest difference of runs of each signal.
+        """
+        solver = {}
+        if not self.wiring.dt:
+            solver = TIGHT | {"atol": min(TIGHT["atol"], self.atol)}
         wrong = np.ones(derivative.shape, dtype=bool)
         previous_error = np.full(derivative.shape, np.inf)
         tolerance = TOLERANCE * np.abs(derivative).max(axis=0)
+        largest = np.zeros(derivative.shape[1:])
         for h in STEPS:
             above = self.run(values + h * change, **solver).signals[..., 0]
             below = self.run(values - h * change, **solver).signals[..., 0]
             n = min(len(above), len(below), len(wrong))
-            difference = (above[:n] - below[:n]) / (2.0 * h)
-            error = np.abs(difference - derivative[:n])
+            difference = above[:n] - below[:n]
+            largest = np.maximum(largest, np.abs(difference).max(axis=0))
+            error = np.abs(difference / (2.0 * h) - derivative[:n])
             # an error that decreases with the step may be that of rounding
             rounding = 10 * TIGHT["rtol"] / h * np.abs(above).max(axis=0)
             decreases = error <= 0.2 * previous_error[:n]
@@ -218,7 +237,7 @@ class SensitivityRun:
             previous_error = error
             if not wrong.any():
                 break
-        return np.any(wrong, axis=0)
+        return np.any(wrong, axis=0), largest
 
 
 @public

@@ -235,3 +235,21 @@ def test_a_page_shows_sensitivities(tmp_path):
     text = (tmp_path / "page.html").read_text("utf-8")
     assert "x parameter k" in text
     assert f"{-3 * np.exp(-2.0):.6g}" in text  # dx/dk = -t x0 exp(-k t)
+
+
+def test_states_below_atol_are_told_from_jumps():
+    """Two rates of growth, one after the other, from 3e-12: x0 exp(a + 9 b) at t = 10."""
+
+    def rates(t, x, u, p):
+        return [(p["a"] if t <= 1.0 else p["b"]) * x[0], 1.0 - x[1]]
+
+    grown = control.nlsys(
+        rates, inputs=0, outputs=["x", "y"], states=2, params={"a": 0.9, "b": 0.4},
+        name="grown",
+    )  # fmt: skip
+    given = grown, [0.0, 10.0], "x", ["b"], None, [3e-12, 0.0]
+    with pytest.raises(clpt.SimulationError, match="Give an atol far below the sizes"):
+        clpt.sensitivity(*given)
+    found = clpt.sensitivity(*given, atol=1e-24)
+    right = 9.0 * 3e-12 * np.exp(0.9 + 9.0 * 0.4)
+    assert found.x[-1].item() == pytest.approx(right, rel=1e-6)
