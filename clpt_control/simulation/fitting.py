@@ -11,13 +11,14 @@ s^2 (J' J)^-1; directions of parameters that are not identifiable are reported.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import compress
-from typing import Any
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
 
 from ..base.arguments import brief, numbers, public
 from ..base.errors import ArgumentError, SimulationError
+from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
 from ..engine.model.ports import ports_of
 from ..engine.solver.schedule import checked_times
 from ..paper.scenario.experiment import Scenario
@@ -29,6 +30,49 @@ NAMED = 1e-2  # least component of a parameter that is named in a direction
 ROUNDS = 6  # of the estimate of the noise, at most
 NOISE_TOLERANCE = 1e-3  # change of the noise at which the rounds end, relative
 TOLERANCE = 1e-10  # of least squares
+EXACT = 1e-6  # residuals that errors of integration may make, relative to the data
+SMALLEST = 1e-300  # sum of squares
+WHITE = 3.0  # largest lag-one correlation of noise, in standard deviations
+
+
+class FittedOutput(NamedTuple):
+    """A measured output and that of the fitted model over time; NaN is no measurement."""
+
+    times: np.ndarray
+    measured: np.ndarray
+    modelled: np.ndarray
+
+    @property
+    def residuals(self) -> np.ndarray:
+        """Differences of data and model."""
+        return self.measured - self.modelled
+
+    @property
+    def explained(self) -> float:
+        """Share of the variance of the data that the model explains; -inf of constant data."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return 1.0 - np.nanmean(self.residuals**2) / np.nanvar(self.measured)
+
+    @property
+    def correlation(self) -> float:
+        """Lag-one correlation of the residuals, near 0 if they are noise."""
+        left = self.residuals[np.isfinite(self.residuals)]
+        return left[1:] @ left[:-1] / max(left @ left, SMALLEST)
+
+    def __str__(self) -> str:
+        correlation = self.correlation
+        share = f"{100.0 * self.explained:.2f} % of the variance explained"
+        if self.explained == -np.inf:
+            share = "no variance to explain"
+        said = f"{share}, lag-one correlation of residuals {correlation:.2f}"
+        is_white = abs(correlation) < WHITE / np.sqrt(np.isfinite(self.residuals).sum())
+        ratio = np.nansum(self.residuals**2) / max(
+            np.nansum(self.measured**2), SMALLEST
+        )
+        if is_white or ratio < EXACT**2:
+            return said
+        errors = "are too small" if correlation > 0.0 else "may be wrong"
+        return f"{said}; residuals are not noise: the errors {errors}"
 
 
 @dataclass
@@ -51,6 +95,9 @@ class Fit:
         that is met.
     params, initial_state
         To hand to `simulate`.
+    outputs : dict
+        By name: `times`, `measured` and `modelled`; `explained`, a share of the variance of the
+        data; `correlation`, of the residuals at lag one.
 
     Examples
     --------
@@ -68,6 +115,7 @@ class Fit:
     unidentified: tuple[str, ...] = ()
     params: dict[str, Any] = field(default_factory=dict)
     initial_state: Any = None
+    outputs: dict[str, FittedOutput] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         lines = [
@@ -76,7 +124,24 @@ class Fit:
             for name, value in self.values.items()
         ]
         noises = ", ".join(f"{name}: {size:.3g}" for name, size in self.noise.items())
-        return "\n".join([*lines, f"noise of {noises}", *self.unidentified])
+        quality = [f"{name}: {output}" for name, output in self.outputs.items()]
+        return "\n".join([*lines, f"noise of {noises}", *quality, *self.unidentified])
+
+    def plot(self, *, ax: Any = None) -> Any:
+        """Draw data and model of each output over time, and the residuals below."""
+        count = len(self.outputs)
+        axes = axes_for(ax, 6.4 * count, 4.8, nrows=2, ncols=count, sharex="col")
+        panels = np.reshape(axes, (2, count)).T
+        for (above, below), (name, output) in zip(
+            panels, self.outputs.items(), strict=True
+        ):
+            above.plot(output.times, output.measured, ".", color=GREY, label="data")
+            above.plot(output.times, output.modelled, color=BLUE, label="model")
+            above.set_title(literal(name), **TITLE)
+            above.legend(frameon=False, fontsize=8)
+            below.plot(output.times, output.residuals, ".-", color=RED, linewidth=0.5)
+            below.set(xlabel="time", ylabel="data - model")
+        return axes
 
 
 class FitProblem:
@@ -234,6 +299,10 @@ class FitProblem:
         free_names = [*compress(self.names, free)]
         sentences = [_sentence(free_names, direction) for direction in directions]
         sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
+        times = self.run.times[self.run.skipped :]
+        modelled = self.run_at(values).outputs[: len(times), self.columns, 0]
+        columns = zip(self.outputs, self.measured.T, modelled.T, strict=True)
+        outputs = {name: FittedOutput(times, *pair) for name, *pair in columns}
         start, parameters = self.run.with_values(values)
         params = {}
         for name, location in self.run.varied.items():
@@ -249,6 +318,7 @@ class FitProblem:
             tuple(sentences),
             params,
             start,
+            outputs,
         )
 
     def _covariance(

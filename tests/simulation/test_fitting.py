@@ -232,3 +232,64 @@ def test_a_level_at_which_a_rate_jumps_is_refused():
         clpt.fit_parameters(
             autonomous(rate, edge=1.0, k=2.0), data, {"edge": 3.0, "k": 2.5}, TIMES
         )
+
+
+# --- how well a model fits -----------------------------------------------------------------------
+
+
+def wave(amplitude, seed=2):
+    """Decay with a slow wave that the model does not have, and a little noise."""
+    times = np.linspace(0.0, 3.0, 61)
+    noise = 0.01 * np.random.default_rng(seed).standard_normal(61)
+    data = 2.0 * np.exp(-times) + amplitude * np.sin(4.0 * times) + noise
+    begin = {"k": 0.8, "x0.x": 1.5}
+    return times, data, clpt.fit_parameters(decay(1.0), {"x": data}, begin, times)
+
+
+def test_what_a_wrong_model_leaves_is_told():
+    times, data, found = wave(0.3)
+    left = data - found.values["x0.x"] * np.exp(-found.values["k"] * times)
+    share = 100.0 * (1.0 - np.mean(left**2) / np.var(data))
+    output = found.outputs["x"]
+    assert output.correlation == pytest.approx(
+        np.corrcoef(left[1:], left[:-1])[0, 1], abs=0.02
+    )
+    assert 100.0 * output.explained == pytest.approx(share, rel=1e-6)
+    assert f"x: {share:.2f} % of the variance explained" in repr(found)
+    assert "residuals are not noise: the errors are too small" in repr(found)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_noise_is_noise(seed):
+    _, _, found = wave(0.0, seed)
+    assert abs(found.outputs["x"].correlation) < 3.0 / np.sqrt(61)
+    assert "not noise" not in repr(found)
+
+
+def test_exact_data_have_no_residuals_to_speak_of():
+    run = pushed()
+    found = fit({"place": run.place.values})
+    assert "place: 100.00 % of the variance explained" in repr(found)
+    assert "not noise" not in repr(found)
+
+
+def test_a_dead_channel_is_told():
+    data = measured(4, speed=0.01)
+    found = fit({"place": data["place"], "speed": np.zeros(101)})
+    place, speed = repr(found).splitlines()[-2:]
+    assert place.startswith("place: 9")
+    assert "not noise" not in place
+    assert speed.startswith("speed: no variance to explain")
+    assert speed.endswith("residuals are not noise: the errors are too small")
+
+
+def test_data_model_and_residuals_are_drawn():
+    times, data, found = wave(0.3)
+    (points, line), (residuals, *_) = [ax.get_lines() for ax in found.plot()]
+    model = found.values["x0.x"] * np.exp(-found.values["k"] * times)
+    np.testing.assert_array_equal(points.get_xdata(), times)
+    np.testing.assert_array_equal(points.get_ydata(), data)
+    np.testing.assert_allclose(line.get_ydata(), model, rtol=1e-6)
+    np.testing.assert_allclose(residuals.get_ydata(), data - model, atol=1e-6)
+    both = fit(measured(5, speed=0.1))
+    assert both.plot().shape == (2, 2)
