@@ -85,8 +85,9 @@ def simulate(
         attribute ``engine`` says what ran.
     stop : callable, optional
         For a diagram: ``stop(t, y, u)`` of its outputs y and inputs u, by index or name,
-        ``y[0]`` or ``y.angle``. If it returns a number, the run ends where the number falls to 0;
-        if it returns a truth value, such as ``y.angle < 1``, where the value becomes false.
+        ``y[0]``, ``y.angle`` or ``y["angle"]``. If it returns a number, the run ends where the
+        number falls to 0; if it returns a truth value, such as ``y.angle < 1``, where the value
+        becomes false.
     method : str, optional
         ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5;
         ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps; or

@@ -18,7 +18,15 @@ from ...base.html import shortened
 from ...base.notebook_display import diagram_html
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
-from ..model.ports import Slices, counts_of, labels, ports_of, vector, whole_labels
+from ..model.ports import (
+    Slices,
+    Vector,
+    counts_of,
+    labels,
+    ports_of,
+    vector,
+    whole_labels,
+)
 from ..model.sampled import Sampled
 from ..model.system import System
 from ..trace.arrays import Array
@@ -387,16 +395,35 @@ def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wi
 STOP = "stop"  # name of the block
 
 
+class _ByLabel:
+    """Access to the ports of a vector by ``y["angle"]``, as by ``y.angle``."""
+
+    def __getitem__(self: Any, index: Any) -> Any:
+        if isinstance(index, str):
+            return self.__getattr__(index)
+        return super().__getitem__(index)  # type: ignore[misc]
+
+
+class _Numbers(_ByLabel, Vector):
+    """Numbers with ports."""
+
+
+class _Tracers(_ByLabel, Ports):
+    """Tracer array with ports."""
+
+
 def _named(values: Any, labels: Sequence[str]) -> Any:
-    """Return a vector with the ports of its labels: ``y[0]``, ``y.angle``."""
+    """Return a vector with the ports of its labels."""
     ports: Slices = {
         name: (slice(at[0], at[-1] + 1), (len(at),) if len(at) > 1 else ())
         for name, at in ports_of(labels).items()
         if at[-1] - at[0] < len(at)  # without another port between
     }
     if isinstance(values, Array):
-        return Ports.of(values, ports)
-    return vector(values, ports)
+        return _Tracers.of(values, ports)
+    named = vector(values, ports).view(_Numbers)
+    named._ports = ports
+    return named
 
 
 def with_stop(

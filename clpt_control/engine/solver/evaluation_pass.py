@@ -264,11 +264,14 @@ class Sweep:
             node = self.nodes[k]
             results.append((node, "output", self.signals[node.outputs]))
         results += [(node, "update", dx[node.states]) for node in self.nodes]
+        described = dict(DESCRIPTIONS)
+        if self.wiring.dt:
+            described["update"] = "next state"
         for node, role, values in results:
             system = node.system
             labels = system.output_labels if role == "output" else system.state_labels
             for label in np.array(labels)[~np.isfinite(values)]:
-                name = f"{DESCRIPTIONS[role]} {label} of block {node.name}"
+                name = f"{described[role]} {label} of block {node.name}"
                 return system.raised.get(role) or f"{name} is not finite; {advice}"
         return None
 

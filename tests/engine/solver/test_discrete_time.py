@@ -163,3 +163,22 @@ def test_a_number_that_is_not_finite_is_named(engine):
         clpt.simulate(system, np.arange(9.0), 0.0, [2.0, 2.0], engine=engine)
     run = clpt.simulate(system, np.arange(8.0), 0.0, [2.0, 2.0], engine=engine)
     assert np.isfinite(run.states.values).all()
+
+
+@pytest.mark.parametrize("dt", [True, 1.0])
+def test_a_map_that_leaves_the_numbers_names_its_next_state(dt):
+    """Of 2^(2^k), the number at k = 10 is beyond the largest, 2^1024."""
+    square = control.nlsys(
+        lambda t, x, u, p: [0.5 * x[0], x[1] ** 2],
+        inputs=0, outputs=2, states=["a", "b"], dt=dt, name="square",
+    )  # fmt: skip
+    said = "stopped at t = 9: next state b of block square is not finite"
+    says(
+        clpt.SimulationError,
+        said,
+        clpt.simulate,
+        square,
+        np.arange(12.0),
+        None,
+        [1.0, 2.0],
+    )

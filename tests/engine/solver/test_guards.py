@@ -152,6 +152,34 @@ def test_a_run_ends_where_a_condition_is_no_longer_true_or_falls_to_zero(stop, e
     assert float(run.time[-1]) == pytest.approx(np.log(2.0), abs=1e-10)
 
 
+NAMES = ["y", "T", "shape"]  # also names of an array's own attributes
+BY_NAME = {
+    lambda t, y, u: y["y"]: np.pi / 2.0,
+    lambda t, y, u: y["T"] > 0.3: np.arccos(0.3),
+    lambda t, y, u: y["shape"] - u["f"]: np.arccos(0.6),
+}
+
+
+@every_engine
+@pytest.mark.parametrize("stop", BY_NAME)
+def test_signals_of_a_condition_have_names(stop, engine):
+    swing = control.nlsys(
+        lambda t, x, u, p: [x[1], -x[0]], lambda t, x, u, p: [x[0], x[0], x[0]],
+        states=2, inputs=["f", "g"], outputs=NAMES, name="swing",
+    )  # fmt: skip
+    run = clpt.simulate(
+        swing, [0.0, 5.0], [0.6, 0.0], [1.0, 0.0], stop=stop, engine=engine
+    )
+    assert float(run.time[-1]) == pytest.approx(BY_NAME[stop], abs=1e-7)
+
+
+def test_a_name_that_no_signal_has_is_refused():
+    lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="lag")
+    stop = lambda t, y, u: y["z"]  # noqa: E731
+    said = "no port 'z'; there are y"
+    says(clpt.ClptError, said, clpt.simulate, lag, [0.0, 1.0], 1.0, stop=stop)
+
+
 @pytest.mark.parametrize("lanes", [1, LANES])
 def test_beside_others_a_run_keeps_what_it_reached(lanes):
     """A signal, sqrt(1.5 - s), ends to exist at t = 1.5."""
