@@ -240,8 +240,10 @@ REFUTED = {
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5),),
     "V of a table": "x' = 0.1*x; V = interp(abs(x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0])",
     "V of a floor": "x' = 0*x + 1; V = x*floor(x)",
-    "a polynomial that just passes zero": "x' = -x**5 + 2.0001*x**3 - x",
-    "wrong in a small region": "x' = -x*((x - 1)**2 - 1e-3)",
+    "a cube that pushes": "x' = x + x**3",
+    "a square, of odd degree in V'": "x' = 1 - x**2",
+    "a polynomial that just passes zero": "x' = (-x**5 + 2.0001*x**3 - x)/(1 + x**4)",
+    "wrong in a small region": "x' = -x*((x - 1)**2 - 1e-3)/(1 + x**2)",
     "a small bump": "x' = -x + 3*exp(-50*(x - 1)**2)",
     "V without a value": "x' = -(x**3); V = x**2 + 1/(x - 1)**2",
     "a sine too large beside squares": "x' = -x + 2.1*sin(y); y' = -y",
@@ -292,7 +294,7 @@ OPEN = {  # no point shows it, or none is looked for
         lag(0, lambda t, x: x**2 * (1 + np.floor(t) ** 2), "V"),
         "V",
     ),
-    "wrong in a smaller region": "x' = -x*((x - 7)**2 - 1e-9)",
+    "wrong in a smaller region": "x' = -x*((x - 7)**2 - 1e-9)/(1 + x**2)",
     "no value at a point": "x' = -x/abs(x - 2)",
     "no value at the rest": "x' = -1/x",
     "V of sizes, a slide":  # along x = 0, where y runs off
@@ -376,6 +378,21 @@ BESIDE = {  # more is to be said: the conclusion, its conditions, and the system
         {},
         (lag(-1, lambda t, x: x - 1, "x"), half),
     ),
+    **{
+        name: ("ultimately bounded", values, text)
+        for name, text, values in (
+            ("a double well", "x' = 2*x - x**3", {}),  # V' = 2 x^2 - x^4 <= 4 - 2 x^2
+            ("a cube that is pushed", "x' = 8 - x**3", {}),
+            ("a cube beside a turn", "a' = a + b - a**3; b' = -a - b", {}),
+            ("a well of parameters", "x' = a*x - b*x**3; a = 1; b = 2", {"values": ""}),
+            ("a polynomial that passes zero", "x' = -x**5 + 2.0001*x**3 - x", {}),
+            (
+                "a polynomial that rises in a small region",
+                "x' = -x*((x - 7)**2 - 1e-9)",
+                {},
+            ),
+        )
+    },
     "V of no certain sign": (  # y falls to zero where it is positive, x goes to 3
         "V does not increase",
         {"outside V, bounded": "x, y are"},

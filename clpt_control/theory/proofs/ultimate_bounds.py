@@ -94,6 +94,39 @@ def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
     return Pull(slowest, push) if push != 0 else None
 
 
+def _pull_of_polynomial(term: sympy.Expr, s: sympy.Symbol) -> Pull | None:
+    """Return a and c of p(s) <= -a s^2/2 + c, p in numbers with a negative even leading term.
+
+    c is the maximum of p + a s^2/2, rounded up.  Of a = -p'(r)/r, r the root of p farthest from
+    zero, c/a is r^2/2, which is the least.
+    """
+    is_known = term.free_symbols == {s} and term.is_polynomial(s)
+    p = sympy.Poly(term, s) if is_known else None
+    if p is None or not (p.domain.is_ZZ or p.domain.is_QQ):
+        return None
+    if p.degree() % 2 or p.LC() >= 0:
+        return None
+    numbers = np.poly1d([float(c) for c in p.all_coeffs()])
+    root = max(numbers.roots.real, key=abs)
+    steepness = -numbers.deriv()(root) / root if root else 0.0
+    a = rational(float(f"{steepness:.2g}")) if steepness > 0 else sympy.S.One
+    raised = numbers + np.poly1d([0.5 * float(a), 0.0, 0.0])
+    most = max(map(raised, raised.deriv().roots.real))
+    for text in (f"{most:.4g}", at_most(1.001 * most)):
+        c = rational(float(text))
+        if _is_never_negative(c - p - sympy.Poly(a * s**2 / 2, s)):
+            return Pull(a, c)
+    return None
+
+
+def _is_never_negative(p: sympy.Poly) -> bool:
+    """Return whether a polynomial of one symbol, positive far away, is never negative.
+
+    Its sign changes at roots of odd multiplicity alone, which Sturm's theorem counts.
+    """
+    return not any(n % 2 and factor.count_roots() for factor, n in p.sqf_list()[1])
+
+
 def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
@@ -230,8 +263,8 @@ class Bounding:
     def pulled(self, rate: sympy.Expr) -> Pull | None:
         """Bound V' by what pulls back and a constant, state by state, about the rest.
 
-        None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends
-        on a state or time is no constant.
+        None where V' is not a sum of a term -a s^2 + b s, a leak or a polynomial for each error s;
+        what depends on a state or time is no constant.
         """
         rest, moves = self.truth, {*self.truth, *self.moving}
         groups = groups_of(self.about_the_rest(rate), {*rest})
@@ -247,6 +280,8 @@ class Bounding:
         for s, weight in self.weights.items():
             term = terms.get((s,), sympy.S.Zero)
             pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
+            if pull is None and s not in self.pushes:
+                pull = _pull_of_polynomial(term, s)
             if pull is None:
                 return None
             if s in self.pushes:  # w u s <= a s^2/2 + (w u)^2/(2 a)
