@@ -361,7 +361,7 @@ MOTZKIN = "x**4*y**2 + x**2*y**4 + 1 - 3*x**2*y**2"
 STRONGER = {  # the strongest true conclusion, and what is shown at least
     "a gain of 2 - exp(-t)": (
         "e' = -e + th*r; th' = -(2 - exp(-t))*e*r; V = e**2 + th**2/(2 - exp(-t)); input r",
-        "goes to zero", "stable",
+        "goes to zero", None,
     ),
     "a sum of squares of degree 6": (
         "x' = -x**5; y' = -y**5; V = x**6 + y**6 - x**3*y**3", "asymptotically stable", None

@@ -76,7 +76,6 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
     "forms that step": [  # an input that is on for 2**-n after n = 1, 2, ...
         ("x' = -where(u > 0.5, 1, 0)*x; input u", INTEGRAL, None),
         ("x' = -where(u < -1, 3, 0)*x; input u", INTEGRAL, None),
-        ("x' = -where(u > 0, 2, 0)**2*x; y' = -y; input u", INTEGRAL, None),
         ("x' = -sign(u)**2*x; input u", INTEGRAL, None),
         ("x' = -floor(clip(u, 0, 1))**2*x; input u", INTEGRAL, None),
         # ever shorter pulses, of which the sum is finite
@@ -84,6 +83,15 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
             "x' = -where(sin(c) > 1 - 1/(1 + c**4), 1, 0)**2*x; c' = 1 + 0*c; V = x**2",
             INTEGRAL, None,
         ),
+    ],
+    "losses that step": [  # y and z stay above 0, so x stands still
+        ("x' = -x*where(y*z > 0, 0, 1)**2; y' = -y; z' = -2*z", ZERO, None),
+        ("x' = -x*floor(1/(1 + y**2))**2; y' = -y", ZERO, None),
+        ("x' = -x*where(y*y <= 0, 1, 0)**2 - x*y**2; y' = -y**3 - y", ZERO, None),
+    ],
+    "losses that fade": [  # the integral of tanh(exp(-t))^2 is at most 1/2: x stays off 0
+        ("x' = -x*tanh(exp(-t))**2", ZERO, None),
+        ("x' = -x*arctan(exp(-t))**2; y' = -y", ZERO, None),
     ],
 }  # fmt: skip
 HELD = {  # kind -> text, what must be shown
@@ -130,6 +138,44 @@ HELD = {  # kind -> text, what must be shown
         ("e' = -e + th*r - maximum(e, 0); th' = -e*r; V = e**2 + th**2; input r", ZERO),
         ("e' = -(1 + where(r > 0, 1, 0))*e + th*r; th' = -e*r; V = e**2 + th**2; input r", ZERO),
         ("x' = -(2 + exp(minimum(t, 5)))*x + y; y' = -x", ZERO),
+        ("x' = -where(u > 0, 2, 0)**2*x; y' = -y; input u", ZERO),  # y
+    ],
+    "losses that step, but not to zero": [
+        ("x' = -x*where(y > 0, 1, 2)**2; y' = -y", AS),
+    ],
+    "losses beside squares": [
+        ("x' = -x/sqrt(1 + x**2); y' = -y", AS),
+        ("v' = -v*exp(-v**2); a' = -3*a + b; b' = -a - b", AS),
+        ("x' = -x*exp(-y**2); y' = -y", AS),
+        ("x' = -x*(x - 1)**2; y' = -y*(x - 1)**2", REST),
+        ("a' = -a + b*r; b' = -a*r - (b - c)*r**2; c' = (b - c)*r**2; input r", ZERO),
+        (  # V' = -b d (exp(u) - 1)^2 - a c (exp(w) - 1)^2
+            "u' = a - a*exp(w) - d*(exp(u) - 1); w' = b*(exp(u) - 1) - c*(exp(w) - 1); "
+            "a = 1; b = 2; c = 3; d = 0.3; V = b*(exp(u) - u) + a*(exp(w) - w)", AS,
+        ),
+    ],
+    "one factor of several": [  # by cases: no run stays in the others
+        ("x' = v; v' = -x - (4 - x**2)**2*v", AS),
+        ("x' = v; v' = -x - sin(x)**2*v", AS),
+        ("x' = v; v' = -x - v*(x**2 - 4)**2*(v - 1)**2", AS),
+        ("x' = y*(x**2 + y**2); y' = -x*(x**2 + y**2) - y*(x - y)**2", AS),
+        ("x' = -x*y**2; y' = -y*x**2", REST),  # on one of two axes
+        ("x' = y + z; y' = z - x - y*(x - 1)**2; z' = -x - y", REST),  # 0, or (1, -1, 1)
+        ("x' = v; v' = -x - v*(x**2 + v**2 - 1)**2", ZERO),  # may turn on the circle
+        ("x' = v; v' = -x - y**2*v; y' = -y*v**2", ZERO),  # may swing where y = 0
+        ("x' = v; v' = -x - maximum(x, 0)**2*v", ZERO),
+        ("x' = -x*(x**2 + y**2 - 1)**2; y' = -y*(x**2 + y**2 - 1)**2", RATES),
+    ],
+    "a zero of a function that rises": [
+        ("x' = v; v' = 2 - 2*exp(x) - tanh(v); V = 2*exp(x) - 2*x + v**2/2", AS),
+        ("x' = v; v' = -x*abs(x) - v; V = v**2/2 + abs(x)**3/3", AS),
+        ("x' = v; v' = -x - tanh(x) - v; V = v**2/2 + x**2/2 + log(cosh(x))", AS),
+        ("x' = v; v' = -sinh(x) - (tanh(x) - 0.5)**2*v; V = v**2/2 + cosh(x)", AS),
+        ("x' = v; v' = -x - (arctan(x) - 1)**2*v", AS),
+        (  # Lotka and Volterra, with friction of w
+            "u' = a - a*exp(w); w' = -b + b*exp(u) - d*(exp(w) - 1)**3; a = 1; b = 2; d = 0.3; "
+            "V = b*(exp(u) - u) + a*(exp(w) - w)", AS,
+        ),
     ],
 }  # fmt: skip
 
@@ -162,6 +208,60 @@ def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
 def test_a_premise_that_holds_is_used(text, conclusion):
     _, found = judged(text)
     assert (found.status, found.conclusion) == ("proved", conclusion), found
+
+
+@pytest.mark.parametrize(
+    ("text", "going"),
+    [
+        ("x' = -where(u > 0, 2, 0)**2*x; y' = -y; input u", "y goes"),
+        ("x' = -2*x + r*y; y' = -r*x - r**2*y; input r", "x goes"),
+        ("e' = -e + th*r; th' = -e*r - (th*r)**2*th; input r", "e goes"),
+        ("x' = -y*z - x; y' = x*z; z' = -x*y/3; V = x**2 + 2*y**2 + 3*z**2", "x, y*z go"),
+        ("x' = v; v' = -x - (4 - x**2)**2*v", "v, x go"),
+    ],
+)  # fmt: skip
+def test_barbalats_lemma_is_applied_to_each_form(text, going):
+    _, found = judged(text)
+    assert (found.status, found.of) == ("proved", going)
+    assert not found.failed
+
+
+# --- losses with a step: y > 0 stays, so x does not move -----------------------------------------
+
+GATED = "x' = -x*where(y > 0, 0, 2)**2; y' = -3*y"
+
+
+def gate(s):
+    """Factor that is 0 where y > 0."""
+    return np.where(s.y > 0, 0.0, 1.0) ** 2
+
+
+def test_a_claim_that_steps_shows_no_rest():
+    plant, V = written(GATED)
+    claim = lambda s: -(s.x**2) * gate(s) - s.y**2  # noqa: E731
+    found = clpt.lyapunov(plant, V, claim=claim)
+    assert (found.status, found.conclusion, found.of) == ("proved", ZERO, "y goes")
+
+
+def test_in_discrete_time_a_loss_that_steps_shows_no_rest():
+    """x+ = x where y > 0, else x/2: V falls by 3/8 (x^2 where y <= 0, and y^2)."""
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": x.x * (1 - gate(x) / 2), "y": x.y / 2},
+        states={"x": 1, "y": 1},
+        dt=1.0,
+    )
+    claim = lambda s: -3 * (s.x**2 * gate(s) + s.y**2) / 8  # noqa: E731
+    found = clpt.lyapunov(plant, signals(None, ["x", "y"]), claim=claim)
+    assert (found.status, found.conclusion) == ("proved", ZERO)
+    assert plant.dynamics(0, [1.0, 1.0], [])[0] == 1.0
+
+
+def test_in_a_region_a_loss_that_steps_shows_no_rest():
+    plant, V = written(GATED)
+    box = {"x": (-2, 2), "y": (-2, 2)}
+    assert clpt.lyapunov(plant, V, within=box).status == "open"
+    assert plant.dynamics(0, [1.0, 1.0], [])[0] == 0.0
 
 
 @pytest.mark.parametrize("text", [row[0] for row in BROKEN["zero at the numbers"]])

@@ -159,9 +159,9 @@ NO_BOUND = pytest.mark.xfail(strict=True, reason="exp(-|x|) is not known to be b
 
 @pytest.mark.parametrize("values", [KNOWN, pytest.param({}, marks=NO_BOUND)])
 def test_the_papers_law_is_proved(values):
-    """V' = -e^T KD e of Eq. (24), KD = 1, 0.7."""
+    """V' = -e^T KD e of Eq. (24), whatever KD is."""
     found = lyapunov(papers_loop(values), eq_24)
-    assert str(found.rate) == "-e[0]**2 - 7*e[1]**2/10"
+    assert str(found.rate) == "-KD[0]*e[0]**2 - KD[1]*e[1]**2"
     assert (found.status, found.conclusion) == ("proved", "goes to zero")
     assert found.inputs == ()
     assert fields_of(found) == {
@@ -265,3 +265,24 @@ def test_a_difference_of_an_increasing_function_is_read():
     )
     found = clpt.lyapunov(plant, lambda s: (s.x**2 + s.y**2) / 2, points=20)
     assert found.status == "proved"
+
+
+@pytest.mark.parametrize(
+    ("text", "root"),  # where V' = 0 farthest from the rest
+    [
+        ("x' = 2*x - x**3", 2**0.5),
+        ("x' = 8 - x**3", 2.0),
+        ("x' = x + 2*x**2 - x**3", 1 + 2**0.5),
+        ("x' = -(x**2 - 1)*(x**2 - 4)*(x**2 - 9)*x", 3.0),
+        ("x' = 1e6*x - 1e4*x**3", 10.0),
+        ("x' = a*x - b*x**3; a = 3; b = 0.5", 6**0.5),
+        ("y' = 4*(y - 1) - (y - 1)**3; V = (y - 1)**2/2; at y = 1", 2.0),
+        ("x' = -y - x; y' = x + 8 - y**3; V = (x**2 + y**2)/2", None),
+    ],
+)
+def test_a_polynomial_of_one_state_comes_down_to_its_farthest_root(text, root):
+    plant, V, *rest = written(text)
+    found = clpt.lyapunov(plant, V, **dict(*rest))
+    assert (found.status, found.conclusion) == ("proved", "ultimately bounded")
+    if root:
+        assert root**2 / 2 * (1 - 1e-9) <= found.level <= root**2 / 2 * 1.002

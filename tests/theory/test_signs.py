@@ -6,6 +6,7 @@ Each case has a loop, V and the signs without which the theorem is false, by a l
 import control
 import numpy as np
 import pytest
+from text_systems import written
 
 import clpt_control as clpt
 
@@ -184,3 +185,63 @@ def test_values_are_printed_where_the_proof_is_of_them():
     verdict = clpt.lyapunov(system, HALF)
     assert verdict.sentence.endswith("with the parameters' values k = 2, m = 0.1")
     assert "values k = 2, m = 0.1." in verdict.latex()
+
+
+def test_values_are_fixed_only_of_parameters_that_need_them():
+    """A number in V, the model's pole 3, leaves the plant's a and the gain g symbols.
+
+    V = e^2 + 2/g ((kr - 3/2)^2 + (ky - (3 + a)/2)^2), e = y - ym: V' = -6 e^2 by hand.
+    """
+
+    def adaptive(t, x, u, p):
+        e = x.y - x.ym
+        control = x.kr * u.r - x.ky * x.y
+        return {
+            "y": p.a * x.y + 2 * control,
+            "ym": p.am * (u.r - x.ym),
+            "kr": -p.g * u.r * e,
+            "ky": p.g * x.y * e,
+        }
+
+    def V(s):
+        apart = (s.kr - 1.5) ** 2 + (s.ky - (3.0 + s.a) / 2) ** 2
+        return (s.y - s.ym) ** 2 + 2 * apart / s.g
+
+    states = dict.fromkeys(("y", "ym", "kr", "ky"), 1)
+    loop = block(adaptive, states, ["r"], a=1.0, am=3.0, g=2.0)
+    found = clpt.lyapunov(loop, V)
+    assert (found.status, found.conclusion) == ("proved", "goes to zero")
+    conditions = {condition.name: condition.of for condition in found.conditions}
+    assert conditions["values"] == "am = 3"
+    assert conditions["signs"] == "g > 0"
+
+
+@pytest.mark.parametrize(
+    ("text", "signs", "values"),
+    [
+        ("x' = v; v' = -k*x - c*v; k = 9; c = 2; V = 4.5*x**2 + v**2/2", "c > 0", "k = 9"),
+        (
+            "x' = v; v' = -k*x - c*v; p' = -m*p; k = 9; c = 2; m = 1; "
+            "V = 4.5*x**2 + v**2/2 + p**2", "c, m > 0", "k = 9",
+        ),
+        (
+            "e' = -k*e + (h - w)*r; h' = -g*e*r; k = 1; g = 5; w = 7; "
+            "V = e**2/2 + (h - w)**2/10; input r", "k > 0", "g = 5",
+        ),
+        (
+            "e' = -k*e + (h - w)*r; h' = -g*e*r; k = 1; g = 5; w = 7; "
+            "V = e**2/2 + (h - 7)**2/(2*g); input r", "g, k > 0", "w = 7",
+        ),
+        (
+            "x' = -a*x + b*y; y' = -c*x - d*y; a = 1; b = 2; c = 2; d = 1",
+            "a, d > 0", "b = 2, c = 2",
+        ),
+        ("x' = a*x - b*x**3; y' = -m*y; a = 1; b = 1; m = 3", "m > 0", "a = 1, b = 1"),
+    ],
+)  # fmt: skip
+def test_a_number_in_V_fixes_no_other_parameter(text, signs, values):
+    plant, V = written(text)
+    found = clpt.lyapunov(plant, V)
+    assert found.status == "proved"
+    conditions = {condition.name: condition.of for condition in found.conditions}
+    assert (conditions["signs"], conditions["values"]) == (signs, values)

@@ -158,12 +158,14 @@ class Names:
 
 
 class NamesWithNumbers(Names):
-    """The same, with parameters as their numbers."""
+    """The same, with parameters as their numbers, except for some."""
+
+    symbols: Set[str] = frozenset()  # parameters that are symbols
 
     def parameter(
         self, node: Node, name: str, value: np.ndarray, index: tuple
     ) -> sympy.Expr:
         """Return the number of a parameter's element, except for the interval."""
-        if name == "interval":
-            return super().parameter(node, name, value, index)
-        return rational(float(value[index]))
+        symbol = super().parameter(node, name, value, index)
+        is_symbol = name == "interval" or f"{symbol}" in self.symbols
+        return symbol if is_symbol else rational(float(value[index]))

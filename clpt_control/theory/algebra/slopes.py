@@ -141,7 +141,7 @@ def _agrees(difference: Expr, border: Expr, order: int) -> bool:
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
         remainder = sympy.rem(expand(numerator), divisor, *symbols)
-    except (sympy.PolynomialError, ZeroDivisionError):
+    except (sympy.BasePolynomialError, ZeroDivisionError):
         return False
     return bool(remainder == 0)
 

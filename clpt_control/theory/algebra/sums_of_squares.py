@@ -292,14 +292,29 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     It is a sum of squares of them, each with a weight that stays above a positive number, or a sum
     of products such as s tanh(s)/(1 + r^2), r `bounded`; none where neither is known.
     """
-    total = squares(loss, fixed)
-    if total is not None and total.constant.is_nonnegative:
-        return total.forms
-    for e in (factored(loss), loss):
-        forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(e)]
-        if None not in forms:
-            return [form for form in forms if form != 0]
-    return []
+    total, product = squares(loss, fixed), factored(loss)
+    forms = total.forms if total and total.constant.is_nonnegative else []
+    for e in (product, loss):
+        forms = max(forms, _forms_of_terms(e, fixed, bounded), key=len)
+    forms = forms or _forms_of_terms(sympy.expand_mul(product), fixed, bounded)
+    return [*dict.fromkeys(map(_without_weights, forms))]
+
+
+def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:
+    """Return the forms of the terms of a sum; [] if a term may be negative."""
+    forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(e)]
+    return [] if None in forms else [form for form in forms if form != 0]
+
+
+def _without_weights(form: Expr) -> Expr:
+    """Return a form without the factors that stay away from zero."""
+    ends = {factor: interval(factor) for factor in sympy.Mul.make_args(form)}
+    kept = [
+        f
+        for f, (low, high) in ends.items()
+        if not low.is_positive and not high.is_negative
+    ]
+    return sympy.Mul(*kept) if kept else form
 
 
 def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:

@@ -9,7 +9,7 @@ Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -19,17 +19,25 @@ from sympy import Expr
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
 from ..algebra.decided import decided
-from ..algebra.exact import coarse, factored, normal_form, vanishes
-from ..algebra.facts import functions_in
+from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
+from ..algebra.facts import functions_in, interval
 from ..algebra.slopes import along, jumps_nowhere
-from ..algebra.sums_of_squares import Squares, squares, zero_at, zero_of
+from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_at, zero_of
 from .answers import Definite, Fall
 from .conclusions import go
 from .outside import ANGLES, Motion
 from .steps import Step, exact
 
-MOST_ROUNDS = 12  # of derivatives of what stays zero
+MOST_FORMS = 80  # that are factored, in all cases together
+MOST_ROUNDS = 12  # forms of one case that are differentiated
+MOST_OPERATIONS = 100  # of a rate; longer ones are left out
 MOST_VARIABLES = 7  # of polynomials whose zeros are counted
+INVERSES = {  # of functions that rise
+    sympy.exp: sympy.log,
+    sympy.tanh: sympy.atanh,
+    sympy.sinh: sympy.asinh,
+    sympy.atan: sympy.tan,
+}
 
 
 class Ends(NamedTuple):
@@ -37,94 +45,175 @@ class Ends(NamedTuple):
 
     steps: list[Step]
     of: str  # "x goes"
-    still: "Still | None" = None  # what V' = 0 leaves, if LaSalle's premises hold
+    # the states that V' = 0 leaves, by cases; none if LaSalle's premises do not hold
+    cases: "Sequence[Still]" = ()
 
 
 def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends:
     """Return what goes to zero of what V' loses, by the way that shows the most."""
-    of = fall.of or go(map(candidate.text, fall.losses))
     lost = Squares(sympy.S.Zero, [], [*fall.losses])
     least = definite.least if definite.is_steady else None
-    if least and zero_of(lost, [*least]) == least:
+    # on the way, a loss that has a step or depends on time may fade off the rest
+    depends_on_time = sympy.Tuple(*fall.losses).has(TIME, *candidate.intervals)
+    may_fade = depends_on_time or not all(map(jumps_nowhere, fall.losses))
+    of = fall.of or go(map(candidate.text, fall.losses))
+    if least and not may_fade and zero_of(lost, [*least]) == least:
         return Ends([exact("V' < 0 but at the rest", True, "", "limit rest")], of)
-    still = lasalle(candidate, fall, motion)
-    if still is None:
-        return Ends([barbalat(candidate, fall, motion, of)], of)
-    if still.zero[len(fall.losses) :]:
-        of = go(candidate.text(g) for g in still.zero if jumps_nowhere(g))
-    if not still.is_rest:
-        return Ends([barbalat(candidate, fall, motion, of)], of, still)
-    names = ", ".join(f"{candidate.text(g)} = 0" for g in still.zero)
-    claim = f"where V' = 0 for good nothing moves: {names}"
-    shows = "limit still" + " isolated" * still.comes_to_one
-    shows += " rest" * (still.point is not None)
-    return Ends([exact(claim, True, "", shows)], of, still)
+    cases = lasalle(candidate, fall, motion)
+    zero = [g for g in zero_in_all(cases, fall.losses) if jumps_nowhere(g)]
+    if len(zero) > len(fall.losses) or (zero and not fall.of):
+        of = go(map(candidate.text, zero))
+    if not (cases and all(case.is_rest for case in cases)):
+        return barbalat(candidate, fall, motion, of)._replace(cases=cases)
+    names = (", ".join(f"{candidate.text(g)} = 0" for g in case.zero) for case in cases)
+    claim = f"where V' = 0 for good nothing moves: {' or '.join(names)}"
+    shows = "limit still" + " isolated" * all(case.comes_to_one for case in cases)
+    shows += " rest" * (point_of(cases) is not None)
+    return Ends([exact(claim, True, "", shows)], of, cases)
 
 
-def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Step:
-    """Return the step that q -> 0 of what V' loses, as the integral of q^2 is finite.
+def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Ends:
+    """Return the forms q that go to zero, as V' loses q^2 and so its integral is finite.
 
-    Premises: q has no step; if q jumps with the states, it does so at the jumps of one block, a
-    period apart; q' is bounded where V is.  In discrete time q^2 has a finite sum: it needs none.
+    Premises, form by form: q has no step; if q jumps with the states, it does so at the jumps of
+    one block, a period apart; q' is bounded where V is.  In discrete time q^2 has a finite sum and
+    needs no premise.
     """
     if candidate.eq.discrete:
-        return exact("the sum of what V loses is finite", True, "", "limit")
+        step = exact("the sum of what V loses is finite", True, "", "limit")
+        return Ends([step], of)
+    claim = "the rate of {} is bounded where V is"
+    unmet = {q: _unmet_premise(candidate, motion, q) for q in fall.losses}
+    failed = [
+        exact(claim.format(candidate.text(q)), False, premise)
+        for q, premise in unmet.items()
+        if premise
+    ]
+    holds = len(failed) < len(unmet)
+    if failed and holds:
+        of = go(candidate.text(q) for q, premise in unmet.items() if not premise)
     names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
     names = names or ", ".join(map(candidate.text, fall.losses))
-    claim = f"the rate of {names} is bounded where V is"
-    for q in fall.losses:
-        if not jumps_nowhere(q):
-            return exact(claim, False, f"{candidate.text(q)} may jump")
-        jumping = candidate.jumping(q)
-        if len(jumping) > 1 or not jumping <= candidate.periodic:
-            blocks = " and ".join(sorted(jumping))
-            return exact(claim, False, f"it jumps with {blocks}, at times of any kind")
+    if not holds:
+        return Ends([replace(failed[0], claim=claim.format(names))], of)
+    step = exact(claim.format(names), True, "", "limit")
+    return Ends([step, *(replace(step, needed=False) for step in failed)], of)
+
+
+def _unmet_premise(candidate: Any, motion: Motion, q: Expr) -> str:
+    """Return the premise of Barbalat's lemma that a form does not meet, or ""."""
+    if not jumps_nowhere(q):
+        return f"{candidate.text(q)} may jump"
+    jumping = candidate.jumping(q)
+    if len(jumping) > 1 or not jumping <= candidate.periodic:
+        return f"it jumps with {' and '.join(sorted(jumping))}, at times of any kind"
     along_time = {TIME: sympy.S.One, **motion.rates}
     along_time |= {s: motion.still[f.diff(TIME)] for f, s in motion.inputs.items()}
-    forms = map(motion.quiet, fall.losses)
-    rates = [sympy.expand(along(q, along_time)) for q in forms]
-    loose = dict.fromkeys(name for rate in rates for name in motion.not_bounded(rate))
-    if loose:
-        detail = f"it holds {', '.join(loose)}, not known to be bounded there"
-        return exact(claim, False, detail)
-    motion.driving |= motion.inputs_of(rates)
-    return exact(claim, True, "", "limit")
+    rate = sympy.expand(along(motion.quiet(q), along_time))
+    if loose := motion.not_bounded(rate):
+        return f"it holds {', '.join(loose)}, not known to be bounded there"
+    motion.driving |= motion.inputs_of([rate])
+    return ""
 
 
-def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "Still | None":
-    """Return what V' = 0 for good leaves; None if a premise fails.
+# --- LaSalle --------------------------------------------------------------------------------------
+
+
+def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
+    """Return the cases that V' = 0 for good leaves; none if a premise fails.
 
     Premises: nothing depends on time or inputs; V bounds every state; no state jumps; rates and
-    what V' loses are continuous, else what V' = 0 leaves may move, and only a point is an end.
+    what V' loses are continuous.  If only one of the two is continuous, a single point is an end,
+    and nothing else.  If none is, as of x' = -x where(y > 0, 0, 1)^2, y' = -y, a run may come to
+    rest where V' < 0.
     """
     rates = [*motion.rates.values()]
     moves = sympy.Tuple(candidate.V, *rates).has(
         TIME, *candidate.intervals, *motion.inputs.values()
     )
     if moves or motion.free or candidate.eq.jumps:
-        return None
-    is_continuous = all(map(jumps_nowhere, (*rates, *fall.losses)))
-    rounds = MOST_ROUNDS if is_continuous else len(fall.losses)
+        return []
+    continuous = [all(map(jumps_nowhere, of)) for of in (rates, fall.losses)]
+    if not any(continuous):
+        return []
 
-    def left(number: Callable[[Expr], Expr]) -> Still:
+    def left(number: Callable[[Expr], Expr]) -> list[Still]:
         """Return what V' = 0 leaves of equations with their numbers changed."""
         rates = {s: number(rate) for s, rate in motion.rates.items()}
-        still = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
-        still.find([*map(number, fall.losses)], rounds)
-        return still
+        first = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
+        return cases_of(first, [*map(number, fall.losses)], all(continuous))
 
-    still = left(lambda e: e)
+    cases = left(lambda e: e)
     if any(coarse(e) != e for e in (*rates, *fall.losses)):
         # a difference of numbers may be their rounding: no conclusion depends on it
         rough = left(coarse)
-        if rough.is_rest < still.is_rest or (rough.point is None and still.point):
-            return None
-    return still if is_continuous or still.point is not None else None
+        if all(case.is_rest for case in cases) > all(case.is_rest for case in rough):
+            return []
+        if point_of(rough) is None and point_of(cases) is not None:
+            return []
+    return cases if all(continuous) or point_of(cases) is not None else []
+
+
+def cases_of(first: "Still", forms: Sequence[Expr], moving: bool) -> "list[Still]":
+    """Return the cases in which forms, and if moving their rates, are zero for good.
+
+    If a product of continuous factors is zero for good, one factor is zero on some interval of
+    time, and such intervals lie dense.  So each factor is a case; if nothing moves in each case,
+    nothing moves at all.  In discrete time another factor may be zero at each step: a product is
+    one form.
+    """
+    cases, unfinished = list[Still](), [(first, [*forms])]
+    for _ in range(MOST_FORMS):
+        if not unfinished:
+            break
+        case, queue = unfinished.pop()
+        if not queue:
+            cases.append(case)
+            continue
+        form, *queue = queue
+        factors = case.factors(form)
+        if not factors:  # the form is never zero: no run stays in this case
+            continue
+        product = sympy.Mul(*factors)
+        if factors[1:] and not case.discrete:
+            case.zero.append(product)
+            unfinished += [(case.copy(), [f, *queue]) for f in reversed(factors)]
+            continue
+        if product != 0:
+            case.add(product)
+            queue += case.squares_in(product) or case.rates_of(product) * moving
+        unfinished.append((case, queue))
+    return cases + [case for case, _ in unfinished]
+
+
+def zero_in_all(cases: "Sequence[Still]", losses: Sequence[Expr]) -> list[Expr]:
+    """Return forms that are zero in all cases, without those that follow from others."""
+    if not cases:
+        return []
+    first, *others = cases
+    shared = replace(first, zero=[], solved={})
+    for g in sorted((*first.zero, *losses), key=lambda g: g.is_Mul):
+        if all(case.reduced(g) == 0 for case in others) and shared.reduced(g) != 0:
+            shared.add(g)
+    return shared.zero
+
+
+def point_of(cases: "Sequence[Still]") -> dict[Any, Expr] | None:
+    """Return the one rest that all cases leave, each state as a number; otherwise None."""
+    points = [case.point for case in cases]
+    first = points[0] if points else None
+    if first is None:
+        return None
+    agree = (
+        point is not None and all(vanishes(point[s] - first[s]) for s in first)
+        for point in points
+    )
+    return first if all(agree) else None
 
 
 @dataclass
 class Still:
-    """The expressions that are zero for good where others are, in the order of their finding."""
+    """A case: the expressions that are zero for good where others are, as they are found."""
 
     rates: dict[Any, Expr]
     fixed: set
@@ -135,47 +224,100 @@ class Still:
         default_factory=dict
     )  # states and sines, by the others
 
-    def find(self, forms: Sequence[Expr], rounds: int) -> None:
-        """Differentiate forms along the rates until nothing new is zero."""
-        queue = [*forms]
-        for _ in range(rounds):
-            if not queue:
-                break
-            g = self.reduced(queue.pop(0))
-            if vanishes(g):
-                continue
-            self.zero.append(g)
-            self._solve(g)
-            queue.append(
-                g.xreplace(self.rates) if self.discrete else along(g, self.rates)
-            )
+    def copy(self) -> "Still":
+        """Return the same case, to which other expressions can be added."""
+        return replace(self, zero=[*self.zero], solved={**self.solved})
+
+    def add(self, g: Expr) -> None:
+        """Add an expression that is zero."""
+        self.zero.append(g)
+        self._solve(g)
+
+    def squares_in(self, g: Expr) -> list[Expr]:
+        """Return the forms of a sum of squares, which are zero where it is; [] for other sums."""
+        total = squares(g, self.fixed) if g.is_Add else None
+        return total.forms if total and total.forms[1:] and total.constant == 0 else []
+
+    def rates_of(self, g: Expr) -> list[Expr]:
+        """Return the rate of an expression, or its next value; [] if that is long."""
+        if len(self.zero) > MOST_ROUNDS:
+            return []
+        rate = g.xreplace(self.rates) if self.discrete else along(g, self.rates)
+        is_short = max(rate.count_ops(), terms_of(rate)) <= MOST_OPERATIONS
+        return [rate] if is_short else []
 
     def reduced(self, expression: Expr) -> Expr:
-        """Return an expression where all that was found is zero, without factors that never are."""
+        """Return 0, or the product of the factors of an expression that may be zero."""
+        return sympy.Mul(*self.factors(expression))
+
+    def factors(self, expression: Expr) -> list[Expr]:
+        """Return the factors that may be zero of an expression where all that was found is zero."""
         e, before = normal_form(expression), None
         while e != before:
             before, e = e, normal_form(decided(e.xreplace(self.solved)))
         if vanishes(e):
-            return sympy.S.Zero
+            return [sympy.S.Zero]
         numerator, _ = sympy.fraction(sympy.together(e))
-        factors = sympy.Mul.make_args(factored(numerator))
-        kept = [
-            zero_at(f.as_base_exp()[0])
-            for f in factors
-            if not _is_never_zero(f, self.fixed)
-        ]
-        return sympy.Mul(*dict.fromkeys(kept))
+        kept = dict[Expr, None]()
+        for factor in sympy.Mul.make_args(factored(numerator)):
+            base = factor.as_base_exp()[0]
+            if self._is_never_zero(factor):
+                continue
+            plain = self._plain(base)
+            kept |= dict.fromkeys([base] if plain == base else self.factors(plain))
+        signed = {*kept, *(-f for f in kept)}
+        is_zero = any(signed >= {*sympy.Mul.make_args(g)} for g in self.zero)
+        if is_zero or sympy.S.Zero in kept:
+            return [sympy.S.Zero]
+        return [*kept]
+
+    def _is_never_zero(self, factor: Expr) -> bool:
+        """Return whether a factor of an expression that is zero cannot be the one that is."""
+        if not factor.free_symbols - self.fixed:
+            return bool(factor.is_nonzero)
+        base, exponent = factor.as_base_exp()
+        if isinstance(base, sympy.cos):
+            sine = self.solved.get(sympy.sin(*base.args))
+            return sine is not None and bool((1 - sine**2).is_nonzero)
+        low, high = interval(base)
+        total = squares(base, self.fixed) if base.is_Add else None
+        return bool(
+            exponent.is_negative
+            or low.is_positive
+            or high.is_negative
+            or base.is_positive
+            or (total and total.constant.is_positive)
+        )
+
+    def _plain(self, h: Expr) -> Expr:
+        """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""
+        if isinstance(h, sympy.Abs):
+            return h.args[0]
+        states = h.free_symbols - self.fixed
+        if h.is_Add and functions_in(h) and len(states) == 1:
+            (s,) = states
+            if any(rising_in(e * h, s) for e in (s, -s)):
+                return s
+        if len(calls := h.atoms(*INVERSES)) == 1:
+            (call,), word = calls, sympy.Dummy()
+            slope = sympy.diff(h.xreplace({call: word}), word)
+            value = -normal_form(h - slope * call) / slope
+            is_number = not sympy.Tuple(slope, value).free_symbols - self.fixed
+            inverse = INVERSES[call.func](value)
+            if is_number and inverse.is_real:
+                return call.args[0] - inverse
+        return zero_at(h)
 
     def _solve(self, g: Expr) -> None:
         """Solve an expression that is zero for a state or a sine, linear in it."""
         atoms = sorted({*self.rates} & g.free_symbols, key=str)
         for a in [*atoms, *sorted(g.atoms(sympy.sin), key=str)]:
             slope = sympy.diff(g, a) if a.is_Symbol else g.coeff(a)
-            rest = normal_form(g - slope * a)
-            is_free = slope.free_symbols - self.fixed or rest.has(a)
-            is_within = a.is_Symbol and rest.has(*_calls_of(rest, a))
-            if slope.is_nonzero and not (is_free or is_within):
-                self.solved[a] = -rest / slope
+            if slope.free_symbols - self.fixed or not slope.is_nonzero:
+                continue
+            remainder = normal_form(g - slope * a)
+            if not remainder.has(a):
+                self.solved[a] = -remainder / slope
                 return
 
     @property
@@ -186,8 +328,7 @@ class Still:
     @property
     def is_rest(self) -> bool:
         """True if all rates are zero there."""
-        left = map(self.reduced, self.changes)
-        return all(vanishes(e) or any(vanishes(e - g) for g in self.zero) for e in left)
+        return all(self.reduced(change) == 0 for change in self.changes)
 
     @property
     def comes_to_one(self) -> bool:
@@ -271,21 +412,3 @@ class Still:
 def _has_one_sign(e: Expr, fixed: set) -> bool:
     """Return whether an expression is never positive, or never negative."""
     return never_positive(e, fixed) or never_positive(-e, fixed)
-
-
-def _calls_of(expression: Expr, state: Any) -> list:
-    """Return the functions of an expression that hold a state."""
-    return [f for f in expression.atoms(sympy.Function) if f.has(state)] or [
-        sympy.Dummy()
-    ]
-
-
-def _is_never_zero(factor: Expr, fixed: set) -> bool:
-    """Return whether a factor of an expression that is zero cannot be the one that is."""
-    if not factor.free_symbols - fixed:
-        return bool(factor.is_nonzero)
-    base, exponent = factor.as_base_exp()
-    total = squares(base, fixed) if base.is_Add else None
-    return bool(exponent.is_negative or base.is_positive) or bool(
-        total and total.constant.is_positive
-    )

@@ -5,7 +5,7 @@ shown is open; what is refuted is refuted by a point.  If no V is given, one is 
 (`searching`) and judged as any other is.  In a region (`region`) V' < 0 is enough.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -16,6 +16,7 @@ import sympy
 from ...base.arguments import Count, Seed, public
 from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least
+from ..algebra.decide import positive_somewhere
 from ..algebra.texts import short
 from .answers import Fall
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
@@ -32,12 +33,55 @@ AS_STRONG = (
 )
 
 
-MOST_TRIES = 16  # judgements without signs of parameters
+Reader = Callable[..., SystemCandidate]
+MOST_TRIES = 16  # judgements without signs, or values, of parameters
 
 
-def _with_signs(
-    verdict: Verdict, case: Any, read: Callable[..., SystemCandidate]
-) -> Verdict:
+def _free_parameters(
+    case: SystemCandidate, verdict: Verdict, zeroed: Mapping, read: Reader
+) -> frozenset[str]:
+    """Return parameters that may be symbols in a proof for the parameters' values.
+
+    `case` has symbols for all parameters.  A parameter by which V' may rise needs its value; the
+    others are tried all at once, then one by one.
+    """
+    names = [*map(str, case.eq.values)]
+    if "falls" in CONCLUSIONS[verdict.conclusion].requires:
+        rate = (case.rate - (case.claim or 0)).xreplace(zeroed)
+        names = _harmless(rate, case.eq.values)
+    free = frozenset[str]()
+    for group in [names, *([name] for name in names)][:MOST_TRIES]:
+        tried = free.union(group)
+        if free < tried and len(tried) < len(case.eq.values):
+            free = tried if _holds(verdict, read, tried) else free
+    return free
+
+
+def _harmless(rate: sympy.Expr, values: Mapping[Any, Any]) -> list[str]:
+    """Return parameters that leave V' <= 0 at random points, one more symbol each time."""
+    symbols = list[Any]()
+    for s in values:
+        fixed = {p: number for p, number in values.items() if p not in (*symbols, s)}
+        if not positive_somewhere(rate.xreplace(fixed)):
+            symbols.append(s)
+    return [*map(str, symbols)]
+
+
+def _holds(verdict: Verdict, read: Reader, symbols: Set[str]) -> bool:
+    """Return whether a verdict holds with some parameters as symbols, under no more conditions."""
+    try:
+        weaker = asked(read(symbols=symbols, points=1)).verdict()
+    except ClptError:
+        return False
+    given = {*verdict.conditions}
+    more = {c for c in weaker.conditions if c.name not in ("values", "signs")}
+    # symbols may give the forms that go to zero another order
+    counts = (judged.of.count(",") for judged in (weaker, verdict))
+    is_same = weaker.conclusion == verdict.conclusion and len({*counts}) == 1
+    return is_same and more <= given
+
+
+def _with_signs(verdict: Verdict, case: Any, read: Reader) -> Verdict:
     """Return a proof with the signs of parameters that its steps need as a condition.
 
     A sign is not needed if the same steps hold for the parameter as any real number.  After
@@ -219,7 +263,7 @@ def lyapunov(
             return _in_region(candidate, within)
         answers = asked(candidate)
         verdict = answers.verdict()
-        weakest = AS_STRONG if answers.ends and answers.ends.still else "goes to zero"
+        weakest = AS_STRONG if answers.ends and answers.ends.cases else "goes to zero"
         is_final = strength(verdict) <= [*CONCLUSIONS].index(weakest)
         is_final = is_final and not _zeroed(verdict)
         if candidate.eq.values and not is_final:
@@ -228,6 +272,12 @@ def lyapunov(
             is_stronger = strength(found) < strength(verdict)
             if is_stronger or (_zeroed(verdict) and not _zeroed(found)):
                 answers, verdict = of_numbers, found
+                read = partial(read, numbers=True)
+                zeroed = answers.fall.zeroed
+                if symbols := _free_parameters(candidate, found, zeroed, read):
+                    read = partial(read, symbols=symbols)
+                    answers = asked(read())
+                    verdict = answers.verdict()
         if is_given and _zeroed(verdict):
             failure = candidate.refuted_by_inputs()
             if failure is not None:

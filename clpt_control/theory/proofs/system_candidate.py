@@ -9,6 +9,7 @@ numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 from math import pi
 from types import MappingProxyType
 from typing import Any
@@ -23,6 +24,7 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.record.symbolic import rational
 from ..algebra.decide import (
+    groups_of,
     in_one_piece,
     never_positive,
     without_choices,
@@ -62,7 +64,7 @@ MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
 
 class SystemCandidate(LyapunovCandidate):
-    """A diagram with a V of the user, on symbols, or with parameters as their numbers."""
+    """A diagram with a V of the user; parameters are symbols, or numbers but for `symbols`."""
 
     place = ""  # where V is to be least, as text
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
@@ -86,14 +88,17 @@ class SystemCandidate(LyapunovCandidate):
         numbers: bool = False,
         where: Mapping[str, Sequence[float | None]] = NO_GAINS,
         unsigned: Set[str] = frozenset(),
+        symbols: Set[str] = frozenset(),
     ):
         self.system, self.points, self.seed = system, points, seed
-        self.unsigned = unsigned
+        self.unsigned, self.symbols = unsigned, symbols
         self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
         written = self._equations(Names) if numbers else self.eq
-        self.parameters = written.values
-        given = written.values.items() if numbers else ()
+        self.parameters = {
+            s: n for s, n in written.values.items() if f"{s}" not in symbols
+        }
+        given = self.parameters.items() if numbers else ()
         values = {s: rational(float(number)) for s, number in given}
         rates = self.eq.motion.items()
         self.motion = {
@@ -120,7 +125,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def _equations(self, names: type[Names]) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
-        named = type("Unsigned", (names,), {"unsigned": self.unsigned})
+        chosen = {"unsigned": self.unsigned, "symbols": self.symbols}
+        named = type("Chosen", (names,), chosen)
         return on_symbols(self.system, named, watch=undefined_in, with_samples=True)
 
     def _as_it_runs(
@@ -431,7 +437,8 @@ class SystemCandidate(LyapunovCandidate):
         at_ends = decided(inside.xreplace(zero))
         if self.kept and self.never_positive(at_ends - inside):
             loss = at_ends
-        losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
+        losses = lost_forms(loss, self.fixed, bounded)
+        losses = losses or self._rising(loss) or self._lost_by_groups(loss, bounded)
         shows = f"falls{' loses' * bool(losses)}"
         claim += " <= 0" * (not claim.endswith("= 0"))
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -456,6 +463,22 @@ class SystemCandidate(LyapunovCandidate):
             and sector.low >= 0
             and self.never_positive(sector.factor * call / 2 - loss)
         ]
+
+    def _lost_by_groups(self, loss: sympy.Expr, bounded: set) -> list[sympy.Expr]:
+        """Return the forms of groups of terms that share no state.
+
+        If the loss is 0 at the rest, each group is the loss with the other states at the rest, and
+        so never negative.
+        """
+        rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
+        if self.kept or not vanishes(decided(loss.xreplace(rest))):
+            return []
+        forms = list[sympy.Expr]()
+        for group in groups_of(loss, {*rest}):
+            others = {s: value for s, value in rest.items() if not group.has(s)}
+            own = decided(loss.xreplace(others))
+            forms += lost_forms(own, self.fixed, bounded)
+        return forms
 
     def bounds(self, definite: Definite, fall: Fall) -> Fall:
         """Return the bound of a V' that pulls V back but for a constant."""
@@ -506,8 +529,10 @@ class SystemCandidate(LyapunovCandidate):
         conclusion = answers.verdict().conclusion
         if conclusion == "asymptotically stable":
             return [dict(answers.definite.least or {})]
-        still = answers.ends.still if answers.ends else None
-        return still.rests(low, high) if still and conclusion == "comes to rest" else []
+        if conclusion != "comes to rest" or not answers.ends:
+            return []
+        rests = [case.rests(low, high) for case in answers.ends.cases]
+        return [*chain(*rests)] if all(rests) else []
 
     def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
