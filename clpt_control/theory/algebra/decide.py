@@ -19,7 +19,7 @@ from sympy.core.function import AppliedUndef
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from .decided import decided
-from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
+from .exact import HIGHEST, MOST_TERMS, factored, groups_of, terms_of, vanishes
 from .facts import (
     COMPARISONS,
     LOGIC,
@@ -179,21 +179,6 @@ def groups_never_positive(expression: Expr, variables: set) -> bool:
     """Return whether each group of terms that share variables is never positive."""
     groups = groups_of(expression, variables)
     return all(_group_never_positive(group, variables) for group in groups)
-
-
-def groups_of(expression: Expr, variables: set) -> list[Expr]:
-    """Return an expression as a sum of expressions that share no variable."""
-    groups: list[tuple[set, list]] = []
-    for term in sympy.Add.make_args(expand(expression, power_exp=False)):
-        symbols = term.free_symbols & variables
-        terms = [term]
-        touching = [group for group in groups if group[0] & symbols]
-        groups = [group for group in groups if not group[0] & symbols]
-        for group_symbols, group_terms in touching:
-            symbols = symbols | group_symbols
-            terms = terms + group_terms
-        groups.append((symbols, terms))
-    return [sympy.Add(*terms) for _, terms in groups]
 
 
 def _group_never_positive(group: Expr, variables: set) -> bool:

@@ -341,6 +341,21 @@ def factored(expression: Expr, most: int = MOST_FACTORED) -> Expr:
     return _factor(expression.xreplace(symbols)).xreplace(original)
 
 
+def groups_of(expression: Expr, variables: set) -> list[Expr]:
+    """Return an expression as a sum of expressions that share no variable."""
+    groups: list[tuple[set, list]] = []
+    for term in sympy.Add.make_args(expand(expression, power_exp=False)):
+        symbols = term.free_symbols & variables
+        terms = [term]
+        touching = [group for group in groups if group[0] & symbols]
+        groups = [group for group in groups if not group[0] & symbols]
+        for group_symbols, group_terms in touching:
+            symbols = symbols | group_symbols
+            terms = terms + group_terms
+        groups.append((symbols, terms))
+    return [sympy.Add(*terms) for _, terms in groups]
+
+
 def terms_of(expression: Expr) -> int:
     """Return the largest number of terms of an expression that is multiplied out."""
     if expression.is_Add:

@@ -6,6 +6,7 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 every form: where V does not rise, no f leaves a bound, except one such as sin(s/2), of 1 - cos(s).
 """
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import sympy
@@ -14,7 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from .decided import decided
-from .exact import factored, normal_form, vanishes
+from .exact import factored, groups_of, normal_form, vanishes
 from .facts import CLIP, WHERE, functions_in, interval, is_input, sector_of
 from .gram import sum_of_squares
 from .slopes import along
@@ -298,6 +299,24 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
         forms = max(forms, _forms_of_terms(e, fixed, bounded), key=len)
     forms = forms or _forms_of_terms(sympy.expand_mul(product), fixed, bounded)
     return [*dict.fromkeys(map(_without_weights, forms))]
+
+
+def lost_in_groups(
+    loss: Expr, rest: Mapping[Any, Expr], fixed: set, bounded: set
+) -> list[Expr]:
+    """Return the forms of groups of terms that share no state.
+
+    If the loss is 0 at the rest, each group is the loss with the other states at the rest, and so
+    never negative.
+    """
+    if not vanishes(decided(loss.xreplace(rest))):
+        return []
+    forms = list[Expr]()
+    for group in groups_of(loss, {*rest}):
+        others = {s: value for s, value in rest.items() if not group.has(s)}
+        own = decided(loss.xreplace(others))
+        forms += lost_forms(own, fixed, bounded)
+    return forms
 
 
 def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:

@@ -24,7 +24,6 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.record.symbolic import rational
 from ..algebra.decide import (
-    groups_of,
     in_one_piece,
     never_positive,
     without_choices,
@@ -45,7 +44,7 @@ from ..algebra.exact import (
 from ..algebra.facts import CLIP, SIGN, functions_in, has_time, is_continuous, sector_of
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
-from ..algebra.sums_of_squares import lost_forms, squares
+from ..algebra.sums_of_squares import lost_forms, lost_in_groups, squares
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
 from .certificates import Ways, of_system
@@ -437,8 +436,10 @@ class SystemCandidate(LyapunovCandidate):
         at_ends = decided(inside.xreplace(zero))
         if self.kept and self.never_positive(at_ends - inside):
             loss = at_ends
-        losses = lost_forms(loss, self.fixed, bounded)
-        losses = losses or self._rising(loss) or self._lost_by_groups(loss, bounded)
+        losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
+        if not losses and not self.kept:
+            rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
+            losses = lost_in_groups(loss, rest, self.fixed, bounded)
         shows = f"falls{' loses' * bool(losses)}"
         claim += " <= 0" * (not claim.endswith("= 0"))
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -463,22 +464,6 @@ class SystemCandidate(LyapunovCandidate):
             and sector.low >= 0
             and self.never_positive(sector.factor * call / 2 - loss)
         ]
-
-    def _lost_by_groups(self, loss: sympy.Expr, bounded: set) -> list[sympy.Expr]:
-        """Return the forms of groups of terms that share no state.
-
-        If the loss is 0 at the rest, each group is the loss with the other states at the rest, and
-        so never negative.
-        """
-        rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
-        if self.kept or not vanishes(decided(loss.xreplace(rest))):
-            return []
-        forms = list[sympy.Expr]()
-        for group in groups_of(loss, {*rest}):
-            others = {s: value for s, value in rest.items() if not group.has(s)}
-            own = decided(loss.xreplace(others))
-            forms += lost_forms(own, self.fixed, bounded)
-        return forms
 
     def bounds(self, definite: Definite, fall: Fall) -> Fall:
         """Return the bound of a V' that pulls V back but for a constant."""

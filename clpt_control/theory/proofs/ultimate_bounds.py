@@ -30,7 +30,7 @@ from sympy.core.function import AppliedUndef
 from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.decide import groups_of
+from ..algebra.exact import groups_of
 from ..algebra.facts import interval
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import bound_text
