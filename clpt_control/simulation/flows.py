@@ -277,7 +277,7 @@ def long_interval(run: "xarray.Dataset", scenario: Scenario) -> str:
     if fixes is None or not read <= set(run):
         return ""
     times, z = run.time.values, run.predicted_position.values
-    step = 1e-3 * min(scenario.basis.widths)
+    step = 1e-3 * scenario.basis.lengths.min()
     _, slopes = phi_and_slopes(scenario.basis_block(), times, z, step)
     rates = turning_rate(slopes, run.flow_parameters_estimate.values)
     turned = cumulative_trapezoid(rates, times, initial=0.0)

@@ -104,7 +104,7 @@ KERNEL = Recipe(
                     """phi_i = 1/(1 + d^2/s^2) tide, Eq. (5)."""
                     return tide(t, p) / (1.0 + squared_distance(u, p) / p.widths**2)
 
-                KERNELS["rational"] = rational
+                KERNELS["rational"] = Kernel(rational, lambda s: s, 0.375 * np.sqrt(3))
                 ''',
             ),
         ),

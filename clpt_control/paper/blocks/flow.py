@@ -19,9 +19,9 @@ Ports: x[2] -> phi_x[N], or z[2] -> phi_z[N] (positions: length);
 phi_x[N], delta[2] if disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -55,15 +55,18 @@ def gaussian_sigma(t, x, u, p):
     return np.exp(-squared_distance(u, p) / p.widths) * tide(t, p)
 
 
+class Kernel(NamedTuple):
+    """phi_i, the length of a function with the width s, and its largest slope times that length."""
+
+    phi: Callable
+    length: Callable
+    steepest: float
+
+
 KERNELS = {
-    "exponential": exponential,
-    "gaussian": gaussian,
-    "gaussian-sigma": gaussian_sigma,
-}
-STEEPEST = {  # largest slope |d phi_i/dx| of a kernel, from its widths
-    "exponential": lambda widths: 1 / (2 * widths),
-    "gaussian": lambda widths: np.exp(-0.5) / widths,
-    "gaussian-sigma": lambda widths: np.exp(-0.5) * np.sqrt(2 / widths),
+    "exponential": Kernel(exponential, lambda s: s, 0.5),
+    "gaussian": Kernel(gaussian, lambda s: s, np.exp(-0.5)),
+    "gaussian-sigma": Kernel(gaussian_sigma, lambda s: np.sqrt(s / 2), np.exp(-0.5)),
 }
 
 
@@ -72,7 +75,7 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
 
     The flow is (theta + eta) phi, and the sum of |eta_k/spread_k|^2 over its functions at most 1.
     """
-    slopes = STEEPEST[kernel](np.array(widths))
+    slopes = KERNELS[kernel].steepest / KERNELS[kernel].length(np.array(widths))
     own = np.linalg.norm(theta, axis=0) @ slopes
     return float(own + np.linalg.norm(np.asarray(spread) * slopes))
 
@@ -88,7 +91,7 @@ def flow_basis(
 ) -> Block:
     """Make the block phi of Eq. (5) at ``"x"``, the vehicle, ``"z"``, its prediction, or any port.
 
-    Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
+    Centres of shape (N, 2) are lengths, frequencies rad per time, phases rad.
     """
     parameters = {
         "centers": centers,
@@ -102,7 +105,7 @@ def flow_basis(
     }
     shapes = shapes_of(parameters)
     return Block(
-        name, output=KERNELS[kernel], **ports, parameters=parameters, shapes=shapes
+        name, output=KERNELS[kernel].phi, **ports, parameters=parameters, shapes=shapes
     )
 
 
@@ -156,7 +159,7 @@ def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block
 
 def true_of_own_functions(kernel, t, x, u, p):
     """F_R = theta phi(x, t), Eq. (3), of other functions than phi_x, plus Delta if disturbed."""
-    flow = p.theta @ KERNELS[kernel](t, x, u, p)
+    flow = p.theta @ KERNELS[kernel].phi(t, x, u, p)
     delta = getattr(u, "delta", None)
     return flow if delta is None else flow + delta
 

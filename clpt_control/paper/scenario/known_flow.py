@@ -63,7 +63,7 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     The vehicle visits the centers of the functions and stays for as long as it takes to cross a
     width at 1 m/s; the gain is that time's and that width's.
     """
-    width = min(scenario.basis.widths)
+    width = float(scenario.basis.lengths.min())
     units = scenario.units
     dwell = width * METRES[units.length] / SECONDS[units.time]
     points = list(dict.fromkeys(scenario.basis.centers))

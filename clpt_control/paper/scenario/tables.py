@@ -18,6 +18,7 @@ from pydantic_core import PydanticCustomError
 
 from ...base.errors import ScenarioError
 from ...base.html import shortened
+from ...base.units import METRES
 from ...engine.methods.table import METHODS
 from ..blocks.disturbance import KINDS, DisturbanceKind
 from ..blocks.flow import KERNELS
@@ -158,6 +159,7 @@ PositivePair = tuple[Positive, Positive]
 Points = Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
+EARTH = 2e7  # m, half of its circumference
 SHORT = 1e-6  # share of the interval; closer times are treated as equal
 
 
@@ -182,6 +184,15 @@ class Basis(Table):
     def N(self) -> int:
         """Number of basis functions."""
         return len(self.centers)
+
+    @property
+    def lengths(self) -> np.ndarray:
+        """Length over which each function falls, units.length."""
+        return KERNELS[self.kernel].length(np.array(self.widths))
+
+    def is_everywhere(self, unit: str) -> bool:
+        """Return True if the functions are the same everywhere on Earth."""
+        return bool(self.lengths.min() * METRES[unit] > EARTH)
 
     def periods_in(self, unit: str) -> np.ndarray:
         """Return the periods in a unit of time; inf is steady."""
