@@ -256,7 +256,10 @@ def evaluated(
                 value = ARRAY_OPERATIONS[kind](operation, *arguments)
             else:
                 value = ELEMENTWISE[kind](*arguments)
-            values.append(np.broadcast_to(value, sized(shape, value)))
+            size = sized(shape, value)
+            values.append(
+                value if np.shape(value) == size else np.broadcast_to(value, size)
+            )
     return [
         np.broadcast_to(value_of(ref), (*bound(shape, sizes), points)).astype(float)
         for ref, shape in zip(record.outputs, record.shapes, strict=True)
