@@ -15,7 +15,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import partial
-from math import inf, isfinite
+from math import inf, isfinite, pi
 from typing import Any, NamedTuple
 
 from ...base.errors import DataError
@@ -36,6 +36,7 @@ NORTH, EAST = "degrees_north", "degrees_east"
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
 HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
+LEAST_NANOSECONDS = 1e17  # since 1970; in seconds no time is as large
 GIVE = "time,latitude,longitude,course,speed"
 
 
@@ -78,8 +79,14 @@ def _number(text: str, size: float = 1.0) -> float | None:
 
 
 def _seconds(text: str, size: float = 1.0) -> float | None:
-    """Return a number times the size of its unit, or the seconds since 1970 of a date."""
+    """Return a number times the size of its unit, or the seconds since 1970 of a date.
+
+    >>> _seconds("1777593600000000000")  # of ROS
+    1777593600.0
+    """
     value = _number(text, size)
+    if value is not None and value > LEAST_NANOSECONDS:
+        return 1e-9 * value
     with suppress(ValueError):
         return seconds_since_1970(text) if value is None else value
     return None
@@ -125,8 +132,8 @@ class Column:
 
     `header` is its name in a table, `result` the name of the field in results, where "" leaves it
     out. In a log the column may have another of `names`, and a unit, of which `size_of` returns
-    the size. A column without a reader is written and never read. Values outside of `limits` are
-    gaps.
+    the size; without a unit it is `default_size`. A column without a reader is written and never
+    read. Values outside of `limits` are gaps.
     """
 
     unit: str
@@ -136,6 +143,7 @@ class Column:
     limits: tuple[float, float] = (-inf, inf)
     names: str = ""
     size_of: Callable[[str, str], float] = length_in_metres
+    default_size: float = 1.0
     name: str = ""
     default: Any = None
     is_required: bool = False
@@ -166,17 +174,36 @@ class Column:
 
 
 def _size(sizes: dict[str, float], unit: str, where: str) -> float:
-    """Return the size of a unit by the first pattern that it matches."""
+    """Return the size of a unit by the first pattern that it matches without its spaces."""
     for pattern, size in sizes.items():
-        if re.fullmatch(pattern, unit):
+        if re.fullmatch(pattern, unit.replace(" ", "")):
             return size
     raise DataError(f"{where} is in {unit!r}. Give {GIVE} in degrees and m/s")
 
 
-TIMES = partial(_size, {"utc|gmt|s|(y|iso).*": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9})
-ANGLES = partial(_size, {"dege7|1e-7deg": 1e-7, "deg[ws]": -1.0, "(deg|°).*": 1.0})
+TIMES = partial(
+    _size,
+    {
+        "utc|gmt|s(ec(onds?)?)?(since1970.*)?|(y|iso).*": 1.0,
+        "ms": 1e-3,
+        "us": 1e-6,
+        "ns|nanosec(onds?)?": 1e-9,
+    },
+)
+RADIAN = 180.0 / pi  # degrees
+ANGLES = partial(
+    _size,
+    {"dege7|1e-7deg": 1e-7, "deg[ws]": -1.0, "(deg|°).*": 1.0, "rad(ians?)?": RADIAN},
+)
 MOMENT = (  # columns of a log, beside the displacement
-    Column(EPOCH, TIME, "time", names="date datetime date_time", size_of=TIMES),
+    Column(
+        EPOCH,
+        TIME,
+        "time",
+        names="date datetime date_time timestamp utc stamp __time stamp.sec header.stamp.sec",
+        size_of=TIMES,
+    ),
+    Column("ns", NUMBER, "nanosec", names="stamp.nanosec header.stamp.nanosec"),
     Column(NORTH, DEGREES, "latitude", names="lat", size_of=ANGLES),
     Column(EAST, DEGREES, "longitude", names="lon long lng", size_of=ANGLES),
     Column(
@@ -196,6 +223,25 @@ MOMENT = (  # columns of a log, beside the displacement
         size_of=speed_in_metres_per_second,
         limits=SIZES,
         is_required=True,
+    ),
+    Column(
+        "degrees",
+        NUMBER,
+        "yaw",
+        names="orientation.yaw",
+        size_of=ANGLES,
+        default_size=RADIAN,
+        limits=HEADINGS,
+    ),
+    *(
+        Column(
+            "m/s",
+            NUMBER,
+            f"v_{axis}",
+            names=f"{axis}_velocity velocity_{axis} v{axis[0]}",
+            size_of=speed_in_metres_per_second,
+        )
+        for axis in ("east", "north")
     ),
 )
 

@@ -43,7 +43,7 @@ from .dives import (
     without_current,
 )
 from .text_table import other_marks, table_of
-from .vehicle_log import log_legs, mark_of
+from .vehicle_log import PLACED, log_columns, log_legs, mark_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -119,6 +119,12 @@ def _check_header(header: list[str], name: str | Path) -> None:
     otherwise = set(CURRENT) <= set(header) or set(STEERING) <= set(header)
     if otherwise and not set(header) & set(STRETCH):
         missing = [column for column in missing if column not in STRETCH]
+    of_log = log_columns(header)
+    if missing and len(of_log) > len({*header} & {row.header for row in FIELDS}):
+        absent = ", ".join(name for name in PLACED if name not in of_log)
+        raise DataError(
+            f"{name}: no column {absent}; has {line[:300]}; a log begins with {GIVE}"
+        )
     if missing:
         marks = other_marks(line, REQUIRED[0])
         begins = (

@@ -28,7 +28,8 @@ them.
 
 Columns of a vehicle's log: `latitude`, `longitude` (degrees) are a
 fix; `course` (degrees from true north) and `speed` (m/s) are the motion through the water until the
-next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m).
+next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m).  Robots have `yaw`
+(rad anticlockwise from east, REP 103 of ROS) for `course`, or `v_east` and `v_north` (m/s).
 """
 
 from collections.abc import Sequence
@@ -64,6 +65,12 @@ Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m 
 PLACE = ("latitude", "longitude")
 STEERING = ("course", "speed")
 STRETCH = ("dr_east_m", "dr_north_m")
+YAW = ("yaw", "speed")
+VELOCITY = ("v_east", "v_north")
+STALE = (
+    0.1  # m that a vehicle moved, of which a new fix in 1e-6 degrees shows something
+)
+REPEATS = "repeats the last position though the vehicle moved: no fix"
 # m/s by which a file's own current may be off
 MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches

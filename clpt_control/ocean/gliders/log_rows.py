@@ -3,8 +3,8 @@
 A row has a time and parts: a fix, the course and speed that hold until the next row, or the
 displacement since the row before.  These are left out, each with its reason:
 
-    a row that is not later than the rows before, unless it adds a fix to the last row
-    a row that is more than 30 days later, unless the next row is of the same clock
+    a row that is not in the order of time, as most rows are
+    a row at the time of the last one, unless it adds a fix, or another course and speed
     a fix at 0 N 0 E, or that is no place on Earth
     a stretch above 5 m/s through the water, or of unknown speed: the motion until then is unknown
 
@@ -46,7 +46,6 @@ class LogRows:
     """Reader of rows: the time of the last one, its fix, and the velocity since."""
 
     time: float = nan  # s since 1970 UTC
-    ahead: float = nan  # of a row that was left out as too late
     velocity: Pair = (nan, nan)  # m/s to the east and north
     unknown: str = NOT_GIVEN  # why the velocity is not known
     had_fix: bool = False  # whether a row at this time had one
@@ -54,7 +53,12 @@ class LogRows:
     recent: list[str] = field(default_factory=list)  # motions that were read
 
     def read(
-        self, time: float, fix: Pair | None, steering: Pair | None, stretch: Pair | None
+        self,
+        time: float,
+        fix: Pair | None,
+        steering: Pair | None,
+        stretch: Pair | None,
+        in_order: bool,
     ) -> Reading:
         """Read a row: fix (degrees), course and speed (degrees, m/s), displacement (m).
 
@@ -64,14 +68,21 @@ class LogRows:
         has_fix = fix is not None
         has_motion = steering is not None or stretch is not None
         motion = repr((time, steering, stretch))
-        if fault := self._time_fault(time, has_fix):
-            if has_motion and motion not in self.recent:
+        is_new = has_motion and motion not in self.recent
+        adds = (has_fix and not self.had_fix) or (steering is not None and is_new)
+        fault = time_fault(time)
+        if not fault and not (in_order and (adds or time != self.time)):
+            fault = f"dated {iso(time)}, not later than the row before or after rows behind it"
+        if fault:
+            if is_new:
                 self.lost = "a motion is left out"
             return Reading(skipped=fault, is_taken=False)
         if fix is not None and (fault := place_fault(*fix)):
             fix = None
             if not has_motion:
                 return Reading(skipped=fault, is_taken=False)
+        if time == self.time and self.had_fix:
+            fix = None
         moved, unknown = self._moved(time, stretch)
         if self.lost:
             moved, unknown = None, self.lost
@@ -82,27 +93,8 @@ class LogRows:
             self.velocity = velocity_of(*steering)
             self.unknown = _half(steering, STEERING) or NOT_GIVEN
         self.had_fix = has_fix or (time == self.time and self.had_fix)
-        self.time, self.ahead = time, nan
+        self.time = time
         return Reading(moved, fix, unknown, fault)
-
-    def _time_fault(self, time: float, has_fix: bool) -> str:
-        """Return why a row is left out by its time, or an empty text."""
-        if self.time < time <= self.time + LONGEST < LATEST:
-            return ""
-        if not 0.0 <= time < LATEST:
-            return time_fault(time)
-        adds_fix = has_fix and not self.had_fix
-        if time < self.time or (time == self.time and not adds_fix):
-            return f"not later than the row before, {iso(self.time)}"
-        is_late = time - self.time > LONGEST
-        if is_late and not 0.0 < time - self.ahead <= LONGEST:
-            self.ahead = time
-            days = (time - self.time) / 86400
-            return (
-                f"dated {days:.0f} days after the row before, {iso(self.time)}: a clock that was "
-                "set, or a new record. It is taken if the next row is of the same clock"
-            )
-        return ""
 
     def _moved(self, time: float, stretch: Pair | None) -> tuple[Pair | None, str]:
         """Return the displacement since the row before, or why it is not known."""
@@ -139,11 +131,7 @@ def time_fault(time: float) -> str:
     >>> time_fault(1.7e12)
     'time 1700000000000 looks like milliseconds since 1970. Give seconds, or name it time (ms)'
     """
-    for unit, name, size in (
-        ("milliseconds", "ms", 1e3),
-        ("microseconds", "us", 1e6),
-        ("nanoseconds", "ns", 1e9),
-    ):
+    for unit, name, size in (("milliseconds", "ms", 1e3), ("microseconds", "us", 1e6)):
         if 1e9 < time / size < LATEST:
             return (
                 f"time {time:.15g} looks like {unit} since 1970. Give seconds, or name it time "

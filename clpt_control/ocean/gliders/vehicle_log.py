@@ -17,21 +17,36 @@ Columns are separated by semicolons or tabs, too, then with decimal commas.
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
 (`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
 lines and rows that are not in the order of time are left out; a table of which a quarter is left
-out is refused.
+out is refused.  A fix that repeats the last one to its last digit though the vehicle moved is none.
 """
 
 import re
+from bisect import bisect_right
 from dataclasses import dataclass, field, replace
 from itertools import chain
-from math import isnan, nan
+from math import atan2, degrees, hypot, isnan, nan
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ...base.errors import DataError
-from .dive_fields import GIVE, TIME, Column, name_of
-from .dives import COLUMNS, PLACE, STEERING, STRETCH, Dive, Fix, Skipped, make_dive
+from .dive_fields import GIVE, TIME, name_of
+from .dives import (
+    COLUMNS,
+    FASTEST,
+    PLACE,
+    REPEATS,
+    STALE,
+    STEERING,
+    STRETCH,
+    VELOCITY,
+    YAW,
+    Dive,
+    Fix,
+    Skipped,
+    make_dive,
+)
 from .log_rows import LogRows, Pair, time_fault
 from .text_table import OTHER_MARKS, table_of
 
@@ -41,12 +56,19 @@ PLACED = ("time", *PLACE)
 # time, fix, course and speed, displacement: None for a part that the row has not
 Moment = tuple[float, Pair | None, Pair | None, Pair | None]
 UNKNOWN: Moment = (nan, None, None, None)
-LOG_COLUMNS = [COLUMNS[name] for name in (*PLACED, *STEERING, *STRETCH)]
+MOTIONS = STEERING, STRETCH, YAW, VELOCITY
+NAMES = (*PLACED, "nanosec", *chain(*MOTIONS))
+LOG_COLUMNS = {
+    name: COLUMNS[header]
+    for header in NAMES
+    for name in (header, *COLUMNS[header].names.split())
+}
 NO_MOTION = (
     "the table has fixes without the motion through the water. Give columns course (degrees) and "
     "speed (m/s), or dr_east_m and dr_north_m, not course and speed over ground; a drifter has "
     "none: clpt estimate --drifter"
 )
+NOISE = 100.0  # m, of two fixes
 MOST_LEFT_OUT = 0.25  # of the rows, else a table is refused
 
 
@@ -65,6 +87,10 @@ class Way:
         _, x, y = self.points[-1]
         self.points.append((time - self.start[0], x + east, y + north))
 
+    def is_repeated(self, fix: Pair) -> bool:
+        """Return True for a fix at the place of the last one though the vehicle moved."""
+        return fix == self.start[1:] and hypot(*self.points[-1][1:]) > STALE
+
     def leg(self, number: int, end: Fix) -> Dive:
         """Return the leg that ends at a fix."""
         if self.unknown:
@@ -81,25 +107,23 @@ def mark_of(text: str) -> str:
         "",
     )
     for mark in (",", *OTHER_MARKS):
-        names = {_name_and_unit(cell)[0] for cell in header.split(mark)}
-        headers = {row.header for row in map(_row_of, names) if row}
-        if "dive" not in names and headers >= {*PLACED}:
+        cells = header.split(mark)
+        if "dive" not in cells and log_columns(cells) >= {*PLACED}:
             return mark
     return ""
+
+
+def log_columns(header: list[str]) -> set[str]:
+    """Return the columns of a log that a header has."""
+    names = {_name_and_unit(cell)[0] for cell in header}
+    return {row.header for name, row in LOG_COLUMNS.items() if name in names}
 
 
 def _name_and_unit(cell: str) -> tuple[str, str]:
     """Return name and unit of a cell of the header, in small letters."""
     matched = HEADER.fullmatch(cell.strip(' "'))
     name, unit = (matched[1], matched[2] or "") if matched else (cell, "")
-    return "_".join(name.lower().split()), "".join(unit.lower().split())
-
-
-def _row_of(name: str) -> Column | None:
-    """Return the row of a column by its name in a log; None if a log has no such column."""
-    return next(
-        (row for row in LOG_COLUMNS if name in (row.header, *row.names.split())), None
-    )
+    return "_".join(name.lower().split()), unit.strip().lower()
 
 
 def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]]:
@@ -112,12 +136,14 @@ def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]
             raise DataError(
                 f"{path}: {cell} is magnetic. Turn it by the variation and name it course"
             )
-        row = _row_of(name)
+        row = LOG_COLUMNS.get(name)
         if row is None:
             continue
         if row.header in columns:
             raise DataError(f"{path}: has {row.header} twice, as {cell}. Leave one out")
-        size = row.size_of(unit, f"{path}: {row.header}") if unit else 1.0
+        size = row.default_size
+        if unit:
+            size = row.size_of(unit, f"{path}: {row.header}")
         columns[row.header] = number, size
     return columns
 
@@ -126,8 +152,8 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
     cells = table_of(text, path, f"a log with {GIVE}", mark)
     columns = _columns(list(cells.columns), path)
-    motions = [part for part in (STEERING, STRETCH) if {*part} <= {*columns}]
-    if motions[1:]:
+    motions = [part for part in MOTIONS if {*part} <= {*columns}]
+    if {STEERING, STRETCH} <= {*motions}:
         raise DataError(
             f"{path}: has both course, speed and dr_east_m, dr_north_m. Leave one pair out"
         )
@@ -136,7 +162,8 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
         raise DataError(
             f"{path}: has rows of {len(vehicles)} vehicles. Give each vehicle a table of its own"
         )
-    sizes = {name: columns[name] for name in (*PLACED, *chain(*motions))}
+    names = {*PLACED, "nanosec", *chain(*motions[:1])}
+    sizes = {name: column for name, column in columns.items() if name in names}
     comma = "." if mark == "," else ","
     moments = {
         line: _moment([text.replace(comma, ".") for text in texts], sizes)
@@ -146,6 +173,7 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
         moments[line] = UNKNOWN, f"{why}. Leave gaps as empty"
     repeated = cells.index[(cells == cells.shift()).all(axis=1)]
     legs = _legs_of(moments, set(repeated), path)
+    _check_unit_of_time(legs, bool(motions), path)
     changes: dict[str, Any] = {"vehicle": vehicles.pop()}
     if not motions:
         changes["notes"] = (NO_MOTION,)
@@ -163,6 +191,13 @@ def _moment(
         fault = wrong or fault
     if isnan(numbers["time"]) and not fault:
         fault = f"time is missing; {TIME.must_be}"
+    numbers["time"] += 1e-9 * numbers.get("nanosec", 0.0)
+    if "yaw" in numbers:
+        numbers["course"] = 90.0 - numbers["yaw"]
+    if VELOCITY[0] in numbers:
+        east, north = (numbers[name] for name in VELOCITY)
+        numbers["course"] = degrees(atan2(east, north))
+        numbers["speed"] = hypot(east, north)
     fix, steering, stretch = (
         (numbers[part[0]], numbers[part[1]]) if part[0] in numbers else None
         for part in (PLACE, STEERING, STRETCH)
@@ -172,6 +207,41 @@ def _moment(
     return (numbers["time"], fix, steering, stretch), fault
 
 
+def _check_unit_of_time(
+    legs: list[Dive | Skipped], has_motion: bool, path: str | Path
+) -> None:
+    """Refuse legs that most need an impossible flow."""
+    flows = []
+    for leg in legs:
+        if isinstance(leg, Dive):
+            drift = np.nan_to_num(leg.miss if has_motion else leg.over_ground)
+            flows.append(max(hypot(*drift) - NOISE, 0.0) / leg.duration)
+    flow = float(np.median(flows)) if flows else 0.0
+    if flow > FASTEST:
+        raise DataError(
+            f"{path}: the fixes show a flow of {flow:.3g} m/s: times look like minutes, hours or "
+            f"days. Each {TIME.must_be}"
+        )
+
+
+def _in_order(times: dict[int, float]) -> set[int]:
+    """Return the lines of the longest part of a log that is in the order of time."""
+    ends: list[float] = []  # -time at the begin of the best part of each length
+    begins: list[int] = []  # lines of these times
+    following: dict[int, int | None] = {}
+    for number, time in reversed(times.items()):
+        length = bisect_right(ends, -time)
+        following[number] = begins[length - 1] if length else None
+        ends[length : length + 1] = [-time]
+        begins[length : length + 1] = [number]
+    ordered = set()
+    line = begins[-1] if begins else None
+    while line is not None:
+        ordered.add(line)
+        line = following[line]
+    return ordered
+
+
 def _legs_of(
     moments: dict[int, tuple[Moment, str]], repeated: set[int], path: str | Path
 ) -> list[Dive | Skipped]:
@@ -179,23 +249,30 @@ def _legs_of(
     legs: list[Dive | Skipped] = []
     rows, track, number = LogRows(), None, 0
     left_out: list[str] = []
+    repeats = 0
+    in_order = _in_order(
+        {
+            line: moment[0]
+            for line, (moment, fault) in sorted(moments.items())
+            if not (fault or time_fault(moment[0]))
+        }
+    )
     for line, (moment, fault) in sorted(moments.items()):
         where = f"{path}, line {line}"
-        before, time = rows.time, moment[0]
+        time = moment[0]
         if fault:
             left_out.append(f"{where}: {fault}")
             legs.append(Skipped(number + 1, left_out[-1]))
             rows.lost = f"line {line} is left out"  # which may be a turn
             continue
-        reading = rows.read(*moment)
+        reading = rows.read(*moment, line in in_order)
         if not reading.is_taken and line in repeated:
             continue
         if reading.skipped:
             legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
         if not reading.is_taken:
-            if not time > before:
-                cure = "" if time_fault(time) else ". Sort the rows by time"
-                left_out.append(f"{where}: {reading.skipped}{cure}")
+            cure = "" if time_fault(time) else ". Sort the rows by time"
+            left_out.append(f"{where}: {reading.skipped}{cure}")
             continue
         if track is not None:
             if reading.unknown and not track.unknown:
@@ -203,10 +280,16 @@ def _legs_of(
             track.stretch(time, *(reading.moved or (0.0, 0.0)))
         if reading.fix is not None:
             dated = (time, *reading.fix)
+            if track is not None and track.is_repeated(reading.fix):
+                repeats += 1
+                continue
             if track is not None:
                 number += 1
                 legs.append(track.leg(number, dated))
             track = Way(dated)
+    if repeats:
+        why = f"{path}: a position in {repeats} rows {REPEATS}"
+        legs.append(Skipped(None, why))
     if len(left_out) > MOST_LEFT_OUT * len(moments):
         raise DataError(left_out[0])
     return legs
