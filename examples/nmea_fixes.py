@@ -5,8 +5,9 @@
 RMC has time, date and position: a fix, unless its status is not A or its mode is estimated (E),
 none (N) or a simulator (S).  VHW has true heading and speed through the water: they hold until
 the next VHW.  VHW has no time, so it gets that of the last RMC, valid or not: receivers keep
-their clock under water.  Sentences with a wrong checksum, or with fields that are empty or short,
-are skipped.  A magnetic heading alone is told once.
+their clock under water.  Of several VHW between two RMC the mean velocity is used.  Sentences with
+a wrong checksum, or with fields that are empty or short, are skipped.  A magnetic heading alone is
+told once.
 
 Each fix is answered by one object of JSON, and the learner is saved.  A killed process is started
 again with the sentences since the last fix, or all of them: sentences before the last fix are not
@@ -21,6 +22,8 @@ from datetime import UTC, datetime
 from math import cos, radians, sin
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 import clpt_control as clpt
 
@@ -85,34 +88,32 @@ def readings(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
             continue
 
 
-def learn(
-    sentences: Iterable[str], estimator: clpt.currents.FlowEstimator, state: Path
-) -> Iterator[dict[str, Any]]:
-    """Move and fix a learner by sentences, save it after each fix, and yield what it learned."""
-    velocity = None  # m/s to the east and north; None while it is not known
+def feed(
+    estimator: clpt.currents.FlowEstimator, sentences: Iterable[str]
+) -> Iterator[Any]:
+    """Move and fix an estimator by sentences, and yield what each fix taught."""
+    velocities: list[tuple[float, float]] = []  # m/s to the east and north, of one time
+    time_of_velocities = 0.0
     is_known = False  # the motion since the last fix
     for reading in readings(sentences):
         time = reading["time"]
         # s since the last stretch or fix; the estimator rounds times to about 1e-7 s
         span = round(time - estimator.time, 3)
-        is_known = is_known and (velocity is not None or span <= 0)
-        if is_known and velocity is not None and span > 0:
-            estimator.move(time, velocity[0] * span, velocity[1] * span)
+        if is_known and span > 0:
+            east, north = np.mean(velocities or [(np.nan, np.nan)], axis=0) * span
+            is_known = bool(np.isfinite(east))
+            if is_known:
+                estimator.move(time, east, north)
         if "course" in reading:
             course, speed = radians(reading["course"]), reading["speed"]
-            way = speed * sin(course), speed * cos(course)
-            velocity = way if 0 <= speed <= FASTEST else None
+            if not 0 <= speed <= FASTEST:
+                speed = np.nan
+            if time != time_of_velocities:
+                velocities, time_of_velocities = [], time
+            velocities.append((speed * sin(course), speed * cos(course)))
             continue
-        place = reading["latitude"], reading["longitude"]
         if span > 0:
-            learned = estimator.fix(time, *place)
-            estimator.save(state)
-            yield {
-                **reading,
-                "error_m": None if learned.forecast is None else learned.error,
-                "flow_m_s": learned.flow,
-                "note": learned.note,
-            }
+            yield estimator.fix(time, reading["latitude"], reading["longitude"])
         is_known = span >= 0 or is_known
 
 
@@ -122,7 +123,16 @@ def main(scenario: str, state: Path) -> None:
         estimator = clpt.currents.FlowEstimator.load(state)
     else:
         estimator = clpt.currents.FlowEstimator(clpt.load_scenario(scenario))
-    for answer in learn(sys.stdin, estimator, state):
+    for learned in feed(estimator, sys.stdin):
+        estimator.save(state)
+        answer = {
+            "time": learned.time,
+            "latitude": learned.latitude,
+            "longitude": learned.longitude,
+            "error_m": None if learned.forecast is None else learned.error,
+            "flow_m_s": learned.flow,
+            "note": learned.note,
+        }
         print(json.dumps(answer), flush=True)
 
 
