@@ -21,6 +21,7 @@ import numpy as np
 
 from .errors import DataError, import_optional
 
+RADIUS = 6371e3  # m, of the Earth
 WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 
 
@@ -73,6 +74,19 @@ def place_from(
     return lat2, lon2
 
 
+def convergence(lat: float, lon: float, east: float, north: float) -> float:
+    """Return the angle from the axes at a place to those at the end of a displacement, rad.
+
+    Anticlockwise, with directions along the geodesic as they are: it is s sin(a) tan(lat)/R.
+
+    >>> round(convergence(60.0, 8.0, 10e3, 0.0), 6)  # 10 km tan(60)/6394 km
+    0.002709
+    """
+    length, azimuth = hypot(east, north), degrees(atan2(east, north))
+    *_, back = _ellipsoid().fwd(lon, lat, azimuth, length)
+    return radians(angle_near(back + 180.0 - azimuth, 0.0))
+
+
 def direction(east: float, north: float) -> float | None:
     """Return where a vector points, degrees clockwise from north; None where it has no length.
 
@@ -83,6 +97,15 @@ def direction(east: float, north: float) -> float | None:
         return None
     angle = degrees(atan2(east, north)) % 360.0
     return 0.0 if angle == 360.0 else angle  # of -1e-15
+
+
+def check_near(distance: float) -> None:
+    """Refuse a distance from the origin of a plane, km, that is too large or not finite."""
+    if not distance <= WIDEST:
+        raise DataError(
+            f"a place is {distance:.4g} km from the origin, at most {WIDEST:g}. Choose a "
+            "smaller box, or an origin in its middle, or correct swapped latitude and longitude"
+        )
 
 
 def angle_near(lon: Any, reference: Any) -> Any:
@@ -135,15 +158,7 @@ class LocalPlane:
         """Return x1 and x2 of places in degrees, 1000 km from the origin at most."""
         lat, lon = np.broadcast_arrays(lat, lon)
         x1, x2 = self._project(lon, lat)
-        distance = np.hypot(x1, x2)
-        if not np.all(distance <= self.widest):  # also where not finite
-            distance_text = (
-                f"{np.max(distance) / self.widest * WIDEST:.4g} km from the origin"
-            )
-            raise DataError(
-                f"a place is {distance_text}, at most {WIDEST:g}. Choose a smaller box, "
-                "or an origin in its middle, or correct swapped latitude and longitude"
-            )
+        check_near(float(np.max(np.hypot(x1, x2))) / self.widest * WIDEST)
         return x1, x2
 
     def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:

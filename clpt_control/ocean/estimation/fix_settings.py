@@ -15,21 +15,20 @@ plane around the origin, x1 and x2 (`base.geodesy`), with t = 0 at a given time.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from math import hypot, radians, tan
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
 from ...base.errors import ScenarioError
-from ...base.geodesy import LocalPlane
+from ...base.geodesy import RADIUS, check_near, convergence, displacement, place_from
 from ...base.units import DAY, METRES, SECONDS
 from ...paper.blocks.flow import largest_shear
 from ...paper.laws.fix_bound import SIGMAS, UNMODELLED, Limits
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.tables import Units
-from .fix_model import leg_variance
 
 PRIOR = 0.5  # m/s
 SCATTER = 0.02  # m/s, flow that the functions do not express, in the mean over a leg
@@ -96,11 +95,13 @@ class FixSettings:
             )
         return priors
 
-    def noise_of(self, duration: float) -> float:
-        """Return r of a leg, length."""
+    def noise_of(self, duration: float) -> np.ndarray:
+        """Return the variances of a leg, (2,): that of its fixes, if known, and the rest of r^2."""
         if self.noise is None:
-            return float(leg_variance(2 * self.fix**2, self.scatter, duration) ** 0.5)
-        return self.noise if self.noise_per_leg else self.noise * duration**0.5
+            return np.array([2 * self.fix**2, (self.scatter * duration) ** 2])
+        return np.array(
+            [0.0, self.noise**2 * (1.0 if self.noise_per_leg else duration)]
+        )
 
 
 @dataclass(frozen=True)
@@ -110,11 +111,6 @@ class LocalFrame:
     time: float
     place: Pair
     units: Units
-
-    @cached_property
-    def plane(self) -> LocalPlane:
-        """Plane around the origin."""
-        return LocalPlane(*self.place, self.units.length)
 
     @property
     def metres(self) -> float:
@@ -136,24 +132,29 @@ class LocalFrame:
 
     def point(self, latitude: float, longitude: float) -> np.ndarray:
         """Return a place as a point, (2,)."""
-        return _numbers(self.plane.to_plane(latitude, longitude))
+        east_north = displacement(*self.place, latitude, longitude)
+        check_near(hypot(*east_north) / 1e3)
+        return np.array(east_north) / self.metres
 
     def position(self, point: np.ndarray) -> Pair:
         """Return latitude and longitude of a point."""
-        latitude, longitude = _numbers(self.plane.to_earth(*point))
-        return float(latitude), float(longitude)
+        return place_from(*self.place, *(point * self.metres).tolist())
 
-    def axes(self, point: np.ndarray) -> np.ndarray:
-        """Return the directions of east and north at a point in the plane, (2, 2) columns."""
-        place = self.position(point)
-        east = _numbers(self.plane.rotate(*place, 1.0, 0.0))
-        return np.array([[east[0], -east[1]], [east[1], east[0]]])
+    def axes(self, point: np.ndarray) -> Pair:
+        """Return the angle of east in the plane at a point, rad, and its growth to the east."""
+        latitude, _ = self.position(point)
+        growth = tan(radians(latitude)) / RADIUS * self.metres
+        angle = convergence(*self.place, *(point * self.metres).tolist())
+        return angle, growth
 
     def velocity(self, point: np.ndarray, velocity: np.ndarray) -> Pair:
         """Return a velocity in the plane as m/s to the east and to the north."""
-        east, north = self.axes(point).T @ velocity * self.metres / self.seconds
+        angle, _ = self.axes(point)
+        east, north = rotated(velocity, -angle) * self.metres / self.seconds
         return float(east), float(north)
 
 
-def _numbers(pair: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
-    return np.array([float(x) for x in pair])
+def rotated(vectors: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
+    """Return vectors (..., 2) turned anticlockwise by angles, rad."""
+    c, s, x, y = np.cos(angle), np.sin(angle), vectors[..., 0], vectors[..., 1]
+    return np.stack([c * x - s * y, s * x + c * y], axis=-1)

@@ -23,6 +23,7 @@ Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 import copy
 import json
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from math import hypot
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -34,24 +35,25 @@ from ...base.arguments import OrNaN, Positive, public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...base.files.reading import read_text
-from ...base.geodesy import displacement, distance, is_place
+from ...base.geodesy import displacement, is_place
 from ...base.units import at_least
 from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_from_text, scenario_to_text
-from .fix_settings import FixSettings, LocalFrame
+from ..gliders.dives import REPEATS, STALE
+from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
 from .leg_track import Leg, LegTrack, Turn, long_interval
-from .wrong_units import COMPARED, way_of, wrong_motion
+from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
-EARTH = 2e7  # m, half of its circumference
-NEAR = 20e3  # m from the origin of the plane, where east is the plane's to 0.2 degrees
+ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
+SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
-KIND, VERSION = "clpt-flow-estimator", "1"
+KIND, VERSION = "clpt-flow-estimator", "2"
 
 
 class Ahead(NamedTuple):
@@ -174,7 +176,9 @@ class FlowEstimator:
         self.settings = FixSettings(scenario, shear, unmodelled)
         self._guessing = LegGuesses(scenario, self.settings)
         basis = scenario.basis_block("z")
-        self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
+        # functions that are the same everywhere are by local east and north, and need no plane
+        self.is_everywhere = scenario.basis.is_everywhere(scenario.units.length)
+        self.track = LegTrack(basis, scenario.basis.lengths, scenario.periods)
         self._begin()
 
     def _begin(self) -> None:
@@ -198,7 +202,8 @@ class FlowEstimator:
         """Learn from a fix.
 
         A fix after a time of unknown displacement through the water begins a leg and teaches
-        nothing.
+        nothing. A place that is the last one to its last digit, though the vehicle moved, is no
+        fix.
 
         Parameters
         ----------
@@ -227,6 +232,8 @@ class FlowEstimator:
             self._begin()
             return replace(self.fix(time, latitude, longitude), note=note)
         place = self.frame.point(latitude, longitude)
+        if self._is_repeated(place):
+            return self._learned(time, latitude, longitude, note=REPEATS)
         results: dict[str, Any] = {}
         for one in ended:
             one.add(t, 0.0, 0.0, self.track.size)
@@ -235,23 +242,16 @@ class FlowEstimator:
             predicted = ahead.latitude, ahead.longitude
             east, north = displacement(*predicted, latitude, longitude)
             results = {"forecast": ahead, "error_east": east, "error_north": north}
-            way = way_of(leg.place, place.tolist(), leg.way, t - leg.start)
-            self.ways = [*self.ways[1 - COMPARED :], way]
         elif leg is not None:
             results["note"] = self._unknown(leg, t)
         begins_again = Leg(t, [float(x) for x in place], t)
         if begins_again not in self._open():
             results |= self._learn(begins_again, leg)
-        if self._is_everywhere:
-            self._recentre(latitude, longitude)
-        return Learned(
-            *(time, latitude, longitude),
-            self.flow_parameters,
-            self.standard_error,
-            self.flow(time, latitude, longitude),
-            guaranteed=self.guaranteed(time, latitude, longitude),
-            **results,
-        )
+        if self.is_everywhere:
+            self._recentre(begins_again, latitude, longitude)
+        learned = self._learned(time, latitude, longitude, **results)
+        begins_again.flow = learned.flow[0] / self.settings.speed
+        return learned
 
     @public
     def move(self, time: OrNaN, east: OrNaN, north: OrNaN) -> None:
@@ -312,7 +312,7 @@ class FlowEstimator:
             m/s; inf where nothing is guaranteed that the prior does not say, and with
             ``kalman-flow``, whose flow changes.
         """
-        frame, likely = self.under_way[0], self.guesses.states[0]
+        frame, likely = self._frame_at(latitude, longitude), self.guesses.states[0]
         if self.scenario.learning.law == WALKS or not np.isfinite(likely.level):
             return np.inf
         point = frame.point(latitude, longitude)
@@ -337,8 +337,9 @@ class FlowEstimator:
         Ahead
             Time and place, and the radius of its region.
         """
-        frame, _ = self.under_way
-        now = self.guesses
+        if not stretches:
+            return self._ahead()
+        now, _ = self.guesses, self.under_way
         ahead = {id(leg): copy.deepcopy(leg) for leg in self._open()}
         self.guesses = replace(
             now, states=tuple(replace(g, leg=ahead.get(id(g.leg))) for g in now.states)
@@ -346,11 +347,15 @@ class FlowEstimator:
         try:
             for time, east, north in stretches:
                 self.move(time, east, north)
-            _, leg = self.under_way
-            likely = self.guesses.where(lambda guess: guess.leg is leg)
+            return self._ahead()
         finally:
             self.guesses = now
-        theta = theta_of(likely)
+
+    def _ahead(self) -> Ahead:
+        """Forecast a fix now."""
+        frame, leg = self.under_way
+        likely = self.guesses.where(lambda guess: guess.leg is leg)
+        theta = self._turned(leg, theta_of(likely).T).T
         arrival = self.track.end(leg, theta)
         turn = self.track.turn(arrival, theta, self.covariance)
         terms = self._terms(leg, arrival.m, arrival.z, turn)
@@ -360,13 +365,24 @@ class FlowEstimator:
     # --- results --------------------------------------------------------------------------------
 
     @property
+    def guesses(self) -> Hypotheses[Guess]:
+        """Guesses of what happened so far."""
+        return self._guesses
+
+    @guesses.setter
+    def guesses(self, guesses: Hypotheses[Guess]) -> None:
+        self._guesses = guesses
+        for of_guesses in ("leg", "theta", "covariance"):
+            self.__dict__.pop(of_guesses, None)
+
+    @cached_property
     def leg(self) -> Leg | None:
         """Leg since the last right fix by the likeliest guess, or None."""
         legs = self._open()
         chances = self.guesses.chances(lambda guess: id(guess.leg))
         return max(legs, key=lambda leg: chances[id(leg)], default=None)
 
-    @property
+    @cached_property
     def theta(self) -> np.ndarray:
         """Mean of theta, (2, N)."""
         return theta_of(self.guesses)
@@ -374,10 +390,10 @@ class FlowEstimator:
     @property
     def scale(self) -> float:
         """Factor c on the noise, root mean square."""
-        squares = [guess.scale**2 for guess in self.guesses.states]
+        squares = [guess.square for guess in self.guesses.states]
         return float(np.sqrt(self.guesses.weights @ squares))
 
-    @property
+    @cached_property
     def covariance(self) -> np.ndarray:
         """Covariance of each row of theta, (N, N), scenario's units."""
         return self._guessing.covariance(self.guesses)
@@ -390,7 +406,7 @@ class FlowEstimator:
     @property
     def warnings(self) -> list[str]:
         """Sentences on motion through the water and interval of fixes."""
-        told = wrong_motion(self.ways, self.settings.speed)
+        told = wrong_motion(self.ways, self.settings.prior, self.settings.speed)
         return [told] * bool(told) + long_interval(self.turn)
 
     @property
@@ -457,7 +473,6 @@ class FlowEstimator:
         """
         parts = {
             "scenario": scenario_to_text(self.scenario, Path(path).parent),
-            "limits": self._limits,
             "state": self.state,
         }
         text = json.dumps(parts)
@@ -497,16 +512,20 @@ class FlowEstimator:
             )
         parts = json.loads(text)
         scenario = scenario_from_text(parts["scenario"], str(path), Path(path).parent)
-        estimator = cls(scenario, **parts["limits"])
+        estimator = cls(scenario, **parts["state"]["limits"])
         estimator.state = parts["state"]
         return estimator
 
     @property
     def state(self) -> dict[str, Any]:
-        """State as numbers and lists, which JSON writes without loss."""
+        """State as numbers and lists, which JSON writes without loss.
+
+        An estimator of larger limits that takes it up guarantees nothing.
+        """
         legs = self._open()
         numbers = {id(leg): number for number, leg in enumerate(legs)}
         return {
+            "limits": self._limits,
             "frame": self.frame and [self.frame.time, *self.frame.place],
             "open": [asdict(leg) for leg in legs],
             "legs": self.legs,
@@ -516,12 +535,9 @@ class FlowEstimator:
             "ways": self.ways,
             "log_odds": self.guesses.log_odds,
             "guesses": [
-                vars(guess)
-                | {
-                    "leg": numbers.get(id(guess.leg)),
-                    "theta": guess.theta.tolist(),
-                    "P": guess.P.tolist(),
-                }
+                {"leg": numbers.get(id(guess.leg)), "fixes": guess.fixes}
+                | {name: getattr(guess, name).tolist() for name in ARRAYS}
+                | {"level": guess.level}
                 for guess in self.guesses.states
             ],
         }
@@ -535,37 +551,75 @@ class FlowEstimator:
         self.legs, self.fastest = state["legs"], state["fastest"]
         self.turn = state["turn"]
         self.told, self.ways = state["told"], state["ways"]
+        limits = FixSettings(self.scenario, **state["limits"]).limits
+        is_wider = np.any(np.greater(self.settings.limits, limits))
         guesses = tuple(
             Guess(
                 None if guess["leg"] is None else legs[guess["leg"]],
-                np.array(guess["theta"]),
-                np.array(guess["P"]),
-                guess["squares"],
-                guess["count"],
-                tuple(guess["fixes"]),
-                guess["level"],
+                fixes=tuple(guess["fixes"]),
+                level=np.inf if is_wider else guess["level"],
+                **{name: np.array(guess[name]) for name in ARRAYS},
             )
             for guess in state["guesses"]
         )
         self.guesses = Hypotheses(guesses, tuple(state["log_odds"]))
 
+    def _learned(
+        self, time: float, latitude: float, longitude: float, **results: Any
+    ) -> Learned:
+        """Return the results of a fix."""
+        return Learned(
+            *(time, latitude, longitude),
+            self.flow_parameters,
+            self.standard_error,
+            self.flow(time, latitude, longitude),
+            guaranteed=self.guaranteed(time, latitude, longitude),
+            **results,
+        )
+
     # --- one leg --------------------------------------------------------------------------------
 
-    @property
-    def _is_everywhere(self) -> bool:
-        """True if the functions are the same everywhere on Earth, and need no plane as large."""
-        return self.track.size[0] * self.settings.metres > EARTH
+    def _frame_at(self, latitude: float, longitude: float) -> LocalFrame:
+        """Return the frame; of functions that are the same everywhere, with its origin there."""
+        frame, _ = self.under_way
+        there = replace(frame, place=(latitude, longitude))
+        return there if self.is_everywhere else frame
 
-    def _recentre(self, latitude: float, longitude: float) -> None:
-        """Move the origin of the plane to a fix that is far from it."""
-        frame = self.frame
+    def _recentre(self, begun: Leg, latitude: float, longitude: float) -> None:
+        """Move the origin of the plane to the fix where a leg begins."""
+        frame, self.frame = self.frame, self._frame_at(latitude, longitude)
         assert frame is not None
-        if distance(*frame.place, latitude, longitude) < NEAR:
-            return
-        self.frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
+        begun.place = [0.0, 0.0]
         for leg in self._open():
-            place = frame.position(np.array(leg.place))
-            leg.place = self.frame.point(*place).tolist()
+            if leg == begun or frame == self.frame:
+                continue
+            place = np.array(leg.place)
+            angle, _ = frame.axes(place)
+            place = self.frame.point(*frame.position(place))
+            leg.place = place.tolist()
+            leg.turn(self.frame.axes(place)[0] - angle)
+
+    def _turned(self, leg: Leg, flow: np.ndarray, sign: float = 1.0) -> np.ndarray:
+        """Return flows (..., 2) by local east and north in the plane: those of the leg's middle.
+
+        Only functions that are the same everywhere are by local east and north.
+        """
+        if not self.is_everywhere:
+            return flow
+        frame, _ = self.under_way
+        angle, growth = frame.axes(np.array(leg.place))
+        return rotated(flow, sign * (angle + growth * leg.east / 2))
+
+    def _is_repeated(self, place: np.ndarray) -> bool:
+        """Return True for the place of a fix before, if the vehicle moved since.
+
+        The vehicle of a run may stay at a place.
+        """
+        least = STALE / self.settings.metres if self.settings.bent else np.inf
+        return any(
+            leg.place == place.tolist() and hypot(*leg.moved) > least
+            for leg in self._open()
+        )
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""
@@ -593,11 +647,14 @@ class FlowEstimator:
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
-        theta = self.theta
-        off = place - self.track.end(leg, theta).z
+        theta = self._turned(leg, self.theta.T).T
+        arrival = self.track.end(leg, theta)
+        off = place - arrival.z
         drift = off / (leg.time - leg.start)
-        arrival = self.track.end(leg, theta, drift)
-        Y = place - (arrival.z - off) + theta @ arrival.m
+        if hypot(*off) > SAME * self.track.size[0]:
+            arrival = self.track.end(leg, theta, drift)
+            arrival = arrival._replace(z=arrival.z - off)
+        Y = self._turned(leg, place - arrival.z + theta @ arrival.m, -1.0)
         turn = self.track.turn(arrival, theta, self.covariance)
         times = np.append(arrival.points[:, 0], leg.time) - leg.start
         path = np.vstack([arrival.path, arrival.m])
@@ -621,8 +678,11 @@ class FlowEstimator:
         )
         law, ended = self.scenario.learning.law, known.get(id(leg))
         self.told, note = remarks(self.guesses, self.told, law)
-        if ended is None:
+        if ended is None or leg is None:
             return {}
+        r = float(ended.noise.sum() ** 0.5)
+        row = [*(place - leg.place), *leg.moved, ended.duration, r, *ended.m]
+        self.ways = [*self.ways[1 - COMPARED :], [float(x) for x in row]]
         self.turn = ended.turn.learned
         return {"note": note, "turn": self.turn}
 
@@ -639,17 +699,9 @@ class FlowEstimator:
 def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
     """Move the prediction by rows of time, east and north."""
     frame, _ = estimator.under_way
-    ends = frame.own_time(stretches[:, 0])
     for leg in estimator._open():
-        axes = frame.axes(np.array(leg.place)) / frame.metres
-        moved = stretches[:, 1:] @ axes.T
-        spans = np.diff(ends, prepend=leg.time)
-        lasts = spans > 0
-        speeds = np.hypot(*moved[lasts].T) / spans[lasts]
+        speeds = leg.move(frame, stretches, estimator.track.size)
         estimator.fastest = max(estimator.fastest, float(np.max(speeds, initial=0.0)))
-        leg.known += float(np.sum(spans))
-        for t, (x, y) in zip(ends.tolist(), moved.tolist(), strict=True):
-            leg.add(t, x, y, estimator.track.size)
 
 
 def _checksum(text: str) -> str:
@@ -664,9 +716,7 @@ def flow_by(
     longitude: float,
 ) -> tuple[float, float]:
     """Return the flow of some theta, scenario's units, as `flow` does."""
-    frame, _ = estimator.under_way
-    if estimator._is_everywhere:
-        frame = LocalFrame(frame.time, (latitude, longitude), frame.units)
+    frame = estimator._frame_at(latitude, longitude)
     point = frame.point(latitude, longitude)
     phi = estimator.track.phi(frame.own_time(time), point)
     return frame.velocity(point, theta @ phi)

@@ -9,6 +9,7 @@ Control 24, 843-854, 1979).
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -35,7 +36,7 @@ class Hypotheses(Generic[State]):
         """Return a single hypothesis."""
         return cls((state,), (0.0,))
 
-    @property
+    @cached_property
     def weights(self) -> np.ndarray:
         """Probabilities of the states."""
         weights = np.exp(self.log_odds)

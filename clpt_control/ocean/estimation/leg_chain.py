@@ -127,9 +127,9 @@ def chain_of(
             count = max(1, ceil(NODES * crossed), ceil(NODES_OF_PERIOD * T / period))
             cuts = np.linspace(0, len(steps), min(count, len(steps)) + 1).round()
         moved = np.cumsum(steps[:, 1:2] * steps[:, 2:], axis=0)
-        leg_noise = settings.noise_of(T)
+        variance = float(settings.noise_of(T).sum())
         of_track = max(
-            leg_noise**2 - 2 * settings.fix**2, (LEAST_PROCESS * settings.fix) ** 2
+            variance - 2 * settings.fix**2, (LEAST_PROCESS * settings.fix) ** 2
         )
         for begin, stop in pairwise(cuts.astype(int)):
             piece = steps[begin:stop]
@@ -137,7 +137,7 @@ def chain_of(
             pieces.append(piece)
             share = piece[:, 1].sum() / T
             noise.append(((of_track + bend**2) * share) ** 0.5)
-            deviation.append(hypot(leg_noise, bend))
+            deviation.append(hypot(variance**0.5, bend))
             gone = steps[:stop, 1].sum() / T
             drawn = gone * (end - start - moved[-1])
             places.append(start + moved[stop - 1] + drawn)

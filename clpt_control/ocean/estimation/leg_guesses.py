@@ -6,9 +6,11 @@ Each fix divides each guess (`hypotheses`) into three:
     wrong      nothing is learned, and the leg goes on past the fix
     changed    the flow changed, or theta_hat was wrong: P + prior, then right
 
-The density of a right fix is Student's t of two components around the forecast, with c r in place
-of r and c^2 = S/nu: nu counts the position errors of the guess so far, S is the sum of their
-squares over r^2, and both fade.  The density of a wrong fix is that of the centre of a normal
+The density of a right fix is Student's t of two components around the forecast.  The two parts of
+r^2, those of the fixes and of the scatter, have a factor each, c^2 = S/nu: nu counts the position
+errors of the guess so far, each by the share of the part in its variance, S is the sum of their
+squares, and both fade.  So short legs tell of the fixes, long ones of the scatter.  The factor of P
+is the mean by what the legs taught.  The density of a wrong fix is that of the centre of a normal
 distribution of 10 km, at any distance.  A flow above 5 m/s is impossible: a fix that needs it is
 wrong, or begins a leg.
 
@@ -16,12 +18,13 @@ Numbers are in units of the scenario.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from math import log, log1p, pi
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.optimize import brentq
 
 from ...base.units import METRES
 from ...paper.laws.fix_bound import LegRegressor, Limits, level_after
@@ -56,26 +59,55 @@ AFTER_ALL = {
 }
 
 
-@dataclass(frozen=True)
+def _prior_errors() -> np.ndarray:
+    return np.full(2, PRIOR_ERRORS)
+
+
+@dataclass(frozen=True, eq=False)
 class Guess:
     """Estimate of theta if each of the last fixes is as `fixes` says, the last one at the end.
 
-    `leg` begins at the last fix that is not wrong; None before one. `squares` is S, `count` nu.
+    `leg` begins at the last fix that is not wrong; None before one. `prior` is the standard
+    deviation of each parameter before any fix. Of each part of r^2 `squares` is S, `count` nu and
+    `taught` the sum of |m|^2/r^2 by its share.
     `level` bounds tr(eta P^-1 eta^T), eta the error of theta (`paper.laws.fix_bound`).
     """
 
     leg: Leg | None
     theta: np.ndarray
     P: np.ndarray
-    squares: float = PRIOR_ERRORS
-    count: float = PRIOR_ERRORS
+    prior: np.ndarray
+    squares: np.ndarray = field(default_factory=_prior_errors)
+    count: np.ndarray = field(default_factory=_prior_errors)
+    taught: np.ndarray = field(default_factory=lambda: np.full(2, 1e-300))
     fixes: tuple[str, ...] = ()
     level: float = 1.0
 
     @property
-    def scale(self) -> float:
-        """Factor c on the noise."""
-        return float(np.sqrt(self.squares / self.count))
+    def factors(self) -> np.ndarray:
+        """Factor c^2 on each part of the noise, (2,)."""
+        return self.squares / self.count
+
+    @property
+    def square(self) -> float:
+        """Factor c^2 on P."""
+        return float(self.taught @ self.factors / self.taught.sum())
+
+    @cached_property
+    def scaled(self) -> np.ndarray:
+        """Covariance with c times the noise, and the prior as it was."""
+        free = self.prior > 0
+        sd = np.where(free, self.prior, 1.0)
+        # of the prior's variance, the share that is left along each axis
+        share, axes = np.linalg.eigh(self.P / np.outer(sd, sd))
+        share = np.clip(share, 1e-300, 1.0)
+        scaled = self.square * share / (self.square * share + 1 - share)
+        return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
+
+    def errors(self, noise: np.ndarray) -> float:
+        """Return nu of noise with these parts: the mean by their shares."""
+        parts = noise * self.factors
+        return float(parts @ self.count / parts.sum())
 
     def after(self, fix: str, **changes: Any) -> "Guess":
         """Return the guess after one more fix."""
@@ -83,7 +115,7 @@ class Guess:
 
 
 class Regression(NamedTuple):
-    """Y = theta m + n over a leg: Y (2,), m (N,), duration, r and its two added terms.
+    """Y = theta m + n over a leg: Y (2,), m (N,), duration, parts of r^2 and two added terms.
 
     `path` is m along the leg, as predicted with `theta`.
     """
@@ -91,7 +123,7 @@ class Regression(NamedTuple):
     Y: np.ndarray
     m: np.ndarray
     duration: float
-    noise: float
+    noise: np.ndarray
     bend: float
     turn: Turn
     theta: np.ndarray
@@ -124,22 +156,13 @@ class LegGuesses:
     @property
     def first(self) -> Hypotheses[Guess]:
         """The guess before any fix."""
-        return Hypotheses.of(Guess(None, self.settings.theta, self.prior))
-
-    def scaled(self, guess: Guess) -> np.ndarray:
-        """Return the covariance with c times the noise, and the prior as it was."""
-        free = self.settings.prior > 0
-        sd = np.where(free, self.settings.prior, 1.0)
-        # of the prior's variance, the share that is left along each axis
-        share, axes = np.linalg.eigh(guess.P / np.outer(sd, sd))
-        share, square = np.clip(share, 1e-300, 1.0), guess.scale**2
-        scaled = square * share / (square * share + 1 - share)
-        return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
+        settings = self.settings
+        return Hypotheses.of(Guess(None, settings.theta, self.prior, settings.prior))
 
     def variance(self, leg: Regression, guess: Guess, P: np.ndarray) -> float:
         """Return the variance of a position error on each axis, with P the covariance of theta."""
         of_theta = float(leg.m @ P @ leg.m)
-        noise = (guess.scale * leg.noise) ** 2 + leg.bend**2
+        noise = leg.noise @ guess.factors + leg.bend**2
         return float(noise + of_theta + leg.added(of_theta))
 
     def covariance(self, guesses: Hypotheses[Guess]) -> np.ndarray:
@@ -147,7 +170,7 @@ class LegGuesses:
         theta, P = theta_of(guesses), np.zeros_like(self.prior)
         for weight, guess in zip(guesses.weights, guesses.states, strict=True):
             off = guess.theta - theta
-            P += weight * (self.scaled(guess) + off.T @ off / 2)
+            P += weight * (guess.scaled + off.T @ off / 2)
         return P
 
     def radius(self, guesses: Hypotheses[Guess], leg: Regression) -> float:
@@ -156,9 +179,9 @@ class LegGuesses:
         variances = []
         for guess in guesses.states:
             off = (guess.theta - theta) @ leg.m
-            variance = self.variance(leg, guess, self.scaled(guess))
+            variance = self.variance(leg, guess, guess.scaled)
             variances.append(variance + float(off @ off) / 2)
-        counts = np.array([guess.count for guess in guesses.states])
+        counts = np.array([guess.errors(leg.noise) for guess in guesses.states])
         return radius_of(guesses.weights, np.array(variances), counts)
 
     def branches(
@@ -171,22 +194,21 @@ class LegGuesses:
             wrong = anywhere + log(WRONG_SHARE)
             yield WRONG, wrong, partial(guess.after, WRONG, leg=None)
             return
-        now = replace(
-            guess, P=self.between_fixes(guess.P, leg.duration, self.settings.p)
-        )
+        P = self.between_fixes(guess.P, leg.duration, self.settings.p)
+        now = guess if P is guess.P else replace(guess, P=P)
         y = leg.Y - guess.theta @ leg.m
         square = float(y @ y)
         # a wrong fix lies about the forecast
-        V = self.variance(leg, now, self.scaled(now))
+        V = self.variance(leg, now, now.scaled)
         wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
         yield WRONG, wrong, partial(guess.after, WRONG)
         fastest = FASTEST / self.settings.speed * leg.duration
-        if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise:
+        if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise.sum() ** 0.5:
             # the motion was not that, or the fix before is wrong
             begun = partial(guess.after, RIGHT, leg=start)
             yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
             return
-        nu = guess.count
+        nu = guess.errors(leg.noise)
         for fix, odds, P, variance in (
             (RIGHT, 0.0, now.P, V),
             (CHANGED, log(CHANGED_SHARE), now.P + self.prior, None),
@@ -202,19 +224,26 @@ class LegGuesses:
         """Return a guess after least squares."""
         y = leg.Y - guess.theta @ leg.m
         of_theta = float(leg.m @ P @ leg.m)
-        noise = leg.noise**2 + leg.bend**2
-        r = (noise + leg.added(of_theta)) ** 0.5
+        total = float(leg.noise.sum())
+        added = leg.added(of_theta)
+        r = (total + leg.bend**2 + added) ** 0.5
         before = P
         change, P = least_squares_step(P, leg.m, y, r)
-        # share of the position error that is noise
-        alone = noise / (r**2 + of_theta)
+        # shares of the parts of the noise in the variance of the position error
+        parts = guess.factors * leg.noise
+        bend_and_theta = leg.bend**2 + guess.square * (added + of_theta)
+        V = float(parts.sum()) + bend_and_theta
+        shares = parts / V
+        fading = FADING**shares
         return guess.after(
             fix,
             leg=start,
             theta=guess.theta + change,
             P=P,
-            squares=_faded(guess.squares) + alone**2 * float(y @ y) / noise,
-            count=_faded(guess.count) + 2 * alone,
+            squares=_faded(guess.squares, fading)
+            + shares * guess.factors * float(y @ y) / V,
+            count=_faded(guess.count, fading) + 2 * shares,
+            taught=guess.taught + leg.noise / total * float(leg.m @ leg.m) / r**2,
             level=np.inf
             if fix == CHANGED
             else leg.level(guess, before, r, self.settings.limits),
@@ -242,9 +271,9 @@ def remarks(
     return kinds, "; ".join(filter(None, texts))
 
 
-def _faded(sum_of_errors: float) -> float:
-    """Return a sum over position errors at the next one: that of r as it is set remains."""
-    return FADING * sum_of_errors + (1 - FADING) * PRIOR_ERRORS
+def _faded(sums: np.ndarray, fading: np.ndarray) -> np.ndarray:
+    """Return sums over position errors at the next one: those of r as it is set remain."""
+    return fading * sums + (1 - fading) * PRIOR_ERRORS
 
 
 def theta_of(guesses: Hypotheses[Guess]) -> np.ndarray:
@@ -259,9 +288,10 @@ def radius_of(weights: np.ndarray, variances: np.ndarray, counts: np.ndarray) ->
     >>> round(radius_of(np.ones(1), np.ones(1), np.full(1, 1e9)) ** 2, 3)  # chi-squared
     4.605
     """
-    low, high = 0.0, 10 * float(np.sqrt(CHI_SQUARED * variances.max()))
-    for _ in range(50):
-        radius = (low + high) / 2
+    high = 10 * float(np.sqrt(CHI_SQUARED * variances.max()))
+
+    def beyond(radius: float) -> float:
         outside = (1 + radius**2 / (counts * variances)) ** (-counts / 2)
-        low, high = (radius, high) if weights @ outside > 1 - LEVEL else (low, radius)
-    return high
+        return float(weights @ outside) - (1 - LEVEL)
+
+    return float(brentq(beyond, 0.0, high, xtol=1e-12 * high))

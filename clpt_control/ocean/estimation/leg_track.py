@@ -21,6 +21,7 @@ import numpy as np
 from ...engine.model.block import Block
 from ...paper.blocks.flow import phi_and_slopes, turning_rate
 from ...paper.laws.memory_laws import predict
+from .fix_settings import LocalFrame, rotated
 
 JOINED = (
     32  # stretches that are shorter than this part of a width or a period are joined
@@ -29,6 +30,7 @@ STEPS = 4  # of the integration, at least, while the vehicle crosses a width
 STEPS_OF_PERIOD = 24
 TOLD_TURN, LONG = 1.0, 3.0  # rad along a leg
 DIFFERENCE = 1e-3  # of a width, of the differences of phi
+STRAIGHT = 1e-3  # rad, a turn that does not count
 
 Stretch = tuple[float, float, float]  # time at its end, displacement along both axes
 
@@ -57,7 +59,8 @@ class Leg:
     """Way through the water since a fix.
 
     `time` is the end of the last stretch, and `known` the time that stretches cover; `waiting` is
-    the last stretch, to which short ones are still joined.
+    the last stretch, to which short ones are still joined.  `flow` is the learned flow to the east
+    at the begin, and `east` the reckoned way over ground.
     """
 
     start: float
@@ -66,6 +69,37 @@ class Leg:
     known: float = 0.0
     stretches: list[Stretch] = field(default_factory=list)
     waiting: Stretch | None = None
+    flow: float = field(default=0.0, compare=False)
+    east: float = 0.0
+
+    def move(
+        self, frame: LocalFrame, stretches: np.ndarray, size: tuple[float, float]
+    ) -> np.ndarray:
+        """Add rows of time, east and north (s, m); return their speeds.
+
+        East and north are those of the middle of each stretch, as the leg is reckoned.
+        """
+        ends = frame.own_time(stretches[:, 0])
+        spans = np.diff(ends, prepend=self.time)
+        moved = stretches[:, 1:] / frame.metres
+        # one by one, so that rows at once are the same as rows one by one
+        east = np.cumsum(np.append(self.east, moved[:, 0] + self.flow * spans))
+        angle, growth = frame.axes(np.array(self.place))
+        moved = rotated(moved, angle + growth * (east[1:] + east[:-1]) / 2)
+        self.east = float(east[-1])
+        self.known += float(np.sum(spans))
+        for t, (x, y) in zip(ends.tolist(), moved.tolist(), strict=True):
+            self.add(t, x, y, size)
+        lasts = spans > 0
+        return np.hypot(*moved[lasts].T) / spans[lasts]
+
+    def turn(self, angle: float) -> None:
+        """Turn all stretches anticlockwise by an angle, rad."""
+        turned = [
+            (t, *rotated(np.array(moved), angle).tolist()) for t, *moved in self.way
+        ]
+        self.stretches = turned[: len(self.stretches)]
+        self.waiting = self.waiting and turned[-1]
 
     def add(self, t: float, x: float, y: float, size: tuple[float, float]) -> None:
         """Add a stretch; `size` is the least width and the least period of the functions."""
@@ -79,6 +113,11 @@ class Leg:
             self.waiting = None
 
     @property
+    def moved(self) -> np.ndarray:
+        """Displacement through the water, (2,)."""
+        return np.sum([stretch[1:] for stretch in self.way] or np.zeros((1, 2)), axis=0)
+
+    @property
     def way(self) -> list[Stretch]:
         """All stretches."""
         return [*self.stretches, *([self.waiting] if self.waiting else [])]
@@ -87,9 +126,9 @@ class Leg:
 class LegTrack:
     """Integration of legs over the basis functions of a scenario."""
 
-    def __init__(self, basis: Block, widths: Any, periods: np.ndarray) -> None:
+    def __init__(self, basis: Block, lengths: np.ndarray, periods: np.ndarray) -> None:
         self.basis = basis
-        self.size = float(np.min(widths)), float(np.min(periods))
+        self.size = float(np.min(lengths)), float(np.min(periods))
 
     def phi(self, t: float, place: np.ndarray) -> np.ndarray:
         """Return phi of Eq. (5)."""
@@ -138,9 +177,10 @@ class LegTrack:
 
     def turn(self, arrival: "Arrival", theta: np.ndarray, P: Any) -> Turn:
         """Return the turns int |d(theta phi)/dx| dt along a leg, rad."""
-        if not len(arrival.points):
-            return Turn(0.0, 0.0)
         times, places, steps = np.split(arrival.points, [1, 3], axis=1)
+        flow = np.linalg.norm(theta) + np.sqrt(np.trace(np.atleast_2d(P)))
+        if flow * steps.sum() < STRAIGHT * self.size[0]:
+            return Turn(0.0, 0.0)
         _, slopes = self.slopes(times[:, 0], places)
         rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())

@@ -17,7 +17,7 @@ from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.run_track import RunTrack, run_scenario
 from ..gliders.dives import Dive, make_dive
-from .fix_settings import LocalFrame
+from .fix_settings import LocalFrame, rotated
 
 STRETCHES = 128  # of a leg
 SEA = 0.0, -30.0  # degrees, origin of a run without one
@@ -62,8 +62,11 @@ def legs_of_run(
     frame = LocalFrame(begin, scenario.origin or SEA, scenario.units)
     legs = []
     for number, (t, places, ways) in enumerate(zip(times, x, d, strict=True), 1):
-        axes = frame.axes(places[0])
-        east, north = axes.T @ (ways - ways[0]).T * frame.metres
+        angle, growth = frame.axes(places[0])
+        over_ground, _ = rotated(places - places[0], -angle).T
+        middle = (over_ground[1:] + over_ground[:-1]) / 2
+        moved = rotated(np.diff(ways, axis=0), -angle - growth * middle)
+        east, north = np.cumsum(np.vstack([[0, 0], moved]), axis=0).T * frame.metres
         start, end = (
             (frame.date(float(t[k])), *frame.position(places[k])) for k in (0, -1)
         )

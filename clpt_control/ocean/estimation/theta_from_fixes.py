@@ -17,12 +17,13 @@ import xarray
 
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
+from ...base.geodesy import displacement
 from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
-from .fix_settings import LocalFrame
+from .fix_settings import LocalFrame, rotated
 from .flow_estimator import Ahead, FlowEstimator, Learned, flow_by, move_through
 from .leg_chain import FlownLeg
 from .leg_track import LONG, Leg
@@ -159,20 +160,30 @@ def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
 
 def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
     """Return the estimate of all legs at once; the estimator has learned them one by one."""
-    frame, _ = estimator.under_way
     track, settings = estimator.track, estimator.settings
-    flown, last = [], -np.inf
+    flown, last, last_fix = [], -np.inf, legs[0].start
+    position = np.zeros(2)  # of the last fix, by displacements from fix to fix
     for leg in legs:
         start = max(leg.t_gps2, last)
-        place = frame.point(*leg.start)
-        under_way = Leg(frame.own_time(start), place.tolist(), frame.own_time(start))
-        stretches = stretches_of(leg, start)
-        moved = stretches[:, 1:] @ frame.axes(place).T / frame.metres
-        for time, (x, y) in zip(stretches[:, 0], moved.tolist(), strict=True):
-            under_way.add(frame.own_time(time), x, y, track.size)
+        frame = estimator._frame_at(*leg.start)
+        place, end = frame.point(*leg.start), frame.point(*leg.end)
+        t = frame.own_time(start)
+        over_ground, _ = displacement(*leg.start, *leg.end)
+        drift = (over_ground - leg.through_water[0]) / frame.metres
+        flow = drift / (frame.own_time(leg.t_gpse) - t)
+        under_way = Leg(t, place.tolist(), t, flow=flow)
+        under_way.move(frame, stretches_of(leg, start), track.size)
+        if estimator.is_everywhere:
+            # by local east and north in the middle of each leg, one behind the other
+            _, growth = frame.axes(place)
+            under_way.turn(-growth * under_way.east / 2)
+            drifted = np.array(displacement(*last_fix, *leg.start)) / frame.metres
+            begin = position + drifted
+            under_way.place = begin.tolist()
+            end = position = begin + rotated(end, -growth * under_way.east / 2)
         bend = track.bend(under_way, estimator.fastest) * settings.bent
-        flown.append(FlownLeg(under_way, frame.point(*leg.end), bend))
-        last = leg.t_gpse
+        flown.append(FlownLeg(under_way, end, bend))
+        last, last_fix = leg.t_gpse, leg.end
     found = tomography(flown, settings, track)
     turns = [
         track.turn(track.end(one.leg, found.theta), found.theta, 0.0).learned
@@ -202,6 +213,8 @@ def flow_of_legs(
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
     estimator = FlowEstimator(scenario, **limits)
+    is_run = frame is not None
+    has_origin = not is_run or scenario.origin is not None
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
     learned, used, refused = [], [], []
@@ -231,6 +244,8 @@ def flow_of_legs(
     variances = np.diagonal(covariance, axis1=1, axis2=2).max(axis=0)
     errors = np.sqrt(np.maximum(variances, 0.0)) * speed
     estimator.turn = 0.0 if method == "tomography" else max(turns)
+    if is_run:
+        estimator.ways = []  # whose motion is its own
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
     places = [(r.time, r.latitude, r.longitude) for r in learned]
@@ -290,6 +305,7 @@ def flow_of_legs(
             "fix_method": method,
             "source": f"clpt-control {version('clpt-control')}",
             "origin": list(frame.place),
+            "has_origin": int(has_origin),  # else a made one, of a run in a plane
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
             "guarantee": guarantee,

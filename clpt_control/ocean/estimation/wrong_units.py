@@ -1,15 +1,17 @@
 """Wrong units and axes of the motion through the water, shown by the ways over ground.
 
-With g and w the velocities of n legs over ground and through the water,
+With g and w the ways of n legs over ground and through the water,
 
-    g = A(w) + c + residual
+    g = A(w) + theta m + c T + residual
 
-with a mean flow c.  A is the identity for right columns, and a cause's for wrong ones.  The
-log-likelihood ratio of a cause and the identity is (n - 1) log(R/R_A), with R the sums of squared
-residuals.
+with the functions of the flow and a mean flow c, which least squares with their priors finds.  A is
+the identity for right columns, and a cause's for wrong ones.  Each residual is that of a forecast
+from the other legs, over its noise (the sums R are PRESS: D. M. Allen, Technometrics 16, 125-127,
+1974).  A cause is told if the log-likelihood ratio (n - 1) log(R/R_A) is clear and its forecasts
+are better by a factor.
 
-Where one part of w is over ground, speed or course, that part is g's to the noise, and the mean
-flow is the one that the other part shows.  Legs of one course do not show it.
+Where one part of w is over ground, speed or course, that part is g's to the noise, and the flow is
+the one that the other part shows.  Legs of one course do not show it.
 
 If w is the way over ground itself, g - w is the noise of the fixes, without a flow: no sea is so
 still.
@@ -21,9 +23,12 @@ from math import log
 import numpy as np
 
 from ...base.units import KNOT
+from .fix_settings import rotated
 
 FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
+BETTER = 2.0  # times, root mean square of the errors of forecasts
+MEAN = 0.5  # m/s, standard deviation of the mean flow
 TURNED = np.radians(5.0)
 STILL = 0.01  # m/s, root mean square of a flow
 
@@ -47,30 +52,39 @@ CAUSES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 
 
-def wrong_motion(ways: Sequence[Sequence[float]], speed: float = 1.0) -> str:
+def wrong_motion(
+    ways: Sequence[Sequence[float]], prior: np.ndarray, speed: float
+) -> str:
     """Return a sentence on the motion through the water, or an empty text.
 
-    `ways` has velocities over ground (2) and through the water (2) and the duration of each leg,
-    whose unit of speed is `speed` m/s.
+    `ways` has the way over ground (2) and through the water (2), the duration, the noise r and m of
+    each leg, whose unit of speed is `speed` m/s.
     """
     if len(ways) < FEWEST:
         return ""
     rows = np.array(ways)
-    over_ground, water, durations = rows[:, :2], rows[:, 2:4], rows[:, 4]
-    errors = np.hypot(*(over_ground - water).T) * durations
+    over_ground, water, durations, r = rows[:, :2], rows[:, 2:4], rows[:, 4], rows[:, 5]
+    errors = np.hypot(*(over_ground - water).T)
     rms = float(np.sqrt(np.mean(errors**2)))
     if np.any(water) and rms < STILL / speed * float(np.median(durations)):
         return (
             "the ways through the water are those over ground, without any flow: course and speed "
             "look like those over ground. Give those through the water"
         )
-    limit = residual(over_ground, water) * np.exp(-CLEAR / (len(ways) - 1))
-    residuals = {name: residual(over_ground, of(water)) for name, of in CAUSES.items()}
-    residuals |= _parts_over_ground(over_ground, water)
+    flow = np.column_stack([rows[:, 6:] * prior, durations * MEAN / speed]) / r[:, None]
+    errors_of = forecast_errors(flow) / r
+    g, w = errors_of @ over_ground, errors_of @ water
+    better = min(np.exp(-CLEAR / (len(ways) - 1)), BETTER**-2)
+    limit = residual(g, w) * better
+    residuals = {
+        name: residual(g, errors_of @ of(water)) for name, of in CAUSES.items()
+    }
+    residuals |= _parts_over_ground(over_ground, water, flow, r)
     cause = min(residuals, key=residuals.__getitem__)
-    angle = _turn(over_ground, water)
-    c, s = np.cos(angle), np.sin(angle)
-    turned = residual(over_ground, water @ np.array([[c, s], [-s, c]]))
+    angle = float(
+        np.arctan2(np.sum(w[:, 0] * g[:, 1] - w[:, 1] * g[:, 0]), np.sum(w * g))
+    )
+    turned = residual(g, rotated(w, angle))
     if residuals[cause] < limit and residuals[cause] < 2 * turned:
         return f"the ways over ground contradict those through the water: {cause}"
     if turned < limit and abs(angle) > TURNED:
@@ -81,8 +95,15 @@ def wrong_motion(ways: Sequence[Sequence[float]], speed: float = 1.0) -> str:
     return ""
 
 
-def _centred(velocity: np.ndarray) -> np.ndarray:
-    return velocity - velocity.mean(axis=0)
+def forecast_errors(regressors: np.ndarray) -> np.ndarray:
+    """Return the matrix from values to what is left of each by a fit of the others, (n, n).
+
+    The coefficients of the regressors (n, k) have the prior N(0, 1), the values the noise 1.
+    """
+    n, k = regressors.shape
+    normal = regressors.T @ regressors + np.eye(k)
+    left = np.eye(n) - regressors @ np.linalg.solve(normal, regressors.T)
+    return left / np.diag(left)[:, None]
 
 
 def residual(
@@ -91,13 +112,14 @@ def residual(
     factors: tuple[float, float] = (1.0, 1.0),
 ) -> float:
     """Return the sum of squared residuals with the best factor on w between two limits."""
-    g, w = _centred(over_ground), _centred(water)
-    size = float(np.sum(w**2))
-    factor = float(np.sum(w * g)) / size if size > 0 else 0.0
-    return float(np.sum((g - np.clip(factor, *factors) * w) ** 2))
+    size = float(np.sum(water**2))
+    factor = float(np.sum(water * over_ground)) / size if size > 0 else 0.0
+    return float(np.sum((over_ground - np.clip(factor, *factors) * water) ** 2))
 
 
-def _parts_over_ground(over_ground: np.ndarray, water: np.ndarray) -> dict[str, float]:
+def _parts_over_ground(
+    over_ground: np.ndarray, water: np.ndarray, flow: np.ndarray, r: np.ndarray
+) -> dict[str, float]:
     """Return the sums of squared residuals if the speeds, or the courses, are over ground."""
     speed = np.hypot(*water.T)
     ahead = water / np.maximum(speed, 1e-300)[:, None]
@@ -106,8 +128,10 @@ def _parts_over_ground(over_ground: np.ndarray, water: np.ndarray) -> dict[str, 
     aside = np.sum(over_ground * across, axis=1)
 
     def squares(none: np.ndarray, shown: np.ndarray, directions: np.ndarray) -> float:
-        flow = np.linalg.lstsq(directions, shown)[0]
-        return float(none @ none + np.sum((shown - directions @ flow) ** 2))
+        along = np.hstack([flow * directions[:, :1], flow * directions[:, 1:]])
+        return float(
+            np.sum((none / r) ** 2 + (forecast_errors(along) @ (shown / r)) ** 2)
+        )
 
     return {
         "speeds look like those over ground, not through the water": squares(
@@ -117,18 +141,3 @@ def _parts_over_ground(over_ground: np.ndarray, water: np.ndarray) -> dict[str, 
             aside, faster, ahead
         ),
     }
-
-
-def _turn(over_ground: np.ndarray, water: np.ndarray) -> float:
-    """Return the angle by which a rotation of the ways through the water fits best, rad."""
-    (gx, gy), (wx, wy) = _centred(over_ground).T, _centred(water).T
-    return float(np.arctan2(wx @ gy - wy @ gx, wx @ gx + wy @ gy))
-
-
-def way_of(
-    start: Sequence[float], end: Sequence[float], way: Sequence, span: float
-) -> list[float]:
-    """Return a row of `wrong_motion`: places, stretches, duration."""
-    east, north = (sum(stretch[k] for stretch in way) for k in (1, 2))
-    ground = [(b - a) / span for a, b in zip(start, end, strict=True)]
-    return [*ground, east / span, north / span, span]
