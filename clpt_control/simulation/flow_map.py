@@ -4,8 +4,11 @@
     standard error = (phi^T P phi)^(1/2)  of each component, with the covariances P of the rows of
                                           theta_hat; the larger one if they differ
 
-Flow that the vehicle did not see is masked: places outside of the box of its track, or of the
-measured current.
+Flow that the vehicle of a run did not see is masked: places outside of the box of its track, or of
+the measured current.  An estimate has standard errors, which grow there.
+
+u and v are by local east and north.  So are functions that are the same everywhere, which need no
+plane.
 """
 
 from dataclasses import dataclass
@@ -15,7 +18,7 @@ import numpy as np
 
 from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, DataError
-from ..base.geodesy import LocalPlane
+from ..base.geodesy import LocalPlane, angle_near
 from ..base.units import SECONDS
 from ..engine.model.block import evaluate
 from ..paper.currents.plane import GriddedField, read_field
@@ -32,13 +35,17 @@ POINTS = 41  # on each side of the box by default
 
 @dataclass
 class _Learned:
-    """Learned flow: theta (2, N) in `unit`, covariance (2, N, N), plane, box, start and end."""
+    """Learned flow: theta (2, N) in `unit`, covariance (2, N, N), plane, box, start and end.
+
+    Places are longitudes and latitudes if the functions are the same everywhere.
+    """
 
     scenario: Scenario
     theta: np.ndarray
     unit: str
     covariance: np.ndarray | None
-    plane: LocalPlane | None  # None: no latitude and longitude
+    plane: LocalPlane | None
+    is_geographic: bool
     places: np.ndarray  # that the box contains, (n, 2)
     date: str | None  # of t = 0
     end: Any
@@ -82,8 +89,8 @@ def flow_map(
     source : xarray.Dataset
         A run of a scenario, or an estimate of `clpt.currents.flow_estimate`.
     latitude, longitude : array_like, optional
-        Degrees; if the scenario has no `origin`, x2 (north) and x1 (east) in units.length. By
-        default 41 of each over the box.
+        Degrees; of a run without `origin`, x2 (north) and x1 (east) in units.length. By default
+        41 of each over the box of the track.
     time : array_like, optional
         Times since the start in units.time, or dates; by default the end.
 
@@ -93,8 +100,8 @@ def flow_map(
         ``u`` and ``v``, learned; where the truth is known ``true_u``, ``true_v`` and ``error``, the
         length of the difference; of an estimate ``standard_error`` of u and of v. P of a run's law
         is no standard error, since it does not grow with the scatter of the data.
-        Places outside of the box of the track, or of the measured current, are NaN; so is the
-        truth where nothing was ever measured, as on land.
+        Of a run, places outside of the box of the track, or of the measured current, are NaN; so
+        is the truth where nothing was ever measured, as on land.
 
     Raises
     ------
@@ -128,6 +135,7 @@ def flow_map(
     phi = evaluate(learned.scenario.basis_block(), t, points)
     margin = 1e-6 * (high - low)
     is_inside = np.all((points >= low - margin) & (points <= high + margin), axis=1)
+    is_inside |= learned.covariance is not None
 
     def masked(values: np.ndarray) -> tuple[list[str], np.ndarray]:
         return dims, np.where(is_inside, values, np.nan).reshape(grid[0].shape)
@@ -136,12 +144,14 @@ def flow_map(
         u, v = flow.T
         if plane is not None:
             u, v = plane.rotate(north, east, u, v, inverse=True)
+        names = _axes(learned.is_geographic)
         return {
             prefix + name: (*masked(values), {**axis, "long_name": f"{words} flow"})
-            for name, values, axis in zip("uv", (u, v), _axes(plane), strict=True)
+            for name, values, axis in zip("uv", (u, v), names, strict=True)
         }
 
-    dims = ["time", *(("y", "x") if plane is None else ("latitude", "longitude"))]
+    degrees = ("latitude", "longitude")
+    dims = ["time", *(degrees if learned.is_geographic else "yx")]
     flow = phi @ learned.theta.T
     data = components(flow, "", "learned")
     if learned.has_truth:
@@ -168,10 +178,10 @@ def _row(name: str, values: Any) -> np.ndarray:
     return row
 
 
-def _axes(plane: LocalPlane | None) -> list[dict[str, str]]:
+def _axes(is_geographic: bool) -> list[dict[str, str]]:
     """Return the CF names of the two components."""
     names = ("sea_water_x_velocity", "sea_water_y_velocity")
-    if plane is not None:
+    if is_geographic:
         names = ("eastward_sea_water_velocity", "northward_sea_water_velocity")
     return [{"standard_name": name} for name in names]
 
@@ -214,6 +224,7 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         estimate.attrs["units"],
         None,
         None if scenario.origin is None else scenario.plane,
+        scenario.origin is not None,
         points,
         run.attrs.get("time_origin"),
         run.time.values[-1],
@@ -228,15 +239,22 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
     estimate = xarray.decode_cf(estimate)  # as the file of `clpt estimate` has dates
     scenario = scenario_of_run(estimate)
     latitude, longitude = estimate.attrs["origin"]
-    plane = LocalPlane(latitude, longitude, scenario.units.length)
+    has_origin = bool(estimate.attrs["has_origin"])
+    plane: LocalPlane | None = None
+    east = angle_near(estimate.longitude.values, longitude)
+    places = np.column_stack([east, estimate.latitude])
+    if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):
+        plane = LocalPlane(latitude, longitude, scenario.units.length)
+        places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
     parameters = estimate.flow_parameters_estimate
     return _Learned(
         scenario,
         parameters.values[-1],
         parameters.attrs["units"],
         estimate.covariance.values,
-        plane,
-        np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude)),
+        plane if has_origin else None,
+        has_origin,
+        places,
         estimate.attrs["time_origin"],
         estimate.end_time.values[-1],
         False,
