@@ -230,7 +230,7 @@ CONDITIONS = {  # by the name that a promise has
     "within": truth_within_limits,
     "small": small_disturbance,
     "bounded": bounded,
-    "uniform": lambda scenario: min(scenario.basis.widths) >= UNIFORM,
+    "uniform": lambda scenario: scenario.basis.lengths.min() >= UNIFORM,
 }
 
 

@@ -36,7 +36,6 @@ NORTH, EAST = "degrees_north", "degrees_east"
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
 HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
-LEAST_NANOSECONDS = 1e17  # since 1970; in seconds no time is as large
 GIVE = "time,latitude,longitude,course,speed"
 
 
@@ -79,14 +78,8 @@ def _number(text: str, size: float = 1.0) -> float | None:
 
 
 def _seconds(text: str, size: float = 1.0) -> float | None:
-    """Return a number times the size of its unit, or the seconds since 1970 of a date.
-
-    >>> _seconds("1777593600000000000")  # of ROS
-    1777593600.0
-    """
+    """Return a number times the size of its unit, or the seconds since 1970 of a date."""
     value = _number(text, size)
-    if value is not None and value > LEAST_NANOSECONDS:
-        return 1e-9 * value
     with suppress(ValueError):
         return seconds_since_1970(text) if value is None else value
     return None

@@ -120,7 +120,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
     if otherwise and not set(header) & set(STRETCH):
         missing = [column for column in missing if column not in STRETCH]
     of_log = log_columns(header)
-    if missing and len(of_log) > len({*header} & {row.header for row in FIELDS}):
+    of_dives = {row.header for row in FIELDS} & {cell.lower() for cell in header}
+    if missing and len(of_log) > len(of_dives):
         absent = ", ".join(name for name in PLACED if name not in of_log)
         raise DataError(
             f"{name}: no column {absent}; has {line[:300]}; a log begins with {GIVE}"

@@ -68,6 +68,7 @@ NO_MOTION = (
     "speed (m/s), or dr_east_m and dr_north_m, not course and speed over ground; a drifter has "
     "none: clpt estimate --drifter"
 )
+LEAST_NANOSECONDS = 1e17  # since 1970, as robots count; in seconds no time is as large
 NOISE = 100.0  # m, of two fixes
 MOST_LEFT_OUT = 0.25  # of the rows, else a table is refused
 
@@ -191,6 +192,8 @@ def _moment(
         fault = wrong or fault
     if isnan(numbers["time"]) and not fault:
         fault = f"time is missing; {TIME.must_be}"
+    if numbers["time"] > LEAST_NANOSECONDS:
+        numbers["time"] *= 1e-9
     numbers["time"] += 1e-9 * numbers.get("nanosec", 0.0)
     if "yaw" in numbers:
         numbers["course"] = 90.0 - numbers["yaw"]

@@ -155,3 +155,41 @@ def test_the_command_prints_it(printed, clpt):
     outcome = clpt("estimate", "--sample", "--shear", "2e-5")
     assert "flow at the last fix: to 0.0" in " ".join(outcome.out.split())
     assert clpt("estimate", "--sample", "--shear", "0").status == 2
+
+
+@pytest.mark.parametrize("name", ["shear", "unmodelled"])
+def test_larger_limits_take_up_no_guarantee(name):
+    """A bound under narrow limits says nothing of a sea that only keeps wider ones."""
+    narrow, wide = (learner(**{"shear": SHEAR, name: x}) for x in (1e-5, 1e-2))
+    at = 18000.0, 36.71, -122.09
+    mission(0, 3600.0, 5, narrow)
+    wide.state = narrow.state
+    assert wide.guaranteed(*at) == np.inf > narrow.guaranteed(*at)
+    again = learner(**{"shear": SHEAR, name: 1e-6})
+    again.state = narrow.state
+    assert again.guaranteed(*at) == narrow.guaranteed(*at)
+
+
+def test_a_kernel_in_two_forms_is_one():
+    """exp(-d^2/s) with s = 2 sigma^2 is the Gaussian: theta, guarantee and forecast."""
+    results = []
+    for kernel, width in (("gaussian", WIDTH), ("gaussian-sigma", 2 * WIDTH**2)):
+        scenario = clpt.Scenario(
+            origin=(36.7, -122.1),
+            units={"length": "m", "time": "s"},
+            basis={
+                "kernel": kernel,
+                "centers": CENTERS.tolist(),
+                "widths": [width] * 3,
+                "constituents": ["steady"] * 3,
+            },
+            learning={"law": "fix-regression"},
+            localization={"interval": 3600.0, "noise": NOISE / 3},
+        )
+        estimator = clpt.currents.FlowEstimator(scenario, shear=SHEAR)
+        mission(1, 3600.0, 20, estimator)
+        flow = estimator.flow(72000.0, 36.75, -122.05)
+        bound = estimator.guaranteed(72000.0, 36.75, -122.05)
+        ahead = estimator.forecast([(75600.0, 3600.0, 0.0)]).radius
+        results.append([*estimator.flow_parameters.ravel(), *flow, bound, ahead])
+    np.testing.assert_allclose(*results, rtol=1e-6)

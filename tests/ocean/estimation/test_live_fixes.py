@@ -312,6 +312,21 @@ def test_nmea_sentences_are_learned(nmea):
     assert second["note"] == ""
 
 
+@pytest.mark.parametrize("clock", [True, False])
+def test_several_vhw_between_two_rmc_are_their_mean(nmea, clock):
+    """Turns of 90 degrees between RMC: half an hour to the north, half an hour to the east.
+
+    In still water 0.5 knots make 463 m in each half an hour; a clock may stand under water.
+    """
+    log = [rmc(12, 0), *[vhw(0, 0.5)] * 30, *[vhw(90, 0.5)] * 30]
+    if clock:
+        log += [rmc(13, 0, "V"), *[vhw(0, 0.5)] * 30, *[vhw(90, 0.5)] * 30]
+    hours = 2 if clock else 1
+    answers, _ = nmea([*log, rmc(12 + hours, 0)])
+    way = 463.0 * hours  # to the north, and to the east; the fix is where it was
+    assert answers[1]["error_m"] == pytest.approx(way * 2**0.5, rel=1e-3)
+
+
 def test_the_example_goes_on_after_a_restart(nmea):
     """With all sentences again: the same numbers. With lost sentences: a leg begins."""
     log = []

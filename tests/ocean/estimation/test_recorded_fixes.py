@@ -316,3 +316,30 @@ def test_functions_that_the_track_does_not_feel_are_told(tmp_path):
     assert any("all functions hardly learned" in note for note in data.attrs["notes"])
     data = learned(path, **{"basis.centers": [[0, 0], [12, 0], [400, 0]]})
     assert any("functions 3 hardly learned" in note for note in data.attrs["notes"])
+
+
+def test_a_map_of_an_estimate_is_everywhere(tmp_path):
+    """Off the track too: theta_hat phi(x) and (phi^T P phi)^(1/2), 15 km from the functions."""
+    data = learned(write(tmp_path / "legs.csv", straight_mission()))
+    x = np.array([6e3, -15e3])
+    latitude, longitude = place(x)
+    flow = clpt.flow_map(data, [latitude], [longitude])
+    phi = np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
+    theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[0]
+    expected = [*(theta @ phi), np.sqrt(phi @ P @ phi)]
+    shown = [float(flow[name].squeeze()) for name in ("u", "v", "standard_error")]
+    np.testing.assert_allclose(shown, expected, rtol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("factor", "said"), [(3.6, "km/h"), (3600 / 1852, "knots"), (1.0, "")]
+)
+@pytest.mark.parametrize("scenario", [SCENARIO, UNIFORM])
+def test_a_wrong_unit_is_told_only_where_it_is(tmp_path, scenario, factor, said):
+    """Among eddies, also by a learner whose functions do not have them."""
+    rows = straight_mission(legs=16, noise=1.0)
+    path = write(
+        tmp_path / "l.csv", [(*r[:7], factor * r[7], factor * r[8]) for r in rows]
+    )
+    notes = " ".join(learned(path, scenario).attrs["notes"])
+    assert f"speeds look like {said}" in notes if said else "look" not in notes

@@ -154,3 +154,9 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
         error=clpt.ScenarioError,
         method="tomography",
     )
+
+
+@pytest.mark.parametrize("every", [2.0, 10.0])
+def test_the_motion_of_a_run_is_never_called_wrong(lap, every):
+    notes = estimate(lap, every=every).attrs["notes"]
+    assert not [note for note in notes if "look" in note or "contradict" in note]

@@ -322,7 +322,7 @@ SEAEXPLORER = [  # what is changed, how many dives of it are used, what is said
     (lambda t: "", 0, "is empty"),
     (lambda t: lines(t)[0], 0, "no line has a Timestamp"),
     (lambda t: t.replace("Pitch", "Tilt"), 0, "no column Pitch"),
-    (lambda t: t.replace(";", ","), 0, "no column dive, "),
+    (lambda t: t.replace(";", ","), 0, "line 2: time is '13/06/2019 18:29:39'; must"),
     (lambda t: t[:-20], 1, ""),
     (lambda t: "".join(lines(t)[:10]), 0, ""),
     (lambda t: t.replace(";116;", ";117;"), 0, NO_FIX),
