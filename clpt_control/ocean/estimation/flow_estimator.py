@@ -582,13 +582,14 @@ class FlowEstimator:
     def _frame_at(self, latitude: float, longitude: float) -> LocalFrame:
         """Return the frame; of functions that are the same everywhere, with its origin there."""
         frame, _ = self.under_way
-        there = replace(frame, place=(latitude, longitude))
-        return there if self.is_everywhere else frame
+        if not self.is_everywhere:
+            return frame
+        return replace(frame, place=(latitude, longitude))
 
     def _recentre(self, begun: Leg, latitude: float, longitude: float) -> None:
         """Move the origin of the plane to the fix where a leg begins."""
-        frame, self.frame = self.frame, self._frame_at(latitude, longitude)
-        assert frame is not None
+        frame, _ = self.under_way
+        self.frame = self._frame_at(latitude, longitude)
         begun.place = [0.0, 0.0]
         for leg in self._open():
             if leg == begun or frame == self.frame:

@@ -102,8 +102,8 @@ def forecast_errors(regressors: np.ndarray) -> np.ndarray:
     """
     n, k = regressors.shape
     normal = regressors.T @ regressors + np.eye(k)
-    left = np.eye(n) - regressors @ np.linalg.solve(normal, regressors.T)
-    return left / np.diag(left)[:, None]
+    residuals = np.eye(n) - regressors @ np.linalg.solve(normal, regressors.T)
+    return residuals / np.diag(residuals)[:, None]
 
 
 def residual(
@@ -128,9 +128,9 @@ def _parts_over_ground(
     aside = np.sum(over_ground * across, axis=1)
 
     def squares(none: np.ndarray, shown: np.ndarray, directions: np.ndarray) -> float:
-        along = np.hstack([flow * directions[:, :1], flow * directions[:, 1:]])
+        regressors = np.hstack([flow * directions[:, :1], flow * directions[:, 1:]])
         return float(
-            np.sum((none / r) ** 2 + (forecast_errors(along) @ (shown / r)) ** 2)
+            np.sum((none / r) ** 2 + (forecast_errors(regressors) @ (shown / r)) ** 2)
         )
 
     return {
