@@ -31,6 +31,7 @@ ROUNDS = 6  # of the estimate of the noise, at most
 NOISE_TOLERANCE = 1e-3  # change of the noise at which the rounds end, relative
 TOLERANCE = 1e-10  # of least squares
 EXACT = 1e-6  # residuals that errors of integration may make, relative to the data
+CONSTANT = 1e-12  # spread of data that do not change, relative to them
 SMALLEST = 1e-300  # sum of squares
 WHITE = 3.0  # largest lag-one correlation of noise, in standard deviations
 
@@ -50,8 +51,10 @@ class FittedOutput(NamedTuple):
     @property
     def explained(self) -> float:
         """Share of the variance of the data that the model explains; -inf of constant data."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return 1.0 - np.nanmean(self.residuals**2) / np.nanvar(self.measured)
+        variance = np.nanvar(self.measured)
+        if variance <= (CONSTANT * np.nanmax(np.abs(self.measured))) ** 2:
+            return -np.inf
+        return 1.0 - np.nanmean(self.residuals**2) / variance
 
     @property
     def correlation(self) -> float:
@@ -60,19 +63,22 @@ class FittedOutput(NamedTuple):
         return left[1:] @ left[:-1] / max(left @ left, SMALLEST)
 
     def __str__(self) -> str:
-        correlation = self.correlation
         share = f"{100.0 * self.explained:.2f} % of the variance explained"
         if self.explained == -np.inf:
             share = "no variance to explain"
-        said = f"{share}, lag-one correlation of residuals {correlation:.2f}"
-        is_white = abs(correlation) < WHITE / np.sqrt(np.isfinite(self.residuals).sum())
-        ratio = np.nansum(self.residuals**2) / max(
-            np.nansum(self.measured**2), SMALLEST
-        )
-        if is_white or ratio < EXACT**2:
-            return said
-        errors = "are too small" if correlation > 0.0 else "may be wrong"
-        return f"{said}; residuals are not noise: the errors {errors}"
+        quality = f"{share}, lag-one correlation of residuals {self.correlation:.2f}"
+        size = max(np.nansum(self.measured**2), SMALLEST)
+        if np.nansum(self.residuals**2) < EXACT**2 * size:
+            return quality
+        count = np.isfinite(self.residuals).sum()
+        if abs(self.correlation) >= WHITE / np.sqrt(count):
+            errors = "are too small" if self.correlation > 0.0 else "may be wrong"
+            return f"{quality}; residuals are not noise: the errors {errors}"
+        # noise alone explains 1/count less than its mean does
+        if self.explained < -(WHITE**2) / count:
+            poor = "the model is farther from the data than their mean"
+            return f"{quality}; {poor}: the errors are too small"
+        return quality
 
 
 @dataclass

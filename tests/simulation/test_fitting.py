@@ -283,6 +283,37 @@ def test_a_dead_channel_is_told():
     assert speed.endswith("residuals are not noise: the errors are too small")
 
 
+def test_a_dead_channel_whose_residuals_are_white_is_told():
+    """Noise for a channel that the model swings, sampled four times a period."""
+    random = np.random.default_rng(3)
+    times = np.arange(40) * 0.5 * np.pi
+    swing = control.nlsys(
+        lambda t, x, u, p: [x[1], -p["k"] * x[0]],
+        lambda t, x, u, p: [x[0], x[1]],
+        name="swing",
+        states=["x", "v"],
+        inputs=0,
+        outputs=["place", "speed"],
+        params={"k": 1.0},
+    )
+    noise = 0.01 * random.standard_normal((2, 40))
+    data = {"place": np.cos(times) + noise[0], "speed": noise[1]}
+    found = clpt.fit_parameters(
+        swing, data, {"k": 1.0}, times, initial_state=[1.0, 0.0]
+    )
+    place, speed = repr(found).splitlines()[-2:]
+    assert "too small" not in place
+    assert speed.endswith(
+        "the model is farther from the data than their mean: the errors are too small"
+    )
+
+
+def test_a_frozen_channel_has_no_variance():
+    data = measured(4, speed=0.01)
+    found = fit({"place": data["place"], "speed": np.full(101, 3.7)})
+    assert "speed: no variance to explain" in repr(found)
+
+
 def test_data_model_and_residuals_are_drawn():
     times, data, found = wave(0.3)
     (points, line), (residuals, *_) = [ax.get_lines() for ax in found.plot()]
