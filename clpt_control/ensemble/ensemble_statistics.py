@@ -15,7 +15,7 @@ from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
 from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, literal
 from ..simulation.comparison import named, panels_for
-from .store import COMPLETED, STATUS
+from .results import COMPLETED, STATUS
 
 if TYPE_CHECKING:
     import xarray

@@ -240,9 +240,12 @@ class LoopBatch(MemberBatch):
         ports = ports_of(
             [label for node in nodes for label in node.system.output_labels]
         )
-        for m in np.flatnonzero(run.reached >= 2).tolist():
-            signals = self.ensemble.signals(self.members, run, m)
-            times = varied.state_times[: run.reached[m]]
+        blocks = self.ensemble.signals(self.members, run)
+        tracks = (track for block in blocks for track in zip(*block, strict=True))
+        for m, every in tracks:
+            if (reached := run.reached[m]) < 2:
+                continue
+            times, signals = varied.state_times[:reached], every[:reached]
             flow = signals[:, ports["flow_x"]]
             if is_limited:
                 commanded = signals[:, ports["v_c"]]
@@ -252,7 +255,7 @@ class LoopBatch(MemberBatch):
             if "flow_error" not in varied.absent:
                 late = times >= times[-1] - 0.25 * (times[-1] - times[0])
                 phi = signals[late][:, ports["phi_x"]]
-                estimate = theta[m, : run.reached[m]][late].reshape(len(phi), 2, -1)
+                estimate = theta[m, :reached][late].reshape(len(phi), 2, -1)
                 off = flow[late] - np.einsum("taN,tN->ta", estimate, phi)
                 errors[m] = np.sqrt(np.mean(np.sum(off**2, axis=1)))
         return errors, shares

@@ -41,7 +41,9 @@ from ..engine.solver.termination import STUCK, Solution, sampled_start
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
 MOST_MEMBERS = 512  # of a batch
+SIGNAL_NUMBERS = 500_000  # evaluated at once
 KERNEL = "basis.kernel"  # the key of a scenario that changes the record of its loop
+SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy")
 TRIED = 5  # members whose records are compared with Python before the run
 # sampled parameters or summaries by name; a row for each member
 Values = dict[str, np.ndarray]
@@ -134,8 +136,7 @@ class Ensemble:
     def code(self) -> str:
         """A hash of the code and the versions that compute the numbers."""
         code = getattr(self.native, "code", None)
-        facts = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
-        facts += [repr(code and code.program), repr(processor())]
+        facts = software(), repr(code and code.program), repr(processor())
         return hashlib.sha256("\n".join(facts).encode()).hexdigest()[:16]
 
     # --- members from values --------------------------------------------------------------
@@ -284,21 +285,37 @@ class Ensemble:
     ) -> Batch:
         return self._solve(runner, (start[None], P[None], times, [schedule]))
 
-    def signals(self, members: Members, run: States, m: int) -> np.ndarray:
-        """Return all signals of one member at the times that it reached."""
-        reached = slice(run.reached[m])
+    def signals(
+        self, members: Members, run: States
+    ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield some members, and all their signals (m, times, signals), NaN after their end."""
+        times = self.varied.state_times
         if not self.compiled:
-            runner, inputs = members.runners[m]
-            times, states = self.varied.state_times[reached], run.states[m, reached]
-            return runner.evaluated_signals(Solution(times, states), inputs)
-        return self._callee(members, m).evaluate(
-            layout.SIGNALS,
-            self.varied.state_times[reached],
-            run.states[m, reached],
-            members.schedule(m),
-            members.P[m],
-            self.native.nsignals,
-        )
+            for m, (runner, inputs) in enumerate(members.runners):
+                reached = slice(run.reached[m])
+                signals = np.full((1, len(times), self.native.nsignals), np.nan)
+                solution = Solution(times[reached], run.states[m, reached])
+                signals[0, reached] = runner.evaluated_signals(solution, inputs)
+                yield np.array([m]), signals
+            return
+        numbers = max(self.native.nsignals, 1) * len(times)
+        for g in np.unique(members.group).tolist():
+            schedule = members.schedules[g]
+            width = len(schedule.values) * members.P.shape[1] + numbers
+            together = max(1, SIGNAL_NUMBERS // width)
+            of_group = np.flatnonzero(members.group == g)
+            for begin in range(0, len(of_group), together):
+                rows = of_group[begin : begin + together]
+                signals = self._callee(members, rows[0]).evaluate_runs(
+                    layout.SIGNALS,
+                    times,
+                    run.states[rows],
+                    schedule,
+                    members.P[rows],
+                    self.native.nsignals,
+                )
+                signals[np.arange(len(times)) >= run.reached[rows, None]] = np.nan
+                yield rows, signals
 
     @property
     def batch(self) -> int:
@@ -397,6 +414,12 @@ def verified_ensemble(varied: Varied, values: Values) -> Ensemble:
             warn_python(varied.name, reason)
             return Ensemble(varied, values, "python")
     return ensemble
+
+
+@cache
+def software() -> str:
+    """Return the versions of the packages that compute an ensemble."""
+    return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
 def hash_of(wiring: Wiring, parameters: Iterable[Any], *extras: Any) -> str:

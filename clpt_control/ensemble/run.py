@@ -33,20 +33,12 @@ from ..base.errors import (
 from ..base.files import check_writable
 from ..base.progress import interrupt, progress_shown, warn
 from ..base.progress.processes import processes
-from ..engine.solver.solver_layout import Status
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
+from .results import COMPLETED, STATUS, Results, arrays_of, attributes_of
 from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
-from .store import (
-    COMPLETED,
-    STATUS,
-    Store,
-    arrays_of,
-    begun_or_made,
-    open_store,
-    remove_empty,
-)
+from .store import begun_or_made, open_store
 from .varied_diagram import VariedDiagram
 from .varied_scenario import VariedScenario
 
@@ -170,7 +162,7 @@ def run_ensemble(
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
-    for module in ("zarr", *(["distributed"] if dask is not None else [])):
+    for module in ["zarr"] * (out is not None) + ["distributed"] * (dask is not None):
         import_optional(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
@@ -229,7 +221,8 @@ def run_ensemble(
         "chunk": min(_chunk(chunk, arrays), members),
         "trajectories": trajectories,
     }
-    store = begun_or_made(path, varied.title, ensemble.code, arguments, arrays)
+    attributes = attributes_of(varied.title, ensemble.code, arguments)
+    store = begun_or_made(path, attributes, arrays)
     # 4. run the missing chunks
     missing = store.missing()
     count = threads or available_threads()
@@ -245,7 +238,7 @@ def run_ensemble(
                 _run_elsewhere(work, store, missing, dask, count, report)
     except BaseException:
         if dask in (None, "local"):  # workers of a cluster may still write
-            remove_empty(store)
+            store.remove_empty()
         raise
     store.finish()
     data = store.dataset()
@@ -283,8 +276,6 @@ def _reporter(out: Any, members: int, show: Callable[[int], None]) -> Report:
 def _failure(ensemble: Ensemble, values: Values, m: int, number: int) -> str:
     """Run a failed member again and return the reason, which begins with its status."""
     status = STATUS[number].replace("_", " ")
-    if number == Status.DIVERGING:
-        return f"{status}: {Status.DIVERGING.sentence}"
     runner, arguments, options = ensemble.single(values, m)
     try:
         runner.signals(runner.run(*arguments, **options), options["inputs"])
@@ -309,7 +300,7 @@ def available_threads() -> int:
 
 
 def _run_here(
-    ensemble: Ensemble, store: Store, missing: list[int], threads: int, report: Report
+    ensemble: Ensemble, store: Results, missing: list[int], threads: int, report: Report
 ) -> None:
     """Run the missing chunks on threads, and write each chunk when its batches are done."""
     share = -(-store.count(missing) // (4 * threads))  # some batches for every thread
@@ -380,7 +371,7 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
 
 def _run_elsewhere(
     work: tuple,
-    store: Store,
+    store: Results,
     missing: list[int],
     address: str,
     workers: int,

@@ -1,191 +1,116 @@
 """The store of an ensemble: a Zarr folder, written chunk by chunk.
 
-A chunk is a fixed range of members.  Its arrays are written first, their checksum last, in `done`.
-A chunk without a checksum, or with a wrong one, is run again, so an ensemble may be killed at any
-time and continued.  The folder is created under a temporary name and renamed when it is complete.
+A chunk is a fixed range of members.  Its arrays are written first, its flag in `done` last.  A
+chunk without its flag, or with a file that is missing or fails the checksum of Zarr, is run again,
+so an ensemble may be killed at any time and continued.  The folder is created under a temporary
+name and renamed when it is complete.
 
-Attributes, layouts and coordinates have digests.  A store that was changed, or has more files, is
-refused before anything is written into it or displayed.
+Attributes and layouts have digests.  A store that was changed, or has more arrays, is refused
+before anything is written into it or displayed.
 """
 
 import hashlib
 import json
 import shutil
 import warnings
-import zlib
-from collections.abc import Iterable, Mapping
-from contextlib import nullcontext, suppress
-from importlib.metadata import version
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..base.errors import DataError, ScenarioError, import_optional
+from ..base.errors import DataError, import_optional
 from ..base.files import atomic_path
-from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
-from ..engine.solver.solver_layout import Status
-from .members import KERNEL, Values, Varied, member_count
+from ..base.files.reading import SLASH, renamed, zarr_store
+from .members import Values
+from .results import ARGUMENTS, CODE, Results
 
 if TYPE_CHECKING:
     import xarray
 
-ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
-REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are also attributes
-SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
-STATUS = tuple(status.label for status in Status)
-COMPLETED = Status.FINISHED, Status.STOPPED  # ends that are no failures
-FLAGS = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+DIGESTS, DONE = "digests", "done"
 
 
-def arrays_of(varied: Varied, values: Values) -> "dict[str, xarray.Variable]":
-    """Return all arrays of an ensemble: summaries, the members' values, and coordinates.
+class Store(Results):
+    """An ensemble's arrays in a folder."""
 
-    Chunks fill the summaries, whose numbers here are empty.
-    """
-    from xarray import Variable
+    def __init__(self, group: Any, path: Path):
+        import zarr
 
-    numbers = np.arange(member_count(values))
-    axes = {"member": (numbers, {"long_name": "member of the ensemble"}), **varied.axes}
-    arrays: dict[str, Variable] = {}
-
-    def add(name: str, dims: Iterable[str], numbers: Any, attributes: Any) -> None:
-        if name in arrays:
-            raise ScenarioError(
-                f"{name} is used twice as a name in the result. Rename one"
-            )
-        arrays[name] = Variable(dims, numbers, attributes)
-
-    def add_summary(name: str, dims: tuple[str, ...], empty: Any, **attrs: Any) -> None:
-        dims = ("member", *dims)
-        shape = [len(axes[dim][0]) for dim in dims]
-        add(name, dims, np.broadcast_to(empty, shape), attrs)
-
-    for name, series in varied.summaries:
-        add_summary(name, series.dims, np.nan, **series.attributes)
-    units = {key: unit for key, unit in axes["time"][1].items() if key == "units"}
-    add_summary("status", (), np.int8(0), long_name="how the run ended", **FLAGS)
-    add_summary("end", (), np.nan, long_name="last sample, or time of a stop", **units)
-    for key, numbers in values.items():
-        dims, attributes = varied.key_layout(key, numbers.ndim - 1)
-        add(key, ("member", *dims), numbers, attributes)
-    used = {dim for array in arrays.values() for dim in array.dims}
-    for dim, (numbers, attributes) in axes.items():
-        if dim in used and numbers.size:
-            add(dim, (dim,), numbers, attributes)
-    return arrays
-
-
-class Store:
-    """An ensemble's arrays, in a folder or in memory."""
-
-    def __init__(self, group: Any, path: Path | None):
         self.group, self.path = group, path
-        self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
-        self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
-        with warnings.catch_warnings():
-            # files that are not arrays are found by their digest
-            warnings.simplefilter("ignore")
-            self.names = {name for name, _ in group.members()}
-            self.arrays = {
-                name.replace(SLASH, "/"): array for name, array in group.arrays()
-            }
-        dims = {
-            name: array.metadata.dimension_names or ()
-            for name, array in self.arrays.items()
-        }
-        summaries = dims.keys() - {"member", *self.arguments["keys"]}
-        self.per_member = sorted(name for name in summaries if "member" in dims[name])
+        with (
+            warnings.catch_warnings(),
+            # a file that is missing is then no chunk of NaN
+            zarr.config.set({"array.write_empty_chunks": True}),
+        ):
+            warnings.simplefilter("ignore")  # of files that are not arrays
+            self.stored = dict(sorted(group.members()))
+        arrays = {name.replace(SLASH, "/"): node for name, node in self.stored.items()}
+        super().__init__(group.attrs, arrays)
 
-    def rows(self, index: int) -> slice:
-        """Return the members of a chunk."""
-        return slice(index * self.chunk, min((index + 1) * self.chunk, self.members))
-
-    def count(self, indices: Iterable[int]) -> int:
-        """Return the number of members of some chunks."""
-        return sum(rows.stop - rows.start for rows in map(self.rows, indices))
-
-    def values(self, index: int) -> Values:
-        """Return the sampled parameters of the members of a chunk."""
-        return {
-            key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]
-        }
+    def dims_of(self, array: Any) -> tuple[str, ...]:
+        """Return the dimensions of an array, none of a group."""
+        return getattr(array.metadata, "dimension_names", None) or ()
 
     def write(self, index: int, arrays: Values) -> None:
-        """Write a chunk, then its checksum."""
+        """Write a chunk, then its flag."""
         try:
-            for name in self.per_member:
-                if arrays[name].size:
-                    self.arrays[name][self.rows(index)] = arrays[name]
-            self.group[DONE][index] = self.checksum(arrays)
+            super().write(index, arrays)
+            self.arrays[DONE][index] = 1
         except OSError as error:
             path, reason = error.filename2 or self.path, error.strerror or error
             raise DataError(f"{path}: cannot be written: {reason}") from None
 
-    def checksum(self, arrays: Values) -> int:
-        """Return a checksum of a chunk, above zero."""
-        check = 0
-        for name in self.per_member:
-            check = zlib.crc32(np.ascontiguousarray(arrays[name]).data, check)
-        return check + 1
-
     def digests(self) -> dict[str, str]:
-        """Return a hash of the attributes, and of each array without the values of chunks."""
-        attributes = {
-            name: value for name, value in self.group.attrs.items() if name != DIGESTS
-        }
-        contents: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
-        for name in sorted(self.names):
-            contents[name] = value = self.group[name]
-            with suppress(Exception):  # a damaged file can raise anything
-                filled = name.replace(SLASH, "/") in (*self.per_member, DONE)
-                too_large = value.nbytes > LARGEST or value.nchunks > max(
-                    1, self.members
-                )
-                numbers = None
-                if not filled and not too_large:
-                    read = value[:]
-                    # strings of any length are no bytes of the array
-                    read = read.astype("U99") if read.dtype.kind == "T" else read
-                    numbers = zlib.crc32(read.tobytes())
-                contents[name] = value.metadata.to_dict(), numbers
+        """Return a hash of the attributes, and of the layout of each array."""
+        attributes = [item for item in self.attributes.items() if item[0] != DIGESTS]
+        facts: dict[str, Any] = {"zarr.json": sorted(attributes)}
+        facts |= {name: node.metadata.to_dict() for name, node in self.stored.items()}
         return {
-            k: hashlib.sha256(repr(value).encode()).hexdigest()[:16]
-            for k, value in contents.items()
+            name: hashlib.sha256(repr(fact).encode()).hexdigest()[:16]
+            for name, fact in facts.items()
         }
 
-    def missing(self) -> list[int]:
-        """List the chunks without a checksum, or with a wrong one."""
-        return [
-            k for k in range(-(-self.members // self.chunk)) if not self.is_complete(k)
-        ]
+    def changed(self) -> list[str]:
+        """List the arrays whose layout, or numbers outside of chunks, are not as they were made."""
+        made, now = json.loads(self.attributes[DIGESTS]), self.digests()
+        wrong = {name for name in {*made, *now} if made.get(name) != now.get(name)}
+        for name in self.arrays.keys() - {*wrong, *self.per_member, DONE}:
+            count = self.arrays[name].cdata_shape[0]
+            if not wrong and not all(self.is_whole(name, k) for k in range(count)):
+                wrong.add(name)
+        return sorted(wrong)
+
+    def is_whole(self, name: str, index: int) -> bool:
+        """Return whether a chunk of an array is there; raise an error if its checksum is wrong."""
+        array = self.arrays[name]
+        if not array.size:
+            return True
+        array.blocks[index]  # read, with the checksum
+        key = array.metadata.encode_chunk_key((index, *[0] * (array.ndim - 1)))
+        return Path(self.path, array.path, key).is_file()
 
     def is_complete(self, index: int) -> bool:
-        """Return True if a chunk has been written and its checksum is right."""
+        """Return True if a chunk has been written and can be read."""
         try:
-            checksum = int(self.group[DONE][index])
-            if not checksum:
-                return False
-            read = {
-                name: self.arrays[name][self.rows(index)] for name in self.per_member
-            }
+            return bool(self.arrays[DONE][index]) and all(
+                self.is_whole(name, index) for name in self.per_member
+            )
         except Exception:  # a damaged file can raise anything
             return False
-        return self.checksum(read) == checksum
 
     def finish(self) -> None:
         """Check that every chunk has been written; remove temporary files of killed writers."""
-        lost = np.flatnonzero(self.group[DONE][:] == 0)
+        lost = np.flatnonzero(self.arrays[DONE][:] == 0)
         if len(lost):
             raise DataError(
                 f"{self.path}: chunk {lost[0]} is missing. Run the ensemble again"
             )
-        if self.path is not None:
-            for temporary in self.path.rglob("*.partial"):
-                temporary.unlink(missing_ok=True)
+        for temporary in self.path.rglob("*.partial"):
+            temporary.unlink(missing_ok=True)
 
     def dataset(self) -> "xarray.Dataset":
-        """Return the ensemble; a folder's arrays are read when used."""
+        """Return the ensemble, whose arrays are read when used."""
         import xarray
 
         data = xarray.open_zarr(
@@ -195,104 +120,82 @@ class Store:
             decode_times=False,
             decode_timedelta=False,
         )
-        keys = self.arguments["keys"]
-        data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(keys)
-        data = data[sorted(map(str, data.variables))]  # a folder has no order
-        if KERNEL in keys:
-            data[KERNEL] = data[KERNEL].astype(object)
-        if self.path is None:
-            data.load()
-        else:
-            data.encoding["folder"] = str(self.path.absolute().parent)
-        scalars = all(data[key].ndim == 1 for key in keys)
-        if self.arguments["design"] == "grid" and scalars:
-            index = xarray.indexes.PandasMultiIndex
-            data = data.drop_vars("member").set_xindex(keys, index)
+        data = self.labelled(renamed(data.drop_vars(DONE), SLASH, "/"))
+        data.encoding["folder"] = str(self.path.absolute().parent)
         return data
 
-
-def software() -> str:
-    """Return the versions of the packages that compute an ensemble."""
-    return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
+    def remove_empty(self) -> None:
+        """Remove the folder if it has no chunk."""
+        if not np.any(self.arrays[DONE][:]):
+            shutil.rmtree(self.path, ignore_errors=True)
 
 
 def begun_or_made(
     path: Path | None,
-    title: str,
-    code: str,
-    arguments: Mapping[str, Any],
+    attributes: Mapping[str, Any],
     arrays: "Mapping[str, xarray.Variable]",
-) -> Store:
-    """Open the store of the same ensemble, begun by the same `code`, or make a store."""
-    if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        attrs = {
-            "Conventions": "CF-1.11",
-            "title": title,
-            "source": f"clpt-control {version('clpt-control')}",
-            "software": software(),
-            **{name: arguments[name] for name in REPEATED if name in arguments},
-            CODE: code,
-        }
-        return create_store(path, arguments, arrays, attrs)
+) -> Results:
+    """Open the store of the same ensemble, begun by the same code, or make arrays or a store."""
+    if path is None:
+        copies = {name: one.copy(deep=True) for name, one in arrays.items()}
+        return Results(attributes, copies)
+    if not path.exists() or (path.is_dir() and not any(path.iterdir())):
+        return create_store(path, attributes, arrays)
     store = open_store(path)
-    check_same(store, arguments)
-    if store.group.attrs[CODE] != code and store.missing():
+    for name, value in json.loads(attributes[ARGUMENTS]).items():
+        if store.arguments.get(name) != value:
+            raise DataError(
+                f"{path}: contains an ensemble of another {name}. Give another --out"
+            )
+    if store.attributes[CODE] != attributes[CODE] and store.missing():
         raise DataError(
-            f"{path}: was started by other versions of the code ({store.group.attrs['software']})"
+            f"{path}: was started by other versions of the code ({store.attributes['software']})"
             ", whose results may differ in the last bit. Give another --out"
         )
     return store
 
 
 def create_store(
-    path: Path | None,
-    arguments: Mapping[str, Any],
-    arrays: "Mapping[str, xarray.Variable]",
-    attrs: Mapping[str, Any],
+    path: Path,
+    attributes: Mapping[str, Any],
+    variables: "Mapping[str, xarray.Variable]",
 ) -> Store:
-    """Make a store without any chunk, in a folder or in memory.
-
-    `arguments` identify the ensemble.
-    """
+    """Make a store without any chunk in a folder."""
     zarr = import_optional("zarr")
     from xarray import Variable
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
-    target: Any = path or zarr.storage.MemoryStore()
+    arguments = json.loads(attributes[ARGUMENTS])
     chunk = arguments["chunk"]
-    count = -(-arguments["members"] // chunk)
-    words = {"long_name": "checksum of a whole chunk"}
-    checksums = Variable("chunk", np.zeros(count, "int64"), words)
-    with atomic_path(path, folder=True) if path else nullcontext(target) as folder:
+    flags = np.zeros(-(-arguments["members"] // chunk), "int8")
+    done = Variable("chunk", flags, {"long_name": "1 if the chunk is written"})
+    with atomic_path(path, folder=True) as folder:
         group = zarr.create_group(folder)
-        group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
-        for name, stored in {**arrays, DONE: checksums}.items():
+        group.attrs.update(attributes)
+        for name, variable in {**variables, DONE: done}.items():
             if not name or "\\" in name:
                 raise DataError(f"Zarr has no name {name!r}. Rename it, without a \\")
-            size, *inner_sizes = stored.shape
-            rows = {"member": chunk, "chunk": 1}.get(str(stored.dims[0]), size)
+            size, *inner_sizes = variable.shape
+            rows = {"member": chunk, "chunk": 1}.get(str(variable.dims[0]), size)
             array = group.create_array(
                 name.replace("/", SLASH),
-                shape=stored.shape,
-                dtype=str if stored.dtype.kind == "U" else stored.dtype,
+                shape=variable.shape,
+                dtype=str if variable.dtype.kind == "U" else variable.dtype,
                 chunks=tuple(max(1, n) for n in (min(rows, size), *inner_sizes)),
-                attributes=stored.attrs,
-                dimension_names=[str(dim).replace("/", SLASH) for dim in stored.dims],
-                fill_value=np.nan if stored.dtype.kind == "f" else stored.dtype.type(),
+                attributes=variable.attrs,
+                dimension_names=[str(dim).replace("/", SLASH) for dim in variable.dims],
+                fill_value=np.nan
+                if variable.dtype.kind == "f"
+                else variable.dtype.type(),
                 compressors=(ZstdCodec(level=1), Crc32cCodec()),
+                config={"write_empty_chunks": True},
             )
-            if stored.dims == (name,) or (name in arguments["keys"] and stored.size):
-                array[:] = stored.values
-        group.attrs[DIGESTS] = json.dumps(
-            Store(zarr.open_group(folder), None).digests()
-        )
-    return Store(zarr.open_group(target, mode="r+"), path)
-
-
-def remove_empty(store: Store) -> None:
-    """Remove a store without any chunk, for example after a lack of memory."""
-    if store.path is not None and not np.any(store.group[DONE][:]):
-        shutil.rmtree(store.path, ignore_errors=True)
+            is_coordinate = variable.dims == (name,) or name in arguments["keys"]
+            if is_coordinate and variable.size:
+                array[:] = variable.values
+        made = Store(zarr.open_group(folder), folder)
+        group.attrs[DIGESTS] = json.dumps(made.digests())
+    return Store(zarr.open_group(path, mode="r+"), path)
 
 
 def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
@@ -309,36 +212,17 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        recorded: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
-        now = store.digests()
-        wrong = [
-            name
-            for name in sorted({*recorded, *now})
-            if recorded.get(name) != now.get(name)
-        ]
+        changed = store.changed()
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is not an ensemble or is damaged. Give another name or remove it"
         ) from None
-    if wrong and wrong[0] not in recorded:
+    if changed:
         raise DataError(
-            f"{path}: contains {wrong[0]}, which is not part of an ensemble. Remove it"
-        )
-    if wrong:
-        raise DataError(
-            f"{path}: is damaged, or of another version: its {wrong[0]} is not as it was "
+            f"{path}: is damaged, or of another version: its {changed[0]} is not as it was "
             "made. Move it away and run the ensemble again"
         )
     return store
-
-
-def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
-    """Refuse a store of another ensemble."""
-    for name, value in arguments.items():
-        if store.arguments.get(name) != value:
-            raise DataError(
-                f"{store.path}: contains an ensemble of another {name}. Give another --out"
-            )
 
 
 def open_ensemble(path: Path) -> "xarray.Dataset":
@@ -349,7 +233,7 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
         for array in data.variables.values():
             if "time" not in array.dims:
                 array.load()
-        written = np.flatnonzero(store.group[DONE][:]).tolist()
+        written = np.flatnonzero(store.arrays[DONE][:]).tolist()
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is damaged: a part of it cannot be read. Run the ensemble again"

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..base.arguments import public
-from ..base.errors import ClptError, ScenarioError, import_optional
+from ..base.errors import ClptError, ScenarioError
 from ..base.units import finite_or_none
 from ..paper.laws.law import Law
 from ..paper.laws.table import LAWS
@@ -141,7 +141,6 @@ def tune_law(
             raise ScenarioError(
                 f"{word} = {value}: must be a whole number, {least} to {most}"
             )
-    import_optional("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)
     tested, skipped = laws_to_try(names)
     if not tested:

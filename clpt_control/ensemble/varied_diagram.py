@@ -39,8 +39,8 @@ from ..simulation.diagram_runs import labels_of, signal_units
 from ..simulation.integrate import request_of
 from ..simulation.run_arguments import stacked_state
 from .members import Member, MemberBatch, Values, hash_of
+from .results import COMPLETED
 from .sampled_parameters import Vary, cannot_vary
-from .store import COMPLETED
 
 RESULT = "time", "member", "status", "end"  # names in a result that are not ports
 STATISTICS = {
@@ -56,10 +56,11 @@ class OutputBatch(MemberBatch):
 
     def __post_init__(self) -> None:
         varied, status = self.varied, self.run.status
-        count = len(varied.state_times)
-        y = np.full((len(status), len(varied.outputs), count), np.nan)
-        for m, outputs in enumerate(y):
-            self._write_outputs(outputs, m)
+        times, wires = varied.state_times, varied.wiring.outputs
+        y = np.full((len(status), len(wires), len(times)), np.nan)
+        for rows, signals in self.ensemble.signals(self.members, self.run):
+            u = [self.members.runners[m][1].along(times) for m in rows]
+            y[rows] = self._outputs(signals, np.array(u))
         not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         status = np.where(not_finite, Status.NOT_FINITE, status)
         for m in np.flatnonzero(status == Status.GUARD_LEFT).tolist():
@@ -68,21 +69,13 @@ class OutputBatch(MemberBatch):
         self.run = replace(self.run, status=status)
         self.y = y[..., varied.skipped :]
 
-    def _write_outputs(self, y: np.ndarray, m: int) -> None:
-        """Write the outputs of member m up to its end into y, (outputs, times)."""
-        signals = self.ensemble.signals(self.members, self.run, m)
-        reached = len(signals)
-        _, inputs = self.members.runners[m]
-        times = self.varied.state_times[:reached]
-        y[:, :reached] = self._outputs(signals, inputs.along(times))
-
     def _outputs(self, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return outputs (outputs, times) of signals (times, signals) and inputs."""
+        """Return outputs (m, outputs, times) of signals (m, times, signals) and inputs."""
         wires = self.varied.wiring.outputs
-        y = np.zeros((len(wires), len(signals)))
-        for row, sources in zip(y, wires, strict=True):
+        y = np.zeros((len(signals), len(wires), signals.shape[1]))
+        for row, sources in enumerate(wires):
             for k, gain in sources.items():  # added in their order, for equal rounding
-                row += gain * (signals[:, k] if k >= 0 else u[~k])
+                y[:, row] += gain * (signals[..., k] if k >= 0 else u[:, ~k])
         return y
 
     def _stop(self, m: int) -> tuple[np.ndarray, np.ndarray] | None:
@@ -95,8 +88,8 @@ class OutputBatch(MemberBatch):
         except SimulationError:
             return None
         first = min(self.varied.skipped, len(signals) - 1)
-        y = self._outputs(signals, inputs.along(solution.t))
-        return solution.t[first:], y[:, first:]
+        u = inputs.along(solution.t)
+        return solution.t[first:], self._outputs(signals[None], u[None])[0, :, first:]
 
     @cached_property
     def statistics(self) -> Values:

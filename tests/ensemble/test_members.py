@@ -10,7 +10,7 @@ from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.ensemble_statistics import ensemble_summary
 from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.store import STATUS
+from clpt_control.ensemble.results import STATUS
 from clpt_control.ensemble.varied_scenario import VariedScenario
 from clpt_control.simulation.summary import run_and_report
 

@@ -1,7 +1,7 @@
 """A batch of runs of one diagram: the solver's arrays, and how a run is watched.
 
-The solver takes steps for about `PAUSE` seconds a call.  Between calls Python watches the time
-reached, and whether the end can be reached at all.
+The solver takes steps for about `PAUSE` seconds a call.  Between calls Python shows the time
+reached.  The solver alone decides where a run ends, by counts of its own tries.
 
 Stiff runs go on with an implicit method.  An explicit one stops if its own steps look stiff
 (Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then the
@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
 from ..codegen.machine import flattened, numbers_of
 from .callee import MOST_KEPT, Callee, aligned
@@ -24,6 +23,7 @@ from .schedule import Schedule
 from .solver_layout import (
     FIRST_STEP,
     MAX_STEP,
+    NEXT_LOOK,
     POINTS,
     REALS,
     ROWS,
@@ -52,9 +52,6 @@ PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
-WINDOW = 10_000  # tries over which the pace of a run is measured
-# of states, at which a run diverges if its pace is too slow to reach the end
-GROWTH = 1e6
 
 
 class Batch:
@@ -180,9 +177,12 @@ class Batch:
         in_lanes[self.segments.indices] = self.segments.values[:1].T
         indices, (first, stop) = self.segments.indices, callee.slopes
         slopes = self.segments.values[:, (indices >= first) & (indices < stop)]
-        if callee.timed or slopes.any():
+        timed = callee.timed or slopes.any()
+        if timed:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
+        # a pace that falls may rise again at an event, or by time
+        self.lane[NEXT_LOOK] = np.inf if timed or callee.events else 0.0
         self.lane[FIRST_STEP] = opening
 
     @property
@@ -199,17 +199,18 @@ class Batch:
         self,
         rtol: float,
         atol: float,
-        watch: Callable[[int, float], None] = lambda tries, now: None,
+        progress: Callable[[float], None] | None = None,
         most: int = MEMBER_STEPS,
         implicit: Callable[[], Callee] | None = None,
         over_kinks: Any = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        Tries of steps of discrete time are not limited.  `watch` is called between the solver's
-        calls, each of about `PAUSE`.  `implicit` returns the functions that an implicit method
-        calls, if stiff runs are to be continued with it, one after the other; `continuations` are
-        the batches of these runs.  `over_kinks` is a `kinks.ManyKinks` of the only run.
+        Tries of steps of discrete time are not limited.  `progress` is called with the time
+        reached by the first lane, about every `PAUSE`.  `implicit` returns the functions that an
+        implicit method calls, if stiff runs are to be continued with it, one after the other;
+        `continuations` are the batches of these runs.  `over_kinks` is a `kinks.ManyKinks` of the
+        only run.
         """
         self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
         if self.callee.method.discrete:
@@ -219,7 +220,6 @@ class Batch:
             self.runs.parameters[:, first - 2 : first] = rtol, atol
         budget = max(64, BEGIN // self.callee.nstates)
         active = 1
-        measured: dict[int, tuple[int, float]] = {}  # tries and time of each run
         while active:
             check()
             begin = time.perf_counter()
@@ -236,8 +236,8 @@ class Batch:
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
-            self._end_diverging(most, rtol, atol, measured)
-            watch(int(self.counts[0, 0] + self.counts[0, 3]), self.now)
+            if progress is not None:
+                progress(self.now)
             if over_kinks is not None and active:
                 following = over_kinks.following(self)
                 if following is not None:
@@ -246,7 +246,7 @@ class Batch:
         for m, batch in self.continuations.items():
             share = batch.tolerance_share
             next_method = None if batch.callee.method.implicit else implicit
-            batch.adaptive(share * rtol, share * atol, watch, most, next_method)
+            batch.adaptive(share * rtol, share * atol, progress, most, next_method)
             before = len(self.times) - len(batch.times)
             self.out[m, before + 1 :] = batch.out[0, 1:]
             self.status[m] = batch.status[0]
@@ -260,28 +260,6 @@ class Batch:
         self._tolerances[:] = max(rtol, 2.3e-14), atol
         self._call[-2:] = budget, most
         return self.callee.call("advance", self._call)
-
-    @np.errstate(over="ignore")  # times and states may be as large as numbers go
-    def _end_diverging(
-        self,
-        most: int,
-        rtol: float,
-        atol: float,
-        measured: dict[int, tuple[int, float]],
-    ) -> None:
-        """End runs with far larger states than at first that need more than `most` tries."""
-        for k, m in enumerate(self.integers[RUN_INDEX].tolist()):
-            tries = int(self.counts[m, 0] + self.counts[m, 3])
-            now = float(self.lane[TIME, k])
-            last_tries, last_time = measured.get(m, (0, float(self.times[0])))
-            if m < 0 or tries - last_tries < WINDOW:
-                continue
-            measured[m] = tries, now
-            ahead = (self.times[-1] - now) * (tries - last_tries)
-            is_too_slow = ahead > (most - tries) * (now - last_time)
-            first = max(np.abs(self.runs.states[m]).max(), atol / max(rtol, 1e-14))
-            if is_too_slow and np.abs(self.states[STATE, :, k]).max() > GROWTH * first:
-                self.status[m] = Status.DIVERGING  # the solver takes the next run
 
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
         """End the run of a lane if it is stiff; another batch continues it."""
@@ -341,36 +319,3 @@ def _stacked(schedules: list[Schedule]) -> Segments:
         np.concatenate([schedule.values for schedule in schedules]),
         np.concatenate([schedule.smooth for schedule in schedules]),
     )
-
-
-def pace(
-    most: int, begin: float, end: float, progress: Callable[[float], None] | None
-) -> Callable[[int, float], None]:
-    """Return a watch that reports progress, and refuses a run that cannot reach its end."""
-    last_tries = 0  # when the pace was last measured
-    last_time = begin
-    span = end - begin
-
-    def watch(tries: int, now: float) -> None:
-        nonlocal last_tries, last_time
-        if progress is not None:
-            progress(now)
-        if tries < last_tries:  # the run is continued by another method
-            last_tries = 0
-            last_time = now
-        if tries - last_tries < most // 500:
-            return
-        advance = (now - last_time) / (tries - last_tries)
-        if now < end and advance * most < span:
-            needed_tries = span / advance if advance > 0 else np.inf
-            error = SimulationError(
-                f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
-                f"{needed_tries:.0e}. Rates change too fast there, or a switch chatters. "
-                "Lower the gains, give a switch a hysteresis, or loosen rtol and atol"
-            )
-            error.status = Status.TOO_MANY_STEPS
-            raise error
-        last_tries = tries
-        last_time = now
-
-    return watch

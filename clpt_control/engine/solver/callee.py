@@ -92,6 +92,31 @@ class Callee(NamedTuple):
         keep(self.kept, shape, evaluation)
         return out
 
+    def evaluate_runs(
+        self,
+        role: int,
+        times: np.ndarray,
+        x: np.ndarray,
+        segments: Schedule,
+        parameters: np.ndarray,
+        count: int,
+    ) -> np.ndarray:
+        """Return results at states (m, nt, n) of runs with parameters (m, nP), (m, nt, count).
+
+        The segments of all runs, one behind the other, set the parameters of each.
+        """
+        m, size = parameters.shape
+        each = len(segments.values)
+        rows = np.repeat(parameters, each, axis=0), np.tile(segments.values, (m, 1))
+        indices = np.append(np.arange(size), segments.indices)
+        every = segments._replace(indices=indices, values=np.hstack(rows))
+        at = np.tile(times, m), x.reshape(m * len(times), -1)
+        evaluation = Evaluation(self, role, count, *at, every, parameters[0])
+        which = np.searchsorted(segments.edges, times, "right")
+        evaluation.which_segment[:] = np.add.outer(each * np.arange(m), which).ravel()
+        self.call("evaluate", evaluation.numbers)
+        return evaluation.out.reshape(m, len(times), count)
+
     def events_at(
         self, times: Any, x: Any, segments: Schedule, parameters: Any
     ) -> np.ndarray:

@@ -9,7 +9,7 @@ import numpy as np
 from ...base.errors import SimulationError
 from ..methods.method import Method
 from ..methods.table import DISCRETE, IMPLICIT, METHODS, TAYLOR
-from .batch import ANY, Batch, pace
+from .batch import ANY, Batch
 from .callee import MOST_KEPT, Callee, keep
 from .filippov import continue_run, continued_ends
 from .runner import PythonDiagram, RunOptions
@@ -68,19 +68,15 @@ class NativeRuns(PythonDiagram):
         if options.method == TAYLOR:
             return series_solution(self, start, times, inputs, options)
         batch = self._prepare(start, times, inputs, options)
-        error = None
-        try:
-            kinks = self.over_kinks(options.rtol, options.atol)
-            self._integrate(batch, inputs, options, times[-1], kinks)
-            if batch.status[0] == CHATTERING and batch.continuations:
-                # it slides among kinks that were passed: once more, with all located
-                batch = self._prepare(start, times, inputs, options)
-                self._integrate(batch, inputs, options, times[-1])
-            if batch.status[0] != FINISHED:
-                self._continue_run(batch, inputs, options)
-        except SimulationError as too_slow:
-            error = too_slow
-        if batch.callee.decided and (error or batch.status[0] in STUCK):
+        kinks = self.over_kinks(options.rtol, options.atol)
+        self._integrate(batch, inputs, options, kinks)
+        if batch.status[0] == CHATTERING and batch.continuations:
+            # it slides among kinks that were passed: once more, with all located
+            batch = self._prepare(start, times, inputs, options)
+            self._integrate(batch, inputs, options)
+        if batch.status[0] != FINISHED:
+            self._continue_run(batch, inputs, options)
+        if batch.callee.decided and batch.status[0] in STUCK:
             try:
                 solution = self.unlocked()._solution(start, times, inputs, options)
             except SimulationError:
@@ -89,8 +85,6 @@ class NativeRuns(PythonDiagram):
                 return replace(
                     solution, method=f"{solution.method}, switches not located"
                 )
-        if error:
-            raise error
         solution = ended(self, batch, inputs)
         solution.pieces = batch.schedules[0]
         if batch.is_small:
@@ -138,17 +132,15 @@ class NativeRuns(PythonDiagram):
         batch: Batch,
         inputs: Inputs | None,
         options: RunOptions,
-        end: float,
         over_kinks: Any = None,
     ) -> None:
-        """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
+        """Integrate a batch of one run until it stops."""
         most = ANY if batch.callee.method.discrete else self.most
         implicit = None
         if options.method == "auto":
             implicit = partial(self.implicit, inputs)
-        watch = pace(most, batch.times[0], end, options.progress)
         tolerances = options.rtol, options.atol
-        batch.adaptive(*tolerances, watch, most, implicit, over_kinks)
+        batch.adaptive(*tolerances, options.progress, most, implicit, over_kinks)
 
     def _continue_run(
         self, batch: Batch, inputs: Inputs | None, options: RunOptions
@@ -163,7 +155,7 @@ class NativeRuns(PythonDiagram):
             segments: Schedule,
         ) -> Batch:
             following = diagram._batch(inputs, options, P, start, times, segments)
-            diagram._integrate(following, inputs, options, batch.times[-1])
+            diagram._integrate(following, inputs, options)
             return following
 
         if batch.status[0] in continued_ends(self):

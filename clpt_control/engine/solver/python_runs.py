@@ -20,7 +20,7 @@ from scipy.integrate import DOP853, LSODA
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
 from ..methods.table import METHODS
-from .batch import PARTS, PAUSE, pace
+from .batch import PARTS, PAUSE
 from .evaluation_pass import rounding
 from .event_checks import SHARES, may_hide
 from .schedule import BEGINS, JUMPS, Inputs, inputs_at
@@ -42,6 +42,7 @@ MOST_SEGMENTS = (
 )
 MOST_EVALUATIONS = 200  # of DOP853 in such a segment; LSODA integrates longer ones
 LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
+MOST_STEPS = 500_000  # of a run, which are minutes
 SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
 MARGIN_ROUNDING = 1e-12
 _lsoda = threading.RLock()  # not every SciPy runs two of them at once
@@ -96,7 +97,6 @@ class PythonRun:
         self.run = times[-1] - times[0]
         self.remembers = bool(diagram.hidden_state)
         self.short = method is LSODA and len(self.schedule.edges) > MOST_SEGMENTS
-        self.watch = pace(diagram.most, times[0], times[-1], options.progress)
         self.watched = time.perf_counter()
         self.states = np.full((len(times), diagram.nstates), np.nan)
         self.written = 0  # samples
@@ -170,12 +170,17 @@ class PythonRun:
             self.steps += 1
             if solver.status == "failed":
                 raise NotIntegrated(solver.t, solver.y.copy(), Status.STEP_TOO_SMALL)
+            if self.steps >= MOST_STEPS:
+                raise self.error(solver.t, solver.y, Status.TOO_MANY_STEPS)
             if self.sweep.guarded:
                 self._stop_at_guard(before, solver)
             reached = solver.t if self.end is None else self.end[0]
             self._write(reached, solver.y, solver)
             if time.perf_counter() - self.watched > PAUSE:
-                self._watch(solver.t)
+                check()
+                if self.options.progress is not None:
+                    self.options.progress(solver.t)
+                self.watched = time.perf_counter()
             is_long = self.short and self.evaluations - begun > MOST_EVALUATIONS
             if is_long and solver.status == "running":
                 self.short = False
@@ -197,16 +202,6 @@ class PythonRun:
             max_step=min(options.max_step, self.run / PARTS),
             first_step=min(first, end - t) or None,
         )
-
-    def _watch(self, t: float) -> None:
-        """Report progress; raise an error if the end is out of reach."""
-        check()
-        try:
-            self.watch(self.steps, t)
-        except SimulationError as error:
-            error.states = self.states[: self.written]
-            raise
-        self.watched = time.perf_counter()
 
     def _write(self, reached: float, x: ndarray, solver: Any = None) -> None:
         """Write the states at samples up to a time; a sample at a jump is after the jump."""

@@ -26,7 +26,9 @@ from .solver_layout import (
     HELD_RATE,
     HIGH,
     LAST_EVENT,
+    LOOK_TIME,
     MAX_STEP,
+    NEXT_LOOK,
     NEXT_RUN,
     NEXT_STOP,
     NOT_FINITE,
@@ -56,6 +58,8 @@ from .solver_layout import (
     interpolate,
     prepare,
 )
+
+FIRST_LOOK = 5_000.0  # tries
 
 
 def note_next_stop(solver, k):
@@ -89,6 +93,7 @@ def take_run(solver, k):
         solver.states[STATE, i, k] = runs.states[m, i]
     clear_lane(solver, k)
     lane[TIME, k] = solver.times[0]
+    lane[LOOK_TIME, k] = solver.times[0]
     lane[SEGMENT_END, k] = solver.segments.ends[integers[SEGMENT, k]]
 
 
@@ -98,11 +103,13 @@ def clear_lane(solver, k):
     stiff_steps = lane[STIFF_STEPS, k]
     max_step = lane[MAX_STEP, k]
     first_step = lane[FIRST_STEP, k]
+    is_judged = lane[NEXT_LOOK, k] < math.inf
     for number in range(REALS):
         lane[number, k] = 0.0
     lane[STIFF_STEPS, k] = stiff_steps if stiff_steps == -math.inf else 0.0
     lane[MAX_STEP, k] = max_step
     lane[FIRST_STEP, k] = first_step
+    lane[NEXT_LOOK, k] = FIRST_LOOK if is_judged else math.inf
     lane[FRESH, k] = 1.0
     lane[LAST_EVENT, k] = -math.inf
     lane[STOP_AT, k] = math.inf

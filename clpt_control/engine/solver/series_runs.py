@@ -160,11 +160,9 @@ class SeriesArrays:
             while series.RUNNING in status.tolist():
                 check()
                 tries += CALL_STEPS
-                begin, end = self.times[[0, -1]].tolist()
-                now = float(time.min())
                 if progress is not None:
-                    progress(now)
-                if (now - begin) * MOST_STEPS < (end - begin) * tries:
+                    progress(float(time.min()))
+                if tries >= MOST_STEPS:
                     status[status == series.RUNNING] = series.FAILED
                     break
                 self._entry(*call)

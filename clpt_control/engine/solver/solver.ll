@@ -1,4 +1,4 @@
-; sha256 95af1686ac2475c7ac9e0a4fee3dd704027245c584d164fb7e587ac95312c2cb 445654673f908ebd12365ebb6ebd52dacda504a6ee90bdc391a1d53086c56a68, Python 3.11, numba 0.68.1
+; sha256 da6205c11887f2a717368673d59b0a6812fe26881e7ead8eb7aae89acf6064fe 519341d7297dfa77f8f972153ddb1a1da25650ffd63fe60105cfcae87d40b7f9, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -38,5382 +38,5573 @@ v310:
   %v320 = icmp slt i64 %v41, 1
   %v321 = icmp slt i64 %v63, 1
   %v322 = icmp slt i64 %v10, 1
-  %v323 = mul i64 %v135, 144
+  %v323 = mul i64 %v135, 248
   %v324 = getelementptr i8, ptr %v133, i64 %v323
-  %v325 = mul i64 %v135, 240
+  %v325 = mul i64 %v135, 144
   %v326 = getelementptr i8, ptr %v133, i64 %v325
-  %v327 = mul i64 %v135, 232
+  %v327 = mul i64 %v135, 240
   %v328 = getelementptr i8, ptr %v133, i64 %v327
-  %v329 = shl i64 %v135, 4
-  %v330 = shl i64 %v135, 5
-  %v331 = mul i64 %v135, 40
-  %v332 = mul i64 %v135, 48
-  %v333 = mul i64 %v135, 56
-  %v334 = shl i64 %v135, 6
-  %v335 = mul i64 %v135, 72
-  %v336 = mul i64 %v135, 80
-  %v337 = mul i64 %v135, 88
-  %v338 = mul i64 %v135, 96
-  %v339 = mul i64 %v135, 104
-  %v340 = mul i64 %v135, 112
-  %v341 = mul i64 %v135, 120
-  %v342 = shl i64 %v135, 7
-  %v343 = mul i64 %v135, 136
-  %v344 = mul i64 %v135, 152
-  %v345 = mul i64 %v135, 160
-  %v346 = mul i64 %v135, 168
-  %v347 = mul i64 %v135, 176
-  %v348 = mul i64 %v135, 184
-  %v349 = mul i64 %v135, 192
-  %v350 = mul i64 %v135, 200
-  %v351 = mul i64 %v135, 208
-  %v352 = mul i64 %v135, 216
-  %v353 = mul i64 %v135, 224
-  %v354 = getelementptr i8, ptr %v133, i64 %v341
-  %v355 = getelementptr i8, ptr %v133, i64 %v353
-  %v356 = getelementptr i8, ptr %v133, i64 %v329
-  br label %v357
-
-v358:
-  %v359 = getelementptr double, ptr %v312, i64 %v360
-  store double 0.000000e+00, ptr %v359, align 8, !noalias !0
-  %v361 = load i64, ptr %v151, align 8, !noalias !0
-  %v362 = load i64, ptr %v313, align 8, !noalias !0
-  %v363 = icmp eq i64 %v361, %v362
-  br i1 %v363, label %v364, label %v365
-
-v365:
-  %v366 = add nsw i64 %v361, 1
-  store i64 %v366, ptr %v151, align 8, !noalias !0
-  store i64 2, ptr %v314, align 8, !noalias !0
-  %v367 = getelementptr i64, ptr %v142, i64 %v360
-  store i64 %v361, ptr %v367, align 8, !noalias !0
-  %v368 = icmp slt i64 %v361, 0
-  %v369 = select i1 %v368, i64 %v49, i64 0
-  %v370 = getelementptr i64, ptr %v48, i64 %v361
-  %v371 = getelementptr i64, ptr %v370, i64 %v369
-  %v372 = load i64, ptr %v371, align 8, !noalias !0
-  %v373 = icmp slt i64 %v372, 0
-  %v374 = select i1 %v373, i64 %v56, i64 0
-  %v375 = getelementptr i64, ptr %v55, i64 %v372
-  %v376 = getelementptr i64, ptr %v375, i64 %v374
-  %v377 = load i64, ptr %v376, align 8, !noalias !0
-  %v378 = getelementptr i64, ptr %v315, i64 %v360
-  store i64 %v377, ptr %v378, align 8, !noalias !0
-  %v379 = getelementptr i64, ptr %v317, i64 %v360
-  store i64 1, ptr %v379, align 8, !noalias !0
-  %v380 = getelementptr i64, ptr %v319, i64 %v360
-  store i64 0, ptr %v380, align 8, !noalias !0
-  br i1 %v320, label %v381, label %v382
-
-v382:
-  %v383 = select i1 %v368, i64 %v40, i64 0
-  %v384 = add i64 %v383, %v361
-  %v385 = mul i64 %v384, %v41
-  %v386 = getelementptr double, ptr %v39, i64 %v385
-  %v387 = getelementptr double, ptr %v165, i64 %v360
-  br label %v388
-
-v381:
-  br i1 %v321, label %v389, label %v390
-
-v390:
-  %v391 = load i64, ptr %v378, align 8, !noalias !0
-  %v392 = icmp slt i64 %v391, 0
-  %v393 = select i1 %v392, i64 %v77, i64 0
-  %v394 = add i64 %v393, %v391
-  %v395 = mul i64 %v394, %v78
-  %v396 = getelementptr double, ptr %v76, i64 %v395
-  br label %v397
-
-v397:
-  %v398 = phi i64 [ 0, %v390 ], [ %v399, %v397 ]
-  %v399 = add nsw i64 %v398, 1
-  %v400 = getelementptr double, ptr %v396, i64 %v398
-  %v401 = load double, ptr %v400, align 8, !noalias !3
-  %v402 = getelementptr i64, ptr %v62, i64 %v398
-  %v403 = load i64, ptr %v402, align 8, !noalias !3
-  %v404 = mul nsw i64 %v403, %v9
-  %v405 = add nsw i64 %v404, %v360
-  %v406 = icmp slt i64 %v405, 0
-  %v407 = select i1 %v406, i64 %v166, i64 0
-  %v408 = getelementptr double, ptr %v165, i64 %v405
-  %v409 = getelementptr double, ptr %v408, i64 %v407
-  store double %v401, ptr %v409, align 8, !noalias !3
-  %v410 = icmp eq i64 %v399, %v63
-  br i1 %v410, label %v389, label %v397
-
-v411:
-  %v412 = getelementptr double, ptr %v133, i64 %v360
-  %v413 = getelementptr double, ptr %v324, i64 %v360
-  %v414 = load double, ptr %v413, align 8, !noalias !7
-  %v415 = getelementptr double, ptr %v326, i64 %v360
-  %v416 = load double, ptr %v415, align 8, !noalias !7
-  %v417 = getelementptr double, ptr %v328, i64 %v360
-  %v418 = load double, ptr %v417, align 8, !noalias !7
-  store double 0.000000e+00, ptr %v412, align 8, !noalias !7
-  %v419 = getelementptr double, ptr %v412, i64 %v135
-  store double 0.000000e+00, ptr %v419, align 8, !noalias !7
-  %v420 = getelementptr i8, ptr %v412, i64 %v329
-  store double 0.000000e+00, ptr %v420, align 8, !noalias !7
-  %v421 = getelementptr i8, ptr %v412, i64 %v311
-  store double 0.000000e+00, ptr %v421, align 8, !noalias !7
-  %v422 = getelementptr i8, ptr %v412, i64 %v330
-  store double 0.000000e+00, ptr %v422, align 8, !noalias !7
-  %v423 = getelementptr i8, ptr %v412, i64 %v331
-  store double 0.000000e+00, ptr %v423, align 8, !noalias !7
-  %v424 = getelementptr i8, ptr %v412, i64 %v332
-  store double 0.000000e+00, ptr %v424, align 8, !noalias !7
-  %v425 = getelementptr i8, ptr %v412, i64 %v333
-  store double 0.000000e+00, ptr %v425, align 8, !noalias !7
-  %v426 = getelementptr i8, ptr %v412, i64 %v334
-  store double 0.000000e+00, ptr %v426, align 8, !noalias !7
-  %v427 = getelementptr i8, ptr %v412, i64 %v335
-  store double 0.000000e+00, ptr %v427, align 8, !noalias !7
-  %v428 = getelementptr i8, ptr %v412, i64 %v336
-  store double 0.000000e+00, ptr %v428, align 8, !noalias !7
-  %v429 = getelementptr i8, ptr %v412, i64 %v337
-  store double 0.000000e+00, ptr %v429, align 8, !noalias !7
-  %v430 = getelementptr i8, ptr %v412, i64 %v338
-  store double 0.000000e+00, ptr %v430, align 8, !noalias !7
-  %v431 = getelementptr i8, ptr %v412, i64 %v339
-  store double 0.000000e+00, ptr %v431, align 8, !noalias !7
-  %v432 = getelementptr i8, ptr %v412, i64 %v340
-  store double 0.000000e+00, ptr %v432, align 8, !noalias !7
-  %v433 = getelementptr i8, ptr %v412, i64 %v341
-  store double 0.000000e+00, ptr %v433, align 8, !noalias !7
-  %v434 = getelementptr i8, ptr %v412, i64 %v342
-  store double 0.000000e+00, ptr %v434, align 8, !noalias !7
-  %v435 = getelementptr i8, ptr %v412, i64 %v343
-  store double 0.000000e+00, ptr %v435, align 8, !noalias !7
-  %v436 = getelementptr i8, ptr %v412, i64 %v323
-  store double 0.000000e+00, ptr %v436, align 8, !noalias !7
-  %v437 = getelementptr i8, ptr %v412, i64 %v344
-  store double 0.000000e+00, ptr %v437, align 8, !noalias !7
-  %v438 = getelementptr i8, ptr %v412, i64 %v345
-  store double 0.000000e+00, ptr %v438, align 8, !noalias !7
-  %v439 = getelementptr i8, ptr %v412, i64 %v346
-  store double 0.000000e+00, ptr %v439, align 8, !noalias !7
-  %v440 = getelementptr i8, ptr %v412, i64 %v347
-  store double 0.000000e+00, ptr %v440, align 8, !noalias !7
-  %v441 = getelementptr i8, ptr %v412, i64 %v348
-  store double 0.000000e+00, ptr %v441, align 8, !noalias !7
-  %v442 = getelementptr i8, ptr %v412, i64 %v349
-  store double 0.000000e+00, ptr %v442, align 8, !noalias !7
-  %v443 = getelementptr i8, ptr %v412, i64 %v350
-  store double 0.000000e+00, ptr %v443, align 8, !noalias !7
-  %v444 = getelementptr i8, ptr %v412, i64 %v351
-  store double 0.000000e+00, ptr %v444, align 8, !noalias !7
-  %v445 = getelementptr i8, ptr %v412, i64 %v352
-  store double 0.000000e+00, ptr %v445, align 8, !noalias !7
-  %v446 = getelementptr i8, ptr %v412, i64 %v353
-  store double 0.000000e+00, ptr %v446, align 8, !noalias !7
-  %v447 = getelementptr i8, ptr %v412, i64 %v327
-  store double 0.000000e+00, ptr %v447, align 8, !noalias !7
-  %v448 = getelementptr i8, ptr %v412, i64 %v325
-  store double 0.000000e+00, ptr %v448, align 8, !noalias !7
-  %v449 = fcmp oeq double %v418, 0xFFF0000000000000
-  %v450 = select i1 %v449, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v450, ptr %v417, align 8, !noalias !7
-  store double %v416, ptr %v415, align 8, !noalias !7
-  store double %v414, ptr %v413, align 8, !noalias !7
-  store double 1.000000e+00, ptr %v359, align 8, !noalias !7
-  %v451 = getelementptr double, ptr %v354, i64 %v360
-  store double 0xFFF0000000000000, ptr %v451, align 8, !noalias !7
-  %v452 = getelementptr double, ptr %v355, i64 %v360
-  store double 0x7FF0000000000000, ptr %v452, align 8, !noalias !7
-  %v453 = load double, ptr %v92, align 8, !noalias !0
-  store double %v453, ptr %v412, align 8, !noalias !0
-  %v454 = load i64, ptr %v378, align 8, !noalias !0
-  %v455 = icmp slt i64 %v454, 0
-  %v456 = select i1 %v455, i64 %v70, i64 0
-  %v457 = getelementptr double, ptr %v69, i64 %v454
-  %v458 = getelementptr double, ptr %v457, i64 %v456
-  %v459 = load double, ptr %v458, align 8, !noalias !0
-  %v460 = getelementptr double, ptr %v356, i64 %v360
-  store double %v459, ptr %v460, align 8, !noalias !0
+  %v329 = mul i64 %v135, 232
+  %v330 = getelementptr i8, ptr %v133, i64 %v329
+  %v331 = shl i64 %v135, 4
+  %v332 = shl i64 %v135, 5
+  %v333 = mul i64 %v135, 40
+  %v334 = mul i64 %v135, 48
+  %v335 = mul i64 %v135, 56
+  %v336 = shl i64 %v135, 6
+  %v337 = mul i64 %v135, 72
+  %v338 = mul i64 %v135, 80
+  %v339 = mul i64 %v135, 88
+  %v340 = mul i64 %v135, 96
+  %v341 = mul i64 %v135, 104
+  %v342 = mul i64 %v135, 112
+  %v343 = mul i64 %v135, 120
+  %v344 = shl i64 %v135, 7
+  %v345 = mul i64 %v135, 136
+  %v346 = mul i64 %v135, 152
+  %v347 = mul i64 %v135, 160
+  %v348 = mul i64 %v135, 168
+  %v349 = mul i64 %v135, 176
+  %v350 = mul i64 %v135, 184
+  %v351 = mul i64 %v135, 192
+  %v352 = mul i64 %v135, 200
+  %v353 = mul i64 %v135, 208
+  %v354 = mul i64 %v135, 216
+  %v355 = mul i64 %v135, 224
+  %v356 = shl i64 %v135, 8
+  %v357 = mul i64 %v135, 264
+  %v358 = mul i64 %v135, 272
+  %v359 = mul i64 %v135, 280
+  %v360 = getelementptr i8, ptr %v133, i64 %v343
+  %v361 = getelementptr i8, ptr %v133, i64 %v355
+  %v362 = getelementptr i8, ptr %v133, i64 %v356
+  %v363 = getelementptr i8, ptr %v133, i64 %v331
   br label %v364
 
-v388:
-  %v461 = phi i64 [ 0, %v382 ], [ %v462, %v388 ]
-  %v462 = add nsw i64 %v461, 1
-  %v463 = getelementptr double, ptr %v386, i64 %v461
-  %v464 = load double, ptr %v463, align 8, !noalias !0
-  %v465 = mul nsw i64 %v461, %v9
-  %v466 = getelementptr double, ptr %v387, i64 %v465
-  store double %v464, ptr %v466, align 8, !noalias !0
-  %v467 = icmp eq i64 %v462, %v41
-  br i1 %v467, label %v381, label %v388
+v365:
+  %v366 = getelementptr double, ptr %v312, i64 %v367
+  store double 0.000000e+00, ptr %v366, align 8, !noalias !0
+  %v368 = load i64, ptr %v151, align 8, !noalias !0
+  %v369 = load i64, ptr %v313, align 8, !noalias !0
+  %v370 = icmp eq i64 %v368, %v369
+  br i1 %v370, label %v371, label %v372
+
+v372:
+  %v373 = add nsw i64 %v368, 1
+  store i64 %v373, ptr %v151, align 8, !noalias !0
+  store i64 2, ptr %v314, align 8, !noalias !0
+  %v374 = getelementptr i64, ptr %v142, i64 %v367
+  store i64 %v368, ptr %v374, align 8, !noalias !0
+  %v375 = icmp slt i64 %v368, 0
+  %v376 = select i1 %v375, i64 %v49, i64 0
+  %v377 = getelementptr i64, ptr %v48, i64 %v368
+  %v378 = getelementptr i64, ptr %v377, i64 %v376
+  %v379 = load i64, ptr %v378, align 8, !noalias !0
+  %v380 = icmp slt i64 %v379, 0
+  %v381 = select i1 %v380, i64 %v56, i64 0
+  %v382 = getelementptr i64, ptr %v55, i64 %v379
+  %v383 = getelementptr i64, ptr %v382, i64 %v381
+  %v384 = load i64, ptr %v383, align 8, !noalias !0
+  %v385 = getelementptr i64, ptr %v315, i64 %v367
+  store i64 %v384, ptr %v385, align 8, !noalias !0
+  %v386 = getelementptr i64, ptr %v317, i64 %v367
+  store i64 1, ptr %v386, align 8, !noalias !0
+  %v387 = getelementptr i64, ptr %v319, i64 %v367
+  store i64 0, ptr %v387, align 8, !noalias !0
+  br i1 %v320, label %v388, label %v389
 
 v389:
-  br i1 %v322, label %v411, label %v468
+  %v390 = select i1 %v375, i64 %v40, i64 0
+  %v391 = add i64 %v390, %v368
+  %v392 = mul i64 %v391, %v41
+  %v393 = getelementptr double, ptr %v39, i64 %v392
+  %v394 = getelementptr double, ptr %v165, i64 %v367
+  br label %v395
 
-v468:
-  %v469 = getelementptr double, ptr %v193, i64 %v360
-  %v470 = select i1 %v368, i64 %v31, i64 0
-  %v471 = add i64 %v470, %v361
-  %v472 = mul i64 %v471, %v32
-  %v473 = getelementptr double, ptr %v30, i64 %v472
-  br label %v474
+v388:
+  br i1 %v321, label %v396, label %v397
 
-v474:
-  %v475 = phi i64 [ 0, %v468 ], [ %v476, %v474 ]
-  %v476 = add nsw i64 %v475, 1
-  %v477 = getelementptr double, ptr %v473, i64 %v475
-  %v478 = load double, ptr %v477, align 8, !noalias !0
-  %v479 = mul i64 %v475, %v196
-  %v480 = getelementptr double, ptr %v469, i64 %v479
-  store double %v478, ptr %v480, align 8, !noalias !0
-  %v481 = icmp eq i64 %v476, %v10
-  br i1 %v481, label %v411, label %v474
+v397:
+  %v398 = load i64, ptr %v385, align 8, !noalias !0
+  %v399 = icmp slt i64 %v398, 0
+  %v400 = select i1 %v399, i64 %v77, i64 0
+  %v401 = add i64 %v400, %v398
+  %v402 = mul i64 %v401, %v78
+  %v403 = getelementptr double, ptr %v76, i64 %v402
+  br label %v404
 
-v364:
-  %v482 = load i64, ptr %v483, align 8
-  %v484 = icmp sgt i64 %v482, -1
-  %v485 = zext i1 %v484 to i64
-  %v486 = add nsw i64 %v487, %v485
-  %v488 = icmp sgt i64 %v489, 1
-  br i1 %v488, label %v357, label %v309
+v404:
+  %v405 = phi i64 [ 0, %v397 ], [ %v406, %v404 ]
+  %v406 = add nsw i64 %v405, 1
+  %v407 = getelementptr double, ptr %v403, i64 %v405
+  %v408 = load double, ptr %v407, align 8, !noalias !3
+  %v409 = getelementptr i64, ptr %v62, i64 %v405
+  %v410 = load i64, ptr %v409, align 8, !noalias !3
+  %v411 = mul nsw i64 %v410, %v9
+  %v412 = add nsw i64 %v411, %v367
+  %v413 = icmp slt i64 %v412, 0
+  %v414 = select i1 %v413, i64 %v166, i64 0
+  %v415 = getelementptr double, ptr %v165, i64 %v412
+  %v416 = getelementptr double, ptr %v415, i64 %v414
+  store double %v408, ptr %v416, align 8, !noalias !3
+  %v417 = icmp eq i64 %v406, %v63
+  br i1 %v417, label %v396, label %v404
+
+v418:
+  %v419 = getelementptr double, ptr %v133, i64 %v367
+  %v420 = getelementptr double, ptr %v324, i64 %v367
+  %v421 = load double, ptr %v420, align 8, !noalias !7
+  %v422 = getelementptr double, ptr %v326, i64 %v367
+  %v423 = load double, ptr %v422, align 8, !noalias !7
+  %v424 = getelementptr double, ptr %v328, i64 %v367
+  %v425 = load double, ptr %v424, align 8, !noalias !7
+  %v426 = getelementptr double, ptr %v330, i64 %v367
+  %v427 = load double, ptr %v426, align 8, !noalias !7
+  store double 0.000000e+00, ptr %v419, align 8, !noalias !7
+  %v428 = getelementptr double, ptr %v419, i64 %v135
+  store double 0.000000e+00, ptr %v428, align 8, !noalias !7
+  %v429 = getelementptr i8, ptr %v419, i64 %v331
+  store double 0.000000e+00, ptr %v429, align 8, !noalias !7
+  %v430 = getelementptr i8, ptr %v419, i64 %v311
+  store double 0.000000e+00, ptr %v430, align 8, !noalias !7
+  %v431 = getelementptr i8, ptr %v419, i64 %v332
+  store double 0.000000e+00, ptr %v431, align 8, !noalias !7
+  %v432 = getelementptr i8, ptr %v419, i64 %v333
+  store double 0.000000e+00, ptr %v432, align 8, !noalias !7
+  %v433 = getelementptr i8, ptr %v419, i64 %v334
+  store double 0.000000e+00, ptr %v433, align 8, !noalias !7
+  %v434 = getelementptr i8, ptr %v419, i64 %v335
+  store double 0.000000e+00, ptr %v434, align 8, !noalias !7
+  %v435 = getelementptr i8, ptr %v419, i64 %v336
+  store double 0.000000e+00, ptr %v435, align 8, !noalias !7
+  %v436 = getelementptr i8, ptr %v419, i64 %v337
+  store double 0.000000e+00, ptr %v436, align 8, !noalias !7
+  %v437 = getelementptr i8, ptr %v419, i64 %v338
+  store double 0.000000e+00, ptr %v437, align 8, !noalias !7
+  %v438 = getelementptr i8, ptr %v419, i64 %v339
+  store double 0.000000e+00, ptr %v438, align 8, !noalias !7
+  %v439 = getelementptr i8, ptr %v419, i64 %v340
+  store double 0.000000e+00, ptr %v439, align 8, !noalias !7
+  %v440 = getelementptr i8, ptr %v419, i64 %v341
+  store double 0.000000e+00, ptr %v440, align 8, !noalias !7
+  %v441 = getelementptr i8, ptr %v419, i64 %v342
+  store double 0.000000e+00, ptr %v441, align 8, !noalias !7
+  %v442 = getelementptr i8, ptr %v419, i64 %v343
+  store double 0.000000e+00, ptr %v442, align 8, !noalias !7
+  %v443 = getelementptr i8, ptr %v419, i64 %v344
+  store double 0.000000e+00, ptr %v443, align 8, !noalias !7
+  %v444 = getelementptr i8, ptr %v419, i64 %v345
+  store double 0.000000e+00, ptr %v444, align 8, !noalias !7
+  %v445 = getelementptr i8, ptr %v419, i64 %v325
+  store double 0.000000e+00, ptr %v445, align 8, !noalias !7
+  %v446 = getelementptr i8, ptr %v419, i64 %v346
+  store double 0.000000e+00, ptr %v446, align 8, !noalias !7
+  %v447 = getelementptr i8, ptr %v419, i64 %v347
+  store double 0.000000e+00, ptr %v447, align 8, !noalias !7
+  %v448 = getelementptr i8, ptr %v419, i64 %v348
+  store double 0.000000e+00, ptr %v448, align 8, !noalias !7
+  %v449 = getelementptr i8, ptr %v419, i64 %v349
+  store double 0.000000e+00, ptr %v449, align 8, !noalias !7
+  %v450 = getelementptr i8, ptr %v419, i64 %v350
+  store double 0.000000e+00, ptr %v450, align 8, !noalias !7
+  %v451 = getelementptr i8, ptr %v419, i64 %v351
+  store double 0.000000e+00, ptr %v451, align 8, !noalias !7
+  %v452 = getelementptr i8, ptr %v419, i64 %v352
+  store double 0.000000e+00, ptr %v452, align 8, !noalias !7
+  %v453 = getelementptr i8, ptr %v419, i64 %v353
+  store double 0.000000e+00, ptr %v453, align 8, !noalias !7
+  %v454 = getelementptr i8, ptr %v419, i64 %v354
+  store double 0.000000e+00, ptr %v454, align 8, !noalias !7
+  %v455 = getelementptr i8, ptr %v419, i64 %v355
+  store double 0.000000e+00, ptr %v455, align 8, !noalias !7
+  %v456 = getelementptr i8, ptr %v419, i64 %v329
+  store double 0.000000e+00, ptr %v456, align 8, !noalias !7
+  %v457 = getelementptr i8, ptr %v419, i64 %v327
+  store double 0.000000e+00, ptr %v457, align 8, !noalias !7
+  %v458 = getelementptr i8, ptr %v419, i64 %v323
+  store double 0.000000e+00, ptr %v458, align 8, !noalias !7
+  %v459 = getelementptr i8, ptr %v419, i64 %v356
+  store double 0.000000e+00, ptr %v459, align 8, !noalias !7
+  %v460 = getelementptr i8, ptr %v419, i64 %v357
+  store double 0.000000e+00, ptr %v460, align 8, !noalias !7
+  %v461 = getelementptr i8, ptr %v419, i64 %v358
+  store double 0.000000e+00, ptr %v461, align 8, !noalias !7
+  %v462 = getelementptr i8, ptr %v419, i64 %v359
+  store double 0.000000e+00, ptr %v462, align 8, !noalias !7
+  %v463 = fcmp ueq double %v421, 0x7FF0000000000000
+  %v464 = fcmp oeq double %v427, 0xFFF0000000000000
+  %v465 = select i1 %v464, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v465, ptr %v426, align 8, !noalias !7
+  store double %v425, ptr %v424, align 8, !noalias !7
+  store double %v423, ptr %v422, align 8, !noalias !7
+  %v466 = select i1 %v463, double 0x7FF0000000000000, double 5.000000e+03
+  store double %v466, ptr %v420, align 8, !noalias !7
+  store double 1.000000e+00, ptr %v366, align 8, !noalias !7
+  %v467 = getelementptr double, ptr %v360, i64 %v367
+  store double 0xFFF0000000000000, ptr %v467, align 8, !noalias !7
+  %v468 = getelementptr double, ptr %v361, i64 %v367
+  store double 0x7FF0000000000000, ptr %v468, align 8, !noalias !7
+  %v469 = load double, ptr %v92, align 8, !noalias !0
+  store double %v469, ptr %v419, align 8, !noalias !0
+  %v470 = load double, ptr %v92, align 8, !noalias !0
+  %v471 = getelementptr double, ptr %v362, i64 %v367
+  store double %v470, ptr %v471, align 8, !noalias !0
+  %v472 = load i64, ptr %v385, align 8, !noalias !0
+  %v473 = icmp slt i64 %v472, 0
+  %v474 = select i1 %v473, i64 %v70, i64 0
+  %v475 = getelementptr double, ptr %v69, i64 %v472
+  %v476 = getelementptr double, ptr %v475, i64 %v474
+  %v477 = load double, ptr %v476, align 8, !noalias !0
+  %v478 = getelementptr double, ptr %v363, i64 %v367
+  store double %v477, ptr %v478, align 8, !noalias !0
+  br label %v371
+
+v395:
+  %v479 = phi i64 [ 0, %v389 ], [ %v480, %v395 ]
+  %v480 = add nsw i64 %v479, 1
+  %v481 = getelementptr double, ptr %v393, i64 %v479
+  %v482 = load double, ptr %v481, align 8, !noalias !0
+  %v483 = mul nsw i64 %v479, %v9
+  %v484 = getelementptr double, ptr %v394, i64 %v483
+  store double %v482, ptr %v484, align 8, !noalias !0
+  %v485 = icmp eq i64 %v480, %v41
+  br i1 %v485, label %v388, label %v395
+
+v396:
+  br i1 %v322, label %v418, label %v486
+
+v486:
+  %v487 = getelementptr double, ptr %v193, i64 %v367
+  %v488 = select i1 %v375, i64 %v31, i64 0
+  %v489 = add i64 %v488, %v368
+  %v490 = mul i64 %v489, %v32
+  %v491 = getelementptr double, ptr %v30, i64 %v490
+  br label %v492
+
+v492:
+  %v493 = phi i64 [ 0, %v486 ], [ %v494, %v492 ]
+  %v494 = add nsw i64 %v493, 1
+  %v495 = getelementptr double, ptr %v491, i64 %v493
+  %v496 = load double, ptr %v495, align 8, !noalias !0
+  %v497 = mul i64 %v493, %v196
+  %v498 = getelementptr double, ptr %v487, i64 %v497
+  store double %v496, ptr %v498, align 8, !noalias !0
+  %v499 = icmp eq i64 %v494, %v10
+  br i1 %v499, label %v418, label %v492
+
+v371:
+  %v500 = load i64, ptr %v501, align 8
+  %v502 = icmp sgt i64 %v500, -1
+  %v503 = zext i1 %v502 to i64
+  %v504 = add nsw i64 %v505, %v503
+  %v506 = icmp sgt i64 %v507, 1
+  br i1 %v506, label %v364, label %v309
 
 v309:
-  %v490 = phi i64 [ 0, %v299 ], [ %v486, %v364 ]
-  %v491 = icmp ne i64 %v490, 0
-  %v492 = icmp sgt i64 %v297, 0
-  %v493 = select i1 %v491, i1 %v492, i1 false
-  br i1 %v493, label %v494, label %v495
+  %v508 = phi i64 [ 0, %v299 ], [ %v504, %v371 ]
+  %v509 = icmp ne i64 %v508, 0
+  %v510 = icmp sgt i64 %v297, 0
+  %v511 = select i1 %v509, i1 %v510, i1 false
+  br i1 %v511, label %v512, label %v513
 
-v494:
-  %v496 = getelementptr i8, ptr %v151, i64 16
-  %v497 = mul i64 %v10, %v9
-  %v498 = mul i64 %v196, %v195
-  %v499 = shl i64 %v196, 7
-  %v500 = mul i64 %v207, %v206
-  %v501 = getelementptr i8, ptr %v6, i64 8
-  %v502 = getelementptr i8, ptr %v6, i64 32
-  %v503 = mul i64 %v135, 24
-  %v504 = getelementptr i8, ptr %v133, i64 %v503
-  %v505 = icmp sgt i64 %v18, 0
-  %v506 = getelementptr i8, ptr %v6, i64 32
-  %v507 = mul i64 %v135, 24
-  %v508 = getelementptr i8, ptr %v133, i64 %v507
-  %v509 = icmp slt i64 %v18, 1
-  %v510 = icmp eq i64 %v14, 0
-  %v511 = mul nsw i64 %v10, %v9
-  %v512 = shl i64 %v511, 4
-  %v513 = getelementptr i8, ptr %v158, i64 %v512
-  %v514 = getelementptr i8, ptr %v6, i64 56
-  %v515 = getelementptr i8, ptr %v6, i64 64
-  %v516 = shl i64 %v135, 6
-  %v517 = getelementptr i8, ptr %v133, i64 %v516
-  %v518 = mul i64 %v511, 136
-  %v519 = getelementptr i8, ptr %v158, i64 %v518
-  %v520 = mul i64 %v511, 24
-  %v521 = getelementptr i8, ptr %v158, i64 %v520
-  %v522 = getelementptr i8, ptr %v6, i64 72
-  %v523 = mul i64 %v497, 112
-  %v524 = mul i64 %v135, 24
-  %v525 = getelementptr i8, ptr %v133, i64 %v524
-  %v526 = shl i64 %v135, 5
-  %v527 = getelementptr i8, ptr %v133, i64 %v526
-  %v528 = mul i64 %v135, 144
-  %v529 = getelementptr i8, ptr %v133, i64 %v528
-  %v530 = icmp slt i64 %v14, 1
-  %v531 = select i1 %v530, i64 2, i64 0
-  %v532 = zext i1 %v530 to i64
-  %v533 = mul i64 %v135, 88
-  %v534 = getelementptr i8, ptr %v133, i64 %v533
-  %v535 = getelementptr double, ptr %v92, i64 %v93
-  %v536 = getelementptr i8, ptr %v535, i64 -8
-  %v537 = shl i64 %v135, 6
-  %v538 = getelementptr i8, ptr %v133, i64 %v537
-  %v539 = getelementptr i8, ptr %v158, i64 %v523
-  %v540 = icmp slt i64 %v10, 1
-  %v541 = mul i64 %v196, %v195
-  %v542 = mul i64 %v541, 112
-  %v543 = getelementptr i8, ptr %v193, i64 %v542
-  %v544 = shl i64 %v541, 7
-  %v545 = getelementptr i8, ptr %v193, i64 %v544
-  %v546 = getelementptr i8, ptr %v6, i64 32
-  %v547 = mul i64 %v207, 216
-  %v548 = getelementptr i8, ptr %v186, i64 %v547
-  %v549 = shl i64 %v10, 7
-  %v550 = getelementptr i8, ptr %v158, i64 %v549
-  %v551 = mul i64 %v207, 240
-  %v552 = getelementptr i8, ptr %v186, i64 %v551
-  %v553 = sub i64 %v207, %v18
-  %v554 = tail call i64 @llvm.smax.i64(i64 %v553, i64 0)
-  %v555 = getelementptr double, ptr %v204, i64 %v207
-  %v556 = mul i64 %v207, %v206
-  %v557 = mul i64 %v556, 80
-  %v558 = getelementptr i8, ptr %v555, i64 %v557
-  %v559 = mul i64 %v556, 72
-  %v560 = getelementptr i8, ptr %v204, i64 %v559
-  %v561 = getelementptr double, ptr %v560, i64 %v207
-  %v562 = shl i64 %v207, 4
-  %v563 = getelementptr i8, ptr %v560, i64 %v562
-  %v564 = shl i64 %v144, 5
-  %v565 = getelementptr i8, ptr %v142, i64 %v564
-  %v566 = shl i64 %v135, 4
-  %v567 = getelementptr i8, ptr %v133, i64 %v566
-  %v568 = mul i64 %v135, 112
-  %v569 = getelementptr i8, ptr %v133, i64 %v568
-  %v570 = shl i64 %v135, 4
-  %v571 = getelementptr i8, ptr %v133, i64 %v570
-  %v572 = mul i64 %v135, 168
-  %v573 = getelementptr i8, ptr %v133, i64 %v572
-  %v574 = shl i64 %v144, 4
-  %v575 = getelementptr i8, ptr %v142, i64 %v574
-  %v576 = getelementptr i8, ptr %v6, i64 40
-  %v577 = icmp sgt i64 %v14, 0
-  %v578 = mul nsw i64 %v10, %v9
-  %v579 = getelementptr double, ptr %v158, i64 %v578
-  %v580 = icmp sgt i64 %v13, 0
-  %v581 = shl i64 %v135, 5
-  %v582 = getelementptr i8, ptr %v133, i64 %v581
-  %v583 = icmp slt i64 %v10, 1
-  %v584 = mul i64 %v196, %v195
-  %v585 = mul i64 %v584, 136
-  %v586 = getelementptr i8, ptr %v193, i64 %v585
-  %v587 = mul i64 %v584, 88
-  %v588 = getelementptr i8, ptr %v193, i64 %v587
-  %v589 = mul nsw i64 %v10, 19
-  %v590 = add nsw i64 %v589, 1
-  %v591 = mul nsw i64 %v10, 18
-  %v592 = icmp slt i64 %v10, 0
-  %v593 = select i1 %v592, i64 %v159, i64 0
-  %v594 = add i64 %v593, %v591
-  %v595 = icmp slt i64 %v594, 0
-  %v596 = icmp slt i64 %v594, %v159
-  %v597 = add i64 %v590, %v593
-  %v598 = icmp slt i64 %v597, 0
-  %v599 = icmp slt i64 %v597, %v159
-  %v600 = icmp sgt i64 %v274, 1
-  %v601 = mul i64 %v196, %v195
-  %v602 = getelementptr i8, ptr %v23, i64 8
-  %v603 = select i1 %v592, i64 %v267, i64 0
-  %v604 = getelementptr i64, ptr %v266, i64 %v10
-  %v605 = getelementptr i64, ptr %v604, i64 %v603
-  %v606 = mul i64 %v135, 48
-  %v607 = getelementptr i8, ptr %v133, i64 %v606
-  %v608 = mul i64 %v601, 136
-  %v609 = shl i64 %v135, 6
-  %v610 = getelementptr i8, ptr %v133, i64 %v609
-  %v611 = mul nsw i64 %v10, %v9
-  %v612 = mul i64 %v611, 136
-  %v613 = getelementptr i8, ptr %v158, i64 %v612
-  %v614 = getelementptr i8, ptr %v193, i64 %v608
-  %v615 = mul i64 %v601, 96
-  %v616 = getelementptr i8, ptr %v193, i64 %v615
-  %v617 = mul i64 %v601, 104
-  %v618 = getelementptr i8, ptr %v193, i64 %v617
-  %v619 = getelementptr double, ptr %v193, i64 %v601
-  %v620 = mul i64 %v601, 88
-  %v621 = getelementptr i8, ptr %v193, i64 %v620
-  %v622 = mul i64 %v611, 96
-  %v623 = getelementptr i8, ptr %v158, i64 %v622
-  %v624 = mul i64 %v611, 96
-  %v625 = getelementptr i8, ptr %v158, i64 %v624
-  %v626 = mul i64 %v611, 104
-  %v627 = getelementptr i8, ptr %v158, i64 %v626
-  %v628 = add nsw i64 %v274, -2
-  %v629 = icmp sgt i64 %v10, 0
-  %v630 = add i64 %v254, %v253
-  %v631 = add i64 %v253, 1
-  %v632 = add i64 %v10, 1
-  %v633 = mul i64 %v135, 160
-  %v634 = getelementptr i8, ptr %v133, i64 %v633
-  %v635 = add i64 %v254, 1
-  %v636 = add i64 %v11, -1
-  %v637 = tail call i64 @llvm.smax.i64(i64 %v636, i64 0)
-  %v638 = mul i64 %v498, 136
-  %v639 = icmp slt i64 %v636, 1
-  %v640 = shl i64 %v135, 6
-  %v641 = getelementptr i8, ptr %v133, i64 %v640
-  %v642 = mul nsw i64 %v10, %v9
-  %v643 = mul i64 %v642, 136
-  %v644 = getelementptr i8, ptr %v158, i64 %v643
-  %v645 = icmp slt i64 %v10, 1
-  %v646 = mul i64 %v196, %v195
-  %v647 = mul i64 %v646, 80
-  %v648 = getelementptr i8, ptr %v193, i64 %v647
-  %v649 = mul i64 %v646, 136
-  %v650 = getelementptr i8, ptr %v193, i64 %v649
-  %v651 = mul nsw i64 %v10, 17
-  %v652 = getelementptr double, ptr %v158, i64 %v651
-  %v653 = add i64 %v253, 1
-  %v654 = add i64 %v253, 1
-  %v655 = getelementptr double, ptr %v158, i64 %v651
-  %v656 = add i64 %v254, %v253
-  %v657 = getelementptr i8, ptr %v193, i64 %v638
-  %v658 = mul i64 %v196, %v195
-  %v659 = getelementptr i8, ptr %v6, i64 48
-  %v660 = or i1 %v580, %v306
-  %v661 = mul i64 %v135, 40
-  %v662 = getelementptr i8, ptr %v133, i64 %v661
-  %v663 = mul i64 %v135, 184
-  %v664 = getelementptr i8, ptr %v133, i64 %v663
-  %v665 = mul i64 %v135, 192
-  %v666 = getelementptr i8, ptr %v133, i64 %v665
-  %v667 = mul i64 %v135, 200
-  %v668 = getelementptr i8, ptr %v133, i64 %v667
-  %v669 = mul i64 %v135, 176
-  %v670 = getelementptr i8, ptr %v133, i64 %v669
-  %v671 = shl i64 %v144, 4
-  %v672 = getelementptr i8, ptr %v142, i64 %v671
-  %v673 = mul i64 %v135, 208
-  %v674 = getelementptr i8, ptr %v133, i64 %v673
-  %v675 = mul i64 %v135, 72
-  %v676 = getelementptr i8, ptr %v133, i64 %v675
-  %v677 = mul i64 %v135, 40
-  %v678 = getelementptr i8, ptr %v133, i64 %v677
-  %v679 = mul i64 %v135, 56
+v512:
+  %v514 = getelementptr i8, ptr %v151, i64 16
+  %v515 = mul i64 %v10, %v9
+  %v516 = mul i64 %v196, %v195
+  %v517 = shl i64 %v196, 7
+  %v518 = mul i64 %v207, %v206
+  %v519 = getelementptr i8, ptr %v6, i64 8
+  %v520 = getelementptr i8, ptr %v6, i64 32
+  %v521 = mul i64 %v135, 24
+  %v522 = getelementptr i8, ptr %v133, i64 %v521
+  %v523 = icmp sgt i64 %v18, 0
+  %v524 = getelementptr i8, ptr %v6, i64 32
+  %v525 = mul i64 %v135, 24
+  %v526 = getelementptr i8, ptr %v133, i64 %v525
+  %v527 = icmp slt i64 %v18, 1
+  %v528 = icmp eq i64 %v14, 0
+  %v529 = mul nsw i64 %v10, %v9
+  %v530 = shl i64 %v529, 4
+  %v531 = getelementptr i8, ptr %v158, i64 %v530
+  %v532 = getelementptr i8, ptr %v6, i64 56
+  %v533 = getelementptr i8, ptr %v6, i64 64
+  %v534 = shl i64 %v135, 6
+  %v535 = getelementptr i8, ptr %v133, i64 %v534
+  %v536 = mul i64 %v529, 136
+  %v537 = getelementptr i8, ptr %v158, i64 %v536
+  %v538 = mul i64 %v529, 24
+  %v539 = getelementptr i8, ptr %v158, i64 %v538
+  %v540 = getelementptr i8, ptr %v6, i64 72
+  %v541 = mul i64 %v515, 112
+  %v542 = mul i64 %v135, 24
+  %v543 = getelementptr i8, ptr %v133, i64 %v542
+  %v544 = shl i64 %v135, 5
+  %v545 = getelementptr i8, ptr %v133, i64 %v544
+  %v546 = mul i64 %v135, 144
+  %v547 = getelementptr i8, ptr %v133, i64 %v546
+  %v548 = icmp slt i64 %v14, 1
+  %v549 = select i1 %v548, i64 2, i64 0
+  %v550 = zext i1 %v548 to i64
+  %v551 = mul i64 %v135, 88
+  %v552 = getelementptr i8, ptr %v133, i64 %v551
+  %v553 = getelementptr double, ptr %v92, i64 %v93
+  %v554 = getelementptr i8, ptr %v553, i64 -8
+  %v555 = shl i64 %v135, 6
+  %v556 = getelementptr i8, ptr %v133, i64 %v555
+  %v557 = getelementptr i8, ptr %v158, i64 %v541
+  %v558 = icmp slt i64 %v10, 1
+  %v559 = mul i64 %v196, %v195
+  %v560 = mul i64 %v559, 112
+  %v561 = getelementptr i8, ptr %v193, i64 %v560
+  %v562 = shl i64 %v559, 7
+  %v563 = getelementptr i8, ptr %v193, i64 %v562
+  %v564 = getelementptr i8, ptr %v6, i64 32
+  %v565 = mul i64 %v207, 216
+  %v566 = getelementptr i8, ptr %v186, i64 %v565
+  %v567 = shl i64 %v10, 7
+  %v568 = getelementptr i8, ptr %v158, i64 %v567
+  %v569 = mul i64 %v207, 240
+  %v570 = getelementptr i8, ptr %v186, i64 %v569
+  %v571 = sub i64 %v207, %v18
+  %v572 = tail call i64 @llvm.smax.i64(i64 %v571, i64 0)
+  %v573 = getelementptr double, ptr %v204, i64 %v207
+  %v574 = mul i64 %v207, %v206
+  %v575 = mul i64 %v574, 80
+  %v576 = getelementptr i8, ptr %v573, i64 %v575
+  %v577 = mul i64 %v574, 72
+  %v578 = getelementptr i8, ptr %v204, i64 %v577
+  %v579 = getelementptr double, ptr %v578, i64 %v207
+  %v580 = shl i64 %v207, 4
+  %v581 = getelementptr i8, ptr %v578, i64 %v580
+  %v582 = shl i64 %v144, 5
+  %v583 = getelementptr i8, ptr %v142, i64 %v582
+  %v584 = shl i64 %v135, 4
+  %v585 = getelementptr i8, ptr %v133, i64 %v584
+  %v586 = mul i64 %v135, 112
+  %v587 = getelementptr i8, ptr %v133, i64 %v586
+  %v588 = shl i64 %v135, 4
+  %v589 = getelementptr i8, ptr %v133, i64 %v588
+  %v590 = mul i64 %v135, 168
+  %v591 = getelementptr i8, ptr %v133, i64 %v590
+  %v592 = shl i64 %v144, 4
+  %v593 = getelementptr i8, ptr %v142, i64 %v592
+  %v594 = getelementptr i8, ptr %v6, i64 40
+  %v595 = icmp sgt i64 %v14, 0
+  %v596 = mul nsw i64 %v10, %v9
+  %v597 = getelementptr double, ptr %v158, i64 %v596
+  %v598 = icmp sgt i64 %v13, 0
+  %v599 = shl i64 %v135, 5
+  %v600 = getelementptr i8, ptr %v133, i64 %v599
+  %v601 = icmp slt i64 %v10, 1
+  %v602 = mul i64 %v196, %v195
+  %v603 = mul i64 %v602, 136
+  %v604 = getelementptr i8, ptr %v193, i64 %v603
+  %v605 = mul i64 %v602, 88
+  %v606 = getelementptr i8, ptr %v193, i64 %v605
+  %v607 = mul nsw i64 %v10, 19
+  %v608 = add nsw i64 %v607, 1
+  %v609 = mul nsw i64 %v10, 18
+  %v610 = icmp slt i64 %v10, 0
+  %v611 = select i1 %v610, i64 %v159, i64 0
+  %v612 = add i64 %v611, %v609
+  %v613 = icmp slt i64 %v612, 0
+  %v614 = icmp slt i64 %v612, %v159
+  %v615 = add i64 %v608, %v611
+  %v616 = icmp slt i64 %v615, 0
+  %v617 = icmp slt i64 %v615, %v159
+  %v618 = icmp sgt i64 %v274, 1
+  %v619 = mul i64 %v196, %v195
+  %v620 = getelementptr i8, ptr %v23, i64 8
+  %v621 = select i1 %v610, i64 %v267, i64 0
+  %v622 = getelementptr i64, ptr %v266, i64 %v10
+  %v623 = getelementptr i64, ptr %v622, i64 %v621
+  %v624 = mul i64 %v135, 48
+  %v625 = getelementptr i8, ptr %v133, i64 %v624
+  %v626 = mul i64 %v619, 136
+  %v627 = shl i64 %v135, 6
+  %v628 = getelementptr i8, ptr %v133, i64 %v627
+  %v629 = mul nsw i64 %v10, %v9
+  %v630 = mul i64 %v629, 136
+  %v631 = getelementptr i8, ptr %v158, i64 %v630
+  %v632 = getelementptr i8, ptr %v193, i64 %v626
+  %v633 = mul i64 %v619, 96
+  %v634 = getelementptr i8, ptr %v193, i64 %v633
+  %v635 = mul i64 %v619, 104
+  %v636 = getelementptr i8, ptr %v193, i64 %v635
+  %v637 = getelementptr double, ptr %v193, i64 %v619
+  %v638 = mul i64 %v619, 88
+  %v639 = getelementptr i8, ptr %v193, i64 %v638
+  %v640 = mul i64 %v629, 96
+  %v641 = getelementptr i8, ptr %v158, i64 %v640
+  %v642 = mul i64 %v629, 96
+  %v643 = getelementptr i8, ptr %v158, i64 %v642
+  %v644 = mul i64 %v629, 104
+  %v645 = getelementptr i8, ptr %v158, i64 %v644
+  %v646 = add nsw i64 %v274, -2
+  %v647 = icmp sgt i64 %v10, 0
+  %v648 = add i64 %v254, %v253
+  %v649 = add i64 %v253, 1
+  %v650 = add i64 %v10, 1
+  %v651 = mul i64 %v135, 160
+  %v652 = getelementptr i8, ptr %v133, i64 %v651
+  %v653 = add i64 %v254, 1
+  %v654 = add i64 %v11, -1
+  %v655 = tail call i64 @llvm.smax.i64(i64 %v654, i64 0)
+  %v656 = mul i64 %v516, 136
+  %v657 = icmp slt i64 %v654, 1
+  %v658 = shl i64 %v135, 6
+  %v659 = getelementptr i8, ptr %v133, i64 %v658
+  %v660 = mul nsw i64 %v10, %v9
+  %v661 = mul i64 %v660, 136
+  %v662 = getelementptr i8, ptr %v158, i64 %v661
+  %v663 = icmp slt i64 %v10, 1
+  %v664 = mul i64 %v196, %v195
+  %v665 = mul i64 %v664, 80
+  %v666 = getelementptr i8, ptr %v193, i64 %v665
+  %v667 = mul i64 %v664, 136
+  %v668 = getelementptr i8, ptr %v193, i64 %v667
+  %v669 = mul nsw i64 %v10, 17
+  %v670 = getelementptr double, ptr %v158, i64 %v669
+  %v671 = add i64 %v253, 1
+  %v672 = add i64 %v253, 1
+  %v673 = getelementptr double, ptr %v158, i64 %v669
+  %v674 = add i64 %v254, %v253
+  %v675 = getelementptr i8, ptr %v193, i64 %v656
+  %v676 = mul i64 %v196, %v195
+  %v677 = getelementptr i8, ptr %v6, i64 48
+  %v678 = or i1 %v598, %v306
+  %v679 = mul i64 %v135, 40
   %v680 = getelementptr i8, ptr %v133, i64 %v679
-  %v681 = mul i64 %v135, 232
+  %v681 = mul i64 %v135, 184
   %v682 = getelementptr i8, ptr %v133, i64 %v681
-  %v683 = icmp eq i64 %v14, 0
-  %v684 = icmp ne i64 %v13, 0
-  %v685 = xor i1 %v683, true
-  %v686 = select i1 %v685, i1 true, i1 %v684
-  %v687 = shl i64 %v135, 6
+  %v683 = mul i64 %v135, 192
+  %v684 = getelementptr i8, ptr %v133, i64 %v683
+  %v685 = mul i64 %v135, 200
+  %v686 = getelementptr i8, ptr %v133, i64 %v685
+  %v687 = mul i64 %v135, 176
   %v688 = getelementptr i8, ptr %v133, i64 %v687
-  %v689 = mul nsw i64 %v10, %v9
-  %v690 = mul i64 %v689, 136
-  %v691 = getelementptr i8, ptr %v158, i64 %v690
-  %v692 = mul i64 %v689, 104
-  %v693 = getelementptr i8, ptr %v158, i64 %v692
-  %v694 = getelementptr i8, ptr %v6, i64 104
-  %v695 = getelementptr i8, ptr %v6, i64 96
-  %v696 = mul i64 %v196, %v195
-  %v697 = mul i64 %v135, 48
+  %v689 = shl i64 %v144, 4
+  %v690 = getelementptr i8, ptr %v142, i64 %v689
+  %v691 = mul i64 %v135, 208
+  %v692 = getelementptr i8, ptr %v133, i64 %v691
+  %v693 = mul i64 %v135, 72
+  %v694 = getelementptr i8, ptr %v133, i64 %v693
+  %v695 = mul i64 %v135, 40
+  %v696 = getelementptr i8, ptr %v133, i64 %v695
+  %v697 = mul i64 %v135, 56
   %v698 = getelementptr i8, ptr %v133, i64 %v697
-  %v699 = shl i64 %v135, 6
+  %v699 = mul i64 %v135, 232
   %v700 = getelementptr i8, ptr %v133, i64 %v699
-  %v701 = shl i64 %v696, 7
-  %v702 = icmp slt i64 %v10, 1
-  %v703 = getelementptr i8, ptr %v193, i64 %v701
-  %v704 = mul i64 %v207, 3
-  %v705 = getelementptr i8, ptr %v6, i64 32
-  %v706 = mul i64 %v696, 192
-  %v707 = mul i64 %v696, 184
-  %v708 = mul i64 %v696, 176
-  %v709 = mul i64 %v696, 168
-  %v710 = mul i64 %v696, 160
-  %v711 = mul i64 %v696, 152
-  %v712 = mul i64 %v696, 144
-  %v713 = mul i64 %v135, 56
-  %v714 = getelementptr i8, ptr %v133, i64 %v713
-  %v715 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
-  %v716 = mul i64 %v207, %v206
-  %v717 = getelementptr double, ptr %v204, i64 %v207
-  %v718 = mul i64 %v207, %v206
-  %v719 = getelementptr double, ptr %v204, i64 %v207
-  %v720 = getelementptr double, ptr %v204, i64 %v207
-  %v721 = shl i64 %v207, 4
-  %v722 = getelementptr i8, ptr %v204, i64 %v721
-  %v723 = icmp sgt i64 %v12, 0
-  %v724 = add nsw i64 %v11, 13
-  %v725 = shl i64 %v135, 6
-  %v726 = getelementptr i8, ptr %v133, i64 %v725
-  %v727 = mul nsw i64 %v10, %v9
-  %v728 = mul i64 %v727, 136
-  %v729 = getelementptr i8, ptr %v158, i64 %v728
-  %v730 = icmp slt i64 %v11, -13
-  %v731 = select i1 %v730, i64 %v7, i64 0
-  %v732 = getelementptr i64, ptr %v6, i64 %v11
-  %v733 = getelementptr i8, ptr %v732, i64 104
-  %v734 = getelementptr i64, ptr %v733, i64 %v731
-  %v735 = getelementptr i8, ptr %v6, i64 88
-  %v736 = shl i64 %v144, 4
-  %v737 = getelementptr i8, ptr %v142, i64 %v736
-  %v738 = mul i64 %v135, 40
-  %v739 = getelementptr i8, ptr %v133, i64 %v738
-  %v740 = mul i64 %v135, 56
-  %v741 = getelementptr i8, ptr %v133, i64 %v740
-  %v742 = mul i64 %v135, 216
-  %v743 = getelementptr i8, ptr %v133, i64 %v742
-  %v744 = mul i64 %v135, 48
-  %v745 = getelementptr i8, ptr %v133, i64 %v744
-  %v746 = shl i64 %v135, 5
-  %v747 = getelementptr i8, ptr %v133, i64 %v746
-  %v748 = getelementptr double, ptr %v133, i64 %v135
-  %v749 = mul i64 %v135, 224
-  %v750 = getelementptr i8, ptr %v133, i64 %v749
-  %v751 = mul i64 %v196, %v195
-  %v752 = mul i64 %v135, 48
-  %v753 = getelementptr i8, ptr %v133, i64 %v752
-  %v754 = shl i64 %v135, 6
-  %v755 = getelementptr i8, ptr %v133, i64 %v754
-  %v756 = shl i64 %v751, 7
-  %v757 = icmp slt i64 %v10, 1
-  %v758 = getelementptr i8, ptr %v193, i64 %v756
-  %v759 = mul i64 %v207, 3
-  %v760 = getelementptr i8, ptr %v6, i64 32
-  %v761 = mul i64 %v751, 192
-  %v762 = mul i64 %v751, 184
-  %v763 = mul i64 %v751, 176
-  %v764 = mul i64 %v751, 168
-  %v765 = mul i64 %v751, 160
-  %v766 = mul i64 %v751, 152
-  %v767 = mul i64 %v751, 144
-  %v768 = getelementptr double, ptr %v92, i64 %v93
-  %v769 = getelementptr i8, ptr %v768, i64 -8
-  %v770 = icmp slt i64 %v15, 1
-  %v771 = mul i64 %v207, %v206
-  %v772 = shl i64 %v207, 4
-  %v773 = getelementptr double, ptr %v204, i64 %v207
-  %v774 = getelementptr i8, ptr %v204, i64 %v772
-  %v775 = shl i64 %v771, 4
-  %v776 = mul i64 %v771, 24
-  %v777 = shl i64 %v771, 5
-  %v778 = mul i64 %v771, 40
-  %v779 = mul i64 %v771, 48
-  %v780 = mul i64 %v771, 56
-  %v781 = shl i64 %v771, 6
-  %v782 = mul i64 %v135, 104
-  %v783 = getelementptr i8, ptr %v133, i64 %v782
-  %v784 = getelementptr double, ptr %v92, i64 %v93
-  %v785 = getelementptr i8, ptr %v784, i64 -8
-  %v786 = mul i64 %v135, 56
-  %v787 = getelementptr i8, ptr %v133, i64 %v786
-  %v788 = mul i64 %v135, 120
-  %v789 = getelementptr i8, ptr %v133, i64 %v788
-  %v790 = mul i64 %v135, 112
-  %v791 = getelementptr i8, ptr %v133, i64 %v790
-  %v792 = mul i64 %v207, %v206
-  %v793 = shl i64 %v135, 7
-  %v794 = getelementptr i8, ptr %v133, i64 %v793
-  %v795 = mul i64 %v135, 136
-  %v796 = getelementptr i8, ptr %v133, i64 %v795
-  %v797 = icmp sgt i64 %v10, 0
-  %v798 = shl i64 %v10, 7
-  %v799 = getelementptr i8, ptr %v158, i64 %v798
-  %v800 = mul i64 %v207, 216
-  %v801 = getelementptr i8, ptr %v186, i64 %v800
-  %v802 = sub i64 %v207, %v18
-  %v803 = tail call i64 @llvm.smax.i64(i64 %v802, i64 0)
-  %v804 = icmp sgt i64 %v802, 0
-  %v805 = shl i64 %v792, 6
-  %v806 = getelementptr i8, ptr %v204, i64 %v805
-  %v807 = shl i64 %v207, 4
-  %v808 = getelementptr i8, ptr %v806, i64 %v807
-  %v809 = mul i64 %v792, 72
-  %v810 = getelementptr i8, ptr %v204, i64 %v809
-  %v811 = getelementptr i8, ptr %v810, i64 %v807
-  %v812 = icmp slt i64 %v207, 1
-  %v813 = getelementptr double, ptr %v810, i64 %v207
-  %v814 = mul i64 %v792, 80
-  %v815 = getelementptr i8, ptr %v204, i64 %v814
-  %v816 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v817 = mul i64 %v499, %v195
-  %v818 = getelementptr i8, ptr %v193, i64 %v817
-  %v819 = mul nsw i64 %v10, %v9
-  %v820 = shl i64 %v819, 7
-  %v821 = getelementptr i8, ptr %v158, i64 %v820
-  %v822 = mul i64 %v819, 112
-  %v823 = getelementptr i8, ptr %v158, i64 %v822
-  %v824 = getelementptr i8, ptr %v6, i64 8
-  %v825 = mul i64 %v819, 120
-  %v826 = getelementptr i8, ptr %v158, i64 %v825
-  %v827 = getelementptr i8, ptr %v23, i64 8
-  %v828 = mul i64 %v751, 120
-  %v829 = getelementptr i8, ptr %v193, i64 %v828
-  %v830 = mul i64 %v751, 112
-  %v831 = getelementptr i8, ptr %v193, i64 %v830
-  %v832 = mul i64 %v135, 40
-  %v833 = getelementptr i8, ptr %v133, i64 %v832
-  %v834 = icmp slt i64 %v18, 1
-  %v835 = mul i64 %v792, 80
-  %v836 = getelementptr i8, ptr %v204, i64 %v835
-  %v837 = mul i64 %v819, 136
-  %v838 = getelementptr i8, ptr %v158, i64 %v837
-  %v839 = mul i64 %v819, 104
-  %v840 = getelementptr i8, ptr %v158, i64 %v839
-  %v841 = mul i64 %v135, 40
-  %v842 = getelementptr i8, ptr %v133, i64 %v841
-  %v843 = select i1 %v812, i64 0, i64 %v207
-  %v844 = icmp slt i64 %v802, 1
-  %v845 = shl i64 %v144, 4
-  %v846 = getelementptr i8, ptr %v142, i64 %v845
-  %v847 = mul i64 %v135, 224
-  %v848 = getelementptr i8, ptr %v133, i64 %v847
-  %v849 = mul i64 %v102, %v101
-  %v850 = mul i64 %v751, 136
-  %v851 = getelementptr i8, ptr %v193, i64 %v850
-  %v852 = add i64 %v93, -1
-  %v853 = shl i64 %v144, 5
-  %v854 = getelementptr i8, ptr %v142, i64 %v853
-  %v855 = mul i64 %v135, 40
-  %v856 = getelementptr i8, ptr %v133, i64 %v855
-  %v857 = mul i64 %v135, 96
-  %v858 = getelementptr i8, ptr %v133, i64 %v857
-  %v859 = mul i64 %v135, 216
+  %v701 = icmp eq i64 %v14, 0
+  %v702 = icmp ne i64 %v13, 0
+  %v703 = xor i1 %v701, true
+  %v704 = select i1 %v703, i1 true, i1 %v702
+  %v705 = shl i64 %v135, 6
+  %v706 = getelementptr i8, ptr %v133, i64 %v705
+  %v707 = mul nsw i64 %v10, %v9
+  %v708 = mul i64 %v707, 136
+  %v709 = getelementptr i8, ptr %v158, i64 %v708
+  %v710 = mul i64 %v707, 104
+  %v711 = getelementptr i8, ptr %v158, i64 %v710
+  %v712 = getelementptr i8, ptr %v6, i64 104
+  %v713 = getelementptr i8, ptr %v6, i64 96
+  %v714 = mul i64 %v196, %v195
+  %v715 = mul i64 %v135, 48
+  %v716 = getelementptr i8, ptr %v133, i64 %v715
+  %v717 = shl i64 %v135, 6
+  %v718 = getelementptr i8, ptr %v133, i64 %v717
+  %v719 = shl i64 %v714, 7
+  %v720 = icmp slt i64 %v10, 1
+  %v721 = getelementptr i8, ptr %v193, i64 %v719
+  %v722 = mul i64 %v207, 3
+  %v723 = getelementptr i8, ptr %v6, i64 32
+  %v724 = mul i64 %v714, 192
+  %v725 = mul i64 %v714, 184
+  %v726 = mul i64 %v714, 176
+  %v727 = mul i64 %v714, 168
+  %v728 = mul i64 %v714, 160
+  %v729 = mul i64 %v714, 152
+  %v730 = mul i64 %v714, 144
+  %v731 = mul i64 %v135, 56
+  %v732 = getelementptr i8, ptr %v133, i64 %v731
+  %v733 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
+  %v734 = mul i64 %v207, %v206
+  %v735 = getelementptr double, ptr %v204, i64 %v207
+  %v736 = mul i64 %v207, %v206
+  %v737 = getelementptr double, ptr %v204, i64 %v207
+  %v738 = getelementptr double, ptr %v204, i64 %v207
+  %v739 = shl i64 %v207, 4
+  %v740 = getelementptr i8, ptr %v204, i64 %v739
+  %v741 = icmp sgt i64 %v12, 0
+  %v742 = add nsw i64 %v11, 13
+  %v743 = shl i64 %v135, 6
+  %v744 = getelementptr i8, ptr %v133, i64 %v743
+  %v745 = mul nsw i64 %v10, %v9
+  %v746 = mul i64 %v745, 136
+  %v747 = getelementptr i8, ptr %v158, i64 %v746
+  %v748 = icmp slt i64 %v11, -13
+  %v749 = select i1 %v748, i64 %v7, i64 0
+  %v750 = getelementptr i64, ptr %v6, i64 %v11
+  %v751 = getelementptr i8, ptr %v750, i64 104
+  %v752 = getelementptr i64, ptr %v751, i64 %v749
+  %v753 = getelementptr i8, ptr %v6, i64 88
+  %v754 = shl i64 %v144, 4
+  %v755 = getelementptr i8, ptr %v142, i64 %v754
+  %v756 = mul i64 %v135, 40
+  %v757 = getelementptr i8, ptr %v133, i64 %v756
+  %v758 = mul i64 %v135, 56
+  %v759 = getelementptr i8, ptr %v133, i64 %v758
+  %v760 = mul i64 %v135, 216
+  %v761 = getelementptr i8, ptr %v133, i64 %v760
+  %v762 = mul i64 %v135, 48
+  %v763 = getelementptr i8, ptr %v133, i64 %v762
+  %v764 = shl i64 %v135, 5
+  %v765 = getelementptr i8, ptr %v133, i64 %v764
+  %v766 = getelementptr double, ptr %v133, i64 %v135
+  %v767 = mul i64 %v135, 224
+  %v768 = getelementptr i8, ptr %v133, i64 %v767
+  %v769 = mul i64 %v196, %v195
+  %v770 = mul i64 %v135, 48
+  %v771 = getelementptr i8, ptr %v133, i64 %v770
+  %v772 = shl i64 %v135, 6
+  %v773 = getelementptr i8, ptr %v133, i64 %v772
+  %v774 = shl i64 %v769, 7
+  %v775 = icmp slt i64 %v10, 1
+  %v776 = getelementptr i8, ptr %v193, i64 %v774
+  %v777 = mul i64 %v207, 3
+  %v778 = getelementptr i8, ptr %v6, i64 32
+  %v779 = mul i64 %v769, 192
+  %v780 = mul i64 %v769, 184
+  %v781 = mul i64 %v769, 176
+  %v782 = mul i64 %v769, 168
+  %v783 = mul i64 %v769, 160
+  %v784 = mul i64 %v769, 152
+  %v785 = mul i64 %v769, 144
+  %v786 = getelementptr double, ptr %v92, i64 %v93
+  %v787 = getelementptr i8, ptr %v786, i64 -8
+  %v788 = icmp slt i64 %v15, 1
+  %v789 = mul i64 %v207, %v206
+  %v790 = shl i64 %v207, 4
+  %v791 = getelementptr double, ptr %v204, i64 %v207
+  %v792 = getelementptr i8, ptr %v204, i64 %v790
+  %v793 = shl i64 %v789, 4
+  %v794 = mul i64 %v789, 24
+  %v795 = shl i64 %v789, 5
+  %v796 = mul i64 %v789, 40
+  %v797 = mul i64 %v789, 48
+  %v798 = mul i64 %v789, 56
+  %v799 = shl i64 %v789, 6
+  %v800 = mul i64 %v135, 104
+  %v801 = getelementptr i8, ptr %v133, i64 %v800
+  %v802 = getelementptr double, ptr %v92, i64 %v93
+  %v803 = getelementptr i8, ptr %v802, i64 -8
+  %v804 = mul i64 %v135, 56
+  %v805 = getelementptr i8, ptr %v133, i64 %v804
+  %v806 = mul i64 %v135, 120
+  %v807 = getelementptr i8, ptr %v133, i64 %v806
+  %v808 = mul i64 %v135, 112
+  %v809 = getelementptr i8, ptr %v133, i64 %v808
+  %v810 = mul i64 %v207, %v206
+  %v811 = shl i64 %v135, 7
+  %v812 = getelementptr i8, ptr %v133, i64 %v811
+  %v813 = mul i64 %v135, 136
+  %v814 = getelementptr i8, ptr %v133, i64 %v813
+  %v815 = icmp sgt i64 %v10, 0
+  %v816 = shl i64 %v10, 7
+  %v817 = getelementptr i8, ptr %v158, i64 %v816
+  %v818 = mul i64 %v207, 216
+  %v819 = getelementptr i8, ptr %v186, i64 %v818
+  %v820 = sub i64 %v207, %v18
+  %v821 = tail call i64 @llvm.smax.i64(i64 %v820, i64 0)
+  %v822 = icmp sgt i64 %v820, 0
+  %v823 = shl i64 %v810, 6
+  %v824 = getelementptr i8, ptr %v204, i64 %v823
+  %v825 = shl i64 %v207, 4
+  %v826 = getelementptr i8, ptr %v824, i64 %v825
+  %v827 = mul i64 %v810, 72
+  %v828 = getelementptr i8, ptr %v204, i64 %v827
+  %v829 = getelementptr i8, ptr %v828, i64 %v825
+  %v830 = icmp slt i64 %v207, 1
+  %v831 = getelementptr double, ptr %v828, i64 %v207
+  %v832 = mul i64 %v810, 80
+  %v833 = getelementptr i8, ptr %v204, i64 %v832
+  %v834 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v835 = mul i64 %v517, %v195
+  %v836 = getelementptr i8, ptr %v193, i64 %v835
+  %v837 = mul nsw i64 %v10, %v9
+  %v838 = shl i64 %v837, 7
+  %v839 = getelementptr i8, ptr %v158, i64 %v838
+  %v840 = mul i64 %v837, 112
+  %v841 = getelementptr i8, ptr %v158, i64 %v840
+  %v842 = getelementptr i8, ptr %v6, i64 8
+  %v843 = mul i64 %v837, 120
+  %v844 = getelementptr i8, ptr %v158, i64 %v843
+  %v845 = getelementptr i8, ptr %v23, i64 8
+  %v846 = mul i64 %v769, 120
+  %v847 = getelementptr i8, ptr %v193, i64 %v846
+  %v848 = mul i64 %v769, 112
+  %v849 = getelementptr i8, ptr %v193, i64 %v848
+  %v850 = mul i64 %v135, 40
+  %v851 = getelementptr i8, ptr %v133, i64 %v850
+  %v852 = icmp slt i64 %v18, 1
+  %v853 = mul i64 %v810, 80
+  %v854 = getelementptr i8, ptr %v204, i64 %v853
+  %v855 = mul i64 %v837, 136
+  %v856 = getelementptr i8, ptr %v158, i64 %v855
+  %v857 = mul i64 %v837, 104
+  %v858 = getelementptr i8, ptr %v158, i64 %v857
+  %v859 = mul i64 %v135, 40
   %v860 = getelementptr i8, ptr %v133, i64 %v859
-  %v861 = mul i64 %v135, 40
-  %v862 = getelementptr i8, ptr %v133, i64 %v861
-  %v863 = shl i64 %v135, 5
-  %v864 = getelementptr i8, ptr %v133, i64 %v863
-  %v865 = getelementptr double, ptr %v133, i64 %v135
-  %v866 = mul i64 %v751, 136
-  %v867 = getelementptr i8, ptr %v193, i64 %v866
-  %v868 = mul nsw i64 %v10, %v9
-  %v869 = mul i64 %v868, 136
-  %v870 = getelementptr i8, ptr %v158, i64 %v869
-  %v871 = mul i64 %v868, 104
-  %v872 = getelementptr i8, ptr %v158, i64 %v871
-  %v873 = mul i64 %v10, 136
-  %v874 = getelementptr i8, ptr %v158, i64 %v873
-  %v875 = mul i64 %v207, 192
-  %v876 = getelementptr i8, ptr %v186, i64 %v875
-  %v877 = mul i64 %v196, %v195
-  %v878 = mul i64 %v135, 40
-  %v879 = getelementptr i8, ptr %v133, i64 %v878
-  %v880 = mul i64 %v135, 56
-  %v881 = getelementptr i8, ptr %v133, i64 %v880
-  %v882 = shl i64 %v144, 4
-  %v883 = getelementptr i8, ptr %v142, i64 %v882
-  %v884 = mul i64 %v135, 48
-  %v885 = getelementptr i8, ptr %v133, i64 %v884
-  %v886 = mul i64 %v877, 136
-  %v887 = icmp slt i64 %v10, 1
-  %v888 = mul i64 %v135, 224
-  %v889 = getelementptr i8, ptr %v133, i64 %v888
-  %v890 = mul i64 %v102, %v101
-  %v891 = getelementptr i8, ptr %v193, i64 %v886
-  %v892 = add i64 %v93, -1
-  %v893 = mul i64 %v877, 192
-  %v894 = mul i64 %v877, 184
-  %v895 = mul i64 %v877, 176
-  %v896 = mul i64 %v877, 168
-  %v897 = mul i64 %v877, 160
-  %v898 = mul i64 %v877, 152
-  %v899 = mul i64 %v877, 144
-  %v900 = icmp sgt i64 %v9, 1
-  %v901 = mul i64 %v135, 40
-  %v902 = getelementptr i8, ptr %v133, i64 %v901
-  %v903 = getelementptr i8, ptr %v6, i64 80
-  %v904 = mul i64 %v135, 40
-  %v905 = getelementptr i8, ptr %v133, i64 %v904
-  %v906 = shl i64 %v500, 6
-  %v907 = icmp sgt i64 %v18, 0
-  %v908 = getelementptr i8, ptr %v204, i64 %v906
-  %v909 = mul i64 %v135, 96
-  %v910 = getelementptr i8, ptr %v133, i64 %v909
-  %v911 = mul i64 %v135, 120
-  %v912 = getelementptr i8, ptr %v133, i64 %v911
-  %v913 = icmp slt i64 %v10, 1
-  %v914 = getelementptr i8, ptr %v23, i64 8
-  %v915 = getelementptr double, ptr %v92, i64 %v93
-  %v916 = getelementptr i8, ptr %v915, i64 -8
-  %v917 = mul i64 %v144, 24
-  %v918 = getelementptr i8, ptr %v142, i64 %v917
-  %v919 = mul i64 %v144, 24
-  %v920 = getelementptr i8, ptr %v142, i64 %v919
-  %v921 = mul i64 %v135, 24
-  %v922 = getelementptr i8, ptr %v133, i64 %v921
-  %v923 = icmp ne i64 %v16, 0
-  %v924 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v925 = mul i64 %v135, 40
-  %v926 = getelementptr i8, ptr %v133, i64 %v925
-  %v927 = shl i64 %v135, 4
+  %v861 = select i1 %v830, i64 0, i64 %v207
+  %v862 = icmp slt i64 %v820, 1
+  %v863 = shl i64 %v144, 4
+  %v864 = getelementptr i8, ptr %v142, i64 %v863
+  %v865 = mul i64 %v135, 224
+  %v866 = getelementptr i8, ptr %v133, i64 %v865
+  %v867 = mul i64 %v102, %v101
+  %v868 = mul i64 %v769, 136
+  %v869 = getelementptr i8, ptr %v193, i64 %v868
+  %v870 = add i64 %v93, -1
+  %v871 = shl i64 %v144, 5
+  %v872 = getelementptr i8, ptr %v142, i64 %v871
+  %v873 = mul i64 %v135, 40
+  %v874 = getelementptr i8, ptr %v133, i64 %v873
+  %v875 = mul i64 %v135, 96
+  %v876 = getelementptr i8, ptr %v133, i64 %v875
+  %v877 = mul i64 %v135, 216
+  %v878 = getelementptr i8, ptr %v133, i64 %v877
+  %v879 = mul i64 %v135, 40
+  %v880 = getelementptr i8, ptr %v133, i64 %v879
+  %v881 = shl i64 %v135, 5
+  %v882 = getelementptr i8, ptr %v133, i64 %v881
+  %v883 = getelementptr double, ptr %v133, i64 %v135
+  %v884 = mul i64 %v769, 136
+  %v885 = getelementptr i8, ptr %v193, i64 %v884
+  %v886 = mul nsw i64 %v10, %v9
+  %v887 = mul i64 %v886, 136
+  %v888 = getelementptr i8, ptr %v158, i64 %v887
+  %v889 = mul i64 %v886, 104
+  %v890 = getelementptr i8, ptr %v158, i64 %v889
+  %v891 = mul i64 %v10, 136
+  %v892 = getelementptr i8, ptr %v158, i64 %v891
+  %v893 = mul i64 %v207, 192
+  %v894 = getelementptr i8, ptr %v186, i64 %v893
+  %v895 = mul i64 %v196, %v195
+  %v896 = mul i64 %v135, 40
+  %v897 = getelementptr i8, ptr %v133, i64 %v896
+  %v898 = mul i64 %v135, 56
+  %v899 = getelementptr i8, ptr %v133, i64 %v898
+  %v900 = shl i64 %v144, 4
+  %v901 = getelementptr i8, ptr %v142, i64 %v900
+  %v902 = mul i64 %v135, 48
+  %v903 = getelementptr i8, ptr %v133, i64 %v902
+  %v904 = mul i64 %v895, 136
+  %v905 = icmp slt i64 %v10, 1
+  %v906 = mul i64 %v135, 224
+  %v907 = getelementptr i8, ptr %v133, i64 %v906
+  %v908 = mul i64 %v102, %v101
+  %v909 = getelementptr i8, ptr %v193, i64 %v904
+  %v910 = add i64 %v93, -1
+  %v911 = mul i64 %v895, 192
+  %v912 = mul i64 %v895, 184
+  %v913 = mul i64 %v895, 176
+  %v914 = mul i64 %v895, 168
+  %v915 = mul i64 %v895, 160
+  %v916 = mul i64 %v895, 152
+  %v917 = mul i64 %v895, 144
+  %v918 = icmp sgt i64 %v9, 1
+  %v919 = mul i64 %v135, 40
+  %v920 = getelementptr i8, ptr %v133, i64 %v919
+  %v921 = getelementptr i8, ptr %v6, i64 80
+  %v922 = mul i64 %v135, 40
+  %v923 = getelementptr i8, ptr %v133, i64 %v922
+  %v924 = shl i64 %v518, 6
+  %v925 = icmp sgt i64 %v18, 0
+  %v926 = getelementptr i8, ptr %v204, i64 %v924
+  %v927 = mul i64 %v135, 96
   %v928 = getelementptr i8, ptr %v133, i64 %v927
-  %v929 = getelementptr i64, ptr %v142, i64 %v144
-  %v930 = icmp slt i64 %v63, 1
-  %v931 = getelementptr i8, ptr %v6, i64 8
-  %v932 = mul nsw i64 %v10, %v9
-  %v933 = getelementptr i8, ptr %v6, i64 24
-  %v934 = mul i64 %v932, 136
-  %v935 = getelementptr i8, ptr %v158, i64 %v934
-  %v936 = mul i64 %v102, %v101
-  %v937 = add nsw i64 %v924, -1
-  %v938 = mul i64 %v196, %v195
-  %v939 = shl i64 %v144, 4
-  %v940 = getelementptr i8, ptr %v142, i64 %v939
-  %v941 = mul i64 %v938, 136
-  %v942 = icmp slt i64 %v10, 1
-  %v943 = getelementptr i8, ptr %v193, i64 %v941
-  %v944 = getelementptr double, ptr %v92, i64 %v93
-  %v945 = getelementptr i8, ptr %v944, i64 -8
-  %v946 = shl i64 %v135, 6
-  %v947 = getelementptr i8, ptr %v133, i64 %v946
-  %v948 = mul i64 %v932, 112
-  %v949 = getelementptr i8, ptr %v158, i64 %v948
-  %v950 = mul i64 %v938, 112
-  %v951 = getelementptr i8, ptr %v193, i64 %v950
-  %v952 = shl i64 %v938, 7
-  %v953 = getelementptr i8, ptr %v193, i64 %v952
-  %v954 = getelementptr i8, ptr %v6, i64 32
-  %v955 = mul i64 %v10, 136
-  %v956 = getelementptr i8, ptr %v158, i64 %v955
-  %v957 = mul i64 %v207, 216
-  %v958 = getelementptr i8, ptr %v186, i64 %v957
-  %v959 = shl i64 %v10, 7
-  %v960 = getelementptr i8, ptr %v158, i64 %v959
-  %v961 = mul i64 %v207, 240
-  %v962 = getelementptr i8, ptr %v186, i64 %v961
-  %v963 = sub i64 %v207, %v18
-  %v964 = tail call i64 @llvm.smax.i64(i64 %v963, i64 0)
-  %v965 = getelementptr double, ptr %v204, i64 %v207
-  %v966 = mul i64 %v207, %v206
-  %v967 = mul i64 %v966, 80
-  %v968 = getelementptr i8, ptr %v965, i64 %v967
-  %v969 = mul i64 %v966, 72
-  %v970 = getelementptr i8, ptr %v204, i64 %v969
-  %v971 = getelementptr double, ptr %v970, i64 %v207
-  %v972 = shl i64 %v207, 4
-  %v973 = getelementptr i8, ptr %v970, i64 %v972
-  %v974 = shl i64 %v144, 5
-  %v975 = getelementptr i8, ptr %v142, i64 %v974
-  %v976 = mul i64 %v135, 112
-  %v977 = getelementptr i8, ptr %v133, i64 %v976
-  %v978 = mul i64 %v135, 40
-  %v979 = getelementptr i8, ptr %v133, i64 %v978
-  %v980 = shl i64 %v135, 4
-  %v981 = getelementptr i8, ptr %v133, i64 %v980
-  %v982 = getelementptr i64, ptr %v142, i64 %v144
-  %v983 = mul i64 %v135, 24
-  %v984 = getelementptr i8, ptr %v133, i64 %v983
-  %v985 = mul i64 %v135, 24
-  %v986 = getelementptr i8, ptr %v133, i64 %v985
-  %v987 = icmp slt i64 %v63, 1
-  %v988 = shl i64 %v144, 4
-  %v989 = getelementptr i8, ptr %v142, i64 %v988
-  %v990 = mul i64 %v135, 24
-  %v991 = getelementptr i8, ptr %v133, i64 %v990
-  %v992 = getelementptr i8, ptr %v151, i64 8
-  %v993 = getelementptr i64, ptr %v142, i64 %v144
-  %v994 = mul i64 %v144, 24
-  %v995 = getelementptr i8, ptr %v142, i64 %v994
-  %v996 = icmp slt i64 %v41, 1
-  %v997 = icmp slt i64 %v63, 1
-  %v998 = icmp slt i64 %v10, 1
-  %v999 = mul i64 %v135, 144
-  %v1000 = getelementptr i8, ptr %v133, i64 %v999
-  %v1001 = mul i64 %v135, 240
-  %v1002 = getelementptr i8, ptr %v133, i64 %v1001
-  %v1003 = mul i64 %v135, 232
+  %v929 = mul i64 %v135, 120
+  %v930 = getelementptr i8, ptr %v133, i64 %v929
+  %v931 = icmp slt i64 %v10, 1
+  %v932 = getelementptr i8, ptr %v23, i64 8
+  %v933 = getelementptr double, ptr %v92, i64 %v93
+  %v934 = getelementptr i8, ptr %v933, i64 -8
+  %v935 = mul i64 %v144, 24
+  %v936 = getelementptr i8, ptr %v142, i64 %v935
+  %v937 = mul i64 %v144, 24
+  %v938 = getelementptr i8, ptr %v142, i64 %v937
+  %v939 = mul i64 %v135, 24
+  %v940 = getelementptr i8, ptr %v133, i64 %v939
+  %v941 = icmp ne i64 %v16, 0
+  %v942 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v943 = mul i64 %v135, 40
+  %v944 = getelementptr i8, ptr %v133, i64 %v943
+  %v945 = shl i64 %v135, 4
+  %v946 = getelementptr i8, ptr %v133, i64 %v945
+  %v947 = getelementptr i64, ptr %v142, i64 %v144
+  %v948 = icmp slt i64 %v63, 1
+  %v949 = getelementptr i8, ptr %v6, i64 8
+  %v950 = mul nsw i64 %v10, %v9
+  %v951 = getelementptr i8, ptr %v6, i64 24
+  %v952 = mul i64 %v950, 136
+  %v953 = getelementptr i8, ptr %v158, i64 %v952
+  %v954 = mul i64 %v102, %v101
+  %v955 = add nsw i64 %v942, -1
+  %v956 = mul i64 %v196, %v195
+  %v957 = shl i64 %v144, 4
+  %v958 = getelementptr i8, ptr %v142, i64 %v957
+  %v959 = mul i64 %v956, 136
+  %v960 = icmp slt i64 %v10, 1
+  %v961 = getelementptr i8, ptr %v193, i64 %v959
+  %v962 = getelementptr double, ptr %v92, i64 %v93
+  %v963 = getelementptr i8, ptr %v962, i64 -8
+  %v964 = shl i64 %v135, 6
+  %v965 = getelementptr i8, ptr %v133, i64 %v964
+  %v966 = mul i64 %v950, 112
+  %v967 = getelementptr i8, ptr %v158, i64 %v966
+  %v968 = mul i64 %v956, 112
+  %v969 = getelementptr i8, ptr %v193, i64 %v968
+  %v970 = shl i64 %v956, 7
+  %v971 = getelementptr i8, ptr %v193, i64 %v970
+  %v972 = getelementptr i8, ptr %v6, i64 32
+  %v973 = mul i64 %v10, 136
+  %v974 = getelementptr i8, ptr %v158, i64 %v973
+  %v975 = mul i64 %v207, 216
+  %v976 = getelementptr i8, ptr %v186, i64 %v975
+  %v977 = shl i64 %v10, 7
+  %v978 = getelementptr i8, ptr %v158, i64 %v977
+  %v979 = mul i64 %v207, 240
+  %v980 = getelementptr i8, ptr %v186, i64 %v979
+  %v981 = sub i64 %v207, %v18
+  %v982 = tail call i64 @llvm.smax.i64(i64 %v981, i64 0)
+  %v983 = getelementptr double, ptr %v204, i64 %v207
+  %v984 = mul i64 %v207, %v206
+  %v985 = mul i64 %v984, 80
+  %v986 = getelementptr i8, ptr %v983, i64 %v985
+  %v987 = mul i64 %v984, 72
+  %v988 = getelementptr i8, ptr %v204, i64 %v987
+  %v989 = getelementptr double, ptr %v988, i64 %v207
+  %v990 = shl i64 %v207, 4
+  %v991 = getelementptr i8, ptr %v988, i64 %v990
+  %v992 = shl i64 %v144, 5
+  %v993 = getelementptr i8, ptr %v142, i64 %v992
+  %v994 = mul i64 %v135, 112
+  %v995 = getelementptr i8, ptr %v133, i64 %v994
+  %v996 = xor i1 %v307, true
+  %v997 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
+  %v998 = add nsw i64 %v997, -1
+  %v999 = zext i1 %v996 to i64
+  %v1000 = mul i64 %v135, 248
+  %v1001 = getelementptr i8, ptr %v133, i64 %v1000
+  %v1002 = icmp slt i64 %v10, 1
+  %v1003 = shl i64 %v135, 8
   %v1004 = getelementptr i8, ptr %v133, i64 %v1003
-  %v1005 = shl i64 %v135, 4
-  %v1006 = shl i64 %v135, 5
-  %v1007 = mul i64 %v135, 48
-  %v1008 = mul i64 %v135, 56
-  %v1009 = shl i64 %v135, 6
-  %v1010 = mul i64 %v135, 72
-  %v1011 = mul i64 %v135, 80
-  %v1012 = mul i64 %v135, 88
-  %v1013 = mul i64 %v135, 96
-  %v1014 = mul i64 %v135, 104
-  %v1015 = mul i64 %v135, 112
-  %v1016 = mul i64 %v135, 120
-  %v1017 = shl i64 %v135, 7
-  %v1018 = mul i64 %v135, 136
-  %v1019 = mul i64 %v135, 152
-  %v1020 = mul i64 %v135, 160
-  %v1021 = mul i64 %v135, 168
-  %v1022 = mul i64 %v135, 176
-  %v1023 = mul i64 %v135, 184
-  %v1024 = mul i64 %v135, 192
-  %v1025 = mul i64 %v135, 200
-  %v1026 = mul i64 %v135, 208
-  %v1027 = mul i64 %v135, 216
-  %v1028 = mul i64 %v135, 224
-  %v1029 = getelementptr i8, ptr %v133, i64 %v1016
-  %v1030 = getelementptr i8, ptr %v133, i64 %v1028
-  %v1031 = getelementptr i8, ptr %v133, i64 %v1005
-  %v1032 = mul i64 %v135, 232
-  %v1033 = getelementptr i8, ptr %v133, i64 %v1032
-  %v1034 = getelementptr double, ptr %v92, i64 %v93
-  %v1035 = getelementptr i8, ptr %v1034, i64 -8
-  %v1036 = getelementptr double, ptr %v133, i64 %v135
-  %v1037 = mul i64 %v135, 232
-  %v1038 = getelementptr i8, ptr %v133, i64 %v1037
-  %v1039 = mul i64 %v135, 176
-  %v1040 = getelementptr i8, ptr %v133, i64 %v1039
-  %v1041 = shl i64 %v135, 4
-  %v1042 = getelementptr i8, ptr %v133, i64 %v1041
-  %v1043 = mul i64 %v135, 168
-  %v1044 = getelementptr i8, ptr %v133, i64 %v1043
-  %v1045 = shl i64 %v144, 4
-  %v1046 = getelementptr i8, ptr %v142, i64 %v1045
-  %v1047 = shl i64 %v716, 4
-  %v1048 = mul i64 %v716, 24
-  %v1049 = shl i64 %v716, 5
-  %v1050 = mul i64 %v716, 40
-  %v1051 = mul i64 %v716, 48
-  %v1052 = mul i64 %v716, 56
-  %v1053 = shl i64 %v716, 6
-  %v1054 = shl i64 %v718, 4
-  %v1055 = shl i64 %v718, 5
-  %v1056 = mul i64 %v718, 48
-  %v1057 = shl i64 %v718, 6
-  %v1058 = mul i64 %v718, 24
-  %v1059 = shl i64 %v718, 4
-  %v1060 = shl i64 %v718, 5
-  %v1061 = mul i64 %v718, 48
-  %v1062 = shl i64 %v718, 6
-  %v1063 = mul i64 %v718, 40
-  %v1064 = shl i64 %v718, 4
-  %v1065 = shl i64 %v718, 5
-  %v1066 = mul i64 %v718, 48
-  %v1067 = shl i64 %v718, 6
-  %v1068 = mul i64 %v718, 56
-  %v1069 = shl i64 %v718, 4
-  %v1070 = shl i64 %v718, 5
-  %v1071 = mul i64 %v718, 48
-  %v1072 = shl i64 %v718, 6
-  br label %v1073
+  %v1005 = mul i64 %v135, 280
+  %v1006 = getelementptr i8, ptr %v133, i64 %v1005
+  %v1007 = mul i64 %v135, 264
+  %v1008 = getelementptr i8, ptr %v133, i64 %v1007
+  %v1009 = mul i64 %v135, 272
+  %v1010 = getelementptr i8, ptr %v133, i64 %v1009
+  %v1011 = shl i64 %v135, 4
+  %v1012 = getelementptr i8, ptr %v133, i64 %v1011
+  %v1013 = mul i64 %v135, 272
+  %v1014 = getelementptr i8, ptr %v133, i64 %v1013
+  %v1015 = mul i64 %v135, 40
+  %v1016 = getelementptr i8, ptr %v133, i64 %v1015
+  %v1017 = shl i64 %v135, 4
+  %v1018 = getelementptr i8, ptr %v133, i64 %v1017
+  %v1019 = getelementptr i64, ptr %v142, i64 %v144
+  %v1020 = mul i64 %v135, 24
+  %v1021 = getelementptr i8, ptr %v133, i64 %v1020
+  %v1022 = mul i64 %v135, 24
+  %v1023 = getelementptr i8, ptr %v133, i64 %v1022
+  %v1024 = icmp slt i64 %v63, 1
+  %v1025 = shl i64 %v144, 4
+  %v1026 = getelementptr i8, ptr %v142, i64 %v1025
+  %v1027 = mul i64 %v135, 24
+  %v1028 = getelementptr i8, ptr %v133, i64 %v1027
+  %v1029 = getelementptr i8, ptr %v151, i64 8
+  %v1030 = getelementptr i64, ptr %v142, i64 %v144
+  %v1031 = mul i64 %v144, 24
+  %v1032 = getelementptr i8, ptr %v142, i64 %v1031
+  %v1033 = icmp slt i64 %v41, 1
+  %v1034 = icmp slt i64 %v63, 1
+  %v1035 = icmp slt i64 %v10, 1
+  %v1036 = mul i64 %v135, 248
+  %v1037 = getelementptr i8, ptr %v133, i64 %v1036
+  %v1038 = mul i64 %v135, 144
+  %v1039 = getelementptr i8, ptr %v133, i64 %v1038
+  %v1040 = mul i64 %v135, 240
+  %v1041 = getelementptr i8, ptr %v133, i64 %v1040
+  %v1042 = mul i64 %v135, 232
+  %v1043 = getelementptr i8, ptr %v133, i64 %v1042
+  %v1044 = shl i64 %v135, 4
+  %v1045 = shl i64 %v135, 5
+  %v1046 = mul i64 %v135, 48
+  %v1047 = mul i64 %v135, 56
+  %v1048 = shl i64 %v135, 6
+  %v1049 = mul i64 %v135, 72
+  %v1050 = mul i64 %v135, 80
+  %v1051 = mul i64 %v135, 88
+  %v1052 = mul i64 %v135, 96
+  %v1053 = mul i64 %v135, 104
+  %v1054 = mul i64 %v135, 112
+  %v1055 = mul i64 %v135, 120
+  %v1056 = shl i64 %v135, 7
+  %v1057 = mul i64 %v135, 136
+  %v1058 = mul i64 %v135, 152
+  %v1059 = mul i64 %v135, 160
+  %v1060 = mul i64 %v135, 168
+  %v1061 = mul i64 %v135, 176
+  %v1062 = mul i64 %v135, 184
+  %v1063 = mul i64 %v135, 192
+  %v1064 = mul i64 %v135, 200
+  %v1065 = mul i64 %v135, 208
+  %v1066 = mul i64 %v135, 216
+  %v1067 = mul i64 %v135, 224
+  %v1068 = shl i64 %v135, 8
+  %v1069 = mul i64 %v135, 264
+  %v1070 = mul i64 %v135, 272
+  %v1071 = mul i64 %v135, 280
+  %v1072 = getelementptr i8, ptr %v133, i64 %v1055
+  %v1073 = getelementptr i8, ptr %v133, i64 %v1067
+  %v1074 = getelementptr i8, ptr %v133, i64 %v1068
+  %v1075 = getelementptr i8, ptr %v133, i64 %v1044
+  %v1076 = mul i64 %v135, 232
+  %v1077 = getelementptr i8, ptr %v133, i64 %v1076
+  %v1078 = getelementptr double, ptr %v92, i64 %v93
+  %v1079 = getelementptr i8, ptr %v1078, i64 -8
+  %v1080 = getelementptr double, ptr %v133, i64 %v135
+  %v1081 = mul i64 %v135, 232
+  %v1082 = getelementptr i8, ptr %v133, i64 %v1081
+  %v1083 = mul i64 %v135, 248
+  %v1084 = getelementptr i8, ptr %v133, i64 %v1083
+  %v1085 = sitofp i64 %v298 to double
+  %v1086 = mul i64 %v135, 176
+  %v1087 = getelementptr i8, ptr %v133, i64 %v1086
+  %v1088 = shl i64 %v135, 4
+  %v1089 = getelementptr i8, ptr %v133, i64 %v1088
+  %v1090 = mul i64 %v135, 168
+  %v1091 = getelementptr i8, ptr %v133, i64 %v1090
+  %v1092 = shl i64 %v144, 4
+  %v1093 = getelementptr i8, ptr %v142, i64 %v1092
+  %v1094 = shl i64 %v734, 4
+  %v1095 = mul i64 %v734, 24
+  %v1096 = shl i64 %v734, 5
+  %v1097 = mul i64 %v734, 40
+  %v1098 = mul i64 %v734, 48
+  %v1099 = mul i64 %v734, 56
+  %v1100 = shl i64 %v734, 6
+  %v1101 = shl i64 %v736, 4
+  %v1102 = shl i64 %v736, 5
+  %v1103 = mul i64 %v736, 48
+  %v1104 = shl i64 %v736, 6
+  %v1105 = mul i64 %v736, 24
+  %v1106 = shl i64 %v736, 4
+  %v1107 = shl i64 %v736, 5
+  %v1108 = mul i64 %v736, 48
+  %v1109 = shl i64 %v736, 6
+  %v1110 = mul i64 %v736, 40
+  %v1111 = shl i64 %v736, 4
+  %v1112 = shl i64 %v736, 5
+  %v1113 = mul i64 %v736, 48
+  %v1114 = shl i64 %v736, 6
+  %v1115 = mul i64 %v736, 56
+  %v1116 = shl i64 %v736, 4
+  %v1117 = shl i64 %v736, 5
+  %v1118 = mul i64 %v736, 48
+  %v1119 = shl i64 %v736, 6
+  br label %v1120
 
-v1073:
-  %v1074 = phi i64 [ %v1075, %v1076 ], [ %v297, %v494 ]
-  %v1077 = phi i64 [ %v1078, %v1076 ], [ %v490, %v494 ]
-  %v1079 = add nsw i64 %v1074, -1
-  %v1080 = load i64, ptr %v496, align 8, !noalias !11
-  %v1081 = icmp eq i64 %v1080, 0
-  br i1 %v1081, label %v1082, label %v1083
+v1120:
+  %v1121 = phi i64 [ %v1122, %v1123 ], [ %v297, %v512 ]
+  %v1124 = phi i64 [ %v1125, %v1123 ], [ %v508, %v512 ]
+  %v1126 = add nsw i64 %v1121, -1
+  %v1127 = load i64, ptr %v514, align 8, !noalias !11
+  %v1128 = icmp eq i64 %v1127, 0
+  br i1 %v1128, label %v1129, label %v1130
 
-v1083:
-  %v1084 = icmp eq i64 %v1080, 2
-  store i64 0, ptr %v496, align 8, !noalias !11
-  %v1085 = load i64, ptr %v501, align 8, !noalias !15
-  %v1086 = inttoptr i64 %v1085 to ptr
-  tail call void %v1086(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
-  br i1 %v305, label %v1087, label %v1088
+v1130:
+  %v1131 = icmp eq i64 %v1127, 2
+  store i64 0, ptr %v514, align 8, !noalias !11
+  %v1132 = load i64, ptr %v519, align 8, !noalias !15
+  %v1133 = inttoptr i64 %v1132 to ptr
+  tail call void %v1133(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
+  br i1 %v305, label %v1134, label %v1135
 
-v1087:
-  %v1089 = load i64, ptr %v502, align 8, !noalias !18
-  %v1090 = inttoptr i64 %v1089 to ptr
-  tail call void %v1090(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
-  %v1091 = load double, ptr %v504, align 8, !noalias !24
-  %v1092 = fcmp une double %v1091, 2.500000e-01
-  br i1 %v1092, label %v1088, label %v1093
+v1134:
+  %v1136 = load i64, ptr %v520, align 8, !noalias !18
+  %v1137 = inttoptr i64 %v1136 to ptr
+  tail call void %v1137(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
+  %v1138 = load double, ptr %v522, align 8, !noalias !24
+  %v1139 = fcmp une double %v1138, 2.500000e-01
+  br i1 %v1139, label %v1135, label %v1140
 
-v1093:
-  store double 0.000000e+00, ptr %v504, align 8, !noalias !24
-  br i1 %v505, label %v1094, label %v1095
+v1140:
+  store double 0.000000e+00, ptr %v522, align 8, !noalias !24
+  br i1 %v523, label %v1141, label %v1142
 
-v1096:
-  store double 1.000000e+00, ptr %v504, align 8, !noalias !24
-  br label %v1097
+v1143:
+  store double 1.000000e+00, ptr %v522, align 8, !noalias !24
+  br label %v1144
 
-v1097:
-  %v1098 = icmp eq i64 %v1099, %v18
-  br i1 %v1098, label %v1095, label %v1094
+v1144:
+  %v1145 = icmp eq i64 %v1146, %v18
+  br i1 %v1145, label %v1142, label %v1141
 
-v1095:
-  %v1100 = load double, ptr %v504, align 8, !noalias !24
-  %v1101 = fcmp ogt double %v1100, 5.000000e-01
-  %v1102 = or i1 %v1084, %v1101
-  br label %v1088
+v1142:
+  %v1147 = load double, ptr %v522, align 8, !noalias !24
+  %v1148 = fcmp ogt double %v1147, 5.000000e-01
+  %v1149 = or i1 %v1131, %v1148
+  br label %v1135
 
-v1094:
-  %v1103 = phi i64 [ %v1099, %v1097 ], [ 0, %v1093 ]
-  %v1099 = add nsw i64 %v1103, 1
-  %v1104 = getelementptr double, ptr %v204, i64 %v1103
-  %v1105 = load double, ptr %v1104, align 8, !noalias !24
-  %v1106 = add nsw i64 %v1103, %v17
-  %v1107 = icmp slt i64 %v1106, 0
-  %v1108 = select i1 %v1107, i64 %v166, i64 0
-  %v1109 = getelementptr double, ptr %v165, i64 %v1106
-  %v1110 = getelementptr double, ptr %v1109, i64 %v1108
-  %v1111 = load double, ptr %v1110, align 8, !noalias !24
-  %v1112 = fcmp une double %v1105, %v1111
-  br i1 %v1112, label %v1096, label %v1097
+v1141:
+  %v1150 = phi i64 [ %v1146, %v1144 ], [ 0, %v1140 ]
+  %v1146 = add nsw i64 %v1150, 1
+  %v1151 = getelementptr double, ptr %v204, i64 %v1150
+  %v1152 = load double, ptr %v1151, align 8, !noalias !24
+  %v1153 = add nsw i64 %v1150, %v17
+  %v1154 = icmp slt i64 %v1153, 0
+  %v1155 = select i1 %v1154, i64 %v166, i64 0
+  %v1156 = getelementptr double, ptr %v165, i64 %v1153
+  %v1157 = getelementptr double, ptr %v1156, i64 %v1155
+  %v1158 = load double, ptr %v1157, align 8, !noalias !24
+  %v1159 = fcmp une double %v1152, %v1158
+  br i1 %v1159, label %v1143, label %v1144
 
-v1088:
-  %v1113 = phi i1 [ %v1084, %v1083 ], [ %v1102, %v1095 ], [ %v1084, %v1087 ]
-  br i1 %v1113, label %v1114, label %v1082
+v1135:
+  %v1160 = phi i1 [ %v1131, %v1130 ], [ %v1149, %v1142 ], [ %v1131, %v1134 ]
+  br i1 %v1160, label %v1161, label %v1129
 
-v1114:
-  br i1 %v305, label %v1115, label %v1116
+v1161:
+  br i1 %v305, label %v1162, label %v1163
 
-v1115:
-  %v1117 = load i64, ptr %v506, align 8, !noalias !25
-  %v1118 = inttoptr i64 %v1117 to ptr
-  tail call void %v1118(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !25
-  %v1119 = load double, ptr %v508, align 8, !noalias !31
-  %v1120 = fcmp ule double %v1119, 5.000000e-01
-  %v1121 = select i1 %v1120, i1 true, i1 %v509
-  br i1 %v1121, label %v1122, label %v1123
+v1162:
+  %v1164 = load i64, ptr %v524, align 8, !noalias !25
+  %v1165 = inttoptr i64 %v1164 to ptr
+  tail call void %v1165(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !25
+  %v1166 = load double, ptr %v526, align 8, !noalias !31
+  %v1167 = fcmp ule double %v1166, 5.000000e-01
+  %v1168 = select i1 %v1167, i1 true, i1 %v527
+  br i1 %v1168, label %v1169, label %v1170
 
-v1122:
-  %v1124 = load i64, ptr %v501, align 8, !noalias !32
-  %v1125 = inttoptr i64 %v1124 to ptr
-  tail call void %v1125(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !32
-  br label %v1116
+v1169:
+  %v1171 = load i64, ptr %v519, align 8, !noalias !32
+  %v1172 = inttoptr i64 %v1171 to ptr
+  tail call void %v1172(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !32
+  br label %v1163
 
-v1123:
-  %v1126 = phi i64 [ %v1127, %v1123 ], [ 0, %v1115 ]
-  %v1127 = add nsw i64 %v1126, 1
-  %v1128 = getelementptr double, ptr %v204, i64 %v1126
-  %v1129 = load double, ptr %v1128, align 8, !noalias !31
-  %v1130 = add nsw i64 %v1126, %v17
-  %v1131 = icmp slt i64 %v1130, 0
-  %v1132 = select i1 %v1131, i64 %v166, i64 0
-  %v1133 = getelementptr double, ptr %v165, i64 %v1130
-  %v1134 = getelementptr double, ptr %v1133, i64 %v1132
-  store double %v1129, ptr %v1134, align 8, !noalias !31
-  %v1135 = icmp eq i64 %v1127, %v18
-  br i1 %v1135, label %v1122, label %v1123
+v1170:
+  %v1173 = phi i64 [ %v1174, %v1170 ], [ 0, %v1162 ]
+  %v1174 = add nsw i64 %v1173, 1
+  %v1175 = getelementptr double, ptr %v204, i64 %v1173
+  %v1176 = load double, ptr %v1175, align 8, !noalias !31
+  %v1177 = add nsw i64 %v1173, %v17
+  %v1178 = icmp slt i64 %v1177, 0
+  %v1179 = select i1 %v1178, i64 %v166, i64 0
+  %v1180 = getelementptr double, ptr %v165, i64 %v1177
+  %v1181 = getelementptr double, ptr %v1180, i64 %v1179
+  store double %v1176, ptr %v1181, align 8, !noalias !31
+  %v1182 = icmp eq i64 %v1174, %v18
+  br i1 %v1182, label %v1169, label %v1170
 
-v1116:
-  br i1 %v510, label %v1136, label %v1137
+v1163:
+  br i1 %v528, label %v1183, label %v1184
 
-v1136:
-  %v1138 = load i64, ptr %v6, align 8, !noalias !35
-  %v1139 = inttoptr i64 %v1138 to ptr
-  tail call void %v1139(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v513), !noalias !35
-  %v1140 = load i64, ptr %v514, align 8, !noalias !38
-  %v1141 = inttoptr i64 %v1140 to ptr
-  tail call void %v1141(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !38
-  %v1142 = load i64, ptr %v515, align 8, !noalias !41
-  %v1143 = inttoptr i64 %v1142 to ptr
-  tail call void %v1143(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !41
-  %v1144 = load i64, ptr %v6, align 8, !noalias !44
-  %v1145 = inttoptr i64 %v1144 to ptr
-  tail call void %v1145(ptr %v517, ptr %v519, ptr %v165, ptr %v172, ptr %v179, ptr %v521), !noalias !44
-  %v1146 = load i64, ptr %v522, align 8, !noalias !47
-  %v1147 = inttoptr i64 %v1146 to ptr
-  tail call void %v1147(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !47
-  br label %v1137
-
-v1137:
-  br i1 %v307, label %v1082, label %v1148
-
-v1149:
-  store double 0.000000e+00, ptr %v1150, align 8, !noalias !50
-  %v1151 = getelementptr double, ptr %v527, i64 %v1152
-  store double 0.000000e+00, ptr %v1151, align 8, !noalias !50
-  %v1153 = getelementptr double, ptr %v529, i64 %v1152
-  store double 0.000000e+00, ptr %v1153, align 8, !noalias !50
-  %v1154 = getelementptr i64, ptr %v142, i64 %v1152
-  %v1155 = load i64, ptr %v1154, align 8, !noalias !50
-  %v1156 = icmp slt i64 %v1155, 0
-  %v1157 = select i1 %v1156, i64 %v125, i64 0
-  %v1158 = add i64 %v1157, %v1155
-  %v1159 = mul i64 %v1158, %v126
-  %v1160 = getelementptr i64, ptr %v124, i64 %v1159
-  %v1161 = getelementptr i8, ptr %v1160, i64 8
-  %v1162 = load i64, ptr %v1161, align 8, !noalias !50
-  %v1163 = add nsw i64 %v1162, %v531
-  store i64 %v1163, ptr %v1161, align 8, !noalias !50
-  %v1164 = load i64, ptr %v1154, align 8, !noalias !50
-  %v1165 = icmp slt i64 %v1164, 0
-  %v1166 = select i1 %v1165, i64 %v125, i64 0
-  %v1167 = add i64 %v1166, %v1164
-  %v1168 = mul i64 %v1167, %v126
-  %v1169 = getelementptr i64, ptr %v124, i64 %v1168
-  %v1170 = getelementptr i8, ptr %v1169, i64 16
-  %v1171 = load i64, ptr %v1170, align 8, !noalias !50
-  %v1172 = add nsw i64 %v1171, %v532
-  store i64 %v1172, ptr %v1170, align 8, !noalias !50
-  %v1173 = getelementptr double, ptr %v534, i64 %v1152
-  %v1174 = load double, ptr %v1173, align 8, !noalias !50
-  %v1175 = fcmp une double %v1174, 0.000000e+00
-  br i1 %v1175, label %v1176, label %v1177
-
-v1176:
-  %v1178 = load i64, ptr %v1154, align 8, !noalias !54
-  %v1179 = icmp sgt i64 %v1178, -1
-  br i1 %v1179, label %v1180, label %v1177
-
-v1180:
-  %v1181 = getelementptr i64, ptr %v110, i64 %v1178
-  %v1182 = load i64, ptr %v1181, align 8, !noalias !54
-  %v1183 = icmp eq i64 %v1182, 0
-  br i1 %v1183, label %v1184, label %v1177
+v1183:
+  %v1185 = load i64, ptr %v6, align 8, !noalias !35
+  %v1186 = inttoptr i64 %v1185 to ptr
+  tail call void %v1186(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v531), !noalias !35
+  %v1187 = load i64, ptr %v532, align 8, !noalias !38
+  %v1188 = inttoptr i64 %v1187 to ptr
+  tail call void %v1188(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !38
+  %v1189 = load i64, ptr %v533, align 8, !noalias !41
+  %v1190 = inttoptr i64 %v1189 to ptr
+  tail call void %v1190(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !41
+  %v1191 = load i64, ptr %v6, align 8, !noalias !44
+  %v1192 = inttoptr i64 %v1191 to ptr
+  tail call void %v1192(ptr %v535, ptr %v537, ptr %v165, ptr %v172, ptr %v179, ptr %v539), !noalias !44
+  %v1193 = load i64, ptr %v540, align 8, !noalias !47
+  %v1194 = inttoptr i64 %v1193 to ptr
+  tail call void %v1194(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !47
+  br label %v1184
 
 v1184:
-  store i64 3, ptr %v1181, align 8, !noalias !54
-  br label %v1177
+  br i1 %v307, label %v1129, label %v1195
 
-v1177:
-  br i1 %v304, label %v1185, label %v1186
+v1196:
+  store double 0.000000e+00, ptr %v1197, align 8, !noalias !50
+  %v1198 = getelementptr double, ptr %v545, i64 %v1199
+  store double 0.000000e+00, ptr %v1198, align 8, !noalias !50
+  %v1200 = getelementptr double, ptr %v547, i64 %v1199
+  store double 0.000000e+00, ptr %v1200, align 8, !noalias !50
+  %v1201 = getelementptr i64, ptr %v142, i64 %v1199
+  %v1202 = load i64, ptr %v1201, align 8, !noalias !50
+  %v1203 = icmp slt i64 %v1202, 0
+  %v1204 = select i1 %v1203, i64 %v125, i64 0
+  %v1205 = add i64 %v1204, %v1202
+  %v1206 = mul i64 %v1205, %v126
+  %v1207 = getelementptr i64, ptr %v124, i64 %v1206
+  %v1208 = getelementptr i8, ptr %v1207, i64 8
+  %v1209 = load i64, ptr %v1208, align 8, !noalias !50
+  %v1210 = add nsw i64 %v1209, %v549
+  store i64 %v1210, ptr %v1208, align 8, !noalias !50
+  %v1211 = load i64, ptr %v1201, align 8, !noalias !50
+  %v1212 = icmp slt i64 %v1211, 0
+  %v1213 = select i1 %v1212, i64 %v125, i64 0
+  %v1214 = add i64 %v1213, %v1211
+  %v1215 = mul i64 %v1214, %v126
+  %v1216 = getelementptr i64, ptr %v124, i64 %v1215
+  %v1217 = getelementptr i8, ptr %v1216, i64 16
+  %v1218 = load i64, ptr %v1217, align 8, !noalias !50
+  %v1219 = add nsw i64 %v1218, %v550
+  store i64 %v1219, ptr %v1217, align 8, !noalias !50
+  %v1220 = getelementptr double, ptr %v552, i64 %v1199
+  %v1221 = load double, ptr %v1220, align 8, !noalias !50
+  %v1222 = fcmp une double %v1221, 0.000000e+00
+  br i1 %v1222, label %v1223, label %v1224
 
-v1185:
-  %v1187 = load double, ptr %v536, align 8, !noalias !57
-  %v1188 = load double, ptr %v92, align 8, !noalias !57
-  %v1189 = fsub double %v1187, %v1188
-  %v1190 = fmul double %v1189, 1.000000e-13
-  %v1191 = load double, ptr %v133, align 8, !noalias !57
-  %v1192 = tail call double @llvm.fabs.f64(double %v1191)
-  %v1193 = fmul double %v1192, 4.000000e-15
-  %v1194 = fcmp ogt double %v1193, %v1190
-  %v1195 = select i1 %v1194, double %v1193, double %v1190
-  %v1196 = fadd double %v1191, %v1195
-  store double %v1196, ptr %v538, align 8, !noalias !67
-  %v1197 = load i64, ptr %v6, align 8, !noalias !68
-  %v1198 = inttoptr i64 %v1197 to ptr
-  tail call void %v1198(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v539), !noalias !68
-  br i1 %v540, label %v1199, label %v1200
+v1223:
+  %v1225 = load i64, ptr %v1201, align 8, !noalias !54
+  %v1226 = icmp sgt i64 %v1225, -1
+  br i1 %v1226, label %v1227, label %v1224
 
-v1199:
-  %v1201 = load i64, ptr %v546, align 8, !noalias !71
-  %v1202 = inttoptr i64 %v1201 to ptr
-  tail call void %v1202(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v548), !noalias !71
-  %v1203 = load i64, ptr %v546, align 8, !noalias !74
-  %v1204 = inttoptr i64 %v1203 to ptr
-  tail call void %v1204(ptr nonnull %v538, ptr %v550, ptr %v165, ptr %v172, ptr %v179, ptr %v552), !noalias !74
-  br label %v1205
+v1227:
+  %v1228 = getelementptr i64, ptr %v110, i64 %v1225
+  %v1229 = load i64, ptr %v1228, align 8, !noalias !54
+  %v1230 = icmp eq i64 %v1229, 0
+  br i1 %v1230, label %v1231, label %v1224
 
-v1205:
-  %v1206 = phi i64 [ %v18, %v1199 ], [ %v1207, %v1208 ]
-  %v1209 = phi i64 [ %v554, %v1199 ], [ %v1210, %v1208 ]
-  %v1211 = icmp sgt i64 %v1209, 0
-  br i1 %v1211, label %v1208, label %v1212
+v1231:
+  store i64 3, ptr %v1228, align 8, !noalias !54
+  br label %v1224
 
-v1208:
-  %v1210 = add nsw i64 %v1209, -1
-  %v1207 = add i64 %v1206, 1
-  %v1213 = icmp slt i64 %v1206, 0
-  %v1214 = select i1 %v1213, i64 %v207, i64 0
-  %v1215 = add i64 %v1214, %v1206
-  %v1216 = getelementptr double, ptr %v558, i64 %v1215
-  %v1217 = load double, ptr %v1216, align 8, !noalias !67
-  %v1218 = getelementptr double, ptr %v561, i64 %v1215
-  %v1219 = load double, ptr %v1218, align 8, !noalias !67
-  %v1220 = fsub double %v1217, %v1219
-  %v1221 = tail call double @llvm.fabs.f64(double %v1220)
-  %v1222 = getelementptr double, ptr %v563, i64 %v1215
-  %v1223 = load double, ptr %v1222, align 8, !noalias !67
-  %v1224 = tail call i1 @llvm.is.fpclass.f64(double %v1223, i32 543)
-  %v1225 = select i1 %v1224, double 0.000000e+00, double %v1223
-  %v1226 = fcmp ueq double %v1221, 0x7FF0000000000000
-  %v1227 = select i1 %v1226, double -0.000000e+00, double %v1221
-  %v1228 = fadd double %v1225, %v1227
-  %v1229 = getelementptr double, ptr %v560, i64 %v1215
-  %v1230 = load double, ptr %v1229, align 8, !noalias !67
-  %v1231 = fneg double %v1228
-  %v1232 = fcmp olt double %v1230, %v1231
-  br i1 %v1232, label %v1212, label %v1205
+v1224:
+  br i1 %v304, label %v1232, label %v1233
 
-v1200:
-  %v1233 = phi i64 [ %v1234, %v1200 ], [ 0, %v1185 ]
-  %v1234 = add nsw i64 %v1233, 1
-  %v1235 = mul i64 %v1233, %v196
-  %v1236 = getelementptr double, ptr %v193, i64 %v1235
-  %v1237 = load double, ptr %v1236, align 8, !noalias !67
-  %v1238 = getelementptr double, ptr %v543, i64 %v1235
-  %v1239 = load double, ptr %v1238, align 8, !noalias !67
-  %v1240 = fmul double %v1195, %v1239
-  %v1241 = fadd double %v1237, %v1240
-  %v1242 = getelementptr double, ptr %v545, i64 %v1235
-  store double %v1241, ptr %v1242, align 8, !noalias !67
-  %v1243 = icmp eq i64 %v10, %v1234
-  br i1 %v1243, label %v1199, label %v1200
+v1232:
+  %v1234 = load double, ptr %v554, align 8, !noalias !57
+  %v1235 = load double, ptr %v92, align 8, !noalias !57
+  %v1236 = fsub double %v1234, %v1235
+  %v1237 = fmul double %v1236, 1.000000e-13
+  %v1238 = load double, ptr %v133, align 8, !noalias !57
+  %v1239 = tail call double @llvm.fabs.f64(double %v1238)
+  %v1240 = fmul double %v1239, 4.000000e-15
+  %v1241 = fcmp ogt double %v1240, %v1237
+  %v1242 = select i1 %v1241, double %v1240, double %v1237
+  %v1243 = fadd double %v1238, %v1242
+  store double %v1243, ptr %v556, align 8, !noalias !67
+  %v1244 = load i64, ptr %v6, align 8, !noalias !68
+  %v1245 = inttoptr i64 %v1244 to ptr
+  tail call void %v1245(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v557), !noalias !68
+  br i1 %v558, label %v1246, label %v1247
 
-v1244:
-  %v1245 = getelementptr i64, ptr %v565, i64 %v1152
-  store i64 %v1246, ptr %v1245, align 8, !noalias !77
-  %v1247 = load i64, ptr %v1154, align 8, !noalias !78
-  %v1248 = icmp sgt i64 %v1247, -1
-  br i1 %v1248, label %v1249, label %v1250
+v1246:
+  %v1248 = load i64, ptr %v564, align 8, !noalias !71
+  %v1249 = inttoptr i64 %v1248 to ptr
+  tail call void %v1249(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v566), !noalias !71
+  %v1250 = load i64, ptr %v564, align 8, !noalias !74
+  %v1251 = inttoptr i64 %v1250 to ptr
+  tail call void %v1251(ptr nonnull %v556, ptr %v568, ptr %v165, ptr %v172, ptr %v179, ptr %v570), !noalias !74
+  br label %v1252
 
-v1249:
-  %v1251 = getelementptr i64, ptr %v110, i64 %v1247
-  %v1252 = load i64, ptr %v1251, align 8, !noalias !78
-  %v1253 = icmp eq i64 %v1252, 0
-  br i1 %v1253, label %v1254, label %v1250
+v1252:
+  %v1253 = phi i64 [ %v18, %v1246 ], [ %v1254, %v1255 ]
+  %v1256 = phi i64 [ %v572, %v1246 ], [ %v1257, %v1255 ]
+  %v1258 = icmp sgt i64 %v1256, 0
+  br i1 %v1258, label %v1255, label %v1259
 
-v1254:
-  store i64 4, ptr %v1251, align 8, !noalias !78
-  br label %v1250
+v1255:
+  %v1257 = add nsw i64 %v1256, -1
+  %v1254 = add i64 %v1253, 1
+  %v1260 = icmp slt i64 %v1253, 0
+  %v1261 = select i1 %v1260, i64 %v207, i64 0
+  %v1262 = add i64 %v1261, %v1253
+  %v1263 = getelementptr double, ptr %v576, i64 %v1262
+  %v1264 = load double, ptr %v1263, align 8, !noalias !67
+  %v1265 = getelementptr double, ptr %v579, i64 %v1262
+  %v1266 = load double, ptr %v1265, align 8, !noalias !67
+  %v1267 = fsub double %v1264, %v1266
+  %v1268 = tail call double @llvm.fabs.f64(double %v1267)
+  %v1269 = getelementptr double, ptr %v581, i64 %v1262
+  %v1270 = load double, ptr %v1269, align 8, !noalias !67
+  %v1271 = tail call i1 @llvm.is.fpclass.f64(double %v1270, i32 543)
+  %v1272 = select i1 %v1271, double 0.000000e+00, double %v1270
+  %v1273 = fcmp ueq double %v1268, 0x7FF0000000000000
+  %v1274 = select i1 %v1273, double -0.000000e+00, double %v1268
+  %v1275 = fadd double %v1272, %v1274
+  %v1276 = getelementptr double, ptr %v578, i64 %v1262
+  %v1277 = load double, ptr %v1276, align 8, !noalias !67
+  %v1278 = fneg double %v1275
+  %v1279 = fcmp olt double %v1277, %v1278
+  br i1 %v1279, label %v1259, label %v1252
 
-v1250:
-  %v1255 = getelementptr double, ptr %v133, i64 %v1152
-  %v1256 = load double, ptr %v1255, align 8, !noalias !77
-  %v1257 = getelementptr double, ptr %v567, i64 %v1152
-  store double %v1256, ptr %v1257, align 8, !noalias !77
-  %v1258 = getelementptr double, ptr %v569, i64 %v1152
-  store double 0.000000e+00, ptr %v1258, align 8, !noalias !77
-  br label %v1186
+v1247:
+  %v1280 = phi i64 [ %v1281, %v1247 ], [ 0, %v1232 ]
+  %v1281 = add nsw i64 %v1280, 1
+  %v1282 = mul i64 %v1280, %v196
+  %v1283 = getelementptr double, ptr %v193, i64 %v1282
+  %v1284 = load double, ptr %v1283, align 8, !noalias !67
+  %v1285 = getelementptr double, ptr %v561, i64 %v1282
+  %v1286 = load double, ptr %v1285, align 8, !noalias !67
+  %v1287 = fmul double %v1242, %v1286
+  %v1288 = fadd double %v1284, %v1287
+  %v1289 = getelementptr double, ptr %v563, i64 %v1282
+  store double %v1288, ptr %v1289, align 8, !noalias !67
+  %v1290 = icmp eq i64 %v10, %v1281
+  br i1 %v1290, label %v1246, label %v1247
 
-v1212:
-  %v1246 = phi i64 [ %v1206, %v1208 ], [ -1, %v1205 ]
-  %v1259 = icmp sgt i64 %v1246, -1
-  br i1 %v1259, label %v1244, label %v1186
-
-v1260:
-  %v1261 = icmp sgt i64 %v1262, 1
-  br i1 %v1261, label %v1148, label %v1082
-
-v1148:
-  %v1262 = phi i64 [ %v1263, %v1260 ], [ %v308, %v1137 ]
-  %v1152 = phi i64 [ %v1264, %v1260 ], [ 0, %v1137 ]
-  %v1263 = add nsw i64 %v1262, -1
-  %v1264 = add nsw i64 %v1152, 1
-  %v1150 = getelementptr double, ptr %v525, i64 %v1152
-  %v1265 = load double, ptr %v1150, align 8, !noalias !50
-  %v1266 = fcmp olt double %v1265, 5.000000e-01
-  br i1 %v1266, label %v1260, label %v1149
-
-v1186:
-  %v1267 = getelementptr double, ptr %v571, i64 %v1152
-  %v1268 = load double, ptr %v1267, align 8, !noalias !81
-  %v1269 = getelementptr double, ptr %v573, i64 %v1152
-  store double %v1268, ptr %v1269, align 8, !noalias !81
-  %v1270 = getelementptr i64, ptr %v575, i64 %v1152
-  %v1271 = load i64, ptr %v1270, align 8, !noalias !81
-  %v1272 = icmp slt i64 %v1271, %v93
-  br i1 %v1272, label %v1273, label %v1260
-
-v1273:
-  %v1274 = icmp slt i64 %v1271, 0
-  %v1275 = select i1 %v1274, i64 %v93, i64 0
-  %v1276 = getelementptr double, ptr %v92, i64 %v1271
-  %v1277 = getelementptr double, ptr %v1276, i64 %v1275
-  %v1278 = load double, ptr %v1277, align 8, !noalias !81
-  %v1279 = load double, ptr %v1267, align 8, !noalias !81
-  %v1280 = fcmp olt double %v1279, %v1278
-  %v1281 = select i1 %v1280, double %v1279, double %v1278
-  store double %v1281, ptr %v1269, align 8, !noalias !81
-  br label %v1260
-
-v1082:
-  %v1282 = phi i1 [ %v660, %v1088 ], [ %v660, %v1073 ], [ true, %v1137 ], [ true, %v1260 ]
-  %v1283 = load i64, ptr %v576, align 8, !noalias !85
-  %v1284 = inttoptr i64 %v1283 to ptr
-  tail call void %v1284(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !85
-  br i1 %v577, label %v1285, label %v1286
-
-v1287:
-  %v1288 = getelementptr double, ptr %v662, i64 %v1289
-  %v1290 = load double, ptr %v1288, align 8
-  %v1291 = fcmp ogt double %v1290, 5.000000e-01
-  br label %v1292
-
-v1292:
-  %v1293 = phi i1 [ true, %v1294 ], [ %v1291, %v1287 ]
+v1291:
+  %v1292 = getelementptr i64, ptr %v583, i64 %v1199
+  store i64 %v1293, ptr %v1292, align 8, !noalias !77
+  %v1294 = load i64, ptr %v1201, align 8, !noalias !78
+  %v1295 = icmp sgt i64 %v1294, -1
   br i1 %v1295, label %v1296, label %v1297
 
-v1297:
-  %v1298 = getelementptr double, ptr %v664, i64 %v1289
-  %v1299 = load double, ptr %v1298, align 8
-  %v1300 = fcmp ogt double %v1299, 5.000000e-01
-  br label %v1296
-
 v1296:
-  %v1301 = phi i1 [ true, %v1292 ], [ %v1300, %v1297 ]
-  %v1302 = icmp sgt i64 %v1303, 1
-  br i1 %v1302, label %v1294, label %v1304
+  %v1298 = getelementptr i64, ptr %v110, i64 %v1294
+  %v1299 = load i64, ptr %v1298, align 8, !noalias !78
+  %v1300 = icmp eq i64 %v1299, 0
+  br i1 %v1300, label %v1301, label %v1297
 
-v1304:
-  %v1305 = phi i1 [ false, %v1306 ], [ %v1293, %v1296 ]
-  %v1307 = phi i1 [ %v1282, %v1306 ], [ %v1301, %v1296 ]
-  %v1308 = xor i1 %v1307, true
-  %v1309 = or i1 %v307, %v1308
-  br i1 %v1309, label %v1310, label %v1311
+v1301:
+  store i64 4, ptr %v1298, align 8, !noalias !78
+  br label %v1297
 
-v1312:
-  br i1 %v307, label %v1310, label %v1313
+v1297:
+  %v1302 = getelementptr double, ptr %v133, i64 %v1199
+  %v1303 = load double, ptr %v1302, align 8, !noalias !77
+  %v1304 = getelementptr double, ptr %v585, i64 %v1199
+  store double %v1303, ptr %v1304, align 8, !noalias !77
+  %v1305 = getelementptr double, ptr %v587, i64 %v1199
+  store double 0.000000e+00, ptr %v1305, align 8, !noalias !77
+  br label %v1233
 
-v1314:
-  %v1315 = getelementptr double, ptr %v666, i64 %v1316
-  %v1317 = load double, ptr %v1315, align 8, !noalias !91
-  %v1318 = fptosi double %v1317 to i64
-  %v1319 = getelementptr double, ptr %v668, i64 %v1316
-  %v1320 = load double, ptr %v1319, align 8, !noalias !91
-  %v1321 = fptosi double %v1320 to i64
-  %v1322 = mul i64 %v1323, %v126
-  %v1324 = getelementptr i64, ptr %v124, i64 %v1322
-  %v1325 = load i64, ptr %v1324, align 8, !noalias !91
-  %v1326 = add nsw i64 %v1325, %v1318
-  store i64 %v1326, ptr %v1324, align 8, !noalias !91
-  %v1327 = getelementptr i8, ptr %v1324, i64 24
-  %v1328 = load i64, ptr %v1327, align 8, !noalias !91
-  %v1329 = add nsw i64 %v1328, %v1321
-  store i64 %v1329, ptr %v1327, align 8, !noalias !91
-  %v1330 = getelementptr i8, ptr %v1324, i64 8
-  %v1331 = load i64, ptr %v1330, align 8, !noalias !91
-  %v1332 = add nsw i64 %v1321, %v1318
-  %v1333 = mul nsw i64 %v1332, %v636
-  %v1334 = add nsw i64 %v1333, %v1318
-  %v1335 = add nsw i64 %v1334, %v1331
-  store i64 %v1335, ptr %v1330, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1315, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1319, align 8, !noalias !91
-  %v1336 = getelementptr double, ptr %v670, i64 %v1316
-  %v1337 = load double, ptr %v1336, align 8, !noalias !91
-  %v1338 = sitofp i64 %v1332 to double
-  %v1339 = fsub double %v1337, %v1338
-  store double %v1339, ptr %v1336, align 8, !noalias !91
-  br label %v1340
+v1259:
+  %v1293 = phi i64 [ %v1253, %v1255 ], [ -1, %v1252 ]
+  %v1306 = icmp sgt i64 %v1293, -1
+  br i1 %v1306, label %v1291, label %v1233
 
-v1340:
-  %v1341 = icmp sgt i64 %v1342, 1
-  br i1 %v1341, label %v1311, label %v1312
+v1307:
+  %v1308 = icmp sgt i64 %v1309, 1
+  br i1 %v1308, label %v1195, label %v1129
 
-v1311:
-  %v1342 = phi i64 [ %v1343, %v1340 ], [ %v308, %v1304 ]
-  %v1316 = phi i64 [ %v1344, %v1340 ], [ 0, %v1304 ]
-  %v1343 = add nsw i64 %v1342, -1
-  %v1344 = add nsw i64 %v1316, 1
-  %v1345 = getelementptr i64, ptr %v142, i64 %v1316
-  %v1323 = load i64, ptr %v1345, align 8, !noalias !91
-  %v1346 = icmp sgt i64 %v1323, -1
-  br i1 %v1346, label %v1314, label %v1340
+v1195:
+  %v1309 = phi i64 [ %v1310, %v1307 ], [ %v308, %v1184 ]
+  %v1199 = phi i64 [ %v1311, %v1307 ], [ 0, %v1184 ]
+  %v1310 = add nsw i64 %v1309, -1
+  %v1311 = add nsw i64 %v1199, 1
+  %v1197 = getelementptr double, ptr %v543, i64 %v1199
+  %v1312 = load double, ptr %v1197, align 8, !noalias !50
+  %v1313 = fcmp olt double %v1312, 5.000000e-01
+  br i1 %v1313, label %v1307, label %v1196
 
-v1347:
-  %v1348 = getelementptr double, ptr %v676, i64 %v1349
-  %v1350 = load double, ptr %v1348, align 8, !noalias !98
-  %v1351 = fcmp ogt double %v1350, 5.000000e-01
-  br i1 %v1351, label %v1352, label %v1353
+v1233:
+  %v1314 = getelementptr double, ptr %v589, i64 %v1199
+  %v1315 = load double, ptr %v1314, align 8, !noalias !81
+  %v1316 = getelementptr double, ptr %v591, i64 %v1199
+  store double %v1315, ptr %v1316, align 8, !noalias !81
+  %v1317 = getelementptr i64, ptr %v593, i64 %v1199
+  %v1318 = load i64, ptr %v1317, align 8, !noalias !81
+  %v1319 = icmp slt i64 %v1318, %v93
+  br i1 %v1319, label %v1320, label %v1307
 
-v1352:
-  %v1354 = fptosi double %v1350 to i64
-  %v1355 = load i64, ptr %v1356, align 8, !noalias !99
-  %v1357 = icmp sgt i64 %v1355, -1
-  br i1 %v1357, label %v1358, label %v1353
+v1320:
+  %v1321 = icmp slt i64 %v1318, 0
+  %v1322 = select i1 %v1321, i64 %v93, i64 0
+  %v1323 = getelementptr double, ptr %v92, i64 %v1318
+  %v1324 = getelementptr double, ptr %v1323, i64 %v1322
+  %v1325 = load double, ptr %v1324, align 8, !noalias !81
+  %v1326 = load double, ptr %v1314, align 8, !noalias !81
+  %v1327 = fcmp olt double %v1326, %v1325
+  %v1328 = select i1 %v1327, double %v1326, double %v1325
+  store double %v1328, ptr %v1316, align 8, !noalias !81
+  br label %v1307
 
-v1353:
-  %v1359 = getelementptr double, ptr %v678, i64 %v1349
-  %v1360 = load double, ptr %v1359, align 8, !noalias !98
-  %v1361 = fcmp ogt double %v1360, 5.000000e-01
-  br i1 %v1361, label %v1362, label %v1363
+v1129:
+  %v1329 = phi i1 [ %v678, %v1135 ], [ %v678, %v1120 ], [ true, %v1184 ], [ true, %v1307 ]
+  %v1330 = load i64, ptr %v594, align 8, !noalias !85
+  %v1331 = inttoptr i64 %v1330 to ptr
+  tail call void %v1331(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !85
+  br i1 %v595, label %v1332, label %v1333
 
-v1362:
-  %v1364 = select i1 %v1365, i1 true, i1 %v304
-  %v1366 = icmp slt i64 %v1367, %v93
-  br i1 %v1366, label %v1368, label %v1369
+v1334:
+  %v1335 = getelementptr double, ptr %v680, i64 %v1336
+  %v1337 = load double, ptr %v1335, align 8
+  %v1338 = fcmp ogt double %v1337, 5.000000e-01
+  br label %v1339
 
-v1368:
-  %v1370 = icmp slt i64 %v1367, 0
-  %v1371 = select i1 %v1370, i64 %v93, i64 0
-  %v1372 = getelementptr double, ptr %v92, i64 %v1367
-  %v1373 = getelementptr double, ptr %v1372, i64 %v1371
-  %v1374 = load double, ptr %v1373, align 8, !noalias !98
-  %v1375 = getelementptr double, ptr %v680, i64 %v1349
-  %v1376 = load double, ptr %v1375, align 8, !noalias !98
-  %v1377 = fcmp olt double %v1374, %v1376
-  br i1 %v1377, label %v1378, label %v1369
+v1339:
+  %v1340 = phi i1 [ true, %v1341 ], [ %v1338, %v1334 ]
+  br i1 %v1342, label %v1343, label %v1344
 
-v1378:
-  br label %v1369
+v1344:
+  %v1345 = getelementptr double, ptr %v682, i64 %v1336
+  %v1346 = load double, ptr %v1345, align 8
+  %v1347 = fcmp ogt double %v1346, 5.000000e-01
+  br label %v1343
 
-v1369:
-  %v1379 = phi i1 [ true, %v1378 ], [ %v1364, %v1368 ], [ %v1364, %v1362 ]
-  %v1380 = mul i64 %v1381, %v126
-  %v1382 = getelementptr i64, ptr %v124, i64 %v1380
-  %v1383 = load i64, ptr %v1382, align 8, !noalias !98
-  %v1384 = and i64 %v1383, 127
-  %v1385 = icmp eq i64 %v1384, 0
-  br i1 %v1385, label %v1386, label %v1387
+v1343:
+  %v1348 = phi i1 [ true, %v1339 ], [ %v1347, %v1344 ]
+  %v1349 = icmp sgt i64 %v1350, 1
+  br i1 %v1349, label %v1341, label %v1351
+
+v1351:
+  %v1352 = phi i1 [ false, %v1353 ], [ %v1340, %v1343 ]
+  %v1354 = phi i1 [ %v1329, %v1353 ], [ %v1348, %v1343 ]
+  %v1355 = xor i1 %v1354, true
+  %v1356 = or i1 %v307, %v1355
+  br i1 %v1356, label %v1357, label %v1358
+
+v1359:
+  br i1 %v307, label %v1357, label %v1360
+
+v1361:
+  %v1362 = getelementptr double, ptr %v684, i64 %v1363
+  %v1364 = load double, ptr %v1362, align 8, !noalias !91
+  %v1365 = fptosi double %v1364 to i64
+  %v1366 = getelementptr double, ptr %v686, i64 %v1363
+  %v1367 = load double, ptr %v1366, align 8, !noalias !91
+  %v1368 = fptosi double %v1367 to i64
+  %v1369 = mul i64 %v1370, %v126
+  %v1371 = getelementptr i64, ptr %v124, i64 %v1369
+  %v1372 = load i64, ptr %v1371, align 8, !noalias !91
+  %v1373 = add nsw i64 %v1372, %v1365
+  store i64 %v1373, ptr %v1371, align 8, !noalias !91
+  %v1374 = getelementptr i8, ptr %v1371, i64 24
+  %v1375 = load i64, ptr %v1374, align 8, !noalias !91
+  %v1376 = add nsw i64 %v1375, %v1368
+  store i64 %v1376, ptr %v1374, align 8, !noalias !91
+  %v1377 = getelementptr i8, ptr %v1371, i64 8
+  %v1378 = load i64, ptr %v1377, align 8, !noalias !91
+  %v1379 = add nsw i64 %v1368, %v1365
+  %v1380 = mul nsw i64 %v1379, %v654
+  %v1381 = add nsw i64 %v1380, %v1365
+  %v1382 = add nsw i64 %v1381, %v1378
+  store i64 %v1382, ptr %v1377, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1362, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1366, align 8, !noalias !91
+  %v1383 = getelementptr double, ptr %v688, i64 %v1363
+  %v1384 = load double, ptr %v1383, align 8, !noalias !91
+  %v1385 = sitofp i64 %v1379 to double
+  %v1386 = fsub double %v1384, %v1385
+  store double %v1386, ptr %v1383, align 8, !noalias !91
+  br label %v1387
 
 v1387:
-  %v1388 = getelementptr double, ptr %v682, i64 %v1349
-  %v1389 = load double, ptr %v1388, align 8, !noalias !98
-  %v1390 = fcmp ogt double %v1389, 0.000000e+00
-  br i1 %v1390, label %v1386, label %v1363
-
-v1386:
-  store double 1.000000e+00, ptr %v1391, align 8, !noalias !98
-  br label %v1363
-
-v1363:
-  %v1392 = phi i1 [ %v1379, %v1386 ], [ %v1379, %v1387 ], [ %v1365, %v1353 ], [ %v1365, %v1313 ]
-  %v1393 = phi i1 [ true, %v1386 ], [ %v1394, %v1387 ], [ %v1394, %v1353 ], [ %v1394, %v1313 ]
-  %v1395 = icmp sgt i64 %v1396, 1
-  br i1 %v1395, label %v1313, label %v1397
-
-v1313:
-  %v1394 = phi i1 [ %v1393, %v1363 ], [ false, %v1312 ]
-  %v1365 = phi i1 [ %v1392, %v1363 ], [ false, %v1312 ]
-  %v1396 = phi i64 [ %v1398, %v1363 ], [ %v308, %v1312 ]
-  %v1349 = phi i64 [ %v1399, %v1363 ], [ 0, %v1312 ]
-  %v1398 = add nsw i64 %v1396, -1
-  %v1399 = add nsw i64 %v1349, 1
-  %v1356 = getelementptr i64, ptr %v142, i64 %v1349
-  %v1381 = load i64, ptr %v1356, align 8, !noalias !98
-  %v1400 = getelementptr i64, ptr %v672, i64 %v1349
-  %v1367 = load i64, ptr %v1400, align 8, !noalias !98
-  %v1391 = getelementptr double, ptr %v674, i64 %v1349
-  store double 0.000000e+00, ptr %v1391, align 8, !noalias !98
-  %v1401 = icmp sgt i64 %v1381, -1
-  br i1 %v1401, label %v1347, label %v1363
+  %v1388 = icmp sgt i64 %v1389, 1
+  br i1 %v1388, label %v1358, label %v1359
 
 v1358:
-  %v1402 = getelementptr i64, ptr %v110, i64 %v1355
-  %v1403 = load i64, ptr %v1402, align 8, !noalias !99
-  %v1404 = icmp eq i64 %v1403, 0
-  br i1 %v1404, label %v1405, label %v1353
+  %v1389 = phi i64 [ %v1390, %v1387 ], [ %v308, %v1351 ]
+  %v1363 = phi i64 [ %v1391, %v1387 ], [ 0, %v1351 ]
+  %v1390 = add nsw i64 %v1389, -1
+  %v1391 = add nsw i64 %v1363, 1
+  %v1392 = getelementptr i64, ptr %v142, i64 %v1363
+  %v1370 = load i64, ptr %v1392, align 8, !noalias !91
+  %v1393 = icmp sgt i64 %v1370, -1
+  br i1 %v1393, label %v1361, label %v1387
 
-v1405:
-  store i64 %v1354, ptr %v1402, align 8, !noalias !99
-  br label %v1353
+v1394:
+  %v1395 = getelementptr double, ptr %v694, i64 %v1396
+  %v1397 = load double, ptr %v1395, align 8, !noalias !98
+  %v1398 = fcmp ogt double %v1397, 5.000000e-01
+  br i1 %v1398, label %v1399, label %v1400
 
-v1310:
-  %v1406 = phi i1 [ true, %v1304 ], [ true, %v1312 ], [ %v1407, %v1397 ]
-  %v1408 = phi i1 [ true, %v1304 ], [ true, %v1312 ], [ %v1409, %v1397 ]
-  %v1410 = and i1 %v683, %v1305
-  br i1 %v1410, label %v1411, label %v1412
+v1399:
+  %v1401 = fptosi double %v1397 to i64
+  %v1402 = load i64, ptr %v1403, align 8, !noalias !99
+  %v1404 = icmp sgt i64 %v1402, -1
+  br i1 %v1404, label %v1405, label %v1400
 
-v1411:
-  %v1413 = load i64, ptr %v6, align 8, !noalias !102
-  %v1414 = inttoptr i64 %v1413 to ptr
-  tail call void %v1414(ptr %v688, ptr %v691, ptr %v165, ptr %v172, ptr %v179, ptr %v693), !noalias !102
-  br label %v1412
+v1400:
+  %v1406 = getelementptr double, ptr %v696, i64 %v1396
+  %v1407 = load double, ptr %v1406, align 8, !noalias !98
+  %v1408 = fcmp ogt double %v1407, 5.000000e-01
+  br i1 %v1408, label %v1409, label %v1410
 
-v1412:
-  br i1 %v1408, label %v1415, label %v1416
-
-v1416:
-  %v1417 = load i64, ptr %v694, align 8, !noalias !108
-  %v1418 = inttoptr i64 %v1417 to ptr
-  tail call void %v1418(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !108
-  br label %v1415
+v1409:
+  %v1411 = select i1 %v1412, i1 true, i1 %v304
+  %v1413 = icmp slt i64 %v1414, %v93
+  br i1 %v1413, label %v1415, label %v1416
 
 v1415:
-  %v1419 = select i1 %v1305, i1 %v304, i1 false
-  %v1420 = xor i1 %v1305, true
-  %v1421 = select i1 %v305, i1 %v1305, i1 false
-  %v1422 = xor i1 %v1421, true
-  %v1423 = select i1 %v1422, i1 true, i1 %v1419
-  %v1424 = select i1 %v305, i1 %v1305, i1 %v1419
-  br i1 %v1423, label %v1425, label %v1426
-
-v1426:
-  %v1427 = load i64, ptr %v695, align 8, !noalias !111
-  %v1428 = inttoptr i64 %v1427 to ptr
-  tail call void %v1428(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !111
-  br label %v1429
-
-v1429:
-  %v1430 = phi i64 [ 0, %v1426 ], [ %v1431, %v1432 ]
-  %v1431 = add nsw i64 %v1430, 1
-  %v1433 = icmp ult i64 %v1430, 9
-  br i1 %v1433, label %v1434, label %v1435
-
-v1434:
-  %v1436 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1430
-  %v1437 = load double, ptr %v1436, align 8
-  %v1438 = load double, ptr %v133, align 8, !noalias !114
-  %v1439 = load double, ptr %v698, align 8, !noalias !114
-  %v1440 = fmul double %v1437, %v1439
-  %v1441 = fadd double %v1438, %v1440
-  store double %v1441, ptr %v700, align 8, !noalias !114
-  br i1 %v702, label %v1432, label %v1442
-
-v1442:
-  %v1443 = fsub double 1.000000e+00, %v1437
-  br label %v1444
-
-v1444:
-  %v1445 = phi i64 [ 0, %v1442 ], [ %v1446, %v1444 ]
-  %v1447 = mul i64 %v1445, %v196
-  %v1448 = getelementptr double, ptr %v193, i64 %v1447
-  %v1449 = getelementptr i8, ptr %v1448, i64 %v706
-  %v1450 = load double, ptr %v1449, align 8, !noalias !124
-  %v1451 = fadd double %v1450, 0.000000e+00
-  %v1452 = fmul double %v1437, %v1451
-  %v1453 = getelementptr i8, ptr %v1448, i64 %v707
-  %v1454 = load double, ptr %v1453, align 8, !noalias !124
-  %v1455 = fadd double %v1454, %v1452
-  %v1456 = fmul double %v1443, %v1455
-  %v1457 = getelementptr i8, ptr %v1448, i64 %v708
-  %v1458 = load double, ptr %v1457, align 8, !noalias !124
-  %v1459 = fadd double %v1458, %v1456
-  %v1460 = fmul double %v1437, %v1459
-  %v1461 = getelementptr i8, ptr %v1448, i64 %v709
-  %v1462 = load double, ptr %v1461, align 8, !noalias !124
-  %v1463 = fadd double %v1462, %v1460
-  %v1464 = fmul double %v1443, %v1463
-  %v1465 = getelementptr i8, ptr %v1448, i64 %v710
-  %v1466 = load double, ptr %v1465, align 8, !noalias !124
-  %v1467 = fadd double %v1466, %v1464
-  %v1468 = fmul double %v1437, %v1467
-  %v1469 = getelementptr i8, ptr %v1448, i64 %v711
-  %v1470 = load double, ptr %v1469, align 8, !noalias !124
-  %v1471 = fadd double %v1470, %v1468
-  %v1472 = fmul double %v1443, %v1471
-  %v1473 = getelementptr i8, ptr %v1448, i64 %v712
-  %v1474 = load double, ptr %v1473, align 8, !noalias !124
-  %v1475 = fadd double %v1474, %v1472
-  %v1476 = fmul double %v1437, %v1475
-  %v1446 = add nsw i64 %v1445, 1
-  %v1477 = load double, ptr %v1448, align 8, !noalias !124
-  %v1478 = fadd double %v1477, %v1476
-  %v1479 = getelementptr double, ptr %v703, i64 %v1447
-  store double %v1478, ptr %v1479, align 8, !noalias !114
-  %v1480 = icmp eq i64 %v10, %v1446
-  br i1 %v1480, label %v1432, label %v1444
-
-v1432:
-  %v1481 = icmp eq i64 %v1430, 8
-  %v1482 = select i1 %v1481, i64 17, i64 16
-  %v1483 = mul i64 %v704, %v1430
-  %v1484 = load i64, ptr %v705, align 8, !noalias !128
-  %v1485 = mul nsw i64 %v1482, %v10
-  %v1486 = getelementptr double, ptr %v158, i64 %v1485
-  %v1487 = getelementptr double, ptr %v186, i64 %v1483
-  %v1488 = inttoptr i64 %v1484 to ptr
-  tail call void %v1488(ptr nonnull %v700, ptr %v1486, ptr %v165, ptr %v172, ptr %v179, ptr %v1487), !noalias !128
-  %v1489 = icmp eq i64 %v1431, 9
-  br i1 %v1489, label %v1435, label %v1429
-
-v1435:
-  %v1490 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1429 ], [ null, %v1432 ]
-  %v1491 = phi i32 [ 1, %v1429 ], [ 0, %v1432 ]
-  br i1 %v1433, label %v1492, label %v1493, !prof !131
+  %v1417 = icmp slt i64 %v1414, 0
+  %v1418 = select i1 %v1417, i64 %v93, i64 0
+  %v1419 = getelementptr double, ptr %v92, i64 %v1414
+  %v1420 = getelementptr double, ptr %v1419, i64 %v1418
+  %v1421 = load double, ptr %v1420, align 8, !noalias !98
+  %v1422 = getelementptr double, ptr %v698, i64 %v1396
+  %v1423 = load double, ptr %v1422, align 8, !noalias !98
+  %v1424 = fcmp olt double %v1421, %v1423
+  br i1 %v1424, label %v1425, label %v1416
 
 v1425:
-  %v1494 = phi i1 [ %v1424, %v1415 ], [ %v1495, %v1493 ]
-  %v1496 = xor i1 %v1406, true
-  %v1497 = select i1 %v1496, i1 true, i1 %v1494
-  br i1 %v1497, label %v1498, label %v1499
+  br label %v1416
 
-v1498:
-  br i1 %v723, label %v1500, label %v1501
+v1416:
+  %v1426 = phi i1 [ true, %v1425 ], [ %v1411, %v1415 ], [ %v1411, %v1409 ]
+  %v1427 = mul i64 %v1428, %v126
+  %v1429 = getelementptr i64, ptr %v124, i64 %v1427
+  %v1430 = load i64, ptr %v1429, align 8, !noalias !98
+  %v1431 = and i64 %v1430, 127
+  %v1432 = icmp eq i64 %v1431, 0
+  br i1 %v1432, label %v1433, label %v1434
 
-v1502:
-  %v1503 = load i64, ptr %v734, align 8, !noalias !132
-  %v1504 = inttoptr i64 %v1503 to ptr
-  tail call void %v1504(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !132
-  br label %v1501
+v1434:
+  %v1435 = getelementptr double, ptr %v700, i64 %v1396
+  %v1436 = load double, ptr %v1435, align 8, !noalias !98
+  %v1437 = fcmp ogt double %v1436, 0.000000e+00
+  br i1 %v1437, label %v1433, label %v1410
 
-v1500:
-  %v1505 = phi i64 [ %v1506, %v1500 ], [ 1, %v1498 ]
-  %v1506 = add i64 %v1505, 1
-  %v1507 = add nsw i64 %v724, %v1505
-  %v1508 = icmp slt i64 %v1507, 0
-  %v1509 = select i1 %v1508, i64 %v7, i64 0
-  %v1510 = getelementptr i64, ptr %v6, i64 %v1507
-  %v1511 = getelementptr i64, ptr %v1510, i64 %v1509
-  %v1512 = load i64, ptr %v1511, align 8, !noalias !138
-  %v1513 = inttoptr i64 %v1512 to ptr
-  tail call void %v1513(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !138
-  %v1514 = add nsw i64 %v1505, 13
-  %v1515 = load i64, ptr %v6, align 8, !noalias !141
-  %v1516 = mul nsw i64 %v1514, %v727
-  %v1517 = getelementptr double, ptr %v158, i64 %v1516
-  %v1518 = inttoptr i64 %v1515 to ptr
-  tail call void %v1518(ptr %v726, ptr %v729, ptr %v165, ptr %v172, ptr %v179, ptr %v1517), !noalias !141
-  %v1519 = icmp eq i64 %v1505, %v12
-  br i1 %v1519, label %v1502, label %v1500
+v1433:
+  store double 1.000000e+00, ptr %v1438, align 8, !noalias !98
+  br label %v1410
 
-v1501:
-  %v1520 = load i64, ptr %v735, align 8, !noalias !144
-  %v1521 = inttoptr i64 %v1520 to ptr
-  tail call void %v1521(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !144
-  %v1522 = select i1 %v686, i1 true, i1 %v1420
-  %v1523 = or i1 %v1522, %v307
-  br i1 %v1523, label %v1524, label %v1525
+v1410:
+  %v1439 = phi i1 [ %v1426, %v1433 ], [ %v1426, %v1434 ], [ %v1412, %v1400 ], [ %v1412, %v1360 ]
+  %v1440 = phi i1 [ true, %v1433 ], [ %v1441, %v1434 ], [ %v1441, %v1400 ], [ %v1441, %v1360 ]
+  %v1442 = icmp sgt i64 %v1443, 1
+  br i1 %v1442, label %v1360, label %v1444
 
-v1526:
-  %v1527 = getelementptr double, ptr %v739, i64 %v1528
-  %v1529 = load double, ptr %v1527, align 8, !noalias !147
-  %v1530 = fcmp uge double %v1529, 5.000000e-01
-  %v1531 = icmp slt i64 %v1532, %v93
-  %v1533 = select i1 %v1530, i1 %v1531, i1 false
-  br i1 %v1533, label %v1534, label %v1535
+v1360:
+  %v1441 = phi i1 [ %v1440, %v1410 ], [ false, %v1359 ]
+  %v1412 = phi i1 [ %v1439, %v1410 ], [ false, %v1359 ]
+  %v1443 = phi i64 [ %v1445, %v1410 ], [ %v308, %v1359 ]
+  %v1396 = phi i64 [ %v1446, %v1410 ], [ 0, %v1359 ]
+  %v1445 = add nsw i64 %v1443, -1
+  %v1446 = add nsw i64 %v1396, 1
+  %v1403 = getelementptr i64, ptr %v142, i64 %v1396
+  %v1428 = load i64, ptr %v1403, align 8, !noalias !98
+  %v1447 = getelementptr i64, ptr %v690, i64 %v1396
+  %v1414 = load i64, ptr %v1447, align 8, !noalias !98
+  %v1438 = getelementptr double, ptr %v692, i64 %v1396
+  store double 0.000000e+00, ptr %v1438, align 8, !noalias !98
+  %v1448 = icmp sgt i64 %v1428, -1
+  br i1 %v1448, label %v1394, label %v1410
 
-v1534:
-  %v1536 = icmp slt i64 %v1532, 0
-  %v1537 = select i1 %v1536, i64 %v93, i64 0
-  %v1538 = getelementptr double, ptr %v92, i64 %v1532
-  %v1539 = getelementptr double, ptr %v1538, i64 %v1537
-  %v1540 = load double, ptr %v1539, align 8, !noalias !147
-  %v1541 = getelementptr double, ptr %v741, i64 %v1528
-  %v1542 = load double, ptr %v1541, align 8, !noalias !147
-  %v1543 = fcmp olt double %v1540, %v1542
-  br i1 %v1543, label %v1544, label %v1535
+v1405:
+  %v1449 = getelementptr i64, ptr %v110, i64 %v1402
+  %v1450 = load i64, ptr %v1449, align 8, !noalias !99
+  %v1451 = icmp eq i64 %v1450, 0
+  br i1 %v1451, label %v1452, label %v1400
 
-v1544:
-  %v1545 = getelementptr double, ptr %v743, i64 %v1528
-  %v1546 = load double, ptr %v1545, align 8, !noalias !147
-  %v1547 = fcmp ogt double %v1546, 1.000000e+00
-  br i1 %v1547, label %v1548, label %v1535
+v1452:
+  store i64 %v1401, ptr %v1449, align 8, !noalias !99
+  br label %v1400
+
+v1357:
+  %v1453 = phi i1 [ true, %v1351 ], [ true, %v1359 ], [ %v1454, %v1444 ]
+  %v1455 = phi i1 [ true, %v1351 ], [ true, %v1359 ], [ %v1456, %v1444 ]
+  %v1457 = and i1 %v701, %v1352
+  br i1 %v1457, label %v1458, label %v1459
+
+v1458:
+  %v1460 = load i64, ptr %v6, align 8, !noalias !102
+  %v1461 = inttoptr i64 %v1460 to ptr
+  tail call void %v1461(ptr %v706, ptr %v709, ptr %v165, ptr %v172, ptr %v179, ptr %v711), !noalias !102
+  br label %v1459
+
+v1459:
+  br i1 %v1455, label %v1462, label %v1463
+
+v1463:
+  %v1464 = load i64, ptr %v712, align 8, !noalias !108
+  %v1465 = inttoptr i64 %v1464 to ptr
+  tail call void %v1465(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !108
+  br label %v1462
+
+v1462:
+  %v1466 = select i1 %v1352, i1 %v304, i1 false
+  %v1467 = xor i1 %v1352, true
+  %v1468 = select i1 %v305, i1 %v1352, i1 false
+  %v1469 = xor i1 %v1468, true
+  %v1470 = select i1 %v1469, i1 true, i1 %v1466
+  %v1471 = select i1 %v305, i1 %v1352, i1 %v1466
+  br i1 %v1470, label %v1472, label %v1473
+
+v1473:
+  %v1474 = load i64, ptr %v713, align 8, !noalias !111
+  %v1475 = inttoptr i64 %v1474 to ptr
+  tail call void %v1475(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !111
+  br label %v1476
+
+v1476:
+  %v1477 = phi i64 [ 0, %v1473 ], [ %v1478, %v1479 ]
+  %v1478 = add nsw i64 %v1477, 1
+  %v1480 = icmp ult i64 %v1477, 9
+  br i1 %v1480, label %v1481, label %v1482
+
+v1481:
+  %v1483 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1477
+  %v1484 = load double, ptr %v1483, align 8
+  %v1485 = load double, ptr %v133, align 8, !noalias !114
+  %v1486 = load double, ptr %v716, align 8, !noalias !114
+  %v1487 = fmul double %v1484, %v1486
+  %v1488 = fadd double %v1485, %v1487
+  store double %v1488, ptr %v718, align 8, !noalias !114
+  br i1 %v720, label %v1479, label %v1489
+
+v1489:
+  %v1490 = fsub double 1.000000e+00, %v1484
+  br label %v1491
+
+v1491:
+  %v1492 = phi i64 [ 0, %v1489 ], [ %v1493, %v1491 ]
+  %v1494 = mul i64 %v1492, %v196
+  %v1495 = getelementptr double, ptr %v193, i64 %v1494
+  %v1496 = getelementptr i8, ptr %v1495, i64 %v724
+  %v1497 = load double, ptr %v1496, align 8, !noalias !124
+  %v1498 = fadd double %v1497, 0.000000e+00
+  %v1499 = fmul double %v1484, %v1498
+  %v1500 = getelementptr i8, ptr %v1495, i64 %v725
+  %v1501 = load double, ptr %v1500, align 8, !noalias !124
+  %v1502 = fadd double %v1501, %v1499
+  %v1503 = fmul double %v1490, %v1502
+  %v1504 = getelementptr i8, ptr %v1495, i64 %v726
+  %v1505 = load double, ptr %v1504, align 8, !noalias !124
+  %v1506 = fadd double %v1505, %v1503
+  %v1507 = fmul double %v1484, %v1506
+  %v1508 = getelementptr i8, ptr %v1495, i64 %v727
+  %v1509 = load double, ptr %v1508, align 8, !noalias !124
+  %v1510 = fadd double %v1509, %v1507
+  %v1511 = fmul double %v1490, %v1510
+  %v1512 = getelementptr i8, ptr %v1495, i64 %v728
+  %v1513 = load double, ptr %v1512, align 8, !noalias !124
+  %v1514 = fadd double %v1513, %v1511
+  %v1515 = fmul double %v1484, %v1514
+  %v1516 = getelementptr i8, ptr %v1495, i64 %v729
+  %v1517 = load double, ptr %v1516, align 8, !noalias !124
+  %v1518 = fadd double %v1517, %v1515
+  %v1519 = fmul double %v1490, %v1518
+  %v1520 = getelementptr i8, ptr %v1495, i64 %v730
+  %v1521 = load double, ptr %v1520, align 8, !noalias !124
+  %v1522 = fadd double %v1521, %v1519
+  %v1523 = fmul double %v1484, %v1522
+  %v1493 = add nsw i64 %v1492, 1
+  %v1524 = load double, ptr %v1495, align 8, !noalias !124
+  %v1525 = fadd double %v1524, %v1523
+  %v1526 = getelementptr double, ptr %v721, i64 %v1494
+  store double %v1525, ptr %v1526, align 8, !noalias !114
+  %v1527 = icmp eq i64 %v10, %v1493
+  br i1 %v1527, label %v1479, label %v1491
+
+v1479:
+  %v1528 = icmp eq i64 %v1477, 8
+  %v1529 = select i1 %v1528, i64 17, i64 16
+  %v1530 = mul i64 %v722, %v1477
+  %v1531 = load i64, ptr %v723, align 8, !noalias !128
+  %v1532 = mul nsw i64 %v1529, %v10
+  %v1533 = getelementptr double, ptr %v158, i64 %v1532
+  %v1534 = getelementptr double, ptr %v186, i64 %v1530
+  %v1535 = inttoptr i64 %v1531 to ptr
+  tail call void %v1535(ptr nonnull %v718, ptr %v1533, ptr %v165, ptr %v172, ptr %v179, ptr %v1534), !noalias !128
+  %v1536 = icmp eq i64 %v1478, 9
+  br i1 %v1536, label %v1482, label %v1476
+
+v1482:
+  %v1537 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1476 ], [ null, %v1479 ]
+  %v1538 = phi i32 [ 1, %v1476 ], [ 0, %v1479 ]
+  br i1 %v1480, label %v1539, label %v1540, !prof !131
+
+v1472:
+  %v1541 = phi i1 [ %v1471, %v1462 ], [ %v1542, %v1540 ]
+  %v1543 = xor i1 %v1453, true
+  %v1544 = select i1 %v1543, i1 true, i1 %v1541
+  br i1 %v1544, label %v1545, label %v1546
+
+v1545:
+  br i1 %v741, label %v1547, label %v1548
+
+v1549:
+  %v1550 = load i64, ptr %v752, align 8, !noalias !132
+  %v1551 = inttoptr i64 %v1550 to ptr
+  tail call void %v1551(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !132
+  br label %v1548
+
+v1547:
+  %v1552 = phi i64 [ %v1553, %v1547 ], [ 1, %v1545 ]
+  %v1553 = add i64 %v1552, 1
+  %v1554 = add nsw i64 %v742, %v1552
+  %v1555 = icmp slt i64 %v1554, 0
+  %v1556 = select i1 %v1555, i64 %v7, i64 0
+  %v1557 = getelementptr i64, ptr %v6, i64 %v1554
+  %v1558 = getelementptr i64, ptr %v1557, i64 %v1556
+  %v1559 = load i64, ptr %v1558, align 8, !noalias !138
+  %v1560 = inttoptr i64 %v1559 to ptr
+  tail call void %v1560(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !138
+  %v1561 = add nsw i64 %v1552, 13
+  %v1562 = load i64, ptr %v6, align 8, !noalias !141
+  %v1563 = mul nsw i64 %v1561, %v745
+  %v1564 = getelementptr double, ptr %v158, i64 %v1563
+  %v1565 = inttoptr i64 %v1562 to ptr
+  tail call void %v1565(ptr %v744, ptr %v747, ptr %v165, ptr %v172, ptr %v179, ptr %v1564), !noalias !141
+  %v1566 = icmp eq i64 %v1552, %v12
+  br i1 %v1566, label %v1549, label %v1547
 
 v1548:
-  %v1549 = getelementptr double, ptr %v745, i64 %v1528
-  %v1550 = load double, ptr %v1549, align 8, !noalias !147
-  store double 0.000000e+00, ptr %v1527, align 8, !noalias !151
-  %v1551 = getelementptr double, ptr %v747, i64 %v1528
-  store double 0.000000e+00, ptr %v1551, align 8, !noalias !151
-  %v1552 = getelementptr double, ptr %v748, i64 %v1528
-  store double %v1550, ptr %v1552, align 8, !noalias !151
-  %v1553 = load i64, ptr %v1554, align 8, !noalias !151
-  %v1555 = icmp slt i64 %v1553, 0
-  %v1556 = select i1 %v1555, i64 %v125, i64 0
-  %v1557 = add i64 %v1556, %v1553
-  %v1558 = mul i64 %v1557, %v126
-  %v1559 = getelementptr i64, ptr %v124, i64 %v1558
-  %v1560 = load i64, ptr %v1559, align 8, !noalias !151
-  %v1561 = add nsw i64 %v1560, -1
-  store i64 %v1561, ptr %v1559, align 8, !noalias !151
-  %v1562 = load i64, ptr %v1554, align 8, !noalias !151
-  %v1563 = icmp slt i64 %v1562, 0
-  %v1564 = select i1 %v1563, i64 %v125, i64 0
-  %v1565 = add i64 %v1564, %v1562
-  %v1566 = mul i64 %v1565, %v126
-  %v1567 = getelementptr i64, ptr %v124, i64 %v1566
-  %v1568 = getelementptr i8, ptr %v1567, i64 24
-  %v1569 = load i64, ptr %v1568, align 8, !noalias !151
-  %v1570 = add nsw i64 %v1569, 1
-  store i64 %v1570, ptr %v1568, align 8, !noalias !151
-  %v1571 = load double, ptr %v1539, align 8, !noalias !147
-  %v1572 = getelementptr double, ptr %v750, i64 %v1528
-  store double %v1571, ptr %v1572, align 8, !noalias !147
-  %v1573 = mul i64 %v1574, %v126
-  %v1575 = getelementptr i64, ptr %v124, i64 %v1573
-  %v1576 = getelementptr i8, ptr %v1575, i64 8
-  %v1577 = load i64, ptr %v1576, align 8, !noalias !147
-  %v1578 = add nsw i64 %v1577, %v12
-  store i64 %v1578, ptr %v1576, align 8, !noalias !147
-  br label %v1535
+  %v1567 = load i64, ptr %v753, align 8, !noalias !144
+  %v1568 = inttoptr i64 %v1567 to ptr
+  tail call void %v1568(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !144
+  %v1569 = select i1 %v704, i1 true, i1 %v1467
+  %v1570 = or i1 %v1569, %v307
+  br i1 %v1570, label %v1571, label %v1572
 
-v1535:
-  %v1579 = icmp sgt i64 %v1580, 1
-  br i1 %v1579, label %v1525, label %v1524
+v1573:
+  %v1574 = getelementptr double, ptr %v757, i64 %v1575
+  %v1576 = load double, ptr %v1574, align 8, !noalias !147
+  %v1577 = fcmp uge double %v1576, 5.000000e-01
+  %v1578 = icmp slt i64 %v1579, %v93
+  %v1580 = select i1 %v1577, i1 %v1578, i1 false
+  br i1 %v1580, label %v1581, label %v1582
 
-v1525:
-  %v1580 = phi i64 [ %v1581, %v1535 ], [ %v308, %v1501 ]
-  %v1528 = phi i64 [ %v1582, %v1535 ], [ 0, %v1501 ]
-  %v1581 = add nsw i64 %v1580, -1
-  %v1582 = add nsw i64 %v1528, 1
-  %v1554 = getelementptr i64, ptr %v142, i64 %v1528
-  %v1574 = load i64, ptr %v1554, align 8, !noalias !147
-  %v1583 = getelementptr i64, ptr %v737, i64 %v1528
-  %v1532 = load i64, ptr %v1583, align 8, !noalias !147
-  %v1584 = icmp slt i64 %v1574, 0
-  br i1 %v1584, label %v1535, label %v1526
+v1581:
+  %v1583 = icmp slt i64 %v1579, 0
+  %v1584 = select i1 %v1583, i64 %v93, i64 0
+  %v1585 = getelementptr double, ptr %v92, i64 %v1579
+  %v1586 = getelementptr double, ptr %v1585, i64 %v1584
+  %v1587 = load double, ptr %v1586, align 8, !noalias !147
+  %v1588 = getelementptr double, ptr %v759, i64 %v1575
+  %v1589 = load double, ptr %v1588, align 8, !noalias !147
+  %v1590 = fcmp olt double %v1587, %v1589
+  br i1 %v1590, label %v1591, label %v1582
 
-v1524:
-  br i1 %v1494, label %v1585, label %v1586
+v1591:
+  %v1592 = getelementptr double, ptr %v761, i64 %v1575
+  %v1593 = load double, ptr %v1592, align 8, !noalias !147
+  %v1594 = fcmp ogt double %v1593, 1.000000e+00
+  br i1 %v1594, label %v1595, label %v1582
 
-v1585:
+v1595:
+  %v1596 = getelementptr double, ptr %v763, i64 %v1575
+  %v1597 = load double, ptr %v1596, align 8, !noalias !147
+  store double 0.000000e+00, ptr %v1574, align 8, !noalias !151
+  %v1598 = getelementptr double, ptr %v765, i64 %v1575
+  store double 0.000000e+00, ptr %v1598, align 8, !noalias !151
+  %v1599 = getelementptr double, ptr %v766, i64 %v1575
+  store double %v1597, ptr %v1599, align 8, !noalias !151
+  %v1600 = load i64, ptr %v1601, align 8, !noalias !151
+  %v1602 = icmp slt i64 %v1600, 0
+  %v1603 = select i1 %v1602, i64 %v125, i64 0
+  %v1604 = add i64 %v1603, %v1600
+  %v1605 = mul i64 %v1604, %v126
+  %v1606 = getelementptr i64, ptr %v124, i64 %v1605
+  %v1607 = load i64, ptr %v1606, align 8, !noalias !151
+  %v1608 = add nsw i64 %v1607, -1
+  store i64 %v1608, ptr %v1606, align 8, !noalias !151
+  %v1609 = load i64, ptr %v1601, align 8, !noalias !151
+  %v1610 = icmp slt i64 %v1609, 0
+  %v1611 = select i1 %v1610, i64 %v125, i64 0
+  %v1612 = add i64 %v1611, %v1609
+  %v1613 = mul i64 %v1612, %v126
+  %v1614 = getelementptr i64, ptr %v124, i64 %v1613
+  %v1615 = getelementptr i8, ptr %v1614, i64 24
+  %v1616 = load i64, ptr %v1615, align 8, !noalias !151
+  %v1617 = add nsw i64 %v1616, 1
+  store i64 %v1617, ptr %v1615, align 8, !noalias !151
+  %v1618 = load double, ptr %v1586, align 8, !noalias !147
+  %v1619 = getelementptr double, ptr %v768, i64 %v1575
+  store double %v1618, ptr %v1619, align 8, !noalias !147
+  %v1620 = mul i64 %v1621, %v126
+  %v1622 = getelementptr i64, ptr %v124, i64 %v1620
+  %v1623 = getelementptr i8, ptr %v1622, i64 8
+  %v1624 = load i64, ptr %v1623, align 8, !noalias !147
+  %v1625 = add nsw i64 %v1624, %v12
+  store i64 %v1625, ptr %v1623, align 8, !noalias !147
+  br label %v1582
+
+v1582:
+  %v1626 = icmp sgt i64 %v1627, 1
+  br i1 %v1626, label %v1572, label %v1571
+
+v1572:
+  %v1627 = phi i64 [ %v1628, %v1582 ], [ %v308, %v1548 ]
+  %v1575 = phi i64 [ %v1629, %v1582 ], [ 0, %v1548 ]
+  %v1628 = add nsw i64 %v1627, -1
+  %v1629 = add nsw i64 %v1575, 1
+  %v1601 = getelementptr i64, ptr %v142, i64 %v1575
+  %v1621 = load i64, ptr %v1601, align 8, !noalias !147
+  %v1630 = getelementptr i64, ptr %v755, i64 %v1575
+  %v1579 = load i64, ptr %v1630, align 8, !noalias !147
+  %v1631 = icmp slt i64 %v1621, 0
+  br i1 %v1631, label %v1582, label %v1573
+
+v1571:
+  br i1 %v1541, label %v1632, label %v1633
+
+v1632:
   call void @llvm.lifetime.start.p0(ptr nonnull %v302)
   call void @llvm.lifetime.start.p0(ptr nonnull %v303)
   store i8 0, ptr %v302, align 1, !noalias !154
   store ptr null, ptr %v303, align 8, !noalias !154
-  br label %v1587
+  br label %v1634
 
-v1587:
-  %v1588 = phi i64 [ 0, %v1585 ], [ %v1589, %v1590 ]
-  %v1589 = add nsw i64 %v1588, 1
-  %v1591 = icmp ult i64 %v1588, 9
-  br i1 %v1591, label %v1592, label %v1593
+v1634:
+  %v1635 = phi i64 [ 0, %v1632 ], [ %v1636, %v1637 ]
+  %v1636 = add nsw i64 %v1635, 1
+  %v1638 = icmp ult i64 %v1635, 9
+  br i1 %v1638, label %v1639, label %v1640
 
-v1592:
-  %v1594 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1588
-  %v1595 = load double, ptr %v1594, align 8
-  %v1596 = load double, ptr %v133, align 8, !noalias !158
-  %v1597 = load double, ptr %v753, align 8, !noalias !158
-  %v1598 = fmul double %v1595, %v1597
-  %v1599 = fadd double %v1596, %v1598
-  store double %v1599, ptr %v755, align 8, !noalias !158
-  br i1 %v757, label %v1590, label %v1600
+v1639:
+  %v1641 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1635
+  %v1642 = load double, ptr %v1641, align 8
+  %v1643 = load double, ptr %v133, align 8, !noalias !158
+  %v1644 = load double, ptr %v771, align 8, !noalias !158
+  %v1645 = fmul double %v1642, %v1644
+  %v1646 = fadd double %v1643, %v1645
+  store double %v1646, ptr %v773, align 8, !noalias !158
+  br i1 %v775, label %v1637, label %v1647
 
-v1600:
-  %v1601 = fsub double 1.000000e+00, %v1595
-  br label %v1602
+v1647:
+  %v1648 = fsub double 1.000000e+00, %v1642
+  br label %v1649
 
-v1602:
-  %v1603 = phi i64 [ 0, %v1600 ], [ %v1604, %v1602 ]
-  %v1605 = mul i64 %v1603, %v196
-  %v1606 = getelementptr double, ptr %v193, i64 %v1605
-  %v1607 = getelementptr i8, ptr %v1606, i64 %v761
-  %v1608 = load double, ptr %v1607, align 8, !noalias !165
-  %v1609 = fadd double %v1608, 0.000000e+00
-  %v1610 = fmul double %v1595, %v1609
-  %v1611 = getelementptr i8, ptr %v1606, i64 %v762
-  %v1612 = load double, ptr %v1611, align 8, !noalias !165
-  %v1613 = fadd double %v1612, %v1610
-  %v1614 = fmul double %v1601, %v1613
-  %v1615 = getelementptr i8, ptr %v1606, i64 %v763
-  %v1616 = load double, ptr %v1615, align 8, !noalias !165
-  %v1617 = fadd double %v1616, %v1614
-  %v1618 = fmul double %v1595, %v1617
-  %v1619 = getelementptr i8, ptr %v1606, i64 %v764
-  %v1620 = load double, ptr %v1619, align 8, !noalias !165
-  %v1621 = fadd double %v1620, %v1618
-  %v1622 = fmul double %v1601, %v1621
-  %v1623 = getelementptr i8, ptr %v1606, i64 %v765
-  %v1624 = load double, ptr %v1623, align 8, !noalias !165
-  %v1625 = fadd double %v1624, %v1622
-  %v1626 = fmul double %v1595, %v1625
-  %v1627 = getelementptr i8, ptr %v1606, i64 %v766
-  %v1628 = load double, ptr %v1627, align 8, !noalias !165
-  %v1629 = fadd double %v1628, %v1626
-  %v1630 = fmul double %v1601, %v1629
-  %v1631 = getelementptr i8, ptr %v1606, i64 %v767
-  %v1632 = load double, ptr %v1631, align 8, !noalias !165
-  %v1633 = fadd double %v1632, %v1630
-  %v1634 = fmul double %v1595, %v1633
-  %v1604 = add nsw i64 %v1603, 1
-  %v1635 = load double, ptr %v1606, align 8, !noalias !165
-  %v1636 = fadd double %v1635, %v1634
-  %v1637 = getelementptr double, ptr %v758, i64 %v1605
-  store double %v1636, ptr %v1637, align 8, !noalias !158
-  %v1638 = icmp eq i64 %v10, %v1604
-  br i1 %v1638, label %v1590, label %v1602
+v1649:
+  %v1650 = phi i64 [ 0, %v1647 ], [ %v1651, %v1649 ]
+  %v1652 = mul i64 %v1650, %v196
+  %v1653 = getelementptr double, ptr %v193, i64 %v1652
+  %v1654 = getelementptr i8, ptr %v1653, i64 %v779
+  %v1655 = load double, ptr %v1654, align 8, !noalias !165
+  %v1656 = fadd double %v1655, 0.000000e+00
+  %v1657 = fmul double %v1642, %v1656
+  %v1658 = getelementptr i8, ptr %v1653, i64 %v780
+  %v1659 = load double, ptr %v1658, align 8, !noalias !165
+  %v1660 = fadd double %v1659, %v1657
+  %v1661 = fmul double %v1648, %v1660
+  %v1662 = getelementptr i8, ptr %v1653, i64 %v781
+  %v1663 = load double, ptr %v1662, align 8, !noalias !165
+  %v1664 = fadd double %v1663, %v1661
+  %v1665 = fmul double %v1642, %v1664
+  %v1666 = getelementptr i8, ptr %v1653, i64 %v782
+  %v1667 = load double, ptr %v1666, align 8, !noalias !165
+  %v1668 = fadd double %v1667, %v1665
+  %v1669 = fmul double %v1648, %v1668
+  %v1670 = getelementptr i8, ptr %v1653, i64 %v783
+  %v1671 = load double, ptr %v1670, align 8, !noalias !165
+  %v1672 = fadd double %v1671, %v1669
+  %v1673 = fmul double %v1642, %v1672
+  %v1674 = getelementptr i8, ptr %v1653, i64 %v784
+  %v1675 = load double, ptr %v1674, align 8, !noalias !165
+  %v1676 = fadd double %v1675, %v1673
+  %v1677 = fmul double %v1648, %v1676
+  %v1678 = getelementptr i8, ptr %v1653, i64 %v785
+  %v1679 = load double, ptr %v1678, align 8, !noalias !165
+  %v1680 = fadd double %v1679, %v1677
+  %v1681 = fmul double %v1642, %v1680
+  %v1651 = add nsw i64 %v1650, 1
+  %v1682 = load double, ptr %v1653, align 8, !noalias !165
+  %v1683 = fadd double %v1682, %v1681
+  %v1684 = getelementptr double, ptr %v776, i64 %v1652
+  store double %v1683, ptr %v1684, align 8, !noalias !158
+  %v1685 = icmp eq i64 %v10, %v1651
+  br i1 %v1685, label %v1637, label %v1649
 
-v1590:
-  %v1639 = icmp eq i64 %v1588, 8
-  %v1640 = select i1 %v1639, i64 17, i64 16
-  %v1641 = mul i64 %v1588, %v759
-  %v1642 = load i64, ptr %v760, align 8, !noalias !169
-  %v1643 = mul nsw i64 %v1640, %v10
-  %v1644 = getelementptr double, ptr %v158, i64 %v1643
-  %v1645 = getelementptr double, ptr %v186, i64 %v1641
-  %v1646 = inttoptr i64 %v1642 to ptr
-  tail call void %v1646(ptr nonnull %v755, ptr %v1644, ptr %v165, ptr %v172, ptr %v179, ptr %v1645), !noalias !169
-  %v1647 = icmp eq i64 %v1589, 9
-  br i1 %v1647, label %v1593, label %v1587
+v1637:
+  %v1686 = icmp eq i64 %v1635, 8
+  %v1687 = select i1 %v1686, i64 17, i64 16
+  %v1688 = mul i64 %v1635, %v777
+  %v1689 = load i64, ptr %v778, align 8, !noalias !169
+  %v1690 = mul nsw i64 %v1687, %v10
+  %v1691 = getelementptr double, ptr %v158, i64 %v1690
+  %v1692 = getelementptr double, ptr %v186, i64 %v1688
+  %v1693 = inttoptr i64 %v1689 to ptr
+  tail call void %v1693(ptr nonnull %v773, ptr %v1691, ptr %v165, ptr %v172, ptr %v179, ptr %v1692), !noalias !169
+  %v1694 = icmp eq i64 %v1636, 9
+  br i1 %v1694, label %v1640, label %v1634
 
-v1593:
-  %v1648 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1587 ], [ null, %v1590 ]
-  %v1649 = phi i32 [ 1, %v1587 ], [ 0, %v1590 ]
-  br i1 %v1591, label %v1650, label %v1651, !prof !131
+v1640:
+  %v1695 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1634 ], [ null, %v1637 ]
+  %v1696 = phi i32 [ 1, %v1634 ], [ 0, %v1637 ]
+  br i1 %v1638, label %v1697, label %v1698, !prof !131
 
-v1650:
-  %v1652 = load double, ptr %v769, align 8, !noalias !172
-  %v1653 = load double, ptr %v92, align 8, !noalias !172
-  %v1654 = fsub double %v1652, %v1653
-  %v1655 = fmul double %v1654, 1.000000e-13
-  %v1656 = load double, ptr %v133, align 8, !noalias !172
-  %v1657 = tail call double @llvm.fabs.f64(double %v1656)
-  %v1658 = fmul double %v1657, 4.000000e-15
-  %v1659 = fcmp ogt double %v1658, %v1655
-  %v1660 = select i1 %v1659, double %v1658, double %v1655
-  %v1661 = load double, ptr %v753, align 8, !noalias !179
-  %v1662 = fdiv double %v1660, %v1661
-  %v1663 = fcmp olt double %v1662, 1.000000e+00
-  %v1664 = select i1 %v1663, double %v1662, double 1.000000e+00
-  br i1 %v770, label %v1665, label %v1666
+v1697:
+  %v1699 = load double, ptr %v787, align 8, !noalias !172
+  %v1700 = load double, ptr %v92, align 8, !noalias !172
+  %v1701 = fsub double %v1699, %v1700
+  %v1702 = fmul double %v1701, 1.000000e-13
+  %v1703 = load double, ptr %v133, align 8, !noalias !172
+  %v1704 = tail call double @llvm.fabs.f64(double %v1703)
+  %v1705 = fmul double %v1704, 4.000000e-15
+  %v1706 = fcmp ogt double %v1705, %v1702
+  %v1707 = select i1 %v1706, double %v1705, double %v1702
+  %v1708 = load double, ptr %v771, align 8, !noalias !179
+  %v1709 = fdiv double %v1707, %v1708
+  %v1710 = fcmp olt double %v1709, 1.000000e+00
+  %v1711 = select i1 %v1710, double %v1709, double 1.000000e+00
+  br i1 %v788, label %v1712, label %v1713
 
-v1667:
-  %v1668 = fcmp olt double %v1669, %v1670
-  %v1671 = select i1 %v1668, double %v1669, double %v1670
-  %v1672 = fcmp ogt double %v1669, %v1673
-  %v1674 = select i1 %v1672, double %v1669, double %v1673
-  br label %v1675
+v1714:
+  %v1715 = fcmp olt double %v1716, %v1717
+  %v1718 = select i1 %v1715, double %v1716, double %v1717
+  %v1719 = fcmp ogt double %v1716, %v1720
+  %v1721 = select i1 %v1719, double %v1716, double %v1720
+  br label %v1722
 
-v1675:
-  %v1676 = phi double [ %v1674, %v1667 ], [ %v1673, %v1677 ]
-  %v1678 = phi double [ %v1671, %v1667 ], [ %v1670, %v1677 ]
-  %v1679 = icmp eq i64 %v1680, 9
-  br i1 %v1679, label %v1681, label %v1677
+v1722:
+  %v1723 = phi double [ %v1721, %v1714 ], [ %v1720, %v1724 ]
+  %v1725 = phi double [ %v1718, %v1714 ], [ %v1717, %v1724 ]
+  %v1726 = icmp eq i64 %v1727, 9
+  br i1 %v1726, label %v1728, label %v1724
 
-v1681:
-  %v1682 = fsub double %v1676, %v1678
-  %v1683 = fmul double %v1664, %v1682
-  %v1684 = tail call i1 @llvm.is.fpclass.f64(double %v1685, i32 543)
-  %v1686 = select i1 %v1684, double 0.000000e+00, double %v1685
-  %v1687 = tail call i1 @llvm.is.fpclass.f64(double %v1683, i32 543)
-  %v1688 = select i1 %v1687, double -0.000000e+00, double %v1683
-  %v1689 = fadd double %v1686, %v1688
-  %v1690 = getelementptr double, ptr %v773, i64 %v1691
-  %v1692 = load double, ptr %v1690, align 8, !noalias !179
-  %v1693 = sub nsw i64 %v1694, %v18
-  %v1695 = getelementptr double, ptr %v215, i64 %v1693
-  %v1696 = load double, ptr %v1695, align 8, !noalias !179
-  %v1697 = getelementptr double, ptr %v774, i64 %v1691
-  store double %v1689, ptr %v1697, align 8, !noalias !179
-  %v1698 = fcmp ule double %v1696, 5.000000e-01
-  %v1699 = fcmp ule double %v1692, 0.000000e+00
-  %v1700 = select i1 %v1698, i1 true, i1 %v1699
-  %v1701 = select i1 %v1700, double %v1689, double 0.000000e+00
-  %v1702 = getelementptr double, ptr %v1697, i64 %v771
-  store double %v1701, ptr %v1702, align 8, !noalias !179
-  %v1703 = getelementptr i8, ptr %v1697, i64 %v775
-  store double %v1701, ptr %v1703, align 8, !noalias !179
-  %v1704 = getelementptr i8, ptr %v1697, i64 %v776
-  store double %v1701, ptr %v1704, align 8, !noalias !179
-  %v1705 = getelementptr i8, ptr %v1697, i64 %v777
-  store double %v1701, ptr %v1705, align 8, !noalias !179
-  %v1706 = getelementptr i8, ptr %v1697, i64 %v778
-  store double %v1701, ptr %v1706, align 8, !noalias !179
-  %v1707 = getelementptr i8, ptr %v1697, i64 %v779
-  store double %v1701, ptr %v1707, align 8, !noalias !179
-  %v1708 = getelementptr i8, ptr %v1697, i64 %v780
-  store double %v1701, ptr %v1708, align 8, !noalias !179
-  %v1709 = getelementptr i8, ptr %v1697, i64 %v781
-  store double %v1701, ptr %v1709, align 8, !noalias !179
-  %v1710 = add nsw i64 %v1711, -1
-  %v1712 = add i64 %v1694, 1
-  %v1713 = icmp sgt i64 %v1711, 1
-  br i1 %v1713, label %v1666, label %v1665
+v1728:
+  %v1729 = fsub double %v1723, %v1725
+  %v1730 = fmul double %v1711, %v1729
+  %v1731 = tail call i1 @llvm.is.fpclass.f64(double %v1732, i32 543)
+  %v1733 = select i1 %v1731, double 0.000000e+00, double %v1732
+  %v1734 = tail call i1 @llvm.is.fpclass.f64(double %v1730, i32 543)
+  %v1735 = select i1 %v1734, double -0.000000e+00, double %v1730
+  %v1736 = fadd double %v1733, %v1735
+  %v1737 = getelementptr double, ptr %v791, i64 %v1738
+  %v1739 = load double, ptr %v1737, align 8, !noalias !179
+  %v1740 = sub nsw i64 %v1741, %v18
+  %v1742 = getelementptr double, ptr %v215, i64 %v1740
+  %v1743 = load double, ptr %v1742, align 8, !noalias !179
+  %v1744 = getelementptr double, ptr %v792, i64 %v1738
+  store double %v1736, ptr %v1744, align 8, !noalias !179
+  %v1745 = fcmp ule double %v1743, 5.000000e-01
+  %v1746 = fcmp ule double %v1739, 0.000000e+00
+  %v1747 = select i1 %v1745, i1 true, i1 %v1746
+  %v1748 = select i1 %v1747, double %v1736, double 0.000000e+00
+  %v1749 = getelementptr double, ptr %v1744, i64 %v789
+  store double %v1748, ptr %v1749, align 8, !noalias !179
+  %v1750 = getelementptr i8, ptr %v1744, i64 %v793
+  store double %v1748, ptr %v1750, align 8, !noalias !179
+  %v1751 = getelementptr i8, ptr %v1744, i64 %v794
+  store double %v1748, ptr %v1751, align 8, !noalias !179
+  %v1752 = getelementptr i8, ptr %v1744, i64 %v795
+  store double %v1748, ptr %v1752, align 8, !noalias !179
+  %v1753 = getelementptr i8, ptr %v1744, i64 %v796
+  store double %v1748, ptr %v1753, align 8, !noalias !179
+  %v1754 = getelementptr i8, ptr %v1744, i64 %v797
+  store double %v1748, ptr %v1754, align 8, !noalias !179
+  %v1755 = getelementptr i8, ptr %v1744, i64 %v798
+  store double %v1748, ptr %v1755, align 8, !noalias !179
+  %v1756 = getelementptr i8, ptr %v1744, i64 %v799
+  store double %v1748, ptr %v1756, align 8, !noalias !179
+  %v1757 = add nsw i64 %v1758, -1
+  %v1759 = add i64 %v1741, 1
+  %v1760 = icmp sgt i64 %v1758, 1
+  br i1 %v1760, label %v1713, label %v1712
 
-v1666:
-  %v1711 = phi i64 [ %v1710, %v1681 ], [ %v15, %v1650 ]
-  %v1694 = phi i64 [ %v1712, %v1681 ], [ %v18, %v1650 ]
-  %v1714 = icmp slt i64 %v1694, 0
-  %v1715 = select i1 %v1714, i64 %v207, i64 0
-  %v1691 = add i64 %v1715, %v1694
-  br label %v1677
+v1713:
+  %v1758 = phi i64 [ %v1757, %v1728 ], [ %v15, %v1697 ]
+  %v1741 = phi i64 [ %v1759, %v1728 ], [ %v18, %v1697 ]
+  %v1761 = icmp slt i64 %v1741, 0
+  %v1762 = select i1 %v1761, i64 %v207, i64 0
+  %v1738 = add i64 %v1762, %v1741
+  br label %v1724
 
-v1677:
-  %v1670 = phi double [ 0x7FF0000000000000, %v1666 ], [ %v1678, %v1675 ]
-  %v1673 = phi double [ 0xFFF0000000000000, %v1666 ], [ %v1676, %v1675 ]
-  %v1716 = phi double [ 0.000000e+00, %v1666 ], [ %v1685, %v1675 ]
-  %v1717 = phi i64 [ 0, %v1666 ], [ %v1680, %v1675 ]
-  %v1680 = add nsw i64 %v1717, 1
-  %v1718 = mul i64 %v1717, %v771
-  %v1719 = getelementptr double, ptr %v204, i64 %v1718
-  %v1720 = getelementptr i8, ptr %v1719, i64 %v772
-  %v1721 = getelementptr double, ptr %v1720, i64 %v1691
-  %v1722 = load double, ptr %v1721, align 8, !noalias !179
-  %v1723 = tail call i1 @llvm.is.fpclass.f64(double %v1722, i32 543)
-  %v1724 = fadd double %v1722, 0.000000e+00
-  %v1725 = select i1 %v1723, double 0.000000e+00, double %v1724
-  %v1726 = fcmp ogt double %v1725, %v1716
-  %v1685 = select i1 %v1726, double %v1725, double %v1716
-  %v1727 = getelementptr double, ptr %v1719, i64 %v207
-  %v1728 = getelementptr double, ptr %v1727, i64 %v1691
-  %v1669 = load double, ptr %v1728, align 8, !noalias !179
-  %v1729 = tail call double @llvm.fabs.f64(double %v1669)
-  %v1730 = fcmp ueq double %v1729, 0x7FF0000000000000
-  br i1 %v1730, label %v1675, label %v1667
+v1724:
+  %v1717 = phi double [ 0x7FF0000000000000, %v1713 ], [ %v1725, %v1722 ]
+  %v1720 = phi double [ 0xFFF0000000000000, %v1713 ], [ %v1723, %v1722 ]
+  %v1763 = phi double [ 0.000000e+00, %v1713 ], [ %v1732, %v1722 ]
+  %v1764 = phi i64 [ 0, %v1713 ], [ %v1727, %v1722 ]
+  %v1727 = add nsw i64 %v1764, 1
+  %v1765 = mul i64 %v1764, %v789
+  %v1766 = getelementptr double, ptr %v204, i64 %v1765
+  %v1767 = getelementptr i8, ptr %v1766, i64 %v790
+  %v1768 = getelementptr double, ptr %v1767, i64 %v1738
+  %v1769 = load double, ptr %v1768, align 8, !noalias !179
+  %v1770 = tail call i1 @llvm.is.fpclass.f64(double %v1769, i32 543)
+  %v1771 = fadd double %v1769, 0.000000e+00
+  %v1772 = select i1 %v1770, double 0.000000e+00, double %v1771
+  %v1773 = fcmp ogt double %v1772, %v1763
+  %v1732 = select i1 %v1773, double %v1772, double %v1763
+  %v1774 = getelementptr double, ptr %v1766, i64 %v207
+  %v1775 = getelementptr double, ptr %v1774, i64 %v1738
+  %v1716 = load double, ptr %v1775, align 8, !noalias !179
+  %v1776 = tail call double @llvm.fabs.f64(double %v1716)
+  %v1777 = fcmp ueq double %v1776, 0x7FF0000000000000
+  br i1 %v1777, label %v1722, label %v1714
 
-v1665:
+v1712:
   store i8 0, ptr %v302, align 1, !noalias !154
-  %v1731 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
-  %v1732 = icmp eq i32 %v1731, 0
-  br i1 %v1732, label %v1733, label %v1734, !prof !131
-
-v1734:
-  %v1735 = load ptr, ptr %v303, align 8, !noalias !154
-  br label %v1651
-
-v1733:
-  %v1736 = load i8, ptr %v302, align 1, !noalias !154
-  %v1737 = icmp eq i8 %v1736, 0
-  br label %v1651
-
-v1651:
-  %v1738 = phi i1 [ %v1737, %v1733 ], [ true, %v1734 ], [ true, %v1593 ]
-  %v1739 = phi ptr [ null, %v1733 ], [ %v1735, %v1734 ], [ %v1648, %v1593 ]
-  %v1740 = phi i32 [ 0, %v1733 ], [ 1, %v1734 ], [ %v1649, %v1593 ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %v302)
-  call void @llvm.lifetime.end.p0(ptr nonnull %v303)
-  %v1741 = icmp eq i32 %v1740, 0
-  %v1742 = select i1 %v1741, ptr undef, ptr %v1739
-  br i1 %v1741, label %v1743, label %v1499, !prof !131
-
-v1744:
-  %v1745 = load double, ptr %v783, align 8, !noalias !180
-  %v1746 = load double, ptr %v753, align 8, !noalias !180
-  %v1747 = load double, ptr %v785, align 8, !noalias !180
-  %v1748 = load double, ptr %v92, align 8, !noalias !180
-  %v1749 = fsub double %v1747, %v1748
-  %v1750 = load double, ptr %v787, align 8, !noalias !180
-  %v1751 = load double, ptr %v789, align 8, !noalias !180
-  %v1752 = fsub double %v1750, %v1751
-  %v1753 = fmul double %v1749, 5.000000e-06
-  %v1754 = fcmp olt double %v1752, %v1753
-  br label %v1755
-
-v1756:
-  %v1757 = sub nsw i64 45, %v1758
-  %v1759 = load double, ptr %v794, align 8, !noalias !184
-  %v1760 = load double, ptr %v796, align 8, !noalias !184
-  br label %v1761
-
-v1761:
-  %v1762 = phi double [ %v1763, %v1761 ], [ 1.000000e+00, %v1756 ]
-  %v1764 = phi double [ %v1765, %v1761 ], [ 2.000000e+00, %v1756 ]
-  %v1766 = phi i64 [ %v1767, %v1761 ], [ %v1757, %v1756 ]
-  %v1768 = and i64 %v1766, 1
-  %v1769 = icmp eq i64 %v1768, 0
-  %v1770 = fmul double %v1762, %v1764
-  %v1763 = select i1 %v1769, double %v1762, double %v1770
-  %v1767 = lshr i64 %v1766, 1
-  %v1765 = fmul double %v1764, %v1764
-  %v1771 = icmp eq i64 %v1767, 0
-  br i1 %v1771, label %v1772, label %v1761
-
-v1773:
-  %v1774 = fcmp olt double %v1775, 0.000000e+00
-  %v1776 = select i1 %v1774, double 0.000000e+00, double %v1775
-  %v1777 = fmul double %v1778, %v1776
-  %v1779 = fsub double %v1780, %v1777
-  br label %v1781
-
-v1772:
-  %v1782 = fadd double %v1783, %v1784
-  %v1780 = fmul double %v1782, 5.000000e-01
-  %v1785 = fmul double %v1763, 1.000000e-13
-  %v1786 = fsub double %v1785, %v1787
-  %v1775 = fmul double %v1786, 5.000000e-01
-  %v1788 = fmul double %v1784, %v1760
-  %v1789 = fmul double %v1783, %v1759
-  %v1790 = fsub double %v1788, %v1789
-  %v1791 = fsub double %v1760, %v1759
-  %v1792 = fdiv double %v1790, %v1791
-  %v1793 = fcmp olt double %v1784, %v1792
-  %v1794 = fcmp olt double %v1792, %v1783
-  %v1795 = and i1 %v1793, %v1794
-  %v1796 = select i1 %v1795, double %v1792, double %v1780
-  %v1797 = fsub double %v1780, %v1796
-  %v1778 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1797)
-  %v1798 = fmul double %v1787, %v1787
-  %v1799 = tail call double @llvm.fabs.f64(double %v1797)
-  %v1800 = fcmp olt double %v1799, %v1798
-  %v1801 = select i1 %v1800, double %v1799, double %v1798
-  %v1802 = fmul double %v1778, %v1801
-  %v1803 = fadd double %v1796, %v1802
-  %v1804 = fsub double %v1803, %v1780
-  %v1805 = tail call double @llvm.fabs.f64(double %v1804)
-  %v1806 = fcmp ugt double %v1805, %v1775
-  br i1 %v1806, label %v1773, label %v1781
-
-v1807:
-  store double %v1808, ptr %v791, align 8, !noalias !190
-  store double %v1809, ptr %v796, align 8, !noalias !190
-  br label %v1810
-
-v1811:
-  store double %v1808, ptr %v783, align 8, !noalias !190
-  store double %v1809, ptr %v794, align 8, !noalias !190
-  br label %v1810
-
-v1810:
-  %v1812 = icmp eq i64 %v1813, 45
-  br i1 %v1812, label %v1814, label %v1755
-
-v1755:
-  %v1758 = phi i64 [ 0, %v1744 ], [ %v1813, %v1810 ]
-  %v1813 = add nsw i64 %v1758, 1
-  %v1783 = load double, ptr %v791, align 8, !noalias !190
-  %v1784 = load double, ptr %v783, align 8, !noalias !190
-  %v1787 = fsub double %v1783, %v1784
-  %v1815 = fcmp ugt double %v1787, 1.000000e-13
-  br i1 %v1815, label %v1756, label %v1814
+  %v1778 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
+  %v1779 = icmp eq i32 %v1778, 0
+  br i1 %v1779, label %v1780, label %v1781, !prof !131
 
 v1781:
-  %v1808 = phi double [ %v1803, %v1772 ], [ %v1779, %v1773 ]
-  %v1816 = load double, ptr %v133, align 8, !noalias !191
-  %v1817 = load double, ptr %v753, align 8, !noalias !191
-  %v1818 = fmul double %v1808, %v1817
-  %v1819 = fadd double %v1816, %v1818
-  store double %v1819, ptr %v755, align 8, !noalias !191
-  br i1 %v797, label %v1820, label %v1821
+  %v1782 = load ptr, ptr %v303, align 8, !noalias !154
+  br label %v1698
+
+v1780:
+  %v1783 = load i8, ptr %v302, align 1, !noalias !154
+  %v1784 = icmp eq i8 %v1783, 0
+  br label %v1698
+
+v1698:
+  %v1785 = phi i1 [ %v1784, %v1780 ], [ true, %v1781 ], [ true, %v1640 ]
+  %v1786 = phi ptr [ null, %v1780 ], [ %v1782, %v1781 ], [ %v1695, %v1640 ]
+  %v1787 = phi i32 [ 0, %v1780 ], [ 1, %v1781 ], [ %v1696, %v1640 ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %v302)
+  call void @llvm.lifetime.end.p0(ptr nonnull %v303)
+  %v1788 = icmp eq i32 %v1787, 0
+  %v1789 = select i1 %v1788, ptr undef, ptr %v1786
+  br i1 %v1788, label %v1790, label %v1546, !prof !131
+
+v1791:
+  %v1792 = load double, ptr %v801, align 8, !noalias !180
+  %v1793 = load double, ptr %v771, align 8, !noalias !180
+  %v1794 = load double, ptr %v803, align 8, !noalias !180
+  %v1795 = load double, ptr %v92, align 8, !noalias !180
+  %v1796 = fsub double %v1794, %v1795
+  %v1797 = load double, ptr %v805, align 8, !noalias !180
+  %v1798 = load double, ptr %v807, align 8, !noalias !180
+  %v1799 = fsub double %v1797, %v1798
+  %v1800 = fmul double %v1796, 5.000000e-06
+  %v1801 = fcmp olt double %v1799, %v1800
+  br label %v1802
+
+v1803:
+  %v1804 = sub nsw i64 45, %v1805
+  %v1806 = load double, ptr %v812, align 8, !noalias !184
+  %v1807 = load double, ptr %v814, align 8, !noalias !184
+  br label %v1808
+
+v1808:
+  %v1809 = phi double [ %v1810, %v1808 ], [ 1.000000e+00, %v1803 ]
+  %v1811 = phi double [ %v1812, %v1808 ], [ 2.000000e+00, %v1803 ]
+  %v1813 = phi i64 [ %v1814, %v1808 ], [ %v1804, %v1803 ]
+  %v1815 = and i64 %v1813, 1
+  %v1816 = icmp eq i64 %v1815, 0
+  %v1817 = fmul double %v1809, %v1811
+  %v1810 = select i1 %v1816, double %v1809, double %v1817
+  %v1814 = lshr i64 %v1813, 1
+  %v1812 = fmul double %v1811, %v1811
+  %v1818 = icmp eq i64 %v1814, 0
+  br i1 %v1818, label %v1819, label %v1808
 
 v1820:
-  %v1822 = fsub double 1.000000e+00, %v1808
-  br label %v1823
+  %v1821 = fcmp olt double %v1822, 0.000000e+00
+  %v1823 = select i1 %v1821, double 0.000000e+00, double %v1822
+  %v1824 = fmul double %v1825, %v1823
+  %v1826 = fsub double %v1827, %v1824
+  br label %v1828
 
-v1823:
-  %v1824 = phi i64 [ 0, %v1820 ], [ %v1825, %v1823 ]
-  %v1826 = mul i64 %v1824, %v196
-  %v1827 = getelementptr double, ptr %v193, i64 %v1826
-  %v1828 = getelementptr i8, ptr %v1827, i64 %v761
-  %v1829 = load double, ptr %v1828, align 8, !noalias !198
-  %v1830 = fadd double %v1829, 0.000000e+00
-  %v1831 = fmul double %v1808, %v1830
-  %v1832 = getelementptr i8, ptr %v1827, i64 %v762
-  %v1833 = load double, ptr %v1832, align 8, !noalias !198
-  %v1834 = fadd double %v1833, %v1831
-  %v1835 = fmul double %v1822, %v1834
-  %v1836 = getelementptr i8, ptr %v1827, i64 %v763
-  %v1837 = load double, ptr %v1836, align 8, !noalias !198
-  %v1838 = fadd double %v1837, %v1835
-  %v1839 = fmul double %v1808, %v1838
-  %v1840 = getelementptr i8, ptr %v1827, i64 %v764
-  %v1841 = load double, ptr %v1840, align 8, !noalias !198
-  %v1842 = fadd double %v1841, %v1839
-  %v1843 = fmul double %v1822, %v1842
-  %v1844 = getelementptr i8, ptr %v1827, i64 %v765
-  %v1845 = load double, ptr %v1844, align 8, !noalias !198
-  %v1846 = fadd double %v1845, %v1843
-  %v1847 = fmul double %v1808, %v1846
-  %v1848 = getelementptr i8, ptr %v1827, i64 %v766
-  %v1849 = load double, ptr %v1848, align 8, !noalias !198
-  %v1850 = fadd double %v1849, %v1847
-  %v1851 = fmul double %v1822, %v1850
-  %v1852 = getelementptr i8, ptr %v1827, i64 %v767
-  %v1853 = load double, ptr %v1852, align 8, !noalias !198
-  %v1854 = fadd double %v1853, %v1851
-  %v1855 = fmul double %v1808, %v1854
-  %v1825 = add nsw i64 %v1824, 1
-  %v1856 = load double, ptr %v1827, align 8, !noalias !198
-  %v1857 = fadd double %v1856, %v1855
-  %v1858 = getelementptr double, ptr %v758, i64 %v1826
-  store double %v1857, ptr %v1858, align 8, !noalias !191
-  %v1859 = icmp eq i64 %v10, %v1825
-  br i1 %v1859, label %v1821, label %v1823
+v1819:
+  %v1829 = fadd double %v1830, %v1831
+  %v1827 = fmul double %v1829, 5.000000e-01
+  %v1832 = fmul double %v1810, 1.000000e-13
+  %v1833 = fsub double %v1832, %v1834
+  %v1822 = fmul double %v1833, 5.000000e-01
+  %v1835 = fmul double %v1831, %v1807
+  %v1836 = fmul double %v1830, %v1806
+  %v1837 = fsub double %v1835, %v1836
+  %v1838 = fsub double %v1807, %v1806
+  %v1839 = fdiv double %v1837, %v1838
+  %v1840 = fcmp olt double %v1831, %v1839
+  %v1841 = fcmp olt double %v1839, %v1830
+  %v1842 = and i1 %v1840, %v1841
+  %v1843 = select i1 %v1842, double %v1839, double %v1827
+  %v1844 = fsub double %v1827, %v1843
+  %v1825 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1844)
+  %v1845 = fmul double %v1834, %v1834
+  %v1846 = tail call double @llvm.fabs.f64(double %v1844)
+  %v1847 = fcmp olt double %v1846, %v1845
+  %v1848 = select i1 %v1847, double %v1846, double %v1845
+  %v1849 = fmul double %v1825, %v1848
+  %v1850 = fadd double %v1843, %v1849
+  %v1851 = fsub double %v1850, %v1827
+  %v1852 = tail call double @llvm.fabs.f64(double %v1851)
+  %v1853 = fcmp ugt double %v1852, %v1822
+  br i1 %v1853, label %v1820, label %v1828
 
-v1821:
-  %v1860 = load i64, ptr %v760, align 8, !noalias !202
-  %v1861 = inttoptr i64 %v1860 to ptr
-  tail call void %v1861(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !202
-  br i1 %v804, label %v1862, label %v1863
+v1854:
+  store double %v1855, ptr %v809, align 8, !noalias !190
+  store double %v1856, ptr %v814, align 8, !noalias !190
+  br label %v1857
 
-v1862:
-  %v1864 = phi i64 [ %v1865, %v1862 ], [ %v803, %v1821 ]
-  %v1866 = phi i64 [ %v1867, %v1862 ], [ %v18, %v1821 ]
-  %v1865 = add nsw i64 %v1864, -1
-  %v1867 = add i64 %v1866, 1
-  %v1868 = icmp slt i64 %v1866, 0
-  %v1869 = select i1 %v1868, i64 %v207, i64 0
-  %v1870 = add i64 %v1869, %v1866
-  %v1871 = getelementptr double, ptr %v808, i64 %v1870
-  %v1872 = load double, ptr %v1871, align 8, !noalias !205
-  %v1873 = getelementptr double, ptr %v811, i64 %v1870
-  store double %v1872, ptr %v1873, align 8, !noalias !205
-  %v1874 = icmp sgt i64 %v1864, 1
-  br i1 %v1874, label %v1862, label %v1863
+v1858:
+  store double %v1855, ptr %v801, align 8, !noalias !190
+  store double %v1856, ptr %v812, align 8, !noalias !190
+  br label %v1857
 
-v1863:
-  br i1 %v812, label %v1875, label %v1876
+v1857:
+  %v1859 = icmp eq i64 %v1860, 45
+  br i1 %v1859, label %v1861, label %v1802
 
-v1876:
-  %v1877 = phi double [ %v1878, %v1876 ], [ 0x7FF0000000000000, %v1863 ]
-  %v1879 = phi i64 [ %v1880, %v1876 ], [ 0, %v1863 ]
-  %v1880 = add nsw i64 %v1879, 1
-  %v1881 = getelementptr double, ptr %v813, i64 %v1879
-  %v1882 = load double, ptr %v1881, align 8, !noalias !206
-  %v1883 = getelementptr double, ptr %v811, i64 %v1879
-  %v1884 = load double, ptr %v1883, align 8, !noalias !206
-  %v1885 = fadd double %v1882, %v1884
-  %v1886 = fcmp olt double %v1885, %v1877
-  %v1878 = select i1 %v1886, double %v1885, double %v1877
-  %v1887 = icmp eq i64 %v207, %v1880
-  br i1 %v1887, label %v1875, label %v1876
+v1802:
+  %v1805 = phi i64 [ 0, %v1791 ], [ %v1860, %v1857 ]
+  %v1860 = add nsw i64 %v1805, 1
+  %v1830 = load double, ptr %v809, align 8, !noalias !190
+  %v1831 = load double, ptr %v801, align 8, !noalias !190
+  %v1834 = fsub double %v1830, %v1831
+  %v1862 = fcmp ugt double %v1834, 1.000000e-13
+  br i1 %v1862, label %v1803, label %v1861
 
-v1875:
-  %v1809 = phi double [ 0x7FF0000000000000, %v1863 ], [ %v1878, %v1876 ]
-  %v1888 = fcmp olt double %v1809, 0.000000e+00
-  br i1 %v1888, label %v1807, label %v1811
+v1828:
+  %v1855 = phi double [ %v1850, %v1819 ], [ %v1826, %v1820 ]
+  %v1863 = load double, ptr %v133, align 8, !noalias !191
+  %v1864 = load double, ptr %v771, align 8, !noalias !191
+  %v1865 = fmul double %v1855, %v1864
+  %v1866 = fadd double %v1863, %v1865
+  store double %v1866, ptr %v773, align 8, !noalias !191
+  br i1 %v815, label %v1867, label %v1868
 
-v1889:
-  %v1890 = load double, ptr %v791, align 8, !noalias !210
-  %v1891 = load double, ptr %v133, align 8, !noalias !214
-  %v1892 = load double, ptr %v753, align 8, !noalias !214
-  %v1893 = fmul double %v1890, %v1892
-  %v1894 = fadd double %v1891, %v1893
-  store double %v1894, ptr %v755, align 8, !noalias !214
-  br i1 %v797, label %v1895, label %v1896
+v1867:
+  %v1869 = fsub double 1.000000e+00, %v1855
+  br label %v1870
 
-v1895:
-  %v1897 = fsub double 1.000000e+00, %v1890
-  br label %v1898
+v1870:
+  %v1871 = phi i64 [ 0, %v1867 ], [ %v1872, %v1870 ]
+  %v1873 = mul i64 %v1871, %v196
+  %v1874 = getelementptr double, ptr %v193, i64 %v1873
+  %v1875 = getelementptr i8, ptr %v1874, i64 %v779
+  %v1876 = load double, ptr %v1875, align 8, !noalias !198
+  %v1877 = fadd double %v1876, 0.000000e+00
+  %v1878 = fmul double %v1855, %v1877
+  %v1879 = getelementptr i8, ptr %v1874, i64 %v780
+  %v1880 = load double, ptr %v1879, align 8, !noalias !198
+  %v1881 = fadd double %v1880, %v1878
+  %v1882 = fmul double %v1869, %v1881
+  %v1883 = getelementptr i8, ptr %v1874, i64 %v781
+  %v1884 = load double, ptr %v1883, align 8, !noalias !198
+  %v1885 = fadd double %v1884, %v1882
+  %v1886 = fmul double %v1855, %v1885
+  %v1887 = getelementptr i8, ptr %v1874, i64 %v782
+  %v1888 = load double, ptr %v1887, align 8, !noalias !198
+  %v1889 = fadd double %v1888, %v1886
+  %v1890 = fmul double %v1869, %v1889
+  %v1891 = getelementptr i8, ptr %v1874, i64 %v783
+  %v1892 = load double, ptr %v1891, align 8, !noalias !198
+  %v1893 = fadd double %v1892, %v1890
+  %v1894 = fmul double %v1855, %v1893
+  %v1895 = getelementptr i8, ptr %v1874, i64 %v784
+  %v1896 = load double, ptr %v1895, align 8, !noalias !198
+  %v1897 = fadd double %v1896, %v1894
+  %v1898 = fmul double %v1869, %v1897
+  %v1899 = getelementptr i8, ptr %v1874, i64 %v785
+  %v1900 = load double, ptr %v1899, align 8, !noalias !198
+  %v1901 = fadd double %v1900, %v1898
+  %v1902 = fmul double %v1855, %v1901
+  %v1872 = add nsw i64 %v1871, 1
+  %v1903 = load double, ptr %v1874, align 8, !noalias !198
+  %v1904 = fadd double %v1903, %v1902
+  %v1905 = getelementptr double, ptr %v776, i64 %v1873
+  store double %v1904, ptr %v1905, align 8, !noalias !191
+  %v1906 = icmp eq i64 %v10, %v1872
+  br i1 %v1906, label %v1868, label %v1870
 
-v1898:
-  %v1899 = phi i64 [ 0, %v1895 ], [ %v1900, %v1898 ]
-  %v1901 = mul i64 %v1899, %v196
-  %v1902 = getelementptr double, ptr %v193, i64 %v1901
-  %v1903 = getelementptr i8, ptr %v1902, i64 %v761
-  %v1904 = load double, ptr %v1903, align 8, !noalias !221
-  %v1905 = fadd double %v1904, 0.000000e+00
-  %v1906 = fmul double %v1890, %v1905
-  %v1907 = getelementptr i8, ptr %v1902, i64 %v762
-  %v1908 = load double, ptr %v1907, align 8, !noalias !221
-  %v1909 = fadd double %v1908, %v1906
-  %v1910 = fmul double %v1897, %v1909
-  %v1911 = getelementptr i8, ptr %v1902, i64 %v763
-  %v1912 = load double, ptr %v1911, align 8, !noalias !221
-  %v1913 = fadd double %v1912, %v1910
-  %v1914 = fmul double %v1890, %v1913
-  %v1915 = getelementptr i8, ptr %v1902, i64 %v764
-  %v1916 = load double, ptr %v1915, align 8, !noalias !221
-  %v1917 = fadd double %v1916, %v1914
-  %v1918 = fmul double %v1897, %v1917
-  %v1919 = getelementptr i8, ptr %v1902, i64 %v765
-  %v1920 = load double, ptr %v1919, align 8, !noalias !221
-  %v1921 = fadd double %v1920, %v1918
-  %v1922 = fmul double %v1890, %v1921
-  %v1923 = getelementptr i8, ptr %v1902, i64 %v766
-  %v1924 = load double, ptr %v1923, align 8, !noalias !221
-  %v1925 = fadd double %v1924, %v1922
-  %v1926 = fmul double %v1897, %v1925
-  %v1927 = getelementptr i8, ptr %v1902, i64 %v767
-  %v1928 = load double, ptr %v1927, align 8, !noalias !221
-  %v1929 = fadd double %v1928, %v1926
-  %v1930 = fmul double %v1890, %v1929
-  %v1900 = add nsw i64 %v1899, 1
-  %v1931 = load double, ptr %v1902, align 8, !noalias !221
-  %v1932 = fadd double %v1931, %v1930
-  %v1933 = getelementptr double, ptr %v758, i64 %v1901
-  store double %v1932, ptr %v1933, align 8, !noalias !214
-  %v1934 = icmp eq i64 %v10, %v1900
-  br i1 %v1934, label %v1896, label %v1898
+v1868:
+  %v1907 = load i64, ptr %v778, align 8, !noalias !202
+  %v1908 = inttoptr i64 %v1907 to ptr
+  tail call void %v1908(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !202
+  br i1 %v822, label %v1909, label %v1910
 
-v1896:
-  %v1935 = load i64, ptr %v760, align 8, !noalias !225
-  %v1936 = inttoptr i64 %v1935 to ptr
-  tail call void %v1936(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !225
-  br i1 %v804, label %v1937, label %v1938
+v1909:
+  %v1911 = phi i64 [ %v1912, %v1909 ], [ %v821, %v1868 ]
+  %v1913 = phi i64 [ %v1914, %v1909 ], [ %v18, %v1868 ]
+  %v1912 = add nsw i64 %v1911, -1
+  %v1914 = add i64 %v1913, 1
+  %v1915 = icmp slt i64 %v1913, 0
+  %v1916 = select i1 %v1915, i64 %v207, i64 0
+  %v1917 = add i64 %v1916, %v1913
+  %v1918 = getelementptr double, ptr %v826, i64 %v1917
+  %v1919 = load double, ptr %v1918, align 8, !noalias !205
+  %v1920 = getelementptr double, ptr %v829, i64 %v1917
+  store double %v1919, ptr %v1920, align 8, !noalias !205
+  %v1921 = icmp sgt i64 %v1911, 1
+  br i1 %v1921, label %v1909, label %v1910
 
-v1938:
-  br label %v1939
+v1910:
+  br i1 %v830, label %v1922, label %v1923
 
-v1937:
-  %v1940 = phi i64 [ %v1941, %v1937 ], [ %v803, %v1896 ]
-  %v1942 = phi i64 [ %v1943, %v1937 ], [ %v18, %v1896 ]
-  %v1941 = add nsw i64 %v1940, -1
-  %v1943 = add i64 %v1942, 1
-  %v1944 = icmp slt i64 %v1942, 0
-  %v1945 = select i1 %v1944, i64 %v207, i64 0
-  %v1946 = add i64 %v1945, %v1942
-  %v1947 = getelementptr double, ptr %v808, i64 %v1946
-  %v1948 = load double, ptr %v1947, align 8, !noalias !228
-  %v1949 = getelementptr double, ptr %v811, i64 %v1946
-  store double %v1948, ptr %v1949, align 8, !noalias !228
-  %v1950 = icmp sgt i64 %v1940, 1
-  br i1 %v1950, label %v1937, label %v1938
+v1923:
+  %v1924 = phi double [ %v1925, %v1923 ], [ 0x7FF0000000000000, %v1910 ]
+  %v1926 = phi i64 [ %v1927, %v1923 ], [ 0, %v1910 ]
+  %v1927 = add nsw i64 %v1926, 1
+  %v1928 = getelementptr double, ptr %v831, i64 %v1926
+  %v1929 = load double, ptr %v1928, align 8, !noalias !206
+  %v1930 = getelementptr double, ptr %v829, i64 %v1926
+  %v1931 = load double, ptr %v1930, align 8, !noalias !206
+  %v1932 = fadd double %v1929, %v1931
+  %v1933 = fcmp olt double %v1932, %v1924
+  %v1925 = select i1 %v1933, double %v1932, double %v1924
+  %v1934 = icmp eq i64 %v207, %v1927
+  br i1 %v1934, label %v1922, label %v1923
 
-v1951:
-  %v1952 = icmp slt i64 %v1953, 0
-  %v1954 = select i1 %v1952, i64 %v207, i64 0
-  %v1955 = add i64 %v1954, %v1953
-  %v1956 = getelementptr double, ptr %v813, i64 %v1955
-  %v1957 = load double, ptr %v1956, align 8, !noalias !210
-  store double %v1957, ptr %v796, align 8, !noalias !210
-  br label %v1958
+v1922:
+  %v1856 = phi double [ 0x7FF0000000000000, %v1910 ], [ %v1925, %v1923 ]
+  %v1935 = fcmp olt double %v1856, 0.000000e+00
+  br i1 %v1935, label %v1854, label %v1858
 
-v1959:
-  %v1960 = phi i64 [ 0, %v1961 ], [ %v1962, %v1959 ]
-  %v1963 = mul i64 %v1960, %v196
-  %v1964 = getelementptr double, ptr %v193, i64 %v1963
-  %v1965 = getelementptr i8, ptr %v1964, i64 %v761
-  %v1966 = load double, ptr %v1965, align 8, !noalias !229
-  %v1967 = fadd double %v1966, 0.000000e+00
-  %v1968 = fmul double %v1969, %v1967
-  %v1970 = getelementptr i8, ptr %v1964, i64 %v762
-  %v1971 = load double, ptr %v1970, align 8, !noalias !229
-  %v1972 = fadd double %v1971, %v1968
-  %v1973 = fmul double %v1974, %v1972
-  %v1975 = getelementptr i8, ptr %v1964, i64 %v763
-  %v1976 = load double, ptr %v1975, align 8, !noalias !229
-  %v1977 = fadd double %v1976, %v1973
-  %v1978 = fmul double %v1969, %v1977
-  %v1979 = getelementptr i8, ptr %v1964, i64 %v764
-  %v1980 = load double, ptr %v1979, align 8, !noalias !229
-  %v1981 = fadd double %v1980, %v1978
-  %v1982 = fmul double %v1974, %v1981
-  %v1983 = getelementptr i8, ptr %v1964, i64 %v765
-  %v1984 = load double, ptr %v1983, align 8, !noalias !229
-  %v1985 = fadd double %v1984, %v1982
-  %v1986 = fmul double %v1969, %v1985
-  %v1987 = getelementptr i8, ptr %v1964, i64 %v766
-  %v1988 = load double, ptr %v1987, align 8, !noalias !229
-  %v1989 = fadd double %v1988, %v1986
-  %v1990 = fmul double %v1974, %v1989
-  %v1991 = getelementptr i8, ptr %v1964, i64 %v767
-  %v1992 = load double, ptr %v1991, align 8, !noalias !229
-  %v1993 = fadd double %v1992, %v1990
-  %v1994 = fmul double %v1969, %v1993
-  %v1962 = add nsw i64 %v1960, 1
-  %v1995 = load double, ptr %v1964, align 8, !noalias !229
-  %v1996 = fadd double %v1995, %v1994
-  %v1997 = getelementptr double, ptr %v758, i64 %v1963
-  store double %v1996, ptr %v1997, align 8, !noalias !239
-  %v1998 = icmp eq i64 %v10, %v1962
-  br i1 %v1998, label %v1999, label %v1959
+v1936:
+  %v1937 = load double, ptr %v809, align 8, !noalias !210
+  %v1938 = load double, ptr %v133, align 8, !noalias !214
+  %v1939 = load double, ptr %v771, align 8, !noalias !214
+  %v1940 = fmul double %v1937, %v1939
+  %v1941 = fadd double %v1938, %v1940
+  store double %v1941, ptr %v773, align 8, !noalias !214
+  br i1 %v815, label %v1942, label %v1943
 
-v1999:
-  %v2000 = load i64, ptr %v760, align 8, !noalias !240
-  %v2001 = inttoptr i64 %v2000 to ptr
-  tail call void %v2001(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !240
-  br i1 %v844, label %v2002, label %v2003
+v1942:
+  %v1944 = fsub double 1.000000e+00, %v1937
+  br label %v1945
 
-v2003:
-  %v2004 = phi i64 [ %v2005, %v2003 ], [ %v803, %v1999 ]
-  %v2006 = phi i64 [ %v2007, %v2003 ], [ %v18, %v1999 ]
-  %v2005 = add nsw i64 %v2004, -1
-  %v2007 = add i64 %v2006, 1
-  %v2008 = icmp slt i64 %v2006, 0
-  %v2009 = select i1 %v2008, i64 %v207, i64 0
-  %v2010 = add i64 %v2009, %v2006
-  %v2011 = getelementptr double, ptr %v808, i64 %v2010
-  %v2012 = load double, ptr %v2011, align 8, !noalias !243
-  %v2013 = getelementptr double, ptr %v811, i64 %v2010
-  store double %v2012, ptr %v2013, align 8, !noalias !243
-  %v2014 = icmp sgt i64 %v2004, 1
-  br i1 %v2014, label %v2003, label %v2002
+v1945:
+  %v1946 = phi i64 [ 0, %v1942 ], [ %v1947, %v1945 ]
+  %v1948 = mul i64 %v1946, %v196
+  %v1949 = getelementptr double, ptr %v193, i64 %v1948
+  %v1950 = getelementptr i8, ptr %v1949, i64 %v779
+  %v1951 = load double, ptr %v1950, align 8, !noalias !221
+  %v1952 = fadd double %v1951, 0.000000e+00
+  %v1953 = fmul double %v1937, %v1952
+  %v1954 = getelementptr i8, ptr %v1949, i64 %v780
+  %v1955 = load double, ptr %v1954, align 8, !noalias !221
+  %v1956 = fadd double %v1955, %v1953
+  %v1957 = fmul double %v1944, %v1956
+  %v1958 = getelementptr i8, ptr %v1949, i64 %v781
+  %v1959 = load double, ptr %v1958, align 8, !noalias !221
+  %v1960 = fadd double %v1959, %v1957
+  %v1961 = fmul double %v1937, %v1960
+  %v1962 = getelementptr i8, ptr %v1949, i64 %v782
+  %v1963 = load double, ptr %v1962, align 8, !noalias !221
+  %v1964 = fadd double %v1963, %v1961
+  %v1965 = fmul double %v1944, %v1964
+  %v1966 = getelementptr i8, ptr %v1949, i64 %v783
+  %v1967 = load double, ptr %v1966, align 8, !noalias !221
+  %v1968 = fadd double %v1967, %v1965
+  %v1969 = fmul double %v1937, %v1968
+  %v1970 = getelementptr i8, ptr %v1949, i64 %v784
+  %v1971 = load double, ptr %v1970, align 8, !noalias !221
+  %v1972 = fadd double %v1971, %v1969
+  %v1973 = fmul double %v1944, %v1972
+  %v1974 = getelementptr i8, ptr %v1949, i64 %v785
+  %v1975 = load double, ptr %v1974, align 8, !noalias !221
+  %v1976 = fadd double %v1975, %v1973
+  %v1977 = fmul double %v1937, %v1976
+  %v1947 = add nsw i64 %v1946, 1
+  %v1978 = load double, ptr %v1949, align 8, !noalias !221
+  %v1979 = fadd double %v1978, %v1977
+  %v1980 = getelementptr double, ptr %v776, i64 %v1948
+  store double %v1979, ptr %v1980, align 8, !noalias !214
+  %v1981 = icmp eq i64 %v10, %v1947
+  br i1 %v1981, label %v1943, label %v1945
 
-v2015:
-  br i1 %v2016, label %v2017, label %v2018
+v1943:
+  %v1982 = load i64, ptr %v778, align 8, !noalias !225
+  %v1983 = inttoptr i64 %v1982 to ptr
+  tail call void %v1983(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !225
+  br i1 %v822, label %v1984, label %v1985
 
-v2017:
-  %v2019 = load double, ptr %v791, align 8, !noalias !210
-  br label %v2018
+v1985:
+  br label %v1986
 
-v2018:
-  %v2020 = phi double [ %v2019, %v2017 ], [ %v1969, %v2015 ]
-  %v2021 = fmul double %v2020, 5.000000e-01
-  %v2022 = icmp eq i64 %v2023, 45
-  br i1 %v2022, label %v2024, label %v1958
+v1984:
+  %v1987 = phi i64 [ %v1988, %v1984 ], [ %v821, %v1943 ]
+  %v1989 = phi i64 [ %v1990, %v1984 ], [ %v18, %v1943 ]
+  %v1988 = add nsw i64 %v1987, -1
+  %v1990 = add i64 %v1989, 1
+  %v1991 = icmp slt i64 %v1989, 0
+  %v1992 = select i1 %v1991, i64 %v207, i64 0
+  %v1993 = add i64 %v1992, %v1989
+  %v1994 = getelementptr double, ptr %v826, i64 %v1993
+  %v1995 = load double, ptr %v1994, align 8, !noalias !228
+  %v1996 = getelementptr double, ptr %v829, i64 %v1993
+  store double %v1995, ptr %v1996, align 8, !noalias !228
+  %v1997 = icmp sgt i64 %v1987, 1
+  br i1 %v1997, label %v1984, label %v1985
 
-v2025:
-  %v2026 = getelementptr double, ptr %v808, i64 %v1955
-  store double 0.000000e+00, ptr %v2026, align 8, !noalias !210
-  br label %v2027
+v1998:
+  %v1999 = icmp slt i64 %v2000, 0
+  %v2001 = select i1 %v1999, i64 %v207, i64 0
+  %v2002 = add i64 %v2001, %v2000
+  %v2003 = getelementptr double, ptr %v831, i64 %v2002
+  %v2004 = load double, ptr %v2003, align 8, !noalias !210
+  store double %v2004, ptr %v814, align 8, !noalias !210
+  br label %v2005
 
-v2028:
-  %v2029 = sub nsw i64 45, %v2030
-  %v2031 = load double, ptr %v794, align 8, !noalias !244
-  %v2032 = load double, ptr %v796, align 8, !noalias !244
-  br label %v2033
+v2006:
+  %v2007 = phi i64 [ 0, %v2008 ], [ %v2009, %v2006 ]
+  %v2010 = mul i64 %v2007, %v196
+  %v2011 = getelementptr double, ptr %v193, i64 %v2010
+  %v2012 = getelementptr i8, ptr %v2011, i64 %v779
+  %v2013 = load double, ptr %v2012, align 8, !noalias !229
+  %v2014 = fadd double %v2013, 0.000000e+00
+  %v2015 = fmul double %v2016, %v2014
+  %v2017 = getelementptr i8, ptr %v2011, i64 %v780
+  %v2018 = load double, ptr %v2017, align 8, !noalias !229
+  %v2019 = fadd double %v2018, %v2015
+  %v2020 = fmul double %v2021, %v2019
+  %v2022 = getelementptr i8, ptr %v2011, i64 %v781
+  %v2023 = load double, ptr %v2022, align 8, !noalias !229
+  %v2024 = fadd double %v2023, %v2020
+  %v2025 = fmul double %v2016, %v2024
+  %v2026 = getelementptr i8, ptr %v2011, i64 %v782
+  %v2027 = load double, ptr %v2026, align 8, !noalias !229
+  %v2028 = fadd double %v2027, %v2025
+  %v2029 = fmul double %v2021, %v2028
+  %v2030 = getelementptr i8, ptr %v2011, i64 %v783
+  %v2031 = load double, ptr %v2030, align 8, !noalias !229
+  %v2032 = fadd double %v2031, %v2029
+  %v2033 = fmul double %v2016, %v2032
+  %v2034 = getelementptr i8, ptr %v2011, i64 %v784
+  %v2035 = load double, ptr %v2034, align 8, !noalias !229
+  %v2036 = fadd double %v2035, %v2033
+  %v2037 = fmul double %v2021, %v2036
+  %v2038 = getelementptr i8, ptr %v2011, i64 %v785
+  %v2039 = load double, ptr %v2038, align 8, !noalias !229
+  %v2040 = fadd double %v2039, %v2037
+  %v2041 = fmul double %v2016, %v2040
+  %v2009 = add nsw i64 %v2007, 1
+  %v2042 = load double, ptr %v2011, align 8, !noalias !229
+  %v2043 = fadd double %v2042, %v2041
+  %v2044 = getelementptr double, ptr %v776, i64 %v2010
+  store double %v2043, ptr %v2044, align 8, !noalias !239
+  %v2045 = icmp eq i64 %v10, %v2009
+  br i1 %v2045, label %v2046, label %v2006
 
-v2033:
-  %v2034 = phi double [ %v2035, %v2033 ], [ 1.000000e+00, %v2028 ]
-  %v2036 = phi double [ %v2037, %v2033 ], [ 2.000000e+00, %v2028 ]
-  %v2038 = phi i64 [ %v2039, %v2033 ], [ %v2029, %v2028 ]
-  %v2040 = and i64 %v2038, 1
-  %v2041 = icmp eq i64 %v2040, 0
-  %v2042 = fmul double %v2034, %v2036
-  %v2035 = select i1 %v2041, double %v2034, double %v2042
-  %v2039 = lshr i64 %v2038, 1
-  %v2037 = fmul double %v2036, %v2036
-  %v2043 = icmp eq i64 %v2039, 0
-  br i1 %v2043, label %v2044, label %v2033
+v2046:
+  %v2047 = load i64, ptr %v778, align 8, !noalias !240
+  %v2048 = inttoptr i64 %v2047 to ptr
+  tail call void %v2048(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !240
+  br i1 %v862, label %v2049, label %v2050
 
-v2045:
-  %v2046 = fcmp olt double %v2047, 0.000000e+00
-  %v2048 = select i1 %v2046, double 0.000000e+00, double %v2047
-  %v2049 = fmul double %v2050, %v2048
-  %v2051 = fsub double %v2052, %v2049
-  br label %v2053
+v2050:
+  %v2051 = phi i64 [ %v2052, %v2050 ], [ %v821, %v2046 ]
+  %v2053 = phi i64 [ %v2054, %v2050 ], [ %v18, %v2046 ]
+  %v2052 = add nsw i64 %v2051, -1
+  %v2054 = add i64 %v2053, 1
+  %v2055 = icmp slt i64 %v2053, 0
+  %v2056 = select i1 %v2055, i64 %v207, i64 0
+  %v2057 = add i64 %v2056, %v2053
+  %v2058 = getelementptr double, ptr %v826, i64 %v2057
+  %v2059 = load double, ptr %v2058, align 8, !noalias !243
+  %v2060 = getelementptr double, ptr %v829, i64 %v2057
+  store double %v2059, ptr %v2060, align 8, !noalias !243
+  %v2061 = icmp sgt i64 %v2051, 1
+  br i1 %v2061, label %v2050, label %v2049
 
-v2044:
-  %v2054 = fadd double %v2055, %v2056
-  %v2052 = fmul double %v2054, 5.000000e-01
-  %v2057 = fmul double %v2035, 0x3D06849B86A12B9B
-  %v2058 = fsub double %v2057, %v2059
-  %v2047 = fmul double %v2058, 5.000000e-01
-  %v2060 = fmul double %v2056, %v2032
-  %v2061 = fmul double %v2055, %v2031
-  %v2062 = fsub double %v2060, %v2061
-  %v2063 = fsub double %v2032, %v2031
-  %v2064 = fdiv double %v2062, %v2063
-  %v2065 = fcmp olt double %v2056, %v2064
-  %v2066 = fcmp olt double %v2064, %v2055
-  %v2067 = and i1 %v2065, %v2066
-  %v2068 = select i1 %v2067, double %v2064, double %v2052
-  %v2069 = fsub double %v2052, %v2068
-  %v2050 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2069)
-  %v2070 = fmul double %v2059, %v2059
-  %v2071 = tail call double @llvm.fabs.f64(double %v2069)
-  %v2072 = fcmp olt double %v2071, %v2070
-  %v2073 = select i1 %v2072, double %v2071, double %v2070
-  %v2074 = fmul double %v2050, %v2073
-  %v2075 = fadd double %v2068, %v2074
-  %v2076 = fsub double %v2075, %v2052
-  %v2077 = tail call double @llvm.fabs.f64(double %v2076)
-  %v2078 = fcmp ugt double %v2077, %v2047
-  br i1 %v2078, label %v2045, label %v2053
+v2062:
+  br i1 %v2063, label %v2064, label %v2065
 
-v2079:
-  store double %v2080, ptr %v791, align 8, !noalias !250
-  store double %v2081, ptr %v796, align 8, !noalias !250
-  br label %v2082
+v2064:
+  %v2066 = load double, ptr %v809, align 8, !noalias !210
+  br label %v2065
 
-v2083:
-  store double %v2080, ptr %v783, align 8, !noalias !250
-  store double %v2081, ptr %v794, align 8, !noalias !250
-  br label %v2082
+v2065:
+  %v2067 = phi double [ %v2066, %v2064 ], [ %v2016, %v2062 ]
+  %v2068 = fmul double %v2067, 5.000000e-01
+  %v2069 = icmp eq i64 %v2070, 45
+  br i1 %v2069, label %v2071, label %v2005
 
-v2082:
-  %v2084 = icmp eq i64 %v2085, 45
-  br i1 %v2084, label %v2086, label %v2027
+v2072:
+  %v2073 = getelementptr double, ptr %v826, i64 %v2002
+  store double 0.000000e+00, ptr %v2073, align 8, !noalias !210
+  br label %v2074
 
-v2027:
-  %v2030 = phi i64 [ 0, %v2025 ], [ %v2085, %v2082 ]
-  %v2085 = add nsw i64 %v2030, 1
-  %v2055 = load double, ptr %v791, align 8, !noalias !250
-  %v2056 = load double, ptr %v783, align 8, !noalias !250
-  %v2059 = fsub double %v2055, %v2056
-  %v2087 = fcmp ugt double %v2059, 0x3D06849B86A12B9B
-  br i1 %v2087, label %v2028, label %v2086
+v2075:
+  %v2076 = sub nsw i64 45, %v2077
+  %v2078 = load double, ptr %v812, align 8, !noalias !244
+  %v2079 = load double, ptr %v814, align 8, !noalias !244
+  br label %v2080
 
-v2053:
-  %v2080 = phi double [ %v2075, %v2044 ], [ %v2051, %v2045 ]
-  %v2088 = load double, ptr %v133, align 8, !noalias !251
-  %v2089 = load double, ptr %v753, align 8, !noalias !251
-  %v2090 = fmul double %v2080, %v2089
-  %v2091 = fadd double %v2088, %v2090
-  store double %v2091, ptr %v755, align 8, !noalias !251
-  br i1 %v797, label %v2092, label %v2093
+v2080:
+  %v2081 = phi double [ %v2082, %v2080 ], [ 1.000000e+00, %v2075 ]
+  %v2083 = phi double [ %v2084, %v2080 ], [ 2.000000e+00, %v2075 ]
+  %v2085 = phi i64 [ %v2086, %v2080 ], [ %v2076, %v2075 ]
+  %v2087 = and i64 %v2085, 1
+  %v2088 = icmp eq i64 %v2087, 0
+  %v2089 = fmul double %v2081, %v2083
+  %v2082 = select i1 %v2088, double %v2081, double %v2089
+  %v2086 = lshr i64 %v2085, 1
+  %v2084 = fmul double %v2083, %v2083
+  %v2090 = icmp eq i64 %v2086, 0
+  br i1 %v2090, label %v2091, label %v2080
 
 v2092:
-  %v2094 = fsub double 1.000000e+00, %v2080
-  br label %v2095
+  %v2093 = fcmp olt double %v2094, 0.000000e+00
+  %v2095 = select i1 %v2093, double 0.000000e+00, double %v2094
+  %v2096 = fmul double %v2097, %v2095
+  %v2098 = fsub double %v2099, %v2096
+  br label %v2100
 
-v2095:
-  %v2096 = phi i64 [ 0, %v2092 ], [ %v2097, %v2095 ]
-  %v2098 = mul i64 %v2096, %v196
-  %v2099 = getelementptr double, ptr %v193, i64 %v2098
-  %v2100 = getelementptr i8, ptr %v2099, i64 %v761
-  %v2101 = load double, ptr %v2100, align 8, !noalias !258
-  %v2102 = fadd double %v2101, 0.000000e+00
-  %v2103 = fmul double %v2080, %v2102
-  %v2104 = getelementptr i8, ptr %v2099, i64 %v762
-  %v2105 = load double, ptr %v2104, align 8, !noalias !258
-  %v2106 = fadd double %v2105, %v2103
-  %v2107 = fmul double %v2094, %v2106
-  %v2108 = getelementptr i8, ptr %v2099, i64 %v763
-  %v2109 = load double, ptr %v2108, align 8, !noalias !258
-  %v2110 = fadd double %v2109, %v2107
-  %v2111 = fmul double %v2080, %v2110
-  %v2112 = getelementptr i8, ptr %v2099, i64 %v764
-  %v2113 = load double, ptr %v2112, align 8, !noalias !258
-  %v2114 = fadd double %v2113, %v2111
-  %v2115 = fmul double %v2094, %v2114
-  %v2116 = getelementptr i8, ptr %v2099, i64 %v765
-  %v2117 = load double, ptr %v2116, align 8, !noalias !258
-  %v2118 = fadd double %v2117, %v2115
-  %v2119 = fmul double %v2080, %v2118
-  %v2120 = getelementptr i8, ptr %v2099, i64 %v766
-  %v2121 = load double, ptr %v2120, align 8, !noalias !258
-  %v2122 = fadd double %v2121, %v2119
-  %v2123 = fmul double %v2094, %v2122
-  %v2124 = getelementptr i8, ptr %v2099, i64 %v767
-  %v2125 = load double, ptr %v2124, align 8, !noalias !258
-  %v2126 = fadd double %v2125, %v2123
-  %v2127 = fmul double %v2080, %v2126
-  %v2097 = add nsw i64 %v2096, 1
-  %v2128 = load double, ptr %v2099, align 8, !noalias !258
-  %v2129 = fadd double %v2128, %v2127
-  %v2130 = getelementptr double, ptr %v758, i64 %v2098
-  store double %v2129, ptr %v2130, align 8, !noalias !251
-  %v2131 = icmp eq i64 %v10, %v2097
-  br i1 %v2131, label %v2093, label %v2095
+v2091:
+  %v2101 = fadd double %v2102, %v2103
+  %v2099 = fmul double %v2101, 5.000000e-01
+  %v2104 = fmul double %v2082, 0x3D06849B86A12B9B
+  %v2105 = fsub double %v2104, %v2106
+  %v2094 = fmul double %v2105, 5.000000e-01
+  %v2107 = fmul double %v2103, %v2079
+  %v2108 = fmul double %v2102, %v2078
+  %v2109 = fsub double %v2107, %v2108
+  %v2110 = fsub double %v2079, %v2078
+  %v2111 = fdiv double %v2109, %v2110
+  %v2112 = fcmp olt double %v2103, %v2111
+  %v2113 = fcmp olt double %v2111, %v2102
+  %v2114 = and i1 %v2112, %v2113
+  %v2115 = select i1 %v2114, double %v2111, double %v2099
+  %v2116 = fsub double %v2099, %v2115
+  %v2097 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2116)
+  %v2117 = fmul double %v2106, %v2106
+  %v2118 = tail call double @llvm.fabs.f64(double %v2116)
+  %v2119 = fcmp olt double %v2118, %v2117
+  %v2120 = select i1 %v2119, double %v2118, double %v2117
+  %v2121 = fmul double %v2097, %v2120
+  %v2122 = fadd double %v2115, %v2121
+  %v2123 = fsub double %v2122, %v2099
+  %v2124 = tail call double @llvm.fabs.f64(double %v2123)
+  %v2125 = fcmp ugt double %v2124, %v2094
+  br i1 %v2125, label %v2092, label %v2100
 
-v2093:
-  %v2132 = load i64, ptr %v760, align 8, !noalias !262
-  %v2133 = inttoptr i64 %v2132 to ptr
-  tail call void %v2133(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !262
-  br i1 %v804, label %v2134, label %v2135
+v2126:
+  store double %v2127, ptr %v809, align 8, !noalias !250
+  store double %v2128, ptr %v814, align 8, !noalias !250
+  br label %v2129
 
-v2134:
-  %v2136 = phi i64 [ %v2137, %v2134 ], [ %v803, %v2093 ]
-  %v2138 = phi i64 [ %v2139, %v2134 ], [ %v18, %v2093 ]
-  %v2137 = add nsw i64 %v2136, -1
-  %v2139 = add i64 %v2138, 1
-  %v2140 = icmp slt i64 %v2138, 0
-  %v2141 = select i1 %v2140, i64 %v207, i64 0
-  %v2142 = add i64 %v2141, %v2138
-  %v2143 = getelementptr double, ptr %v808, i64 %v2142
-  %v2144 = load double, ptr %v2143, align 8, !noalias !265
-  %v2145 = getelementptr double, ptr %v811, i64 %v2142
-  store double %v2144, ptr %v2145, align 8, !noalias !265
-  %v2146 = icmp sgt i64 %v2136, 1
-  br i1 %v2146, label %v2134, label %v2135
+v2130:
+  store double %v2127, ptr %v801, align 8, !noalias !250
+  store double %v2128, ptr %v812, align 8, !noalias !250
+  br label %v2129
 
-v2135:
-  br i1 %v812, label %v2147, label %v2148
+v2129:
+  %v2131 = icmp eq i64 %v2132, 45
+  br i1 %v2131, label %v2133, label %v2074
 
-v2148:
-  %v2149 = phi double [ %v2150, %v2148 ], [ 0x7FF0000000000000, %v2135 ]
-  %v2151 = phi i64 [ %v2152, %v2148 ], [ 0, %v2135 ]
-  %v2152 = add nsw i64 %v2151, 1
-  %v2153 = getelementptr double, ptr %v813, i64 %v2151
-  %v2154 = load double, ptr %v2153, align 8, !noalias !266
-  %v2155 = getelementptr double, ptr %v811, i64 %v2151
-  %v2156 = load double, ptr %v2155, align 8, !noalias !266
-  %v2157 = fadd double %v2154, %v2156
-  %v2158 = fcmp olt double %v2157, %v2149
-  %v2150 = select i1 %v2158, double %v2157, double %v2149
-  %v2159 = icmp eq i64 %v207, %v2152
-  br i1 %v2159, label %v2147, label %v2148
+v2074:
+  %v2077 = phi i64 [ 0, %v2072 ], [ %v2132, %v2129 ]
+  %v2132 = add nsw i64 %v2077, 1
+  %v2102 = load double, ptr %v809, align 8, !noalias !250
+  %v2103 = load double, ptr %v801, align 8, !noalias !250
+  %v2106 = fsub double %v2102, %v2103
+  %v2134 = fcmp ugt double %v2106, 0x3D06849B86A12B9B
+  br i1 %v2134, label %v2075, label %v2133
 
-v2147:
-  %v2081 = phi double [ 0x7FF0000000000000, %v2135 ], [ %v2150, %v2148 ]
-  %v2160 = fcmp olt double %v2081, 0.000000e+00
-  br i1 %v2160, label %v2079, label %v2083
+v2100:
+  %v2127 = phi double [ %v2122, %v2091 ], [ %v2098, %v2092 ]
+  %v2135 = load double, ptr %v133, align 8, !noalias !251
+  %v2136 = load double, ptr %v771, align 8, !noalias !251
+  %v2137 = fmul double %v2127, %v2136
+  %v2138 = fadd double %v2135, %v2137
+  store double %v2138, ptr %v773, align 8, !noalias !251
+  br i1 %v815, label %v2139, label %v2140
 
-v2024:
-  store double 0.000000e+00, ptr %v791, align 8, !noalias !210
-  br label %v2086
+v2139:
+  %v2141 = fsub double 1.000000e+00, %v2127
+  br label %v2142
 
-v2086:
-  %v2161 = load double, ptr %v133, align 8, !noalias !210
-  %v2162 = load double, ptr %v791, align 8, !noalias !210
-  %v2163 = load double, ptr %v753, align 8, !noalias !210
-  %v2164 = fmul double %v2162, %v2163
-  %v2165 = fadd double %v2161, %v2164
-  %v2166 = load i64, ptr %v142, align 8, !noalias !270
-  %v2167 = load i64, ptr %v846, align 8, !noalias !270
-  %v2168 = icmp slt i64 %v2167, %v93
-  br i1 %v2168, label %v2169, label %v2170
+v2142:
+  %v2143 = phi i64 [ 0, %v2139 ], [ %v2144, %v2142 ]
+  %v2145 = mul i64 %v2143, %v196
+  %v2146 = getelementptr double, ptr %v193, i64 %v2145
+  %v2147 = getelementptr i8, ptr %v2146, i64 %v779
+  %v2148 = load double, ptr %v2147, align 8, !noalias !258
+  %v2149 = fadd double %v2148, 0.000000e+00
+  %v2150 = fmul double %v2127, %v2149
+  %v2151 = getelementptr i8, ptr %v2146, i64 %v780
+  %v2152 = load double, ptr %v2151, align 8, !noalias !258
+  %v2153 = fadd double %v2152, %v2150
+  %v2154 = fmul double %v2141, %v2153
+  %v2155 = getelementptr i8, ptr %v2146, i64 %v781
+  %v2156 = load double, ptr %v2155, align 8, !noalias !258
+  %v2157 = fadd double %v2156, %v2154
+  %v2158 = fmul double %v2127, %v2157
+  %v2159 = getelementptr i8, ptr %v2146, i64 %v782
+  %v2160 = load double, ptr %v2159, align 8, !noalias !258
+  %v2161 = fadd double %v2160, %v2158
+  %v2162 = fmul double %v2141, %v2161
+  %v2163 = getelementptr i8, ptr %v2146, i64 %v783
+  %v2164 = load double, ptr %v2163, align 8, !noalias !258
+  %v2165 = fadd double %v2164, %v2162
+  %v2166 = fmul double %v2127, %v2165
+  %v2167 = getelementptr i8, ptr %v2146, i64 %v784
+  %v2168 = load double, ptr %v2167, align 8, !noalias !258
+  %v2169 = fadd double %v2168, %v2166
+  %v2170 = fmul double %v2141, %v2169
+  %v2171 = getelementptr i8, ptr %v2146, i64 %v785
+  %v2172 = load double, ptr %v2171, align 8, !noalias !258
+  %v2173 = fadd double %v2172, %v2170
+  %v2174 = fmul double %v2127, %v2173
+  %v2144 = add nsw i64 %v2143, 1
+  %v2175 = load double, ptr %v2146, align 8, !noalias !258
+  %v2176 = fadd double %v2175, %v2174
+  %v2177 = getelementptr double, ptr %v776, i64 %v2145
+  store double %v2176, ptr %v2177, align 8, !noalias !251
+  %v2178 = icmp eq i64 %v10, %v2144
+  br i1 %v2178, label %v2140, label %v2142
 
-v2169:
-  %v2171 = icmp slt i64 %v2167, 0
-  %v2172 = select i1 %v2171, i64 %v93, i64 0
-  %v2173 = getelementptr double, ptr %v92, i64 %v2167
-  %v2174 = getelementptr double, ptr %v2173, i64 %v2172
-  %v2175 = load double, ptr %v2174, align 8, !noalias !270
-  %v2176 = fcmp ugt double %v2175, %v2165
-  br i1 %v2176, label %v2170, label %v2177
+v2140:
+  %v2179 = load i64, ptr %v778, align 8, !noalias !262
+  %v2180 = inttoptr i64 %v2179 to ptr
+  tail call void %v2180(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !262
+  br i1 %v822, label %v2181, label %v2182
 
-v2177:
-  %v2178 = icmp slt i64 %v2166, 0
-  %v2179 = select i1 %v2178, i64 %v100, i64 0
-  %v2180 = add i64 %v2179, %v2166
-  %v2181 = mul i64 %v849, %v2180
-  %v2182 = getelementptr double, ptr %v99, i64 %v2181
-  br label %v2183
+v2181:
+  %v2183 = phi i64 [ %v2184, %v2181 ], [ %v821, %v2140 ]
+  %v2185 = phi i64 [ %v2186, %v2181 ], [ %v18, %v2140 ]
+  %v2184 = add nsw i64 %v2183, -1
+  %v2186 = add i64 %v2185, 1
+  %v2187 = icmp slt i64 %v2185, 0
+  %v2188 = select i1 %v2187, i64 %v207, i64 0
+  %v2189 = add i64 %v2188, %v2185
+  %v2190 = getelementptr double, ptr %v826, i64 %v2189
+  %v2191 = load double, ptr %v2190, align 8, !noalias !265
+  %v2192 = getelementptr double, ptr %v829, i64 %v2189
+  store double %v2191, ptr %v2192, align 8, !noalias !265
+  %v2193 = icmp sgt i64 %v2183, 1
+  br i1 %v2193, label %v2181, label %v2182
 
-v2183:
-  %v2184 = phi i64 [ %v2185, %v2186 ], [ %v2167, %v2177 ]
-  %v2187 = icmp slt i64 %v2184, 0
-  %v2188 = select i1 %v2187, i64 %v93, i64 0
-  %v2189 = getelementptr double, ptr %v92, i64 %v2184
-  %v2190 = getelementptr double, ptr %v2189, i64 %v2188
-  %v2191 = load double, ptr %v2190, align 8, !noalias !270
-  %v2192 = load double, ptr %v133, align 8, !noalias !270
-  %v2193 = fsub double %v2191, %v2192
-  %v2194 = load double, ptr %v753, align 8, !noalias !270
-  %v2195 = fdiv double %v2193, %v2194
-  br i1 %v757, label %v2196, label %v2197
+v2182:
+  br i1 %v830, label %v2194, label %v2195
 
-v2197:
-  %v2198 = fsub double 1.000000e+00, %v2195
-  %v2199 = select i1 %v2187, i64 %v101, i64 0
-  %v2200 = add i64 %v2199, %v2184
-  %v2201 = mul i64 %v2200, %v102
-  %v2202 = getelementptr double, ptr %v2182, i64 %v2201
-  br label %v2203
+v2195:
+  %v2196 = phi double [ %v2197, %v2195 ], [ 0x7FF0000000000000, %v2182 ]
+  %v2198 = phi i64 [ %v2199, %v2195 ], [ 0, %v2182 ]
+  %v2199 = add nsw i64 %v2198, 1
+  %v2200 = getelementptr double, ptr %v831, i64 %v2198
+  %v2201 = load double, ptr %v2200, align 8, !noalias !266
+  %v2202 = getelementptr double, ptr %v829, i64 %v2198
+  %v2203 = load double, ptr %v2202, align 8, !noalias !266
+  %v2204 = fadd double %v2201, %v2203
+  %v2205 = fcmp olt double %v2204, %v2196
+  %v2197 = select i1 %v2205, double %v2204, double %v2196
+  %v2206 = icmp eq i64 %v207, %v2199
+  br i1 %v2206, label %v2194, label %v2195
 
-v2204:
-  %v2205 = getelementptr double, ptr %v851, i64 %v2206
-  %v2207 = load double, ptr %v2205, align 8, !noalias !270
-  br label %v2208
+v2194:
+  %v2128 = phi double [ 0x7FF0000000000000, %v2182 ], [ %v2197, %v2195 ]
+  %v2207 = fcmp olt double %v2128, 0.000000e+00
+  br i1 %v2207, label %v2126, label %v2130
 
-v2196:
-  store double 0x7FF0000000000000, ptr %v848, align 8, !noalias !270
-  %v2209 = icmp eq i64 %v2184, %v852
-  br i1 %v2209, label %v2170, label %v2186
+v2071:
+  store double 0.000000e+00, ptr %v809, align 8, !noalias !210
+  br label %v2133
 
-v2186:
-  %v2185 = add i64 %v2184, 1
-  %v2210 = icmp slt i64 %v2184, -1
-  %v2211 = select i1 %v2210, i64 %v93, i64 0
-  %v2212 = getelementptr double, ptr %v92, i64 %v2185
-  %v2213 = getelementptr double, ptr %v2212, i64 %v2211
-  %v2214 = load double, ptr %v2213, align 8, !noalias !270
-  %v2215 = fcmp ugt double %v2214, %v2165
-  br i1 %v2215, label %v2170, label %v2183
+v2133:
+  %v2208 = load double, ptr %v133, align 8, !noalias !210
+  %v2209 = load double, ptr %v809, align 8, !noalias !210
+  %v2210 = load double, ptr %v771, align 8, !noalias !210
+  %v2211 = fmul double %v2209, %v2210
+  %v2212 = fadd double %v2208, %v2211
+  %v2213 = load i64, ptr %v142, align 8, !noalias !270
+  %v2214 = load i64, ptr %v864, align 8, !noalias !270
+  %v2215 = icmp slt i64 %v2214, %v93
+  br i1 %v2215, label %v2216, label %v2217
 
-v2170:
-  %v2216 = phi i64 [ %v2167, %v2169 ], [ %v2167, %v2086 ], [ %v93, %v2196 ], [ %v2185, %v2186 ]
-  store i64 %v2216, ptr %v846, align 8, !noalias !270
-  store i64 %v1953, ptr %v854, align 8, !noalias !210
-  %v2217 = load i64, ptr %v142, align 8, !noalias !274
-  %v2218 = icmp sgt i64 %v2217, -1
-  br i1 %v2218, label %v2219, label %v2220
+v2216:
+  %v2218 = icmp slt i64 %v2214, 0
+  %v2219 = select i1 %v2218, i64 %v93, i64 0
+  %v2220 = getelementptr double, ptr %v92, i64 %v2214
+  %v2221 = getelementptr double, ptr %v2220, i64 %v2219
+  %v2222 = load double, ptr %v2221, align 8, !noalias !270
+  %v2223 = fcmp ugt double %v2222, %v2212
+  br i1 %v2223, label %v2217, label %v2224
 
-v2208:
-  %v2221 = phi double [ %v2222, %v2223 ], [ %v2207, %v2204 ]
-  %v2224 = getelementptr double, ptr %v2202, i64 %v2225
-  store double %v2221, ptr %v2224, align 8, !noalias !270
-  %v2226 = icmp eq i64 %v10, %v2227
-  br i1 %v2226, label %v2196, label %v2203
+v2224:
+  %v2225 = icmp slt i64 %v2213, 0
+  %v2226 = select i1 %v2225, i64 %v100, i64 0
+  %v2227 = add i64 %v2226, %v2213
+  %v2228 = mul i64 %v867, %v2227
+  %v2229 = getelementptr double, ptr %v99, i64 %v2228
+  br label %v2230
 
-v2203:
-  %v2225 = phi i64 [ 0, %v2197 ], [ %v2227, %v2208 ]
-  %v2227 = add nsw i64 %v2225, 1
-  %v2228 = load double, ptr %v2190, align 8, !noalias !270
-  %v2229 = load double, ptr %v787, align 8, !noalias !270
-  %v2230 = fcmp oeq double %v2228, %v2229
-  %v2206 = mul i64 %v2225, %v196
-  br i1 %v2230, label %v2204, label %v2223
+v2230:
+  %v2231 = phi i64 [ %v2232, %v2233 ], [ %v2214, %v2224 ]
+  %v2234 = icmp slt i64 %v2231, 0
+  %v2235 = select i1 %v2234, i64 %v93, i64 0
+  %v2236 = getelementptr double, ptr %v92, i64 %v2231
+  %v2237 = getelementptr double, ptr %v2236, i64 %v2235
+  %v2238 = load double, ptr %v2237, align 8, !noalias !270
+  %v2239 = load double, ptr %v133, align 8, !noalias !270
+  %v2240 = fsub double %v2238, %v2239
+  %v2241 = load double, ptr %v771, align 8, !noalias !270
+  %v2242 = fdiv double %v2240, %v2241
+  br i1 %v775, label %v2243, label %v2244
 
-v2223:
-  %v2231 = getelementptr double, ptr %v193, i64 %v2206
-  %v2232 = getelementptr i8, ptr %v2231, i64 %v761
-  %v2233 = load double, ptr %v2232, align 8, !noalias !277
-  %v2234 = fadd double %v2233, 0.000000e+00
-  %v2235 = fmul double %v2195, %v2234
-  %v2236 = getelementptr i8, ptr %v2231, i64 %v762
-  %v2237 = load double, ptr %v2236, align 8, !noalias !277
-  %v2238 = fadd double %v2237, %v2235
-  %v2239 = fmul double %v2198, %v2238
-  %v2240 = getelementptr i8, ptr %v2231, i64 %v763
-  %v2241 = load double, ptr %v2240, align 8, !noalias !277
-  %v2242 = fadd double %v2241, %v2239
-  %v2243 = fmul double %v2195, %v2242
-  %v2244 = getelementptr i8, ptr %v2231, i64 %v764
-  %v2245 = load double, ptr %v2244, align 8, !noalias !277
-  %v2246 = fadd double %v2245, %v2243
-  %v2247 = fmul double %v2198, %v2246
-  %v2248 = getelementptr i8, ptr %v2231, i64 %v765
-  %v2249 = load double, ptr %v2248, align 8, !noalias !277
-  %v2250 = fadd double %v2249, %v2247
-  %v2251 = fmul double %v2195, %v2250
-  %v2252 = getelementptr i8, ptr %v2231, i64 %v766
-  %v2253 = load double, ptr %v2252, align 8, !noalias !277
-  %v2254 = fadd double %v2253, %v2251
-  %v2255 = fmul double %v2198, %v2254
-  %v2256 = getelementptr i8, ptr %v2231, i64 %v767
-  %v2257 = load double, ptr %v2256, align 8, !noalias !277
-  %v2258 = fadd double %v2257, %v2255
-  %v2259 = fmul double %v2195, %v2258
-  %v2260 = load double, ptr %v2231, align 8, !noalias !277
-  %v2222 = fadd double %v2260, %v2259
-  br label %v2208
+v2244:
+  %v2245 = fsub double 1.000000e+00, %v2242
+  %v2246 = select i1 %v2234, i64 %v101, i64 0
+  %v2247 = add i64 %v2246, %v2231
+  %v2248 = mul i64 %v2247, %v102
+  %v2249 = getelementptr double, ptr %v2229, i64 %v2248
+  br label %v2250
 
-v1939:
-  %v2261 = phi i64 [ %v2262, %v2263 ], [ 0, %v1938 ]
-  %v2264 = phi i64 [ %v2265, %v2263 ], [ %v843, %v1938 ]
-  %v2266 = icmp sgt i64 %v2264, 0
-  br i1 %v2266, label %v2263, label %v2267
+v2251:
+  %v2252 = getelementptr double, ptr %v869, i64 %v2253
+  %v2254 = load double, ptr %v2252, align 8, !noalias !270
+  br label %v2255
 
-v2263:
-  %v2265 = add nsw i64 %v2264, -1
-  %v2262 = add i64 %v2261, 1
-  %v2268 = getelementptr double, ptr %v813, i64 %v2261
-  %v2269 = load double, ptr %v2268, align 8, !noalias !281
-  %v2270 = getelementptr double, ptr %v811, i64 %v2261
-  %v2271 = load double, ptr %v2270, align 8, !noalias !281
-  %v2272 = fneg double %v2271
-  %v2273 = fcmp olt double %v2269, %v2272
-  br i1 %v2273, label %v2267, label %v1939
+v2243:
+  store double 0x7FF0000000000000, ptr %v866, align 8, !noalias !270
+  %v2256 = icmp eq i64 %v2231, %v870
+  br i1 %v2256, label %v2217, label %v2233
+
+v2233:
+  %v2232 = add i64 %v2231, 1
+  %v2257 = icmp slt i64 %v2231, -1
+  %v2258 = select i1 %v2257, i64 %v93, i64 0
+  %v2259 = getelementptr double, ptr %v92, i64 %v2232
+  %v2260 = getelementptr double, ptr %v2259, i64 %v2258
+  %v2261 = load double, ptr %v2260, align 8, !noalias !270
+  %v2262 = fcmp ugt double %v2261, %v2212
+  br i1 %v2262, label %v2217, label %v2230
+
+v2217:
+  %v2263 = phi i64 [ %v2214, %v2216 ], [ %v2214, %v2133 ], [ %v93, %v2243 ], [ %v2232, %v2233 ]
+  store i64 %v2263, ptr %v864, align 8, !noalias !270
+  store i64 %v2000, ptr %v872, align 8, !noalias !210
+  %v2264 = load i64, ptr %v142, align 8, !noalias !274
+  %v2265 = icmp sgt i64 %v2264, -1
+  br i1 %v2265, label %v2266, label %v2267
+
+v2255:
+  %v2268 = phi double [ %v2269, %v2270 ], [ %v2254, %v2251 ]
+  %v2271 = getelementptr double, ptr %v2249, i64 %v2272
+  store double %v2268, ptr %v2271, align 8, !noalias !270
+  %v2273 = icmp eq i64 %v10, %v2274
+  br i1 %v2273, label %v2243, label %v2250
+
+v2250:
+  %v2272 = phi i64 [ 0, %v2244 ], [ %v2274, %v2255 ]
+  %v2274 = add nsw i64 %v2272, 1
+  %v2275 = load double, ptr %v2237, align 8, !noalias !270
+  %v2276 = load double, ptr %v805, align 8, !noalias !270
+  %v2277 = fcmp oeq double %v2275, %v2276
+  %v2253 = mul i64 %v2272, %v196
+  br i1 %v2277, label %v2251, label %v2270
+
+v2270:
+  %v2278 = getelementptr double, ptr %v193, i64 %v2253
+  %v2279 = getelementptr i8, ptr %v2278, i64 %v779
+  %v2280 = load double, ptr %v2279, align 8, !noalias !277
+  %v2281 = fadd double %v2280, 0.000000e+00
+  %v2282 = fmul double %v2242, %v2281
+  %v2283 = getelementptr i8, ptr %v2278, i64 %v780
+  %v2284 = load double, ptr %v2283, align 8, !noalias !277
+  %v2285 = fadd double %v2284, %v2282
+  %v2286 = fmul double %v2245, %v2285
+  %v2287 = getelementptr i8, ptr %v2278, i64 %v781
+  %v2288 = load double, ptr %v2287, align 8, !noalias !277
+  %v2289 = fadd double %v2288, %v2286
+  %v2290 = fmul double %v2242, %v2289
+  %v2291 = getelementptr i8, ptr %v2278, i64 %v782
+  %v2292 = load double, ptr %v2291, align 8, !noalias !277
+  %v2293 = fadd double %v2292, %v2290
+  %v2294 = fmul double %v2245, %v2293
+  %v2295 = getelementptr i8, ptr %v2278, i64 %v783
+  %v2296 = load double, ptr %v2295, align 8, !noalias !277
+  %v2297 = fadd double %v2296, %v2294
+  %v2298 = fmul double %v2242, %v2297
+  %v2299 = getelementptr i8, ptr %v2278, i64 %v784
+  %v2300 = load double, ptr %v2299, align 8, !noalias !277
+  %v2301 = fadd double %v2300, %v2298
+  %v2302 = fmul double %v2245, %v2301
+  %v2303 = getelementptr i8, ptr %v2278, i64 %v785
+  %v2304 = load double, ptr %v2303, align 8, !noalias !277
+  %v2305 = fadd double %v2304, %v2302
+  %v2306 = fmul double %v2242, %v2305
+  %v2307 = load double, ptr %v2278, align 8, !noalias !277
+  %v2269 = fadd double %v2307, %v2306
+  br label %v2255
+
+v1986:
+  %v2308 = phi i64 [ %v2309, %v2310 ], [ 0, %v1985 ]
+  %v2311 = phi i64 [ %v2312, %v2310 ], [ %v861, %v1985 ]
+  %v2313 = icmp sgt i64 %v2311, 0
+  br i1 %v2313, label %v2310, label %v2314
+
+v2310:
+  %v2312 = add nsw i64 %v2311, -1
+  %v2309 = add i64 %v2308, 1
+  %v2315 = getelementptr double, ptr %v831, i64 %v2308
+  %v2316 = load double, ptr %v2315, align 8, !noalias !281
+  %v2317 = getelementptr double, ptr %v829, i64 %v2308
+  %v2318 = load double, ptr %v2317, align 8, !noalias !281
+  %v2319 = fneg double %v2318
+  %v2320 = fcmp olt double %v2316, %v2319
+  br i1 %v2320, label %v2314, label %v1986
+
+v2314:
+  %v2000 = phi i64 [ %v2308, %v2310 ], [ -1, %v1986 ]
+  %v2321 = icmp slt i64 %v2000, %v18
+  br i1 %v2321, label %v2322, label %v1998
+
+v2005:
+  %v2016 = phi double [ %v1792, %v1998 ], [ %v2068, %v2065 ]
+  %v2323 = phi i64 [ 0, %v1998 ], [ %v2070, %v2065 ]
+  %v2070 = add nsw i64 %v2323, 1
+  %v2063 = icmp eq i64 %v2323, 0
+  %v2324 = load double, ptr %v133, align 8, !noalias !239
+  %v2325 = load double, ptr %v771, align 8, !noalias !239
+  %v2326 = fmul double %v2016, %v2325
+  %v2327 = fadd double %v2324, %v2326
+  store double %v2327, ptr %v773, align 8, !noalias !239
+  br i1 %v775, label %v2046, label %v2008
+
+v2008:
+  %v2021 = fsub double 1.000000e+00, %v2016
+  br label %v2006
+
+v2049:
+  store double %v2016, ptr %v801, align 8, !noalias !210
+  %v2328 = load double, ptr %v2003, align 8, !noalias !210
+  store double %v2328, ptr %v812, align 8, !noalias !210
+  %v2329 = fcmp ogt double %v2328, 0.000000e+00
+  br i1 %v2329, label %v2072, label %v2062
+
+v2266:
+  %v2330 = getelementptr i64, ptr %v110, i64 %v2264
+  %v2331 = load i64, ptr %v2330, align 8, !noalias !274
+  %v2332 = icmp eq i64 %v2331, 0
+  br i1 %v2332, label %v2333, label %v2267
+
+v2333:
+  store i64 4, ptr %v2330, align 8, !noalias !274
+  br label %v2267
 
 v2267:
-  %v1953 = phi i64 [ %v2261, %v2263 ], [ -1, %v1939 ]
-  %v2274 = icmp slt i64 %v1953, %v18
-  br i1 %v2274, label %v2275, label %v1951
+  store double 0.000000e+00, ptr %v874, align 8, !noalias !210
+  br label %v2334
 
-v1958:
-  %v1969 = phi double [ %v1745, %v1951 ], [ %v2021, %v2018 ]
-  %v2276 = phi i64 [ 0, %v1951 ], [ %v2023, %v2018 ]
-  %v2023 = add nsw i64 %v2276, 1
-  %v2016 = icmp eq i64 %v2276, 0
-  %v2277 = load double, ptr %v133, align 8, !noalias !239
-  %v2278 = load double, ptr %v753, align 8, !noalias !239
-  %v2279 = fmul double %v1969, %v2278
-  %v2280 = fadd double %v2277, %v2279
-  store double %v2280, ptr %v755, align 8, !noalias !239
-  br i1 %v757, label %v1999, label %v1961
+v2335:
+  br i1 %v1801, label %v2322, label %v2336
 
-v1961:
-  %v1974 = fsub double 1.000000e+00, %v1969
-  br label %v1959
-
-v2002:
-  store double %v1969, ptr %v783, align 8, !noalias !210
-  %v2281 = load double, ptr %v1956, align 8, !noalias !210
-  store double %v2281, ptr %v794, align 8, !noalias !210
-  %v2282 = fcmp ogt double %v2281, 0.000000e+00
-  br i1 %v2282, label %v2025, label %v2015
-
-v2219:
-  %v2283 = getelementptr i64, ptr %v110, i64 %v2217
-  %v2284 = load i64, ptr %v2283, align 8, !noalias !274
-  %v2285 = icmp eq i64 %v2284, 0
-  br i1 %v2285, label %v2286, label %v2220
-
-v2286:
-  store i64 4, ptr %v2283, align 8, !noalias !274
-  br label %v2220
-
-v2220:
-  store double 0.000000e+00, ptr %v856, align 8, !noalias !210
-  br label %v2287
-
-v2288:
-  br i1 %v1754, label %v2275, label %v2289
-
-v2289:
+v2336:
   call void @llvm.lifetime.start.p0(ptr nonnull %v300), !noalias !180
   call void @llvm.lifetime.start.p0(ptr nonnull %v301), !noalias !180
   store i8 0, ptr %v300, align 1, !noalias !285
   store ptr null, ptr %v301, align 8, !noalias !285
-  %v2290 = load double, ptr %v783, align 8, !noalias !285
-  %v2291 = load double, ptr %v791, align 8, !noalias !285
-  br i1 %v305, label %v2292, label %v2293
+  %v2337 = load double, ptr %v801, align 8, !noalias !285
+  %v2338 = load double, ptr %v809, align 8, !noalias !285
+  br i1 %v305, label %v2339, label %v2340
 
-v2294:
-  %v2295 = phi i64 [ %v2296, %v2297 ], [ 0, %v2298 ]
-  %v2296 = add nsw i64 %v2295, 1
-  %v2299 = icmp ult i64 %v2295, 9
-  br i1 %v2299, label %v2300, label %v2301
+v2341:
+  %v2342 = phi i64 [ %v2343, %v2344 ], [ 0, %v2345 ]
+  %v2343 = add nsw i64 %v2342, 1
+  %v2346 = icmp ult i64 %v2342, 9
+  br i1 %v2346, label %v2347, label %v2348
 
-v2300:
-  %v2302 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2295
-  %v2303 = load double, ptr %v2302, align 8
-  %v2304 = load double, ptr %v133, align 8, !noalias !289
-  %v2305 = load double, ptr %v753, align 8, !noalias !289
-  %v2306 = fmul double %v2303, %v2305
-  %v2307 = fadd double %v2304, %v2306
-  store double %v2307, ptr %v755, align 8, !noalias !289
-  br i1 %v797, label %v2308, label %v2297
+v2347:
+  %v2349 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2342
+  %v2350 = load double, ptr %v2349, align 8
+  %v2351 = load double, ptr %v133, align 8, !noalias !289
+  %v2352 = load double, ptr %v771, align 8, !noalias !289
+  %v2353 = fmul double %v2350, %v2352
+  %v2354 = fadd double %v2351, %v2353
+  store double %v2354, ptr %v773, align 8, !noalias !289
+  br i1 %v815, label %v2355, label %v2344
 
-v2308:
-  %v2309 = fsub double 1.000000e+00, %v2303
-  br label %v2310
+v2355:
+  %v2356 = fsub double 1.000000e+00, %v2350
+  br label %v2357
 
-v2310:
-  %v2311 = phi i64 [ 0, %v2308 ], [ %v2312, %v2310 ]
-  %v2313 = mul i64 %v2311, %v196
-  %v2314 = getelementptr double, ptr %v193, i64 %v2313
-  %v2315 = getelementptr i8, ptr %v2314, i64 %v761
-  %v2316 = load double, ptr %v2315, align 8, !noalias !296
-  %v2317 = fadd double %v2316, 0.000000e+00
-  %v2318 = fmul double %v2303, %v2317
-  %v2319 = getelementptr i8, ptr %v2314, i64 %v762
-  %v2320 = load double, ptr %v2319, align 8, !noalias !296
-  %v2321 = fadd double %v2320, %v2318
-  %v2322 = fmul double %v2309, %v2321
-  %v2323 = getelementptr i8, ptr %v2314, i64 %v763
-  %v2324 = load double, ptr %v2323, align 8, !noalias !296
-  %v2325 = fadd double %v2324, %v2322
-  %v2326 = fmul double %v2303, %v2325
-  %v2327 = getelementptr i8, ptr %v2314, i64 %v764
-  %v2328 = load double, ptr %v2327, align 8, !noalias !296
-  %v2329 = fadd double %v2328, %v2326
-  %v2330 = fmul double %v2309, %v2329
-  %v2331 = getelementptr i8, ptr %v2314, i64 %v765
-  %v2332 = load double, ptr %v2331, align 8, !noalias !296
-  %v2333 = fadd double %v2332, %v2330
-  %v2334 = fmul double %v2303, %v2333
-  %v2335 = getelementptr i8, ptr %v2314, i64 %v766
-  %v2336 = load double, ptr %v2335, align 8, !noalias !296
-  %v2337 = fadd double %v2336, %v2334
-  %v2338 = fmul double %v2309, %v2337
-  %v2339 = getelementptr i8, ptr %v2314, i64 %v767
-  %v2340 = load double, ptr %v2339, align 8, !noalias !296
-  %v2341 = fadd double %v2340, %v2338
-  %v2342 = fmul double %v2303, %v2341
-  %v2312 = add nsw i64 %v2311, 1
-  %v2343 = load double, ptr %v2314, align 8, !noalias !296
-  %v2344 = fadd double %v2343, %v2342
-  %v2345 = getelementptr double, ptr %v758, i64 %v2313
-  store double %v2344, ptr %v2345, align 8, !noalias !289
-  %v2346 = icmp eq i64 %v10, %v2312
-  br i1 %v2346, label %v2297, label %v2310
+v2357:
+  %v2358 = phi i64 [ 0, %v2355 ], [ %v2359, %v2357 ]
+  %v2360 = mul i64 %v2358, %v196
+  %v2361 = getelementptr double, ptr %v193, i64 %v2360
+  %v2362 = getelementptr i8, ptr %v2361, i64 %v779
+  %v2363 = load double, ptr %v2362, align 8, !noalias !296
+  %v2364 = fadd double %v2363, 0.000000e+00
+  %v2365 = fmul double %v2350, %v2364
+  %v2366 = getelementptr i8, ptr %v2361, i64 %v780
+  %v2367 = load double, ptr %v2366, align 8, !noalias !296
+  %v2368 = fadd double %v2367, %v2365
+  %v2369 = fmul double %v2356, %v2368
+  %v2370 = getelementptr i8, ptr %v2361, i64 %v781
+  %v2371 = load double, ptr %v2370, align 8, !noalias !296
+  %v2372 = fadd double %v2371, %v2369
+  %v2373 = fmul double %v2350, %v2372
+  %v2374 = getelementptr i8, ptr %v2361, i64 %v782
+  %v2375 = load double, ptr %v2374, align 8, !noalias !296
+  %v2376 = fadd double %v2375, %v2373
+  %v2377 = fmul double %v2356, %v2376
+  %v2378 = getelementptr i8, ptr %v2361, i64 %v783
+  %v2379 = load double, ptr %v2378, align 8, !noalias !296
+  %v2380 = fadd double %v2379, %v2377
+  %v2381 = fmul double %v2350, %v2380
+  %v2382 = getelementptr i8, ptr %v2361, i64 %v784
+  %v2383 = load double, ptr %v2382, align 8, !noalias !296
+  %v2384 = fadd double %v2383, %v2381
+  %v2385 = fmul double %v2356, %v2384
+  %v2386 = getelementptr i8, ptr %v2361, i64 %v785
+  %v2387 = load double, ptr %v2386, align 8, !noalias !296
+  %v2388 = fadd double %v2387, %v2385
+  %v2389 = fmul double %v2350, %v2388
+  %v2359 = add nsw i64 %v2358, 1
+  %v2390 = load double, ptr %v2361, align 8, !noalias !296
+  %v2391 = fadd double %v2390, %v2389
+  %v2392 = getelementptr double, ptr %v776, i64 %v2360
+  store double %v2391, ptr %v2392, align 8, !noalias !289
+  %v2393 = icmp eq i64 %v10, %v2359
+  br i1 %v2393, label %v2344, label %v2357
 
-v2297:
-  %v2347 = icmp eq i64 %v2295, 8
-  %v2348 = select i1 %v2347, i64 17, i64 16
-  %v2349 = mul i64 %v2295, %v759
-  %v2350 = load i64, ptr %v760, align 8, !noalias !300
-  %v2351 = mul nsw i64 %v2348, %v10
-  %v2352 = getelementptr double, ptr %v158, i64 %v2351
-  %v2353 = getelementptr double, ptr %v186, i64 %v2349
-  %v2354 = inttoptr i64 %v2350 to ptr
-  tail call void %v2354(ptr nonnull %v755, ptr %v2352, ptr %v165, ptr %v172, ptr %v179, ptr %v2353), !noalias !300
-  %v2355 = icmp eq i64 %v2296, 9
-  br i1 %v2355, label %v2301, label %v2294
+v2344:
+  %v2394 = icmp eq i64 %v2342, 8
+  %v2395 = select i1 %v2394, i64 17, i64 16
+  %v2396 = mul i64 %v2342, %v777
+  %v2397 = load i64, ptr %v778, align 8, !noalias !300
+  %v2398 = mul nsw i64 %v2395, %v10
+  %v2399 = getelementptr double, ptr %v158, i64 %v2398
+  %v2400 = getelementptr double, ptr %v186, i64 %v2396
+  %v2401 = inttoptr i64 %v2397 to ptr
+  tail call void %v2401(ptr nonnull %v773, ptr %v2399, ptr %v165, ptr %v172, ptr %v179, ptr %v2400), !noalias !300
+  %v2402 = icmp eq i64 %v2343, 9
+  br i1 %v2402, label %v2348, label %v2341
 
-v2301:
-  %v2356 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2294 ], [ %v2357, %v2297 ]
-  %v2358 = phi i32 [ 1, %v2294 ], [ 0, %v2297 ]
-  br i1 %v2299, label %v2359, label %v2360, !prof !131
+v2348:
+  %v2403 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2341 ], [ %v2404, %v2344 ]
+  %v2405 = phi i32 [ 1, %v2341 ], [ 0, %v2344 ]
+  br i1 %v2346, label %v2406, label %v2407, !prof !131
 
-v2361:
-  %v2362 = load double, ptr %v833, align 8, !noalias !285
-  %v2363 = fcmp ogt double %v2362, 5.000000e-01
-  br i1 %v2363, label %v2364, label %v2365
+v2408:
+  %v2409 = load double, ptr %v851, align 8, !noalias !285
+  %v2410 = fcmp ogt double %v2409, 5.000000e-01
+  br i1 %v2410, label %v2411, label %v2412
 
-v2364:
-  %v2366 = load i64, ptr %v6, align 8, !noalias !303
-  %v2367 = inttoptr i64 %v2366 to ptr
-  tail call void %v2367(ptr nonnull %v787, ptr %v838, ptr %v165, ptr %v172, ptr %v179, ptr %v840), !noalias !303
-  %v2368 = load double, ptr %v787, align 8, !noalias !285
-  store double %v2368, ptr %v789, align 8, !noalias !285
-  br label %v2369
+v2411:
+  %v2413 = load i64, ptr %v6, align 8, !noalias !303
+  %v2414 = inttoptr i64 %v2413 to ptr
+  tail call void %v2414(ptr nonnull %v805, ptr %v856, ptr %v165, ptr %v172, ptr %v179, ptr %v858), !noalias !303
+  %v2415 = load double, ptr %v805, align 8, !noalias !285
+  store double %v2415, ptr %v807, align 8, !noalias !285
+  br label %v2416
 
-v2370:
-  %v2371 = sub nsw i64 45, %v2372
-  %v2373 = load double, ptr %v794, align 8, !noalias !306
-  %v2374 = load double, ptr %v796, align 8, !noalias !306
-  br label %v2375
+v2417:
+  %v2418 = sub nsw i64 45, %v2419
+  %v2420 = load double, ptr %v812, align 8, !noalias !306
+  %v2421 = load double, ptr %v814, align 8, !noalias !306
+  br label %v2422
 
-v2375:
-  %v2376 = phi double [ %v2377, %v2375 ], [ 1.000000e+00, %v2370 ]
-  %v2378 = phi double [ %v2379, %v2375 ], [ 2.000000e+00, %v2370 ]
-  %v2380 = phi i64 [ %v2381, %v2375 ], [ %v2371, %v2370 ]
-  %v2382 = and i64 %v2380, 1
-  %v2383 = icmp eq i64 %v2382, 0
-  %v2384 = fmul double %v2376, %v2378
-  %v2377 = select i1 %v2383, double %v2376, double %v2384
-  %v2381 = lshr i64 %v2380, 1
-  %v2379 = fmul double %v2378, %v2378
-  %v2385 = icmp eq i64 %v2381, 0
-  br i1 %v2385, label %v2386, label %v2375
+v2422:
+  %v2423 = phi double [ %v2424, %v2422 ], [ 1.000000e+00, %v2417 ]
+  %v2425 = phi double [ %v2426, %v2422 ], [ 2.000000e+00, %v2417 ]
+  %v2427 = phi i64 [ %v2428, %v2422 ], [ %v2418, %v2417 ]
+  %v2429 = and i64 %v2427, 1
+  %v2430 = icmp eq i64 %v2429, 0
+  %v2431 = fmul double %v2423, %v2425
+  %v2424 = select i1 %v2430, double %v2423, double %v2431
+  %v2428 = lshr i64 %v2427, 1
+  %v2426 = fmul double %v2425, %v2425
+  %v2432 = icmp eq i64 %v2428, 0
+  br i1 %v2432, label %v2433, label %v2422
 
-v2387:
-  %v2388 = fcmp olt double %v2389, 0.000000e+00
-  %v2390 = select i1 %v2388, double 0.000000e+00, double %v2389
-  %v2391 = fmul double %v2392, %v2390
-  %v2393 = fsub double %v2394, %v2391
-  br label %v2395
+v2434:
+  %v2435 = fcmp olt double %v2436, 0.000000e+00
+  %v2437 = select i1 %v2435, double 0.000000e+00, double %v2436
+  %v2438 = fmul double %v2439, %v2437
+  %v2440 = fsub double %v2441, %v2438
+  br label %v2442
 
-v2386:
-  %v2396 = fadd double %v2397, %v2398
-  %v2394 = fmul double %v2396, 5.000000e-01
-  %v2399 = fmul double %v2377, 1.000000e-13
-  %v2400 = fsub double %v2399, %v2401
-  %v2389 = fmul double %v2400, 5.000000e-01
-  %v2402 = fmul double %v2398, %v2374
-  %v2403 = fmul double %v2397, %v2373
-  %v2404 = fsub double %v2402, %v2403
-  %v2405 = fsub double %v2374, %v2373
-  %v2406 = fdiv double %v2404, %v2405
-  %v2407 = fcmp olt double %v2398, %v2406
-  %v2408 = fcmp olt double %v2406, %v2397
-  %v2409 = and i1 %v2407, %v2408
-  %v2410 = select i1 %v2409, double %v2406, double %v2394
-  %v2411 = fsub double %v2394, %v2410
-  %v2392 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2411)
-  %v2412 = fmul double %v2401, %v2401
-  %v2413 = tail call double @llvm.fabs.f64(double %v2411)
-  %v2414 = fcmp olt double %v2413, %v2412
-  %v2415 = select i1 %v2414, double %v2413, double %v2412
-  %v2416 = fmul double %v2392, %v2415
-  %v2417 = fadd double %v2410, %v2416
-  %v2418 = fsub double %v2417, %v2394
-  %v2419 = tail call double @llvm.fabs.f64(double %v2418)
-  %v2420 = fcmp ugt double %v2419, %v2389
-  br i1 %v2420, label %v2387, label %v2395
+v2433:
+  %v2443 = fadd double %v2444, %v2445
+  %v2441 = fmul double %v2443, 5.000000e-01
+  %v2446 = fmul double %v2424, 1.000000e-13
+  %v2447 = fsub double %v2446, %v2448
+  %v2436 = fmul double %v2447, 5.000000e-01
+  %v2449 = fmul double %v2445, %v2421
+  %v2450 = fmul double %v2444, %v2420
+  %v2451 = fsub double %v2449, %v2450
+  %v2452 = fsub double %v2421, %v2420
+  %v2453 = fdiv double %v2451, %v2452
+  %v2454 = fcmp olt double %v2445, %v2453
+  %v2455 = fcmp olt double %v2453, %v2444
+  %v2456 = and i1 %v2454, %v2455
+  %v2457 = select i1 %v2456, double %v2453, double %v2441
+  %v2458 = fsub double %v2441, %v2457
+  %v2439 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2458)
+  %v2459 = fmul double %v2448, %v2448
+  %v2460 = tail call double @llvm.fabs.f64(double %v2458)
+  %v2461 = fcmp olt double %v2460, %v2459
+  %v2462 = select i1 %v2461, double %v2460, double %v2459
+  %v2463 = fmul double %v2439, %v2462
+  %v2464 = fadd double %v2457, %v2463
+  %v2465 = fsub double %v2464, %v2441
+  %v2466 = tail call double @llvm.fabs.f64(double %v2465)
+  %v2467 = fcmp ugt double %v2466, %v2436
+  br i1 %v2467, label %v2434, label %v2442
 
-v2421:
-  store double %v2422, ptr %v791, align 8, !noalias !312
-  store double %v2423, ptr %v796, align 8, !noalias !312
-  br label %v2424
+v2468:
+  store double %v2469, ptr %v809, align 8, !noalias !312
+  store double %v2470, ptr %v814, align 8, !noalias !312
+  br label %v2471
 
-v2425:
-  store double %v2422, ptr %v783, align 8, !noalias !312
-  store double %v2423, ptr %v794, align 8, !noalias !312
-  br label %v2424
+v2472:
+  store double %v2469, ptr %v801, align 8, !noalias !312
+  store double %v2470, ptr %v812, align 8, !noalias !312
+  br label %v2471
 
-v2424:
-  %v2426 = icmp eq i64 %v2427, 45
-  br i1 %v2426, label %v2428, label %v2429
+v2471:
+  %v2473 = icmp eq i64 %v2474, 45
+  br i1 %v2473, label %v2475, label %v2476
 
-v2429:
-  %v2372 = phi i64 [ %v2427, %v2424 ], [ 0, %v2430 ]
-  %v2427 = add nsw i64 %v2372, 1
-  %v2397 = load double, ptr %v791, align 8, !noalias !312
-  %v2398 = load double, ptr %v783, align 8, !noalias !312
-  %v2401 = fsub double %v2397, %v2398
-  %v2431 = fcmp ugt double %v2401, 1.000000e-13
-  br i1 %v2431, label %v2370, label %v2428
+v2476:
+  %v2419 = phi i64 [ %v2474, %v2471 ], [ 0, %v2477 ]
+  %v2474 = add nsw i64 %v2419, 1
+  %v2444 = load double, ptr %v809, align 8, !noalias !312
+  %v2445 = load double, ptr %v801, align 8, !noalias !312
+  %v2448 = fsub double %v2444, %v2445
+  %v2478 = fcmp ugt double %v2448, 1.000000e-13
+  br i1 %v2478, label %v2417, label %v2475
 
-v2395:
-  %v2422 = phi double [ %v2417, %v2386 ], [ %v2393, %v2387 ]
-  %v2432 = load double, ptr %v133, align 8, !noalias !313
-  %v2433 = load double, ptr %v753, align 8, !noalias !313
-  %v2434 = fmul double %v2422, %v2433
-  %v2435 = fadd double %v2432, %v2434
-  store double %v2435, ptr %v755, align 8, !noalias !313
-  br i1 %v797, label %v2436, label %v2437
+v2442:
+  %v2469 = phi double [ %v2464, %v2433 ], [ %v2440, %v2434 ]
+  %v2479 = load double, ptr %v133, align 8, !noalias !313
+  %v2480 = load double, ptr %v771, align 8, !noalias !313
+  %v2481 = fmul double %v2469, %v2480
+  %v2482 = fadd double %v2479, %v2481
+  store double %v2482, ptr %v773, align 8, !noalias !313
+  br i1 %v815, label %v2483, label %v2484
 
-v2436:
-  %v2438 = fsub double 1.000000e+00, %v2422
-  br label %v2439
+v2483:
+  %v2485 = fsub double 1.000000e+00, %v2469
+  br label %v2486
 
-v2439:
-  %v2440 = phi i64 [ 0, %v2436 ], [ %v2441, %v2439 ]
-  %v2442 = mul i64 %v2440, %v196
-  %v2443 = getelementptr double, ptr %v193, i64 %v2442
-  %v2444 = getelementptr i8, ptr %v2443, i64 %v761
-  %v2445 = load double, ptr %v2444, align 8, !noalias !320
-  %v2446 = fadd double %v2445, 0.000000e+00
-  %v2447 = fmul double %v2422, %v2446
-  %v2448 = getelementptr i8, ptr %v2443, i64 %v762
-  %v2449 = load double, ptr %v2448, align 8, !noalias !320
-  %v2450 = fadd double %v2449, %v2447
-  %v2451 = fmul double %v2438, %v2450
-  %v2452 = getelementptr i8, ptr %v2443, i64 %v763
-  %v2453 = load double, ptr %v2452, align 8, !noalias !320
-  %v2454 = fadd double %v2453, %v2451
-  %v2455 = fmul double %v2422, %v2454
-  %v2456 = getelementptr i8, ptr %v2443, i64 %v764
-  %v2457 = load double, ptr %v2456, align 8, !noalias !320
-  %v2458 = fadd double %v2457, %v2455
-  %v2459 = fmul double %v2438, %v2458
-  %v2460 = getelementptr i8, ptr %v2443, i64 %v765
-  %v2461 = load double, ptr %v2460, align 8, !noalias !320
-  %v2462 = fadd double %v2461, %v2459
-  %v2463 = fmul double %v2422, %v2462
-  %v2464 = getelementptr i8, ptr %v2443, i64 %v766
-  %v2465 = load double, ptr %v2464, align 8, !noalias !320
-  %v2466 = fadd double %v2465, %v2463
-  %v2467 = fmul double %v2438, %v2466
-  %v2468 = getelementptr i8, ptr %v2443, i64 %v767
-  %v2469 = load double, ptr %v2468, align 8, !noalias !320
-  %v2470 = fadd double %v2469, %v2467
-  %v2471 = fmul double %v2422, %v2470
-  %v2441 = add nsw i64 %v2440, 1
-  %v2472 = load double, ptr %v2443, align 8, !noalias !320
-  %v2473 = fadd double %v2472, %v2471
-  %v2474 = getelementptr double, ptr %v758, i64 %v2442
-  store double %v2473, ptr %v2474, align 8, !noalias !313
-  %v2475 = icmp eq i64 %v10, %v2441
-  br i1 %v2475, label %v2437, label %v2439
+v2486:
+  %v2487 = phi i64 [ 0, %v2483 ], [ %v2488, %v2486 ]
+  %v2489 = mul i64 %v2487, %v196
+  %v2490 = getelementptr double, ptr %v193, i64 %v2489
+  %v2491 = getelementptr i8, ptr %v2490, i64 %v779
+  %v2492 = load double, ptr %v2491, align 8, !noalias !320
+  %v2493 = fadd double %v2492, 0.000000e+00
+  %v2494 = fmul double %v2469, %v2493
+  %v2495 = getelementptr i8, ptr %v2490, i64 %v780
+  %v2496 = load double, ptr %v2495, align 8, !noalias !320
+  %v2497 = fadd double %v2496, %v2494
+  %v2498 = fmul double %v2485, %v2497
+  %v2499 = getelementptr i8, ptr %v2490, i64 %v781
+  %v2500 = load double, ptr %v2499, align 8, !noalias !320
+  %v2501 = fadd double %v2500, %v2498
+  %v2502 = fmul double %v2469, %v2501
+  %v2503 = getelementptr i8, ptr %v2490, i64 %v782
+  %v2504 = load double, ptr %v2503, align 8, !noalias !320
+  %v2505 = fadd double %v2504, %v2502
+  %v2506 = fmul double %v2485, %v2505
+  %v2507 = getelementptr i8, ptr %v2490, i64 %v783
+  %v2508 = load double, ptr %v2507, align 8, !noalias !320
+  %v2509 = fadd double %v2508, %v2506
+  %v2510 = fmul double %v2469, %v2509
+  %v2511 = getelementptr i8, ptr %v2490, i64 %v784
+  %v2512 = load double, ptr %v2511, align 8, !noalias !320
+  %v2513 = fadd double %v2512, %v2510
+  %v2514 = fmul double %v2485, %v2513
+  %v2515 = getelementptr i8, ptr %v2490, i64 %v785
+  %v2516 = load double, ptr %v2515, align 8, !noalias !320
+  %v2517 = fadd double %v2516, %v2514
+  %v2518 = fmul double %v2469, %v2517
+  %v2488 = add nsw i64 %v2487, 1
+  %v2519 = load double, ptr %v2490, align 8, !noalias !320
+  %v2520 = fadd double %v2519, %v2518
+  %v2521 = getelementptr double, ptr %v776, i64 %v2489
+  store double %v2520, ptr %v2521, align 8, !noalias !313
+  %v2522 = icmp eq i64 %v10, %v2488
+  br i1 %v2522, label %v2484, label %v2486
 
-v2437:
-  %v2476 = load i64, ptr %v760, align 8, !noalias !324
-  %v2477 = inttoptr i64 %v2476 to ptr
-  tail call void %v2477(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !324
-  br i1 %v804, label %v2478, label %v2479
+v2484:
+  %v2523 = load i64, ptr %v778, align 8, !noalias !324
+  %v2524 = inttoptr i64 %v2523 to ptr
+  tail call void %v2524(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !324
+  br i1 %v822, label %v2525, label %v2526
 
-v2478:
-  %v2480 = phi i64 [ %v2481, %v2478 ], [ %v803, %v2437 ]
-  %v2482 = phi i64 [ %v2483, %v2478 ], [ %v18, %v2437 ]
-  %v2481 = add nsw i64 %v2480, -1
-  %v2483 = add i64 %v2482, 1
-  %v2484 = icmp slt i64 %v2482, 0
-  %v2485 = select i1 %v2484, i64 %v207, i64 0
-  %v2486 = add i64 %v2485, %v2482
-  %v2487 = getelementptr double, ptr %v808, i64 %v2486
-  %v2488 = load double, ptr %v2487, align 8, !noalias !327
-  %v2489 = getelementptr double, ptr %v811, i64 %v2486
-  store double %v2488, ptr %v2489, align 8, !noalias !327
-  %v2490 = icmp sgt i64 %v2480, 1
-  br i1 %v2490, label %v2478, label %v2479
+v2525:
+  %v2527 = phi i64 [ %v2528, %v2525 ], [ %v821, %v2484 ]
+  %v2529 = phi i64 [ %v2530, %v2525 ], [ %v18, %v2484 ]
+  %v2528 = add nsw i64 %v2527, -1
+  %v2530 = add i64 %v2529, 1
+  %v2531 = icmp slt i64 %v2529, 0
+  %v2532 = select i1 %v2531, i64 %v207, i64 0
+  %v2533 = add i64 %v2532, %v2529
+  %v2534 = getelementptr double, ptr %v826, i64 %v2533
+  %v2535 = load double, ptr %v2534, align 8, !noalias !327
+  %v2536 = getelementptr double, ptr %v829, i64 %v2533
+  store double %v2535, ptr %v2536, align 8, !noalias !327
+  %v2537 = icmp sgt i64 %v2527, 1
+  br i1 %v2537, label %v2525, label %v2526
 
-v2479:
-  br i1 %v812, label %v2491, label %v2492
+v2526:
+  br i1 %v830, label %v2538, label %v2539
 
-v2492:
-  %v2493 = phi double [ %v2494, %v2492 ], [ 0x7FF0000000000000, %v2479 ]
-  %v2495 = phi i64 [ %v2496, %v2492 ], [ 0, %v2479 ]
-  %v2496 = add nsw i64 %v2495, 1
-  %v2497 = getelementptr double, ptr %v813, i64 %v2495
-  %v2498 = load double, ptr %v2497, align 8, !noalias !328
-  %v2499 = getelementptr double, ptr %v811, i64 %v2495
-  %v2500 = load double, ptr %v2499, align 8, !noalias !328
-  %v2501 = fadd double %v2498, %v2500
-  %v2502 = fcmp olt double %v2501, %v2493
-  %v2494 = select i1 %v2502, double %v2501, double %v2493
-  %v2503 = icmp eq i64 %v207, %v2496
-  br i1 %v2503, label %v2491, label %v2492
+v2539:
+  %v2540 = phi double [ %v2541, %v2539 ], [ 0x7FF0000000000000, %v2526 ]
+  %v2542 = phi i64 [ %v2543, %v2539 ], [ 0, %v2526 ]
+  %v2543 = add nsw i64 %v2542, 1
+  %v2544 = getelementptr double, ptr %v831, i64 %v2542
+  %v2545 = load double, ptr %v2544, align 8, !noalias !328
+  %v2546 = getelementptr double, ptr %v829, i64 %v2542
+  %v2547 = load double, ptr %v2546, align 8, !noalias !328
+  %v2548 = fadd double %v2545, %v2547
+  %v2549 = fcmp olt double %v2548, %v2540
+  %v2541 = select i1 %v2549, double %v2548, double %v2540
+  %v2550 = icmp eq i64 %v207, %v2543
+  br i1 %v2550, label %v2538, label %v2539
 
-v2491:
-  %v2423 = phi double [ 0x7FF0000000000000, %v2479 ], [ %v2494, %v2492 ]
-  %v2504 = fcmp olt double %v2423, 0.000000e+00
-  br i1 %v2504, label %v2421, label %v2425
+v2538:
+  %v2470 = phi double [ 0x7FF0000000000000, %v2526 ], [ %v2541, %v2539 ]
+  %v2551 = fcmp olt double %v2470, 0.000000e+00
+  br i1 %v2551, label %v2468, label %v2472
 
-v2428:
-  %v2505 = icmp ugt i64 %v2506, 1
-  br i1 %v2505, label %v2507, label %v2365
+v2475:
+  %v2552 = icmp ugt i64 %v2553, 1
+  br i1 %v2552, label %v2554, label %v2412
 
-v2365:
-  br i1 %v834, label %v2508, label %v2509
+v2412:
+  br i1 %v852, label %v2555, label %v2556
 
-v2508:
-  %v2510 = load i64, ptr %v824, align 8, !noalias !332
-  %v2511 = inttoptr i64 %v2510 to ptr
-  tail call void %v2511(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !332
-  store double %v2290, ptr %v783, align 8, !noalias !285
-  store double %v2291, ptr %v791, align 8, !noalias !285
-  br label %v2369
+v2555:
+  %v2557 = load i64, ptr %v842, align 8, !noalias !332
+  %v2558 = inttoptr i64 %v2557 to ptr
+  tail call void %v2558(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !332
+  store double %v2337, ptr %v801, align 8, !noalias !285
+  store double %v2338, ptr %v809, align 8, !noalias !285
+  br label %v2416
 
-v2509:
-  %v2512 = phi i64 [ %v2513, %v2509 ], [ 0, %v2365 ]
-  %v2513 = add nsw i64 %v2512, 1
-  %v2514 = add nsw i64 %v2512, %v17
-  %v2515 = icmp slt i64 %v2514, 0
-  %v2516 = select i1 %v2515, i64 %v166, i64 0
-  %v2517 = getelementptr double, ptr %v165, i64 %v2514
-  %v2518 = getelementptr double, ptr %v2517, i64 %v2516
-  %v2519 = load double, ptr %v2518, align 8, !noalias !338
-  %v2520 = getelementptr double, ptr %v836, i64 %v2512
-  %v2521 = load double, ptr %v2520, align 8, !noalias !338
-  store double %v2521, ptr %v2518, align 8, !noalias !338
-  store double %v2519, ptr %v2520, align 8, !noalias !338
-  %v2522 = icmp eq i64 %v18, %v2513
-  br i1 %v2522, label %v2508, label %v2509
+v2556:
+  %v2559 = phi i64 [ %v2560, %v2556 ], [ 0, %v2412 ]
+  %v2560 = add nsw i64 %v2559, 1
+  %v2561 = add nsw i64 %v2559, %v17
+  %v2562 = icmp slt i64 %v2561, 0
+  %v2563 = select i1 %v2562, i64 %v166, i64 0
+  %v2564 = getelementptr double, ptr %v165, i64 %v2561
+  %v2565 = getelementptr double, ptr %v2564, i64 %v2563
+  %v2566 = load double, ptr %v2565, align 8, !noalias !338
+  %v2567 = getelementptr double, ptr %v854, i64 %v2559
+  %v2568 = load double, ptr %v2567, align 8, !noalias !338
+  store double %v2568, ptr %v2565, align 8, !noalias !338
+  store double %v2566, ptr %v2567, align 8, !noalias !338
+  %v2569 = icmp eq i64 %v18, %v2560
+  br i1 %v2569, label %v2555, label %v2556
 
-v2292:
-  %v2523 = phi i64 [ %v2524, %v2292 ], [ 0, %v2289 ]
-  %v2524 = add nsw i64 %v2523, 1
-  %v2525 = add nsw i64 %v2523, %v17
-  %v2526 = icmp slt i64 %v2525, 0
-  %v2527 = select i1 %v2526, i64 %v166, i64 0
-  %v2528 = getelementptr double, ptr %v165, i64 %v2525
-  %v2529 = getelementptr double, ptr %v2528, i64 %v2527
-  %v2530 = load double, ptr %v2529, align 8, !noalias !285
-  %v2531 = getelementptr double, ptr %v815, i64 %v2523
-  store double %v2530, ptr %v2531, align 8, !noalias !285
-  %v2532 = icmp eq i64 %v18, %v2524
-  br i1 %v2532, label %v2293, label %v2292
+v2339:
+  %v2570 = phi i64 [ %v2571, %v2339 ], [ 0, %v2336 ]
+  %v2571 = add nsw i64 %v2570, 1
+  %v2572 = add nsw i64 %v2570, %v17
+  %v2573 = icmp slt i64 %v2572, 0
+  %v2574 = select i1 %v2573, i64 %v166, i64 0
+  %v2575 = getelementptr double, ptr %v165, i64 %v2572
+  %v2576 = getelementptr double, ptr %v2575, i64 %v2574
+  %v2577 = load double, ptr %v2576, align 8, !noalias !285
+  %v2578 = getelementptr double, ptr %v833, i64 %v2570
+  store double %v2577, ptr %v2578, align 8, !noalias !285
+  %v2579 = icmp eq i64 %v18, %v2571
+  br i1 %v2579, label %v2340, label %v2339
 
-v2293:
-  br label %v2507
+v2340:
+  br label %v2554
 
-v2507:
-  %v2357 = phi ptr [ %v2356, %v2428 ], [ null, %v2293 ]
-  %v2533 = phi ptr [ %v2534, %v2428 ], [ null, %v2293 ]
-  %v2506 = phi i64 [ %v2535, %v2428 ], [ 32, %v2293 ]
-  %v2535 = add nsw i64 %v2506, -1
-  %v2536 = load double, ptr %v791, align 8, !noalias !339
-  %v2537 = load double, ptr %v133, align 8, !noalias !343
-  %v2538 = load double, ptr %v753, align 8, !noalias !343
-  %v2539 = fmul double %v2536, %v2538
-  %v2540 = fadd double %v2537, %v2539
-  store double %v2540, ptr %v755, align 8, !noalias !343
-  br i1 %v797, label %v2541, label %v2542
+v2554:
+  %v2404 = phi ptr [ %v2403, %v2475 ], [ null, %v2340 ]
+  %v2580 = phi ptr [ %v2581, %v2475 ], [ null, %v2340 ]
+  %v2553 = phi i64 [ %v2582, %v2475 ], [ 32, %v2340 ]
+  %v2582 = add nsw i64 %v2553, -1
+  %v2583 = load double, ptr %v809, align 8, !noalias !339
+  %v2584 = load double, ptr %v133, align 8, !noalias !343
+  %v2585 = load double, ptr %v771, align 8, !noalias !343
+  %v2586 = fmul double %v2583, %v2585
+  %v2587 = fadd double %v2584, %v2586
+  store double %v2587, ptr %v773, align 8, !noalias !343
+  br i1 %v815, label %v2588, label %v2589
 
-v2541:
-  %v2543 = fsub double 1.000000e+00, %v2536
-  br label %v2544
+v2588:
+  %v2590 = fsub double 1.000000e+00, %v2583
+  br label %v2591
 
-v2544:
-  %v2545 = phi i64 [ 0, %v2541 ], [ %v2546, %v2544 ]
-  %v2547 = mul i64 %v2545, %v196
-  %v2548 = getelementptr double, ptr %v193, i64 %v2547
-  %v2549 = getelementptr i8, ptr %v2548, i64 %v761
-  %v2550 = load double, ptr %v2549, align 8, !noalias !350
-  %v2551 = fadd double %v2550, 0.000000e+00
-  %v2552 = fmul double %v2536, %v2551
-  %v2553 = getelementptr i8, ptr %v2548, i64 %v762
-  %v2554 = load double, ptr %v2553, align 8, !noalias !350
-  %v2555 = fadd double %v2554, %v2552
-  %v2556 = fmul double %v2543, %v2555
-  %v2557 = getelementptr i8, ptr %v2548, i64 %v763
-  %v2558 = load double, ptr %v2557, align 8, !noalias !350
-  %v2559 = fadd double %v2558, %v2556
-  %v2560 = fmul double %v2536, %v2559
-  %v2561 = getelementptr i8, ptr %v2548, i64 %v764
-  %v2562 = load double, ptr %v2561, align 8, !noalias !350
-  %v2563 = fadd double %v2562, %v2560
-  %v2564 = fmul double %v2543, %v2563
-  %v2565 = getelementptr i8, ptr %v2548, i64 %v765
-  %v2566 = load double, ptr %v2565, align 8, !noalias !350
-  %v2567 = fadd double %v2566, %v2564
-  %v2568 = fmul double %v2536, %v2567
-  %v2569 = getelementptr i8, ptr %v2548, i64 %v766
-  %v2570 = load double, ptr %v2569, align 8, !noalias !350
-  %v2571 = fadd double %v2570, %v2568
-  %v2572 = fmul double %v2543, %v2571
-  %v2573 = getelementptr i8, ptr %v2548, i64 %v767
-  %v2574 = load double, ptr %v2573, align 8, !noalias !350
-  %v2575 = fadd double %v2574, %v2572
-  %v2576 = fmul double %v2536, %v2575
-  %v2546 = add nsw i64 %v2545, 1
-  %v2577 = load double, ptr %v2548, align 8, !noalias !350
-  %v2578 = fadd double %v2577, %v2576
-  %v2579 = getelementptr double, ptr %v818, i64 %v2547
-  store double %v2578, ptr %v2579, align 8, !noalias !343
-  %v2580 = icmp eq i64 %v10, %v2546
-  br i1 %v2580, label %v2542, label %v2544
+v2591:
+  %v2592 = phi i64 [ 0, %v2588 ], [ %v2593, %v2591 ]
+  %v2594 = mul i64 %v2592, %v196
+  %v2595 = getelementptr double, ptr %v193, i64 %v2594
+  %v2596 = getelementptr i8, ptr %v2595, i64 %v779
+  %v2597 = load double, ptr %v2596, align 8, !noalias !350
+  %v2598 = fadd double %v2597, 0.000000e+00
+  %v2599 = fmul double %v2583, %v2598
+  %v2600 = getelementptr i8, ptr %v2595, i64 %v780
+  %v2601 = load double, ptr %v2600, align 8, !noalias !350
+  %v2602 = fadd double %v2601, %v2599
+  %v2603 = fmul double %v2590, %v2602
+  %v2604 = getelementptr i8, ptr %v2595, i64 %v781
+  %v2605 = load double, ptr %v2604, align 8, !noalias !350
+  %v2606 = fadd double %v2605, %v2603
+  %v2607 = fmul double %v2583, %v2606
+  %v2608 = getelementptr i8, ptr %v2595, i64 %v782
+  %v2609 = load double, ptr %v2608, align 8, !noalias !350
+  %v2610 = fadd double %v2609, %v2607
+  %v2611 = fmul double %v2590, %v2610
+  %v2612 = getelementptr i8, ptr %v2595, i64 %v783
+  %v2613 = load double, ptr %v2612, align 8, !noalias !350
+  %v2614 = fadd double %v2613, %v2611
+  %v2615 = fmul double %v2583, %v2614
+  %v2616 = getelementptr i8, ptr %v2595, i64 %v784
+  %v2617 = load double, ptr %v2616, align 8, !noalias !350
+  %v2618 = fadd double %v2617, %v2615
+  %v2619 = fmul double %v2590, %v2618
+  %v2620 = getelementptr i8, ptr %v2595, i64 %v785
+  %v2621 = load double, ptr %v2620, align 8, !noalias !350
+  %v2622 = fadd double %v2621, %v2619
+  %v2623 = fmul double %v2583, %v2622
+  %v2593 = add nsw i64 %v2592, 1
+  %v2624 = load double, ptr %v2595, align 8, !noalias !350
+  %v2625 = fadd double %v2624, %v2623
+  %v2626 = getelementptr double, ptr %v836, i64 %v2594
+  store double %v2625, ptr %v2626, align 8, !noalias !343
+  %v2627 = icmp eq i64 %v10, %v2593
+  br i1 %v2627, label %v2589, label %v2591
 
-v2542:
-  %v2581 = load i64, ptr %v760, align 8, !noalias !354
-  %v2582 = inttoptr i64 %v2581 to ptr
-  tail call void %v2582(ptr nonnull %v755, ptr %v799, ptr %v165, ptr %v172, ptr %v179, ptr %v801), !noalias !354
-  br i1 %v804, label %v2583, label %v2584
+v2589:
+  %v2628 = load i64, ptr %v778, align 8, !noalias !354
+  %v2629 = inttoptr i64 %v2628 to ptr
+  tail call void %v2629(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !354
+  br i1 %v822, label %v2630, label %v2631
 
-v2583:
-  %v2585 = phi i64 [ %v2586, %v2583 ], [ %v802, %v2542 ]
-  %v2587 = phi i64 [ %v2588, %v2583 ], [ %v18, %v2542 ]
-  %v2586 = add nsw i64 %v2585, -1
-  %v2588 = add i64 %v2587, 1
-  %v2589 = icmp slt i64 %v2587, 0
-  %v2590 = select i1 %v2589, i64 %v207, i64 0
-  %v2591 = add i64 %v2590, %v2587
-  %v2592 = getelementptr double, ptr %v808, i64 %v2591
-  %v2593 = load double, ptr %v2592, align 8, !noalias !357
-  %v2594 = getelementptr double, ptr %v811, i64 %v2591
-  store double %v2593, ptr %v2594, align 8, !noalias !357
-  %v2595 = icmp sgt i64 %v2585, 1
-  br i1 %v2595, label %v2583, label %v2584
+v2630:
+  %v2632 = phi i64 [ %v2633, %v2630 ], [ %v820, %v2589 ]
+  %v2634 = phi i64 [ %v2635, %v2630 ], [ %v18, %v2589 ]
+  %v2633 = add nsw i64 %v2632, -1
+  %v2635 = add i64 %v2634, 1
+  %v2636 = icmp slt i64 %v2634, 0
+  %v2637 = select i1 %v2636, i64 %v207, i64 0
+  %v2638 = add i64 %v2637, %v2634
+  %v2639 = getelementptr double, ptr %v826, i64 %v2638
+  %v2640 = load double, ptr %v2639, align 8, !noalias !357
+  %v2641 = getelementptr double, ptr %v829, i64 %v2638
+  store double %v2640, ptr %v2641, align 8, !noalias !357
+  %v2642 = icmp sgt i64 %v2632, 1
+  br i1 %v2642, label %v2630, label %v2631
 
-v2584:
-  br label %v2596
+v2631:
+  br label %v2643
 
-v2597:
-  br label %v2598
+v2644:
+  br label %v2645
 
-v2598:
-  %v2599 = phi double [ %v2536, %v2596 ], [ 1.000000e+00, %v2600 ], [ 8.889000e-01, %v2601 ], [ 2.500000e-01, %v2602 ], [ 3.333000e-01, %v2603 ], [ 5.000000e-01, %v2604 ], [ 0x3FE50A3D70A3D70A, %v2605 ], [ 7.500000e-01, %v2606 ], [ 0x3FB48E8A71DE69AD, %v2597 ]
-  %v2607 = fcmp ult double %v2599, %v2536
-  br i1 %v2607, label %v2608, label %v2609
+v2645:
+  %v2646 = phi double [ %v2583, %v2643 ], [ 1.000000e+00, %v2647 ], [ 8.889000e-01, %v2648 ], [ 2.500000e-01, %v2649 ], [ 3.333000e-01, %v2650 ], [ 5.000000e-01, %v2651 ], [ 0x3FE50A3D70A3D70A, %v2652 ], [ 7.500000e-01, %v2653 ], [ 0x3FB48E8A71DE69AD, %v2644 ]
+  %v2654 = fcmp ult double %v2646, %v2583
+  br i1 %v2654, label %v2655, label %v2656
 
-v2609:
-  %v2610 = load double, ptr %v133, align 8, !noalias !358
-  %v2611 = load double, ptr %v753, align 8, !noalias !358
-  %v2612 = fmul double %v2599, %v2611
-  %v2613 = fadd double %v2610, %v2612
-  store double %v2613, ptr %v755, align 8, !noalias !358
-  br i1 %v797, label %v2614, label %v2615
+v2656:
+  %v2657 = load double, ptr %v133, align 8, !noalias !358
+  %v2658 = load double, ptr %v771, align 8, !noalias !358
+  %v2659 = fmul double %v2646, %v2658
+  %v2660 = fadd double %v2657, %v2659
+  store double %v2660, ptr %v773, align 8, !noalias !358
+  br i1 %v815, label %v2661, label %v2662
 
-v2614:
-  %v2616 = fsub double 1.000000e+00, %v2599
-  br label %v2617
+v2661:
+  %v2663 = fsub double 1.000000e+00, %v2646
+  br label %v2664
 
-v2617:
-  %v2618 = phi i64 [ 0, %v2614 ], [ %v2619, %v2617 ]
-  %v2620 = mul i64 %v2618, %v196
-  %v2621 = getelementptr double, ptr %v193, i64 %v2620
-  %v2622 = getelementptr i8, ptr %v2621, i64 %v761
-  %v2623 = load double, ptr %v2622, align 8, !noalias !362
-  %v2624 = fadd double %v2623, 0.000000e+00
-  %v2625 = fmul double %v2599, %v2624
-  %v2626 = getelementptr i8, ptr %v2621, i64 %v762
-  %v2627 = load double, ptr %v2626, align 8, !noalias !362
-  %v2628 = fadd double %v2627, %v2625
-  %v2629 = fmul double %v2616, %v2628
-  %v2630 = getelementptr i8, ptr %v2621, i64 %v763
-  %v2631 = load double, ptr %v2630, align 8, !noalias !362
-  %v2632 = fadd double %v2631, %v2629
-  %v2633 = fmul double %v2599, %v2632
-  %v2634 = getelementptr i8, ptr %v2621, i64 %v764
-  %v2635 = load double, ptr %v2634, align 8, !noalias !362
-  %v2636 = fadd double %v2635, %v2633
-  %v2637 = fmul double %v2616, %v2636
-  %v2638 = getelementptr i8, ptr %v2621, i64 %v765
-  %v2639 = load double, ptr %v2638, align 8, !noalias !362
-  %v2640 = fadd double %v2639, %v2637
-  %v2641 = fmul double %v2599, %v2640
-  %v2642 = getelementptr i8, ptr %v2621, i64 %v766
-  %v2643 = load double, ptr %v2642, align 8, !noalias !362
-  %v2644 = fadd double %v2643, %v2641
-  %v2645 = fmul double %v2616, %v2644
-  %v2646 = getelementptr i8, ptr %v2621, i64 %v767
-  %v2647 = load double, ptr %v2646, align 8, !noalias !362
-  %v2648 = fadd double %v2647, %v2645
-  %v2649 = fmul double %v2599, %v2648
-  %v2619 = add nsw i64 %v2618, 1
-  %v2650 = load double, ptr %v2621, align 8, !noalias !362
-  %v2651 = fadd double %v2650, %v2649
-  %v2652 = getelementptr double, ptr %v758, i64 %v2620
-  store double %v2651, ptr %v2652, align 8, !noalias !358
-  %v2653 = icmp eq i64 %v10, %v2619
-  br i1 %v2653, label %v2615, label %v2617
+v2664:
+  %v2665 = phi i64 [ 0, %v2661 ], [ %v2666, %v2664 ]
+  %v2667 = mul i64 %v2665, %v196
+  %v2668 = getelementptr double, ptr %v193, i64 %v2667
+  %v2669 = getelementptr i8, ptr %v2668, i64 %v779
+  %v2670 = load double, ptr %v2669, align 8, !noalias !362
+  %v2671 = fadd double %v2670, 0.000000e+00
+  %v2672 = fmul double %v2646, %v2671
+  %v2673 = getelementptr i8, ptr %v2668, i64 %v780
+  %v2674 = load double, ptr %v2673, align 8, !noalias !362
+  %v2675 = fadd double %v2674, %v2672
+  %v2676 = fmul double %v2663, %v2675
+  %v2677 = getelementptr i8, ptr %v2668, i64 %v781
+  %v2678 = load double, ptr %v2677, align 8, !noalias !362
+  %v2679 = fadd double %v2678, %v2676
+  %v2680 = fmul double %v2646, %v2679
+  %v2681 = getelementptr i8, ptr %v2668, i64 %v782
+  %v2682 = load double, ptr %v2681, align 8, !noalias !362
+  %v2683 = fadd double %v2682, %v2680
+  %v2684 = fmul double %v2663, %v2683
+  %v2685 = getelementptr i8, ptr %v2668, i64 %v783
+  %v2686 = load double, ptr %v2685, align 8, !noalias !362
+  %v2687 = fadd double %v2686, %v2684
+  %v2688 = fmul double %v2646, %v2687
+  %v2689 = getelementptr i8, ptr %v2668, i64 %v784
+  %v2690 = load double, ptr %v2689, align 8, !noalias !362
+  %v2691 = fadd double %v2690, %v2688
+  %v2692 = fmul double %v2663, %v2691
+  %v2693 = getelementptr i8, ptr %v2668, i64 %v785
+  %v2694 = load double, ptr %v2693, align 8, !noalias !362
+  %v2695 = fadd double %v2694, %v2692
+  %v2696 = fmul double %v2646, %v2695
+  %v2666 = add nsw i64 %v2665, 1
+  %v2697 = load double, ptr %v2668, align 8, !noalias !362
+  %v2698 = fadd double %v2697, %v2696
+  %v2699 = getelementptr double, ptr %v776, i64 %v2667
+  store double %v2698, ptr %v2699, align 8, !noalias !358
+  %v2700 = icmp eq i64 %v10, %v2666
+  br i1 %v2700, label %v2662, label %v2664
 
-v2654:
-  %v2655 = load i64, ptr %v824, align 8, !noalias !366
-  %v2656 = inttoptr i64 %v2655 to ptr
-  tail call void %v2656(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !366
-  br label %v2608
+v2701:
+  %v2702 = load i64, ptr %v842, align 8, !noalias !366
+  %v2703 = inttoptr i64 %v2702 to ptr
+  tail call void %v2703(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !366
+  br label %v2655
 
-v2657:
-  %v2658 = phi i64 [ %v2659, %v2657 ], [ 0, %v2660 ]
-  %v2659 = add nsw i64 %v2658, 1
-  %v2661 = add nsw i64 %v2658, %v17
-  %v2662 = icmp slt i64 %v2661, 0
-  %v2663 = select i1 %v2662, i64 %v166, i64 0
-  %v2664 = getelementptr double, ptr %v165, i64 %v2661
-  %v2665 = getelementptr double, ptr %v2664, i64 %v2663
-  %v2666 = load double, ptr %v2665, align 8, !noalias !372
-  %v2667 = getelementptr double, ptr %v810, i64 %v2658
-  %v2668 = load double, ptr %v2667, align 8, !noalias !372
-  store double %v2668, ptr %v2665, align 8, !noalias !372
-  store double %v2666, ptr %v2667, align 8, !noalias !372
-  %v2669 = icmp eq i64 %v18, %v2659
-  br i1 %v2669, label %v2654, label %v2657
+v2704:
+  %v2705 = phi i64 [ %v2706, %v2704 ], [ 0, %v2707 ]
+  %v2706 = add nsw i64 %v2705, 1
+  %v2708 = add nsw i64 %v2705, %v17
+  %v2709 = icmp slt i64 %v2708, 0
+  %v2710 = select i1 %v2709, i64 %v166, i64 0
+  %v2711 = getelementptr double, ptr %v165, i64 %v2708
+  %v2712 = getelementptr double, ptr %v2711, i64 %v2710
+  %v2713 = load double, ptr %v2712, align 8, !noalias !372
+  %v2714 = getelementptr double, ptr %v828, i64 %v2705
+  %v2715 = load double, ptr %v2714, align 8, !noalias !372
+  store double %v2715, ptr %v2712, align 8, !noalias !372
+  store double %v2713, ptr %v2714, align 8, !noalias !372
+  %v2716 = icmp eq i64 %v18, %v2706
+  br i1 %v2716, label %v2701, label %v2704
 
-v2608:
-  %v2670 = icmp ugt i64 %v2671, 1
-  br i1 %v2670, label %v2596, label %v2672
+v2655:
+  %v2717 = icmp ugt i64 %v2718, 1
+  br i1 %v2717, label %v2643, label %v2719
 
-v2672:
-  br i1 %v305, label %v2673, label %v2674
+v2719:
+  br i1 %v305, label %v2720, label %v2721
 
-v2674:
-  %v2675 = load i64, ptr %v824, align 8, !noalias !373
-  %v2676 = inttoptr i64 %v2675 to ptr
-  tail call void %v2676(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !373
-  br label %v2677
+v2721:
+  %v2722 = load i64, ptr %v842, align 8, !noalias !373
+  %v2723 = inttoptr i64 %v2722 to ptr
+  tail call void %v2723(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !373
+  br label %v2724
 
-v2673:
-  %v2678 = phi i64 [ %v2679, %v2673 ], [ 0, %v2672 ]
-  %v2679 = add nsw i64 %v2678, 1
-  %v2680 = add nsw i64 %v2678, %v17
-  %v2681 = icmp slt i64 %v2680, 0
-  %v2682 = select i1 %v2681, i64 %v166, i64 0
-  %v2683 = getelementptr double, ptr %v165, i64 %v2680
-  %v2684 = getelementptr double, ptr %v2683, i64 %v2682
-  %v2685 = load double, ptr %v2684, align 8, !noalias !379
-  %v2686 = getelementptr double, ptr %v810, i64 %v2678
-  %v2687 = load double, ptr %v2686, align 8, !noalias !379
-  store double %v2687, ptr %v2684, align 8, !noalias !379
-  store double %v2685, ptr %v2686, align 8, !noalias !379
-  %v2688 = icmp eq i64 %v2679, %v18
-  br i1 %v2688, label %v2674, label %v2673
+v2720:
+  %v2725 = phi i64 [ %v2726, %v2720 ], [ 0, %v2719 ]
+  %v2726 = add nsw i64 %v2725, 1
+  %v2727 = add nsw i64 %v2725, %v17
+  %v2728 = icmp slt i64 %v2727, 0
+  %v2729 = select i1 %v2728, i64 %v166, i64 0
+  %v2730 = getelementptr double, ptr %v165, i64 %v2727
+  %v2731 = getelementptr double, ptr %v2730, i64 %v2729
+  %v2732 = load double, ptr %v2731, align 8, !noalias !379
+  %v2733 = getelementptr double, ptr %v828, i64 %v2725
+  %v2734 = load double, ptr %v2733, align 8, !noalias !379
+  store double %v2734, ptr %v2731, align 8, !noalias !379
+  store double %v2732, ptr %v2733, align 8, !noalias !379
+  %v2735 = icmp eq i64 %v2726, %v18
+  br i1 %v2735, label %v2721, label %v2720
 
-v2596:
-  %v2671 = phi i64 [ %v2689, %v2608 ], [ 9, %v2584 ]
-  %v2690 = phi i64 [ %v2691, %v2608 ], [ 8, %v2584 ]
-  %v2689 = add nsw i64 %v2671, -1
-  %v2691 = add nsw i64 %v2690, -1
-  switch i64 %v2690, label %v2677 [
-    i64 0, label %v2598
-    i64 -1, label %v2600
-    i64 8, label %v2600
-    i64 1, label %v2597
-    i64 -8, label %v2597
-    i64 2, label %v2602
-    i64 -7, label %v2602
-    i64 3, label %v2603
-    i64 -6, label %v2603
-    i64 4, label %v2604
-    i64 -5, label %v2604
-    i64 5, label %v2605
-    i64 -4, label %v2605
-    i64 6, label %v2606
-    i64 -3, label %v2606
-    i64 7, label %v2601
-    i64 -2, label %v2601
+v2643:
+  %v2718 = phi i64 [ %v2736, %v2655 ], [ 9, %v2631 ]
+  %v2737 = phi i64 [ %v2738, %v2655 ], [ 8, %v2631 ]
+  %v2736 = add nsw i64 %v2718, -1
+  %v2738 = add nsw i64 %v2737, -1
+  switch i64 %v2737, label %v2724 [
+    i64 0, label %v2645
+    i64 -1, label %v2647
+    i64 8, label %v2647
+    i64 1, label %v2644
+    i64 -8, label %v2644
+    i64 2, label %v2649
+    i64 -7, label %v2649
+    i64 3, label %v2650
+    i64 -6, label %v2650
+    i64 4, label %v2651
+    i64 -5, label %v2651
+    i64 5, label %v2652
+    i64 -4, label %v2652
+    i64 6, label %v2653
+    i64 -3, label %v2653
+    i64 7, label %v2648
+    i64 -2, label %v2648
   ]
 
-v2602:
-  br label %v2598
+v2649:
+  br label %v2645
 
-v2603:
-  br label %v2598
+v2650:
+  br label %v2645
 
-v2604:
-  br label %v2598
+v2651:
+  br label %v2645
 
-v2605:
-  br label %v2598
+v2652:
+  br label %v2645
 
-v2606:
-  br label %v2598
+v2653:
+  br label %v2645
 
-v2601:
-  br label %v2598
+v2648:
+  br label %v2645
 
-v2600:
-  br label %v2598
+v2647:
+  br label %v2645
 
-v2615:
-  %v2692 = load i64, ptr %v6, align 8, !noalias !380
-  %v2693 = inttoptr i64 %v2692 to ptr
-  tail call void %v2693(ptr nonnull %v755, ptr %v821, ptr %v165, ptr %v172, ptr %v179, ptr %v823), !noalias !380
-  br i1 %v305, label %v2694, label %v2695
+v2662:
+  %v2739 = load i64, ptr %v6, align 8, !noalias !380
+  %v2740 = inttoptr i64 %v2739 to ptr
+  tail call void %v2740(ptr nonnull %v773, ptr %v839, ptr %v165, ptr %v172, ptr %v179, ptr %v841), !noalias !380
+  br i1 %v305, label %v2741, label %v2742
 
-v2695:
-  %v2696 = load i64, ptr %v824, align 8, !noalias !383
-  %v2697 = inttoptr i64 %v2696 to ptr
-  tail call void %v2697(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !383
-  %v2698 = load i64, ptr %v6, align 8, !noalias !389
-  %v2699 = inttoptr i64 %v2698 to ptr
-  tail call void %v2699(ptr nonnull %v755, ptr %v821, ptr %v165, ptr %v172, ptr %v179, ptr %v826), !noalias !389
-  %v2700 = load double, ptr %v23, align 8, !noalias !392
-  %v2701 = load double, ptr %v827, align 8, !noalias !392
-  br label %v2702
+v2742:
+  %v2743 = load i64, ptr %v842, align 8, !noalias !383
+  %v2744 = inttoptr i64 %v2743 to ptr
+  tail call void %v2744(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !383
+  %v2745 = load i64, ptr %v6, align 8, !noalias !389
+  %v2746 = inttoptr i64 %v2745 to ptr
+  tail call void %v2746(ptr nonnull %v773, ptr %v839, ptr %v165, ptr %v172, ptr %v179, ptr %v844), !noalias !389
+  %v2747 = load double, ptr %v23, align 8, !noalias !392
+  %v2748 = load double, ptr %v845, align 8, !noalias !392
+  br label %v2749
 
-v2694:
-  %v2703 = phi i64 [ %v2704, %v2694 ], [ 0, %v2615 ]
-  %v2704 = add nsw i64 %v2703, 1
-  %v2705 = add nsw i64 %v2703, %v17
-  %v2706 = icmp slt i64 %v2705, 0
-  %v2707 = select i1 %v2706, i64 %v166, i64 0
-  %v2708 = getelementptr double, ptr %v165, i64 %v2705
-  %v2709 = getelementptr double, ptr %v2708, i64 %v2707
-  %v2710 = load double, ptr %v2709, align 8, !noalias !396
-  %v2711 = getelementptr double, ptr %v810, i64 %v2703
-  %v2712 = load double, ptr %v2711, align 8, !noalias !396
-  store double %v2712, ptr %v2709, align 8, !noalias !396
-  store double %v2710, ptr %v2711, align 8, !noalias !396
-  %v2713 = icmp eq i64 %v18, %v2704
-  br i1 %v2713, label %v2695, label %v2694
+v2741:
+  %v2750 = phi i64 [ %v2751, %v2741 ], [ 0, %v2662 ]
+  %v2751 = add nsw i64 %v2750, 1
+  %v2752 = add nsw i64 %v2750, %v17
+  %v2753 = icmp slt i64 %v2752, 0
+  %v2754 = select i1 %v2753, i64 %v166, i64 0
+  %v2755 = getelementptr double, ptr %v165, i64 %v2752
+  %v2756 = getelementptr double, ptr %v2755, i64 %v2754
+  %v2757 = load double, ptr %v2756, align 8, !noalias !396
+  %v2758 = getelementptr double, ptr %v828, i64 %v2750
+  %v2759 = load double, ptr %v2758, align 8, !noalias !396
+  store double %v2759, ptr %v2756, align 8, !noalias !396
+  store double %v2757, ptr %v2758, align 8, !noalias !396
+  %v2760 = icmp eq i64 %v18, %v2751
+  br i1 %v2760, label %v2742, label %v2741
 
-v2702:
-  %v2714 = phi i64 [ 0, %v2695 ], [ %v2715, %v2716 ]
-  %v2717 = icmp eq i64 %v2714, %v816
-  br i1 %v2717, label %v2660, label %v2716
+v2749:
+  %v2761 = phi i64 [ 0, %v2742 ], [ %v2762, %v2763 ]
+  %v2764 = icmp eq i64 %v2761, %v834
+  br i1 %v2764, label %v2707, label %v2763
 
-v2660:
-  br i1 %v305, label %v2657, label %v2654
+v2707:
+  br i1 %v305, label %v2704, label %v2701
 
-v2716:
-  %v2715 = add i64 %v2714, 1
-  %v2718 = mul i64 %v2714, %v196
-  %v2719 = getelementptr double, ptr %v829, i64 %v2718
-  %v2720 = load double, ptr %v2719, align 8, !noalias !392
-  %v2721 = getelementptr double, ptr %v831, i64 %v2718
-  %v2722 = load double, ptr %v2721, align 8, !noalias !392
-  %v2723 = fsub double %v2720, %v2722
-  %v2724 = tail call double @llvm.fabs.f64(double %v2723)
-  %v2725 = getelementptr double, ptr %v193, i64 %v2718
-  %v2726 = load double, ptr %v2725, align 8, !noalias !392
-  %v2727 = tail call double @llvm.fabs.f64(double %v2726)
-  %v2728 = fmul double %v2700, %v2727
-  %v2729 = fadd double %v2701, %v2728
-  %v2730 = load double, ptr %v753, align 8, !noalias !392
-  %v2731 = fmul double %v2730, %v2724
-  %v2732 = fmul double %v2729, 1.000000e-01
-  %v2733 = fcmp ugt double %v2731, %v2732
-  br i1 %v2733, label %v2677, label %v2702
+v2763:
+  %v2762 = add i64 %v2761, 1
+  %v2765 = mul i64 %v2761, %v196
+  %v2766 = getelementptr double, ptr %v847, i64 %v2765
+  %v2767 = load double, ptr %v2766, align 8, !noalias !392
+  %v2768 = getelementptr double, ptr %v849, i64 %v2765
+  %v2769 = load double, ptr %v2768, align 8, !noalias !392
+  %v2770 = fsub double %v2767, %v2769
+  %v2771 = tail call double @llvm.fabs.f64(double %v2770)
+  %v2772 = getelementptr double, ptr %v193, i64 %v2765
+  %v2773 = load double, ptr %v2772, align 8, !noalias !392
+  %v2774 = tail call double @llvm.fabs.f64(double %v2773)
+  %v2775 = fmul double %v2747, %v2774
+  %v2776 = fadd double %v2748, %v2775
+  %v2777 = load double, ptr %v771, align 8, !noalias !392
+  %v2778 = fmul double %v2777, %v2771
+  %v2779 = fmul double %v2776, 1.000000e-01
+  %v2780 = fcmp ugt double %v2778, %v2779
+  br i1 %v2780, label %v2724, label %v2749
 
-v2677:
-  %v2734 = phi i1 [ false, %v2716 ], [ true, %v2674 ], [ true, %v2596 ]
-  %v2534 = phi ptr [ %v2533, %v2716 ], [ %v2533, %v2674 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2596 ]
-  %v2735 = phi i1 [ true, %v2716 ], [ true, %v2674 ], [ false, %v2596 ]
-  %v2736 = phi i32 [ 0, %v2716 ], [ 0, %v2674 ], [ 1, %v2596 ]
-  br i1 %v2735, label %v2298, label %v2360, !prof !131
+v2724:
+  %v2781 = phi i1 [ false, %v2763 ], [ true, %v2721 ], [ true, %v2643 ]
+  %v2581 = phi ptr [ %v2580, %v2763 ], [ %v2580, %v2721 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2643 ]
+  %v2782 = phi i1 [ true, %v2763 ], [ true, %v2721 ], [ false, %v2643 ]
+  %v2783 = phi i32 [ 0, %v2763 ], [ 0, %v2721 ], [ 1, %v2643 ]
+  br i1 %v2782, label %v2345, label %v2407, !prof !131
 
-v2298:
-  br i1 %v2734, label %v2294, label %v2365
+v2345:
+  br i1 %v2781, label %v2341, label %v2412
 
-v2359:
-  %v2737 = load double, ptr %v791, align 8, !noalias !285
+v2406:
+  %v2784 = load double, ptr %v809, align 8, !noalias !285
   store i8 0, ptr %v300, align 1, !noalias !285
-  %v2738 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v2737)
-  %v2739 = icmp eq i32 %v2738, 0
-  br i1 %v2739, label %v2430, label %v2740, !prof !131
+  %v2785 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v2784)
+  %v2786 = icmp eq i32 %v2785, 0
+  br i1 %v2786, label %v2477, label %v2787, !prof !131
 
-v2740:
-  %v2741 = load ptr, ptr %v301, align 8, !noalias !285
-  br label %v2369
+v2787:
+  %v2788 = load ptr, ptr %v301, align 8, !noalias !285
+  br label %v2416
 
-v2430:
-  %v2742 = load i8, ptr %v300, align 1, !noalias !285
-  %v2743 = icmp eq i8 %v2742, 0
-  br i1 %v2743, label %v2361, label %v2429
+v2477:
+  %v2789 = load i8, ptr %v300, align 1, !noalias !285
+  %v2790 = icmp eq i8 %v2789, 0
+  br i1 %v2790, label %v2408, label %v2476
 
-v2360:
-  %v2744 = phi ptr [ %v2356, %v2301 ], [ %v2534, %v2677 ]
-  %v2745 = phi i32 [ %v2358, %v2301 ], [ %v2736, %v2677 ]
-  %v2746 = icmp ne i32 %v2745, 0
-  br label %v2369
+v2407:
+  %v2791 = phi ptr [ %v2403, %v2348 ], [ %v2581, %v2724 ]
+  %v2792 = phi i32 [ %v2405, %v2348 ], [ %v2783, %v2724 ]
+  %v2793 = icmp ne i32 %v2792, 0
+  br label %v2416
 
-v2369:
-  %v2747 = phi i1 [ true, %v2364 ], [ false, %v2508 ], [ true, %v2740 ], [ %v2746, %v2360 ]
-  %v2748 = phi ptr [ null, %v2364 ], [ null, %v2508 ], [ %v2741, %v2740 ], [ %v2744, %v2360 ]
-  %v2749 = phi i1 [ false, %v2364 ], [ false, %v2508 ], [ true, %v2740 ], [ %v2746, %v2360 ]
+v2416:
+  %v2794 = phi i1 [ true, %v2411 ], [ false, %v2555 ], [ true, %v2787 ], [ %v2793, %v2407 ]
+  %v2795 = phi ptr [ null, %v2411 ], [ null, %v2555 ], [ %v2788, %v2787 ], [ %v2791, %v2407 ]
+  %v2796 = phi i1 [ false, %v2411 ], [ false, %v2555 ], [ true, %v2787 ], [ %v2793, %v2407 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v300), !noalias !180
   call void @llvm.lifetime.end.p0(ptr nonnull %v301), !noalias !180
-  %v2750 = select i1 %v2749, ptr %v2748, ptr null, !prof !397
-  %v2751 = xor i1 %v2749, true
-  br i1 %v2747, label %v2287, label %v2752, !prof !398
+  %v2797 = select i1 %v2796, ptr %v2795, ptr null, !prof !397
+  %v2798 = xor i1 %v2796, true
+  br i1 %v2794, label %v2334, label %v2799, !prof !398
 
-v2752:
-  %v2753 = load double, ptr %v842, align 8, !noalias !180
-  %v2754 = fcmp olt double %v2753, 5.000000e-01
-  br i1 %v2754, label %v2287, label %v2275
+v2799:
+  %v2800 = load double, ptr %v860, align 8, !noalias !180
+  %v2801 = fcmp olt double %v2800, 5.000000e-01
+  br i1 %v2801, label %v2334, label %v2322
 
-v2275:
-  store double 1.000000e+00, ptr %v858, align 8, !noalias !180
-  %v2755 = load double, ptr %v785, align 8, !noalias !399
-  %v2756 = load double, ptr %v92, align 8, !noalias !399
-  %v2757 = fsub double %v2755, %v2756
-  %v2758 = fmul double %v2757, 1.000000e-13
-  %v2759 = load double, ptr %v133, align 8, !noalias !399
-  %v2760 = tail call double @llvm.fabs.f64(double %v2759)
-  %v2761 = fmul double %v2760, 4.000000e-15
-  %v2762 = fcmp ogt double %v2761, %v2758
-  %v2763 = select i1 %v2762, double %v2761, double %v2758
-  %v2764 = load double, ptr %v791, align 8, !noalias !180
-  %v2765 = fdiv double %v2763, %v1746
-  %v2766 = fcmp ogt double %v2765, %v2764
-  %v2767 = select i1 %v2766, double %v2765, double %v2764
-  %v2768 = fcmp ult double %v2767, 1.000000e+00
-  br i1 %v2768, label %v2769, label %v2287
+v2322:
+  store double 1.000000e+00, ptr %v876, align 8, !noalias !180
+  %v2802 = load double, ptr %v803, align 8, !noalias !399
+  %v2803 = load double, ptr %v92, align 8, !noalias !399
+  %v2804 = fsub double %v2802, %v2803
+  %v2805 = fmul double %v2804, 1.000000e-13
+  %v2806 = load double, ptr %v133, align 8, !noalias !399
+  %v2807 = tail call double @llvm.fabs.f64(double %v2806)
+  %v2808 = fmul double %v2807, 4.000000e-15
+  %v2809 = fcmp ogt double %v2808, %v2805
+  %v2810 = select i1 %v2809, double %v2808, double %v2805
+  %v2811 = load double, ptr %v809, align 8, !noalias !180
+  %v2812 = fdiv double %v2810, %v1793
+  %v2813 = fcmp ogt double %v2812, %v2811
+  %v2814 = select i1 %v2813, double %v2812, double %v2811
+  %v2815 = fcmp ult double %v2814, 1.000000e+00
+  br i1 %v2815, label %v2816, label %v2334
 
-v2769:
-  %v2770 = fsub double 1.000000e+00, %v2767
-  br i1 %v723, label %v2771, label %v2772
+v2816:
+  %v2817 = fsub double 1.000000e+00, %v2814
+  br i1 %v741, label %v2818, label %v2819
 
-v2771:
-  %v2773 = load double, ptr %v860, align 8, !noalias !180
-  %v2774 = fmul double %v2767, 4.000000e+00
-  %v2775 = fmul double %v2774, %v2770
-  %v2776 = fmul double %v2775, %v2773
-  %v2777 = fmul double %v2775, %v2776
-  %v2778 = fcmp olt double %v2777, 5.000000e-04
-  br i1 %v2778, label %v2779, label %v2772
+v2818:
+  %v2820 = load double, ptr %v878, align 8, !noalias !180
+  %v2821 = fmul double %v2814, 4.000000e+00
+  %v2822 = fmul double %v2821, %v2817
+  %v2823 = fmul double %v2822, %v2820
+  %v2824 = fmul double %v2822, %v2823
+  %v2825 = fcmp olt double %v2824, 5.000000e-04
+  br i1 %v2825, label %v2826, label %v2819
 
-v2779:
-  %v2780 = load double, ptr %v753, align 8, !noalias !403
-  %v2781 = fmul double %v2767, %v2780
-  %v2782 = fadd double %v2759, %v2781
-  store double %v2782, ptr %v755, align 8, !noalias !403
-  br i1 %v757, label %v2783, label %v2784
+v2826:
+  %v2827 = load double, ptr %v771, align 8, !noalias !403
+  %v2828 = fmul double %v2814, %v2827
+  %v2829 = fadd double %v2806, %v2828
+  store double %v2829, ptr %v773, align 8, !noalias !403
+  br i1 %v775, label %v2830, label %v2831
 
-v2784:
-  %v2785 = phi i64 [ %v2786, %v2784 ], [ 0, %v2779 ]
-  %v2787 = mul i64 %v2785, %v196
-  %v2788 = getelementptr double, ptr %v193, i64 %v2787
-  %v2789 = getelementptr i8, ptr %v2788, i64 %v761
-  %v2790 = load double, ptr %v2789, align 8, !noalias !410
-  %v2791 = fadd double %v2790, 0.000000e+00
-  %v2792 = fmul double %v2767, %v2791
-  %v2793 = getelementptr i8, ptr %v2788, i64 %v762
-  %v2794 = load double, ptr %v2793, align 8, !noalias !410
-  %v2795 = fadd double %v2794, %v2792
-  %v2796 = fmul double %v2770, %v2795
-  %v2797 = getelementptr i8, ptr %v2788, i64 %v763
-  %v2798 = load double, ptr %v2797, align 8, !noalias !410
-  %v2799 = fadd double %v2798, %v2796
-  %v2800 = fmul double %v2767, %v2799
-  %v2801 = getelementptr i8, ptr %v2788, i64 %v764
-  %v2802 = load double, ptr %v2801, align 8, !noalias !410
-  %v2803 = fadd double %v2802, %v2800
-  %v2804 = fmul double %v2770, %v2803
-  %v2805 = getelementptr i8, ptr %v2788, i64 %v765
-  %v2806 = load double, ptr %v2805, align 8, !noalias !410
-  %v2807 = fadd double %v2806, %v2804
-  %v2808 = fmul double %v2767, %v2807
-  %v2809 = getelementptr i8, ptr %v2788, i64 %v766
-  %v2810 = load double, ptr %v2809, align 8, !noalias !410
-  %v2811 = fadd double %v2810, %v2808
-  %v2812 = fmul double %v2770, %v2811
-  %v2813 = getelementptr i8, ptr %v2788, i64 %v767
-  %v2814 = load double, ptr %v2813, align 8, !noalias !410
-  %v2815 = fadd double %v2814, %v2812
-  %v2816 = fmul double %v2767, %v2815
-  %v2786 = add nsw i64 %v2785, 1
-  %v2817 = load double, ptr %v2788, align 8, !noalias !410
-  %v2818 = fadd double %v2817, %v2816
-  %v2819 = getelementptr double, ptr %v758, i64 %v2787
-  store double %v2818, ptr %v2819, align 8, !noalias !403
-  %v2820 = icmp eq i64 %v10, %v2786
-  br i1 %v2820, label %v2821, label %v2784
+v2831:
+  %v2832 = phi i64 [ %v2833, %v2831 ], [ 0, %v2826 ]
+  %v2834 = mul i64 %v2832, %v196
+  %v2835 = getelementptr double, ptr %v193, i64 %v2834
+  %v2836 = getelementptr i8, ptr %v2835, i64 %v779
+  %v2837 = load double, ptr %v2836, align 8, !noalias !410
+  %v2838 = fadd double %v2837, 0.000000e+00
+  %v2839 = fmul double %v2814, %v2838
+  %v2840 = getelementptr i8, ptr %v2835, i64 %v780
+  %v2841 = load double, ptr %v2840, align 8, !noalias !410
+  %v2842 = fadd double %v2841, %v2839
+  %v2843 = fmul double %v2817, %v2842
+  %v2844 = getelementptr i8, ptr %v2835, i64 %v781
+  %v2845 = load double, ptr %v2844, align 8, !noalias !410
+  %v2846 = fadd double %v2845, %v2843
+  %v2847 = fmul double %v2814, %v2846
+  %v2848 = getelementptr i8, ptr %v2835, i64 %v782
+  %v2849 = load double, ptr %v2848, align 8, !noalias !410
+  %v2850 = fadd double %v2849, %v2847
+  %v2851 = fmul double %v2817, %v2850
+  %v2852 = getelementptr i8, ptr %v2835, i64 %v783
+  %v2853 = load double, ptr %v2852, align 8, !noalias !410
+  %v2854 = fadd double %v2853, %v2851
+  %v2855 = fmul double %v2814, %v2854
+  %v2856 = getelementptr i8, ptr %v2835, i64 %v784
+  %v2857 = load double, ptr %v2856, align 8, !noalias !410
+  %v2858 = fadd double %v2857, %v2855
+  %v2859 = fmul double %v2817, %v2858
+  %v2860 = getelementptr i8, ptr %v2835, i64 %v785
+  %v2861 = load double, ptr %v2860, align 8, !noalias !410
+  %v2862 = fadd double %v2861, %v2859
+  %v2863 = fmul double %v2814, %v2862
+  %v2833 = add nsw i64 %v2832, 1
+  %v2864 = load double, ptr %v2835, align 8, !noalias !410
+  %v2865 = fadd double %v2864, %v2863
+  %v2866 = getelementptr double, ptr %v776, i64 %v2834
+  store double %v2865, ptr %v2866, align 8, !noalias !403
+  %v2867 = icmp eq i64 %v10, %v2833
+  br i1 %v2867, label %v2868, label %v2831
 
-v2783:
-  %v2822 = load double, ptr %v755, align 8, !noalias !414
-  store double %v2822, ptr %v787, align 8, !noalias !414
-  br label %v2823
+v2830:
+  %v2869 = load double, ptr %v773, align 8, !noalias !414
+  store double %v2869, ptr %v805, align 8, !noalias !414
+  br label %v2870
 
-v2823:
-  %v2824 = load i64, ptr %v6, align 8, !noalias !415
-  %v2825 = inttoptr i64 %v2824 to ptr
-  tail call void %v2825(ptr nonnull %v755, ptr %v870, ptr %v165, ptr %v172, ptr %v179, ptr %v872), !noalias !415
-  %v2826 = load i64, ptr %v760, align 8, !noalias !418
-  %v2827 = inttoptr i64 %v2826 to ptr
-  tail call void %v2827(ptr nonnull %v755, ptr %v874, ptr %v165, ptr %v172, ptr %v179, ptr %v876), !noalias !418
-  br label %v2287
+v2870:
+  %v2871 = load i64, ptr %v6, align 8, !noalias !415
+  %v2872 = inttoptr i64 %v2871 to ptr
+  tail call void %v2872(ptr nonnull %v773, ptr %v888, ptr %v165, ptr %v172, ptr %v179, ptr %v890), !noalias !415
+  %v2873 = load i64, ptr %v778, align 8, !noalias !418
+  %v2874 = inttoptr i64 %v2873 to ptr
+  tail call void %v2874(ptr nonnull %v773, ptr %v892, ptr %v165, ptr %v172, ptr %v179, ptr %v894), !noalias !418
+  br label %v2334
 
-v2821:
-  %v2828 = load double, ptr %v755, align 8, !noalias !414
-  store double %v2828, ptr %v787, align 8, !noalias !414
-  br label %v2829
-
-v2829:
-  %v2830 = phi i64 [ 0, %v2821 ], [ %v2831, %v2829 ]
-  %v2831 = add nsw i64 %v2830, 1
-  %v2832 = mul i64 %v2830, %v196
-  %v2833 = getelementptr double, ptr %v758, i64 %v2832
-  %v2834 = load double, ptr %v2833, align 8, !noalias !414
-  %v2835 = getelementptr double, ptr %v867, i64 %v2832
-  store double %v2834, ptr %v2835, align 8, !noalias !414
-  %v2836 = icmp eq i64 %v10, %v2831
-  br i1 %v2836, label %v2823, label %v2829
-
-v2772:
-  %v2837 = fmul double %v2763, 2.000000e+00
-  %v2838 = fcmp ogt double %v1746, %v2837
-  br i1 %v2838, label %v2839, label %v2287
-
-v2839:
-  %v2840 = load double, ptr %v787, align 8, !noalias !180
-  %v2841 = tail call double @llvm.fabs.f64(double %v2840)
-  %v2842 = fmul double %v2841, 4.000000e-15
-  %v2843 = fmul double %v1746, 0x3D719799812DEA11
-  %v2844 = fcmp ogt double %v2842, %v2843
-  %v2845 = select i1 %v2844, double %v2842, double %v2843
-  %v2846 = load double, ptr %v783, align 8, !noalias !180
-  %v2847 = fsub double 1.000000e+00, %v2846
-  %v2848 = fmul double %v1746, %v2847
-  %v2849 = fcmp ogt double %v2848, %v2845
-  br i1 %v2849, label %v2850, label %v2287
-
-v2850:
-  %v2851 = fmul double %v1746, %v2767
-  store double 0.000000e+00, ptr %v862, align 8, !noalias !421
-  store double 0.000000e+00, ptr %v864, align 8, !noalias !421
-  store double %v2851, ptr %v865, align 8, !noalias !421
-  %v2852 = load i64, ptr %v142, align 8, !noalias !421
-  %v2853 = icmp slt i64 %v2852, 0
-  %v2854 = select i1 %v2853, i64 %v125, i64 0
-  %v2855 = add i64 %v2854, %v2852
-  %v2856 = mul i64 %v2855, %v126
-  %v2857 = getelementptr i64, ptr %v124, i64 %v2856
-  %v2858 = load i64, ptr %v2857, align 8, !noalias !421
-  %v2859 = add nsw i64 %v2858, -1
-  store i64 %v2859, ptr %v2857, align 8, !noalias !421
-  %v2860 = load i64, ptr %v142, align 8, !noalias !421
-  %v2861 = icmp slt i64 %v2860, 0
-  %v2862 = select i1 %v2861, i64 %v125, i64 0
-  %v2863 = add i64 %v2862, %v2860
-  %v2864 = mul i64 %v2863, %v126
-  %v2865 = getelementptr i64, ptr %v124, i64 %v2864
-  %v2866 = getelementptr i8, ptr %v2865, i64 24
-  %v2867 = load i64, ptr %v2866, align 8, !noalias !421
-  %v2868 = add nsw i64 %v2867, 1
-  store i64 %v2868, ptr %v2866, align 8, !noalias !421
-  br label %v2287
-
-v1814:
-  br i1 %v304, label %v1889, label %v2288
-
-v2287:
-  %v2869 = phi ptr [ null, %v2823 ], [ null, %v2850 ], [ null, %v2772 ], [ null, %v2275 ], [ null, %v2752 ], [ null, %v2220 ], [ null, %v2839 ], [ %v2750, %v2369 ]
-  %v2870 = phi i1 [ true, %v2823 ], [ true, %v2850 ], [ true, %v2772 ], [ true, %v2275 ], [ true, %v2752 ], [ true, %v2220 ], [ true, %v2839 ], [ %v2751, %v2369 ]
-  br i1 %v2870, label %v1586, label %v1499, !prof !131
-
-v1586:
-  %v2871 = select i1 %v1406, i1 true, i1 %v686
-  %v2872 = select i1 %v2871, i64 0, i64 %v12
-  br label %v1499
-
-v2873:
-  %v2874 = phi i64 [ 0, %v1492 ], [ %v2875, %v2876 ]
-  %v2877 = phi i64 [ %v715, %v1492 ], [ %v2878, %v2876 ]
-  %v2879 = icmp sgt i64 %v2877, 0
-  br i1 %v2879, label %v2876, label %v1493
-
-v1492:
-  %v2880 = load double, ptr %v714, align 8, !noalias !424
-  store double %v2880, ptr %v700, align 8, !noalias !424
-  br label %v2873
+v2868:
+  %v2875 = load double, ptr %v773, align 8, !noalias !414
+  store double %v2875, ptr %v805, align 8, !noalias !414
+  br label %v2876
 
 v2876:
-  %v2878 = add nsw i64 %v2877, -1
-  %v2875 = add i64 %v2874, 1
-  %v2881 = getelementptr double, ptr %v717, i64 %v2874
-  %v2882 = icmp slt i64 %v2874, 0
-  %v2883 = select i1 %v2882, i64 %v207, i64 0
-  %v2884 = getelementptr double, ptr %v2881, i64 %v2883
-  %v2885 = load double, ptr %v2884, align 8, !noalias !424
-  %v2886 = fcmp olt double %v2885, 0x7FF0000000000000
-  %v2887 = select i1 %v2886, double %v2885, double 0x7FF0000000000000
-  %v2888 = fcmp ogt double %v2885, 0xFFF0000000000000
-  %v2889 = select i1 %v2888, double %v2885, double 0xFFF0000000000000
-  %v2890 = getelementptr double, ptr %v2884, i64 %v716
-  %v2891 = load double, ptr %v2890, align 8, !noalias !424
-  %v2892 = fcmp olt double %v2891, %v2887
-  %v2893 = select i1 %v2892, double %v2891, double %v2887
-  %v2894 = fcmp ogt double %v2891, %v2889
-  %v2895 = select i1 %v2894, double %v2891, double %v2889
-  %v2896 = getelementptr i8, ptr %v2884, i64 %v1047
-  %v2897 = load double, ptr %v2896, align 8, !noalias !424
-  %v2898 = fcmp olt double %v2897, %v2893
-  %v2899 = select i1 %v2898, double %v2897, double %v2893
-  %v2900 = fcmp ogt double %v2897, %v2895
-  %v2901 = select i1 %v2900, double %v2897, double %v2895
-  %v2902 = getelementptr i8, ptr %v2884, i64 %v1048
-  %v2903 = load double, ptr %v2902, align 8, !noalias !424
-  %v2904 = fcmp olt double %v2903, %v2899
-  %v2905 = select i1 %v2904, double %v2903, double %v2899
-  %v2906 = fcmp ogt double %v2903, %v2901
-  %v2907 = select i1 %v2906, double %v2903, double %v2901
-  %v2908 = getelementptr i8, ptr %v2884, i64 %v1049
-  %v2909 = load double, ptr %v2908, align 8, !noalias !424
-  %v2910 = fcmp olt double %v2909, %v2905
-  %v2911 = select i1 %v2910, double %v2909, double %v2905
-  %v2912 = fcmp ogt double %v2909, %v2907
-  %v2913 = select i1 %v2912, double %v2909, double %v2907
-  %v2914 = getelementptr i8, ptr %v2884, i64 %v1050
-  %v2915 = load double, ptr %v2914, align 8, !noalias !424
-  %v2916 = fcmp olt double %v2915, %v2911
-  %v2917 = select i1 %v2916, double %v2915, double %v2911
-  %v2918 = fcmp ogt double %v2915, %v2913
-  %v2919 = select i1 %v2918, double %v2915, double %v2913
-  %v2920 = getelementptr i8, ptr %v2884, i64 %v1051
-  %v2921 = load double, ptr %v2920, align 8, !noalias !424
-  %v2922 = fcmp olt double %v2921, %v2917
-  %v2923 = select i1 %v2922, double %v2921, double %v2917
-  %v2924 = fcmp ogt double %v2921, %v2919
-  %v2925 = select i1 %v2924, double %v2921, double %v2919
-  %v2926 = getelementptr i8, ptr %v2884, i64 %v1052
-  %v2927 = load double, ptr %v2926, align 8, !noalias !424
-  %v2928 = fcmp olt double %v2927, %v2923
-  %v2929 = select i1 %v2928, double %v2927, double %v2923
-  %v2930 = fcmp ogt double %v2927, %v2925
-  %v2931 = select i1 %v2930, double %v2927, double %v2925
-  %v2932 = getelementptr i8, ptr %v2884, i64 %v1053
-  %v2933 = load double, ptr %v2932, align 8, !noalias !424
-  %v2934 = fcmp olt double %v2933, %v2929
-  %v2935 = select i1 %v2934, double %v2933, double %v2929
-  %v2936 = fcmp ogt double %v2933, %v2931
-  %v2937 = select i1 %v2936, double %v2933, double %v2931
-  %v2938 = fsub double %v2937, %v2935
-  %v2939 = fmul double %v2938, 2.500000e-01
-  %v2940 = icmp slt i64 %v2874, 0
-  %v2941 = select i1 %v2940, i64 %v207, i64 0
-  %v2942 = add i64 %v2941, %v2874
-  %v2943 = getelementptr double, ptr %v719, i64 %v2942
-  %v2944 = getelementptr double, ptr %v720, i64 %v2942
-  %v2945 = getelementptr double, ptr %v2943, i64 %v718
-  %v2946 = load double, ptr %v2945, align 8, !noalias !425
-  %v2947 = load double, ptr %v2944, align 8, !noalias !425
-  %v2948 = fmul double %v2947, 0x3FDDF27AAAADCB3A
-  %v2949 = fsub double %v2946, %v2948
-  %v2950 = getelementptr i8, ptr %v2944, i64 %v1054
-  %v2951 = load double, ptr %v2950, align 8, !noalias !425
-  %v2952 = fmul double %v2951, 0x3FEC575F1EBC4F2F
-  %v2953 = fsub double %v2949, %v2952
-  %v2954 = getelementptr i8, ptr %v2944, i64 %v1055
-  %v2955 = load double, ptr %v2954, align 8, !noalias !425
-  %v2956 = fmul double %v2955, 0xBFE1306AA3D795F4
-  %v2957 = fsub double %v2953, %v2956
-  %v2958 = getelementptr i8, ptr %v2944, i64 %v1056
-  %v2959 = load double, ptr %v2958, align 8, !noalias !425
-  %v2960 = fmul double %v2959, 0x3FCCB9F574BDCC3A
-  %v2961 = fsub double %v2957, %v2960
-  %v2962 = getelementptr i8, ptr %v2944, i64 %v1057
-  %v2963 = load double, ptr %v2962, align 8, !noalias !425
-  %v2964 = fmul double %v2963, 0xBFA4EAF2D6B11E79
-  %v2965 = fsub double %v2961, %v2964
-  %v2966 = tail call double @llvm.fabs.f64(double %v2965)
-  %v2967 = fcmp ogt double %v2966, 0.000000e+00
-  %v2968 = select i1 %v2967, double %v2966, double 0.000000e+00
-  %v2969 = getelementptr i8, ptr %v2943, i64 %v1058
-  %v2970 = load double, ptr %v2969, align 8, !noalias !425
-  %v2971 = load double, ptr %v2944, align 8, !noalias !425
-  %v2972 = fmul double %v2971, 0xBFA5118805F8B876
-  %v2973 = fsub double %v2970, %v2972
-  %v2974 = getelementptr i8, ptr %v2944, i64 %v1059
-  %v2975 = load double, ptr %v2974, align 8, !noalias !425
-  %v2976 = fmul double %v2975, 0x3FE51326698BC5BD
-  %v2977 = fsub double %v2973, %v2976
-  %v2978 = getelementptr i8, ptr %v2944, i64 %v1060
-  %v2979 = load double, ptr %v2978, align 8, !noalias !425
-  %v2980 = fmul double %v2979, 0x3FDF97DED30D4572
-  %v2981 = fsub double %v2977, %v2980
-  %v2982 = getelementptr i8, ptr %v2944, i64 %v1061
-  %v2983 = load double, ptr %v2982, align 8, !noalias !425
-  %v2984 = fmul double %v2983, 0xBFC0DA0C684D1D67
-  %v2985 = fsub double %v2981, %v2984
-  %v2986 = getelementptr i8, ptr %v2944, i64 %v1062
-  %v2987 = load double, ptr %v2986, align 8, !noalias !425
-  %v2988 = fmul double %v2987, 0x3F9510B8EC0D4D92
-  %v2989 = fsub double %v2985, %v2988
-  %v2990 = tail call double @llvm.fabs.f64(double %v2989)
-  %v2991 = fcmp ogt double %v2990, %v2968
-  %v2992 = select i1 %v2991, double %v2990, double %v2968
-  %v2993 = getelementptr i8, ptr %v2943, i64 %v1063
-  %v2994 = load double, ptr %v2993, align 8, !noalias !425
-  %v2995 = load double, ptr %v2944, align 8, !noalias !425
-  %v2996 = fmul double %v2995, 0x3F9635A30F8F142F
-  %v2997 = fsub double %v2994, %v2996
-  %v2998 = getelementptr i8, ptr %v2944, i64 %v1064
-  %v2999 = load double, ptr %v2998, align 8, !noalias !425
-  %v3000 = fmul double %v2999, 0xBFC1EAE0FF33D241
-  %v3001 = fsub double %v2997, %v3000
-  %v3002 = getelementptr i8, ptr %v2944, i64 %v1065
-  %v3003 = load double, ptr %v3002, align 8, !noalias !425
-  %v3004 = fmul double %v3003, 0x3FE1625D59218460
-  %v3005 = fsub double %v3001, %v3004
-  %v3006 = getelementptr i8, ptr %v2944, i64 %v1066
-  %v3007 = load double, ptr %v3006, align 8, !noalias !425
-  %v3008 = fmul double %v3007, 0x3FE3BBC3E8A29641
-  %v3009 = fsub double %v3005, %v3008
-  %v3010 = getelementptr i8, ptr %v2944, i64 %v1067
-  %v3011 = load double, ptr %v3010, align 8, !noalias !425
-  %v3012 = fmul double %v3011, 0xBFA55161A739EB34
-  %v3013 = fsub double %v3009, %v3012
-  %v3014 = tail call double @llvm.fabs.f64(double %v3013)
-  %v3015 = fcmp ogt double %v3014, %v2992
-  %v3016 = select i1 %v3015, double %v3014, double %v2992
-  %v3017 = getelementptr i8, ptr %v2943, i64 %v1068
-  %v3018 = load double, ptr %v3017, align 8, !noalias !425
-  %v3019 = load double, ptr %v2944, align 8, !noalias !425
-  %v3020 = fmul double %v3019, 0xBFA4F0C0BB579409
-  %v3021 = fsub double %v3018, %v3020
-  %v3022 = getelementptr i8, ptr %v2944, i64 %v1069
-  %v3023 = load double, ptr %v3022, align 8, !noalias !425
-  %v3024 = fmul double %v3023, 0x3FCD2266FBC0D976
-  %v3025 = fsub double %v3021, %v3024
-  %v3026 = getelementptr i8, ptr %v2944, i64 %v1070
-  %v3027 = load double, ptr %v3026, align 8, !noalias !425
-  %v3028 = fmul double %v3027, 0xBFE1F2DB6FEE3151
-  %v3029 = fsub double %v3025, %v3028
-  %v3030 = getelementptr i8, ptr %v2944, i64 %v1071
-  %v3031 = load double, ptr %v3030, align 8, !noalias !425
-  %v3032 = fmul double %v3031, 0x3FF0C05015964CBE
-  %v3033 = fsub double %v3029, %v3032
-  %v3034 = getelementptr i8, ptr %v2944, i64 %v1072
-  %v3035 = load double, ptr %v3034, align 8, !noalias !425
-  %v3036 = fmul double %v3035, 0x3FD4F15B230DB570
-  %v3037 = fsub double %v3033, %v3036
-  %v3038 = tail call double @llvm.fabs.f64(double %v3037)
-  %v3039 = fcmp ogt double %v3038, %v3016
-  %v3040 = select i1 %v3039, double %v3038, double %v3016
-  %v3041 = fmul double %v3040, 1.000000e+01
-  %v3042 = fadd double %v2939, %v3041
-  %v3043 = icmp slt i64 %v2874, 0
-  %v3044 = select i1 %v3043, i64 %v207, i64 0
-  %v3045 = getelementptr double, ptr %v722, i64 %v2874
-  %v3046 = getelementptr double, ptr %v3045, i64 %v3044
-  %v3047 = load double, ptr %v3046, align 8, !noalias !424
-  %v3048 = fcmp ogt double %v3042, %v3047
-  %v3049 = fneg double %v3047
-  %v3050 = select i1 %v3048, double %v3042, double %v3049
-  %v3051 = fcmp olt double %v2935, %v3050
-  br i1 %v3051, label %v1493, label %v2873
+  %v2877 = phi i64 [ 0, %v2868 ], [ %v2878, %v2876 ]
+  %v2878 = add nsw i64 %v2877, 1
+  %v2879 = mul i64 %v2877, %v196
+  %v2880 = getelementptr double, ptr %v776, i64 %v2879
+  %v2881 = load double, ptr %v2880, align 8, !noalias !414
+  %v2882 = getelementptr double, ptr %v885, i64 %v2879
+  store double %v2881, ptr %v2882, align 8, !noalias !414
+  %v2883 = icmp eq i64 %v10, %v2878
+  br i1 %v2883, label %v2870, label %v2876
 
-v1493:
-  %v1495 = phi i1 [ false, %v1435 ], [ %v2879, %v2876 ], [ %v2879, %v2873 ]
-  %v3052 = phi ptr [ %v1490, %v1435 ], [ null, %v2876 ], [ null, %v2873 ]
-  %v3053 = phi i32 [ %v1491, %v1435 ], [ 0, %v2876 ], [ 0, %v2873 ]
-  %v3054 = icmp eq i32 %v3053, 0
-  br i1 %v3054, label %v1425, label %v1499, !prof !131
+v2819:
+  %v2884 = fmul double %v2810, 2.000000e+00
+  %v2885 = fcmp ogt double %v1793, %v2884
+  br i1 %v2885, label %v2886, label %v2334
 
-v1743:
-  br i1 %v1738, label %v1586, label %v1744
+v2886:
+  %v2887 = load double, ptr %v805, align 8, !noalias !180
+  %v2888 = tail call double @llvm.fabs.f64(double %v2887)
+  %v2889 = fmul double %v2888, 4.000000e-15
+  %v2890 = fmul double %v1793, 0x3D719799812DEA11
+  %v2891 = fcmp ogt double %v2889, %v2890
+  %v2892 = select i1 %v2891, double %v2889, double %v2890
+  %v2893 = load double, ptr %v801, align 8, !noalias !180
+  %v2894 = fsub double 1.000000e+00, %v2893
+  %v2895 = fmul double %v1793, %v2894
+  %v2896 = fcmp ogt double %v2895, %v2892
+  br i1 %v2896, label %v2897, label %v2334
 
-v1499:
-  %v3055 = phi i64 [ 0, %v1425 ], [ %v2872, %v1586 ], [ 0, %v1493 ], [ 0, %v1651 ], [ 0, %v2287 ]
-  %v3056 = phi i1 [ true, %v1425 ], [ true, %v1586 ], [ false, %v1493 ], [ false, %v1651 ], [ false, %v2287 ]
-  %v3057 = phi ptr [ undef, %v1425 ], [ undef, %v1586 ], [ %v3052, %v1493 ], [ %v1742, %v1651 ], [ %v2869, %v2287 ]
-  %v3058 = phi i32 [ 0, %v1425 ], [ 0, %v1586 ], [ 1, %v1493 ], [ 1, %v1651 ], [ 1, %v2287 ]
-  br i1 %v3056, label %v3059, label %v3060, !prof !131
+v2897:
+  %v2898 = fmul double %v1793, %v2814
+  store double 0.000000e+00, ptr %v880, align 8, !noalias !421
+  store double 0.000000e+00, ptr %v882, align 8, !noalias !421
+  store double %v2898, ptr %v883, align 8, !noalias !421
+  %v2899 = load i64, ptr %v142, align 8, !noalias !421
+  %v2900 = icmp slt i64 %v2899, 0
+  %v2901 = select i1 %v2900, i64 %v125, i64 0
+  %v2902 = add i64 %v2901, %v2899
+  %v2903 = mul i64 %v2902, %v126
+  %v2904 = getelementptr i64, ptr %v124, i64 %v2903
+  %v2905 = load i64, ptr %v2904, align 8, !noalias !421
+  %v2906 = add nsw i64 %v2905, -1
+  store i64 %v2906, ptr %v2904, align 8, !noalias !421
+  %v2907 = load i64, ptr %v142, align 8, !noalias !421
+  %v2908 = icmp slt i64 %v2907, 0
+  %v2909 = select i1 %v2908, i64 %v125, i64 0
+  %v2910 = add i64 %v2909, %v2907
+  %v2911 = mul i64 %v2910, %v126
+  %v2912 = getelementptr i64, ptr %v124, i64 %v2911
+  %v2913 = getelementptr i8, ptr %v2912, i64 24
+  %v2914 = load i64, ptr %v2913, align 8, !noalias !421
+  %v2915 = add nsw i64 %v2914, 1
+  store i64 %v2915, ptr %v2913, align 8, !noalias !421
+  br label %v2334
 
-v3061:
-  %v3062 = getelementptr double, ptr %v879, i64 %v3063
-  %v3064 = load double, ptr %v3062, align 8, !noalias !429
-  %v3065 = fcmp olt double %v3064, 5.000000e-01
-  br i1 %v3065, label %v3066, label %v3067
+v1861:
+  br i1 %v304, label %v1936, label %v2335
 
-v3067:
-  %v3068 = getelementptr i64, ptr %v110, i64 %v3069
-  %v3070 = load i64, ptr %v3068, align 8, !noalias !429
-  %v3071 = icmp eq i64 %v3070, 0
-  br i1 %v3071, label %v3072, label %v3066
+v2334:
+  %v2916 = phi ptr [ null, %v2870 ], [ null, %v2897 ], [ null, %v2819 ], [ null, %v2322 ], [ null, %v2799 ], [ null, %v2267 ], [ null, %v2886 ], [ %v2797, %v2416 ]
+  %v2917 = phi i1 [ true, %v2870 ], [ true, %v2897 ], [ true, %v2819 ], [ true, %v2322 ], [ true, %v2799 ], [ true, %v2267 ], [ true, %v2886 ], [ %v2798, %v2416 ]
+  br i1 %v2917, label %v1633, label %v1546, !prof !131
 
-v3072:
-  %v3073 = mul i64 %v3069, %v126
-  %v3074 = getelementptr i64, ptr %v124, i64 %v3073
-  %v3075 = getelementptr i8, ptr %v3074, i64 8
-  %v3076 = load i64, ptr %v3075, align 8, !noalias !429
-  %v3077 = add nsw i64 %v3076, %v3055
-  store i64 %v3077, ptr %v3075, align 8, !noalias !429
-  %v3078 = getelementptr double, ptr %v881, i64 %v3063
-  %v3079 = load double, ptr %v3078, align 8, !noalias !429
-  %v3080 = load i64, ptr %v3081, align 8, !noalias !432
-  %v3082 = getelementptr i64, ptr %v883, i64 %v3063
-  %v3083 = load i64, ptr %v3082, align 8, !noalias !432
-  %v3084 = icmp slt i64 %v3083, %v93
-  br i1 %v3084, label %v3085, label %v3086
+v1633:
+  %v2918 = select i1 %v1453, i1 true, i1 %v704
+  %v2919 = select i1 %v2918, i64 0, i64 %v12
+  br label %v1546
 
-v3085:
-  %v3087 = icmp slt i64 %v3083, 0
-  %v3088 = select i1 %v3087, i64 %v93, i64 0
-  %v3089 = getelementptr double, ptr %v92, i64 %v3083
-  %v3090 = getelementptr double, ptr %v3089, i64 %v3088
-  %v3091 = load double, ptr %v3090, align 8, !noalias !432
-  %v3092 = fcmp ugt double %v3091, %v3079
-  br i1 %v3092, label %v3086, label %v3093
+v2920:
+  %v2921 = phi i64 [ 0, %v1539 ], [ %v2922, %v2923 ]
+  %v2924 = phi i64 [ %v733, %v1539 ], [ %v2925, %v2923 ]
+  %v2926 = icmp sgt i64 %v2924, 0
+  br i1 %v2926, label %v2923, label %v1540
 
-v3093:
-  %v3094 = getelementptr double, ptr %v133, i64 %v3063
-  %v3095 = getelementptr double, ptr %v885, i64 %v3063
-  %v3096 = getelementptr double, ptr %v193, i64 %v3063
-  %v3097 = getelementptr double, ptr %v889, i64 %v3063
-  %v3098 = icmp slt i64 %v3080, 0
-  %v3099 = select i1 %v3098, i64 %v100, i64 0
-  %v3100 = add i64 %v3099, %v3080
-  %v3101 = mul i64 %v890, %v3100
-  %v3102 = getelementptr double, ptr %v99, i64 %v3101
-  %v3103 = getelementptr double, ptr %v891, i64 %v3063
-  br label %v3104
+v1539:
+  %v2927 = load double, ptr %v732, align 8, !noalias !424
+  store double %v2927, ptr %v718, align 8, !noalias !424
+  br label %v2920
 
-v3104:
-  %v3105 = phi i64 [ %v3106, %v3107 ], [ %v3083, %v3093 ]
-  %v3108 = icmp slt i64 %v3105, 0
-  %v3109 = select i1 %v3108, i64 %v93, i64 0
-  %v3110 = getelementptr double, ptr %v92, i64 %v3105
-  %v3111 = getelementptr double, ptr %v3110, i64 %v3109
-  %v3112 = load double, ptr %v3111, align 8, !noalias !432
-  %v3113 = load double, ptr %v3094, align 8, !noalias !432
-  %v3114 = fsub double %v3112, %v3113
-  %v3115 = load double, ptr %v3095, align 8, !noalias !432
-  %v3116 = fdiv double %v3114, %v3115
-  br i1 %v887, label %v3117, label %v3118
+v2923:
+  %v2925 = add nsw i64 %v2924, -1
+  %v2922 = add i64 %v2921, 1
+  %v2928 = getelementptr double, ptr %v735, i64 %v2921
+  %v2929 = icmp slt i64 %v2921, 0
+  %v2930 = select i1 %v2929, i64 %v207, i64 0
+  %v2931 = getelementptr double, ptr %v2928, i64 %v2930
+  %v2932 = load double, ptr %v2931, align 8, !noalias !424
+  %v2933 = fcmp olt double %v2932, 0x7FF0000000000000
+  %v2934 = select i1 %v2933, double %v2932, double 0x7FF0000000000000
+  %v2935 = fcmp ogt double %v2932, 0xFFF0000000000000
+  %v2936 = select i1 %v2935, double %v2932, double 0xFFF0000000000000
+  %v2937 = getelementptr double, ptr %v2931, i64 %v734
+  %v2938 = load double, ptr %v2937, align 8, !noalias !424
+  %v2939 = fcmp olt double %v2938, %v2934
+  %v2940 = select i1 %v2939, double %v2938, double %v2934
+  %v2941 = fcmp ogt double %v2938, %v2936
+  %v2942 = select i1 %v2941, double %v2938, double %v2936
+  %v2943 = getelementptr i8, ptr %v2931, i64 %v1094
+  %v2944 = load double, ptr %v2943, align 8, !noalias !424
+  %v2945 = fcmp olt double %v2944, %v2940
+  %v2946 = select i1 %v2945, double %v2944, double %v2940
+  %v2947 = fcmp ogt double %v2944, %v2942
+  %v2948 = select i1 %v2947, double %v2944, double %v2942
+  %v2949 = getelementptr i8, ptr %v2931, i64 %v1095
+  %v2950 = load double, ptr %v2949, align 8, !noalias !424
+  %v2951 = fcmp olt double %v2950, %v2946
+  %v2952 = select i1 %v2951, double %v2950, double %v2946
+  %v2953 = fcmp ogt double %v2950, %v2948
+  %v2954 = select i1 %v2953, double %v2950, double %v2948
+  %v2955 = getelementptr i8, ptr %v2931, i64 %v1096
+  %v2956 = load double, ptr %v2955, align 8, !noalias !424
+  %v2957 = fcmp olt double %v2956, %v2952
+  %v2958 = select i1 %v2957, double %v2956, double %v2952
+  %v2959 = fcmp ogt double %v2956, %v2954
+  %v2960 = select i1 %v2959, double %v2956, double %v2954
+  %v2961 = getelementptr i8, ptr %v2931, i64 %v1097
+  %v2962 = load double, ptr %v2961, align 8, !noalias !424
+  %v2963 = fcmp olt double %v2962, %v2958
+  %v2964 = select i1 %v2963, double %v2962, double %v2958
+  %v2965 = fcmp ogt double %v2962, %v2960
+  %v2966 = select i1 %v2965, double %v2962, double %v2960
+  %v2967 = getelementptr i8, ptr %v2931, i64 %v1098
+  %v2968 = load double, ptr %v2967, align 8, !noalias !424
+  %v2969 = fcmp olt double %v2968, %v2964
+  %v2970 = select i1 %v2969, double %v2968, double %v2964
+  %v2971 = fcmp ogt double %v2968, %v2966
+  %v2972 = select i1 %v2971, double %v2968, double %v2966
+  %v2973 = getelementptr i8, ptr %v2931, i64 %v1099
+  %v2974 = load double, ptr %v2973, align 8, !noalias !424
+  %v2975 = fcmp olt double %v2974, %v2970
+  %v2976 = select i1 %v2975, double %v2974, double %v2970
+  %v2977 = fcmp ogt double %v2974, %v2972
+  %v2978 = select i1 %v2977, double %v2974, double %v2972
+  %v2979 = getelementptr i8, ptr %v2931, i64 %v1100
+  %v2980 = load double, ptr %v2979, align 8, !noalias !424
+  %v2981 = fcmp olt double %v2980, %v2976
+  %v2982 = select i1 %v2981, double %v2980, double %v2976
+  %v2983 = fcmp ogt double %v2980, %v2978
+  %v2984 = select i1 %v2983, double %v2980, double %v2978
+  %v2985 = fsub double %v2984, %v2982
+  %v2986 = fmul double %v2985, 2.500000e-01
+  %v2987 = icmp slt i64 %v2921, 0
+  %v2988 = select i1 %v2987, i64 %v207, i64 0
+  %v2989 = add i64 %v2988, %v2921
+  %v2990 = getelementptr double, ptr %v737, i64 %v2989
+  %v2991 = getelementptr double, ptr %v738, i64 %v2989
+  %v2992 = getelementptr double, ptr %v2990, i64 %v736
+  %v2993 = load double, ptr %v2992, align 8, !noalias !425
+  %v2994 = load double, ptr %v2991, align 8, !noalias !425
+  %v2995 = fmul double %v2994, 0x3FDDF27AAAADCB3A
+  %v2996 = fsub double %v2993, %v2995
+  %v2997 = getelementptr i8, ptr %v2991, i64 %v1101
+  %v2998 = load double, ptr %v2997, align 8, !noalias !425
+  %v2999 = fmul double %v2998, 0x3FEC575F1EBC4F2F
+  %v3000 = fsub double %v2996, %v2999
+  %v3001 = getelementptr i8, ptr %v2991, i64 %v1102
+  %v3002 = load double, ptr %v3001, align 8, !noalias !425
+  %v3003 = fmul double %v3002, 0xBFE1306AA3D795F4
+  %v3004 = fsub double %v3000, %v3003
+  %v3005 = getelementptr i8, ptr %v2991, i64 %v1103
+  %v3006 = load double, ptr %v3005, align 8, !noalias !425
+  %v3007 = fmul double %v3006, 0x3FCCB9F574BDCC3A
+  %v3008 = fsub double %v3004, %v3007
+  %v3009 = getelementptr i8, ptr %v2991, i64 %v1104
+  %v3010 = load double, ptr %v3009, align 8, !noalias !425
+  %v3011 = fmul double %v3010, 0xBFA4EAF2D6B11E79
+  %v3012 = fsub double %v3008, %v3011
+  %v3013 = tail call double @llvm.fabs.f64(double %v3012)
+  %v3014 = fcmp ogt double %v3013, 0.000000e+00
+  %v3015 = select i1 %v3014, double %v3013, double 0.000000e+00
+  %v3016 = getelementptr i8, ptr %v2990, i64 %v1105
+  %v3017 = load double, ptr %v3016, align 8, !noalias !425
+  %v3018 = load double, ptr %v2991, align 8, !noalias !425
+  %v3019 = fmul double %v3018, 0xBFA5118805F8B876
+  %v3020 = fsub double %v3017, %v3019
+  %v3021 = getelementptr i8, ptr %v2991, i64 %v1106
+  %v3022 = load double, ptr %v3021, align 8, !noalias !425
+  %v3023 = fmul double %v3022, 0x3FE51326698BC5BD
+  %v3024 = fsub double %v3020, %v3023
+  %v3025 = getelementptr i8, ptr %v2991, i64 %v1107
+  %v3026 = load double, ptr %v3025, align 8, !noalias !425
+  %v3027 = fmul double %v3026, 0x3FDF97DED30D4572
+  %v3028 = fsub double %v3024, %v3027
+  %v3029 = getelementptr i8, ptr %v2991, i64 %v1108
+  %v3030 = load double, ptr %v3029, align 8, !noalias !425
+  %v3031 = fmul double %v3030, 0xBFC0DA0C684D1D67
+  %v3032 = fsub double %v3028, %v3031
+  %v3033 = getelementptr i8, ptr %v2991, i64 %v1109
+  %v3034 = load double, ptr %v3033, align 8, !noalias !425
+  %v3035 = fmul double %v3034, 0x3F9510B8EC0D4D92
+  %v3036 = fsub double %v3032, %v3035
+  %v3037 = tail call double @llvm.fabs.f64(double %v3036)
+  %v3038 = fcmp ogt double %v3037, %v3015
+  %v3039 = select i1 %v3038, double %v3037, double %v3015
+  %v3040 = getelementptr i8, ptr %v2990, i64 %v1110
+  %v3041 = load double, ptr %v3040, align 8, !noalias !425
+  %v3042 = load double, ptr %v2991, align 8, !noalias !425
+  %v3043 = fmul double %v3042, 0x3F9635A30F8F142F
+  %v3044 = fsub double %v3041, %v3043
+  %v3045 = getelementptr i8, ptr %v2991, i64 %v1111
+  %v3046 = load double, ptr %v3045, align 8, !noalias !425
+  %v3047 = fmul double %v3046, 0xBFC1EAE0FF33D241
+  %v3048 = fsub double %v3044, %v3047
+  %v3049 = getelementptr i8, ptr %v2991, i64 %v1112
+  %v3050 = load double, ptr %v3049, align 8, !noalias !425
+  %v3051 = fmul double %v3050, 0x3FE1625D59218460
+  %v3052 = fsub double %v3048, %v3051
+  %v3053 = getelementptr i8, ptr %v2991, i64 %v1113
+  %v3054 = load double, ptr %v3053, align 8, !noalias !425
+  %v3055 = fmul double %v3054, 0x3FE3BBC3E8A29641
+  %v3056 = fsub double %v3052, %v3055
+  %v3057 = getelementptr i8, ptr %v2991, i64 %v1114
+  %v3058 = load double, ptr %v3057, align 8, !noalias !425
+  %v3059 = fmul double %v3058, 0xBFA55161A739EB34
+  %v3060 = fsub double %v3056, %v3059
+  %v3061 = tail call double @llvm.fabs.f64(double %v3060)
+  %v3062 = fcmp ogt double %v3061, %v3039
+  %v3063 = select i1 %v3062, double %v3061, double %v3039
+  %v3064 = getelementptr i8, ptr %v2990, i64 %v1115
+  %v3065 = load double, ptr %v3064, align 8, !noalias !425
+  %v3066 = load double, ptr %v2991, align 8, !noalias !425
+  %v3067 = fmul double %v3066, 0xBFA4F0C0BB579409
+  %v3068 = fsub double %v3065, %v3067
+  %v3069 = getelementptr i8, ptr %v2991, i64 %v1116
+  %v3070 = load double, ptr %v3069, align 8, !noalias !425
+  %v3071 = fmul double %v3070, 0x3FCD2266FBC0D976
+  %v3072 = fsub double %v3068, %v3071
+  %v3073 = getelementptr i8, ptr %v2991, i64 %v1117
+  %v3074 = load double, ptr %v3073, align 8, !noalias !425
+  %v3075 = fmul double %v3074, 0xBFE1F2DB6FEE3151
+  %v3076 = fsub double %v3072, %v3075
+  %v3077 = getelementptr i8, ptr %v2991, i64 %v1118
+  %v3078 = load double, ptr %v3077, align 8, !noalias !425
+  %v3079 = fmul double %v3078, 0x3FF0C05015964CBE
+  %v3080 = fsub double %v3076, %v3079
+  %v3081 = getelementptr i8, ptr %v2991, i64 %v1119
+  %v3082 = load double, ptr %v3081, align 8, !noalias !425
+  %v3083 = fmul double %v3082, 0x3FD4F15B230DB570
+  %v3084 = fsub double %v3080, %v3083
+  %v3085 = tail call double @llvm.fabs.f64(double %v3084)
+  %v3086 = fcmp ogt double %v3085, %v3063
+  %v3087 = select i1 %v3086, double %v3085, double %v3063
+  %v3088 = fmul double %v3087, 1.000000e+01
+  %v3089 = fadd double %v2986, %v3088
+  %v3090 = icmp slt i64 %v2921, 0
+  %v3091 = select i1 %v3090, i64 %v207, i64 0
+  %v3092 = getelementptr double, ptr %v740, i64 %v2921
+  %v3093 = getelementptr double, ptr %v3092, i64 %v3091
+  %v3094 = load double, ptr %v3093, align 8, !noalias !424
+  %v3095 = fcmp ogt double %v3089, %v3094
+  %v3096 = fneg double %v3094
+  %v3097 = select i1 %v3095, double %v3089, double %v3096
+  %v3098 = fcmp olt double %v2982, %v3097
+  br i1 %v3098, label %v1540, label %v2920
 
-v3118:
-  %v3119 = fsub double 1.000000e+00, %v3116
-  %v3120 = select i1 %v3108, i64 %v101, i64 0
-  %v3121 = add i64 %v3120, %v3105
-  %v3122 = mul i64 %v3121, %v102
-  %v3123 = getelementptr double, ptr %v3102, i64 %v3122
-  br label %v3124
+v1540:
+  %v1542 = phi i1 [ false, %v1482 ], [ %v2926, %v2923 ], [ %v2926, %v2920 ]
+  %v3099 = phi ptr [ %v1537, %v1482 ], [ null, %v2923 ], [ null, %v2920 ]
+  %v3100 = phi i32 [ %v1538, %v1482 ], [ 0, %v2923 ], [ 0, %v2920 ]
+  %v3101 = icmp eq i32 %v3100, 0
+  br i1 %v3101, label %v1472, label %v1546, !prof !131
 
-v3125:
-  %v3126 = getelementptr double, ptr %v3103, i64 %v3127
-  %v3128 = load double, ptr %v3126, align 8, !noalias !432
-  br label %v3129
+v1790:
+  br i1 %v1785, label %v1633, label %v1791
 
-v3117:
-  store double 0x7FF0000000000000, ptr %v3097, align 8, !noalias !432
-  %v3130 = icmp eq i64 %v3105, %v892
-  br i1 %v3130, label %v3086, label %v3107
+v1546:
+  %v3102 = phi i64 [ 0, %v1472 ], [ %v2919, %v1633 ], [ 0, %v1540 ], [ 0, %v1698 ], [ 0, %v2334 ]
+  %v3103 = phi i1 [ true, %v1472 ], [ true, %v1633 ], [ false, %v1540 ], [ false, %v1698 ], [ false, %v2334 ]
+  %v3104 = phi ptr [ undef, %v1472 ], [ undef, %v1633 ], [ %v3099, %v1540 ], [ %v1789, %v1698 ], [ %v2916, %v2334 ]
+  %v3105 = phi i32 [ 0, %v1472 ], [ 0, %v1633 ], [ 1, %v1540 ], [ 1, %v1698 ], [ 1, %v2334 ]
+  br i1 %v3103, label %v3106, label %v3107, !prof !131
 
-v3107:
-  %v3106 = add i64 %v3105, 1
-  %v3131 = icmp slt i64 %v3105, -1
-  %v3132 = select i1 %v3131, i64 %v93, i64 0
-  %v3133 = getelementptr double, ptr %v92, i64 %v3106
-  %v3134 = getelementptr double, ptr %v3133, i64 %v3132
-  %v3135 = load double, ptr %v3134, align 8, !noalias !432
-  %v3136 = fcmp ugt double %v3135, %v3079
-  br i1 %v3136, label %v3086, label %v3104
+v3108:
+  %v3109 = getelementptr double, ptr %v897, i64 %v3110
+  %v3111 = load double, ptr %v3109, align 8, !noalias !429
+  %v3112 = fcmp olt double %v3111, 5.000000e-01
+  br i1 %v3112, label %v3113, label %v3114
 
-v3086:
-  %v3137 = phi i64 [ %v3083, %v3085 ], [ %v3083, %v3072 ], [ %v93, %v3117 ], [ %v3106, %v3107 ]
-  store i64 %v3137, ptr %v3082, align 8, !noalias !432
-  br label %v3066
+v3114:
+  %v3115 = getelementptr i64, ptr %v110, i64 %v3116
+  %v3117 = load i64, ptr %v3115, align 8, !noalias !429
+  %v3118 = icmp eq i64 %v3117, 0
+  br i1 %v3118, label %v3119, label %v3113
 
-v3129:
-  %v3138 = phi double [ %v3139, %v3140 ], [ %v3128, %v3125 ]
-  %v3141 = getelementptr double, ptr %v3123, i64 %v3142
-  store double %v3138, ptr %v3141, align 8, !noalias !432
-  %v3143 = icmp eq i64 %v10, %v3144
-  br i1 %v3143, label %v3117, label %v3124
+v3119:
+  %v3120 = mul i64 %v3116, %v126
+  %v3121 = getelementptr i64, ptr %v124, i64 %v3120
+  %v3122 = getelementptr i8, ptr %v3121, i64 8
+  %v3123 = load i64, ptr %v3122, align 8, !noalias !429
+  %v3124 = add nsw i64 %v3123, %v3102
+  store i64 %v3124, ptr %v3122, align 8, !noalias !429
+  %v3125 = getelementptr double, ptr %v899, i64 %v3110
+  %v3126 = load double, ptr %v3125, align 8, !noalias !429
+  %v3127 = load i64, ptr %v3128, align 8, !noalias !432
+  %v3129 = getelementptr i64, ptr %v901, i64 %v3110
+  %v3130 = load i64, ptr %v3129, align 8, !noalias !432
+  %v3131 = icmp slt i64 %v3130, %v93
+  br i1 %v3131, label %v3132, label %v3133
 
-v3124:
-  %v3142 = phi i64 [ 0, %v3118 ], [ %v3144, %v3129 ]
-  %v3144 = add nsw i64 %v3142, 1
-  %v3145 = load double, ptr %v3111, align 8, !noalias !432
-  %v3146 = load double, ptr %v3078, align 8, !noalias !432
-  %v3147 = fcmp oeq double %v3145, %v3146
-  %v3127 = mul i64 %v3142, %v196
-  br i1 %v3147, label %v3125, label %v3140
+v3132:
+  %v3134 = icmp slt i64 %v3130, 0
+  %v3135 = select i1 %v3134, i64 %v93, i64 0
+  %v3136 = getelementptr double, ptr %v92, i64 %v3130
+  %v3137 = getelementptr double, ptr %v3136, i64 %v3135
+  %v3138 = load double, ptr %v3137, align 8, !noalias !432
+  %v3139 = fcmp ugt double %v3138, %v3126
+  br i1 %v3139, label %v3133, label %v3140
 
 v3140:
-  %v3148 = getelementptr double, ptr %v3096, i64 %v3127
-  %v3149 = getelementptr i8, ptr %v3148, i64 %v893
-  %v3150 = load double, ptr %v3149, align 8, !noalias !436
-  %v3151 = fadd double %v3150, 0.000000e+00
-  %v3152 = fmul double %v3116, %v3151
-  %v3153 = getelementptr i8, ptr %v3148, i64 %v894
-  %v3154 = load double, ptr %v3153, align 8, !noalias !436
-  %v3155 = fadd double %v3154, %v3152
-  %v3156 = fmul double %v3119, %v3155
-  %v3157 = getelementptr i8, ptr %v3148, i64 %v895
-  %v3158 = load double, ptr %v3157, align 8, !noalias !436
-  %v3159 = fadd double %v3158, %v3156
-  %v3160 = fmul double %v3116, %v3159
-  %v3161 = getelementptr i8, ptr %v3148, i64 %v896
-  %v3162 = load double, ptr %v3161, align 8, !noalias !436
-  %v3163 = fadd double %v3162, %v3160
-  %v3164 = fmul double %v3119, %v3163
-  %v3165 = getelementptr i8, ptr %v3148, i64 %v897
-  %v3166 = load double, ptr %v3165, align 8, !noalias !436
-  %v3167 = fadd double %v3166, %v3164
-  %v3168 = fmul double %v3116, %v3167
-  %v3169 = getelementptr i8, ptr %v3148, i64 %v898
-  %v3170 = load double, ptr %v3169, align 8, !noalias !436
-  %v3171 = fadd double %v3170, %v3168
-  %v3172 = fmul double %v3119, %v3171
-  %v3173 = getelementptr i8, ptr %v3148, i64 %v899
-  %v3174 = load double, ptr %v3173, align 8, !noalias !436
-  %v3175 = fadd double %v3174, %v3172
-  %v3176 = fmul double %v3116, %v3175
-  %v3177 = load double, ptr %v3148, align 8, !noalias !436
-  %v3139 = fadd double %v3177, %v3176
-  br label %v3129
+  %v3141 = getelementptr double, ptr %v133, i64 %v3110
+  %v3142 = getelementptr double, ptr %v903, i64 %v3110
+  %v3143 = getelementptr double, ptr %v193, i64 %v3110
+  %v3144 = getelementptr double, ptr %v907, i64 %v3110
+  %v3145 = icmp slt i64 %v3127, 0
+  %v3146 = select i1 %v3145, i64 %v100, i64 0
+  %v3147 = add i64 %v3146, %v3127
+  %v3148 = mul i64 %v908, %v3147
+  %v3149 = getelementptr double, ptr %v99, i64 %v3148
+  %v3150 = getelementptr double, ptr %v909, i64 %v3110
+  br label %v3151
 
-v3066:
-  %v3178 = icmp eq i64 %v3179, %v9
-  br i1 %v3178, label %v3180, label %v3181
+v3151:
+  %v3152 = phi i64 [ %v3153, %v3154 ], [ %v3130, %v3140 ]
+  %v3155 = icmp slt i64 %v3152, 0
+  %v3156 = select i1 %v3155, i64 %v93, i64 0
+  %v3157 = getelementptr double, ptr %v92, i64 %v3152
+  %v3158 = getelementptr double, ptr %v3157, i64 %v3156
+  %v3159 = load double, ptr %v3158, align 8, !noalias !432
+  %v3160 = load double, ptr %v3141, align 8, !noalias !432
+  %v3161 = fsub double %v3159, %v3160
+  %v3162 = load double, ptr %v3142, align 8, !noalias !432
+  %v3163 = fdiv double %v3161, %v3162
+  br i1 %v905, label %v3164, label %v3165
 
-v3181:
-  %v3063 = phi i64 [ %v3179, %v3066 ], [ 0, %v3059 ]
-  %v3179 = add nsw i64 %v3063, 1
-  %v3081 = getelementptr i64, ptr %v142, i64 %v3063
-  %v3069 = load i64, ptr %v3081, align 8, !noalias !429
-  %v3182 = icmp slt i64 %v3069, 0
-  br i1 %v3182, label %v3066, label %v3061
+v3165:
+  %v3166 = fsub double 1.000000e+00, %v3163
+  %v3167 = select i1 %v3155, i64 %v101, i64 0
+  %v3168 = add i64 %v3167, %v3152
+  %v3169 = mul i64 %v3168, %v102
+  %v3170 = getelementptr double, ptr %v3149, i64 %v3169
+  br label %v3171
 
-v3180:
-  br i1 %v900, label %v3183, label %v3184
+v3172:
+  %v3173 = getelementptr double, ptr %v3150, i64 %v3174
+  %v3175 = load double, ptr %v3173, align 8, !noalias !432
+  br label %v3176
 
-v3184:
-  %v3185 = load double, ptr %v902, align 8
-  %v3186 = fcmp ogt double %v3185, 5.000000e-01
-  br i1 %v3186, label %v3183, label %v3187
+v3164:
+  store double 0x7FF0000000000000, ptr %v3144, align 8, !noalias !432
+  %v3177 = icmp eq i64 %v3152, %v910
+  br i1 %v3177, label %v3133, label %v3154
 
-v3183:
-  %v3188 = load i64, ptr %v903, align 8, !noalias !440
-  %v3189 = inttoptr i64 %v3188 to ptr
-  tail call void %v3189(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !440
-  br label %v3187
+v3154:
+  %v3153 = add i64 %v3152, 1
+  %v3178 = icmp slt i64 %v3152, -1
+  %v3179 = select i1 %v3178, i64 %v93, i64 0
+  %v3180 = getelementptr double, ptr %v92, i64 %v3153
+  %v3181 = getelementptr double, ptr %v3180, i64 %v3179
+  %v3182 = load double, ptr %v3181, align 8, !noalias !432
+  %v3183 = fcmp ugt double %v3182, %v3126
+  br i1 %v3183, label %v3133, label %v3151
+
+v3133:
+  %v3184 = phi i64 [ %v3130, %v3132 ], [ %v3130, %v3119 ], [ %v93, %v3164 ], [ %v3153, %v3154 ]
+  store i64 %v3184, ptr %v3129, align 8, !noalias !432
+  br label %v3113
+
+v3176:
+  %v3185 = phi double [ %v3186, %v3187 ], [ %v3175, %v3172 ]
+  %v3188 = getelementptr double, ptr %v3170, i64 %v3189
+  store double %v3185, ptr %v3188, align 8, !noalias !432
+  %v3190 = icmp eq i64 %v10, %v3191
+  br i1 %v3190, label %v3164, label %v3171
+
+v3171:
+  %v3189 = phi i64 [ 0, %v3165 ], [ %v3191, %v3176 ]
+  %v3191 = add nsw i64 %v3189, 1
+  %v3192 = load double, ptr %v3158, align 8, !noalias !432
+  %v3193 = load double, ptr %v3125, align 8, !noalias !432
+  %v3194 = fcmp oeq double %v3192, %v3193
+  %v3174 = mul i64 %v3189, %v196
+  br i1 %v3194, label %v3172, label %v3187
 
 v3187:
-  br i1 %v1421, label %v3190, label %v3191
+  %v3195 = getelementptr double, ptr %v3143, i64 %v3174
+  %v3196 = getelementptr i8, ptr %v3195, i64 %v911
+  %v3197 = load double, ptr %v3196, align 8, !noalias !436
+  %v3198 = fadd double %v3197, 0.000000e+00
+  %v3199 = fmul double %v3163, %v3198
+  %v3200 = getelementptr i8, ptr %v3195, i64 %v912
+  %v3201 = load double, ptr %v3200, align 8, !noalias !436
+  %v3202 = fadd double %v3201, %v3199
+  %v3203 = fmul double %v3166, %v3202
+  %v3204 = getelementptr i8, ptr %v3195, i64 %v913
+  %v3205 = load double, ptr %v3204, align 8, !noalias !436
+  %v3206 = fadd double %v3205, %v3203
+  %v3207 = fmul double %v3163, %v3206
+  %v3208 = getelementptr i8, ptr %v3195, i64 %v914
+  %v3209 = load double, ptr %v3208, align 8, !noalias !436
+  %v3210 = fadd double %v3209, %v3207
+  %v3211 = fmul double %v3166, %v3210
+  %v3212 = getelementptr i8, ptr %v3195, i64 %v915
+  %v3213 = load double, ptr %v3212, align 8, !noalias !436
+  %v3214 = fadd double %v3213, %v3211
+  %v3215 = fmul double %v3163, %v3214
+  %v3216 = getelementptr i8, ptr %v3195, i64 %v916
+  %v3217 = load double, ptr %v3216, align 8, !noalias !436
+  %v3218 = fadd double %v3217, %v3215
+  %v3219 = fmul double %v3166, %v3218
+  %v3220 = getelementptr i8, ptr %v3195, i64 %v917
+  %v3221 = load double, ptr %v3220, align 8, !noalias !436
+  %v3222 = fadd double %v3221, %v3219
+  %v3223 = fmul double %v3163, %v3222
+  %v3224 = load double, ptr %v3195, align 8, !noalias !436
+  %v3186 = fadd double %v3224, %v3223
+  br label %v3176
 
-v3190:
-  %v3192 = load double, ptr %v905, align 8, !noalias !443
-  %v3193 = fcmp olt double %v3192, 5.000000e-01
-  br i1 %v3193, label %v3191, label %v3194
+v3113:
+  %v3225 = icmp eq i64 %v3226, %v9
+  br i1 %v3225, label %v3227, label %v3228
 
-v3194:
-  br i1 %v907, label %v3195, label %v3196
+v3228:
+  %v3110 = phi i64 [ %v3226, %v3113 ], [ 0, %v3106 ]
+  %v3226 = add nsw i64 %v3110, 1
+  %v3128 = getelementptr i64, ptr %v142, i64 %v3110
+  %v3116 = load i64, ptr %v3128, align 8, !noalias !429
+  %v3229 = icmp slt i64 %v3116, 0
+  br i1 %v3229, label %v3113, label %v3108
 
-v3197:
-  %v3198 = getelementptr double, ptr %v908, i64 %v3199
-  %v3200 = load double, ptr %v3198, align 8, !noalias !443
-  %v3201 = add nsw i64 %v3199, %v17
-  %v3202 = icmp slt i64 %v3201, 0
-  %v3203 = select i1 %v3202, i64 %v166, i64 0
-  %v3204 = getelementptr double, ptr %v165, i64 %v3201
-  %v3205 = getelementptr double, ptr %v3204, i64 %v3203
-  %v3206 = load double, ptr %v3205, align 8, !noalias !443
-  %v3207 = fcmp une double %v3200, %v3206
-  br label %v3208
+v3227:
+  br i1 %v918, label %v3230, label %v3231
 
-v3208:
-  %v3209 = phi i1 [ true, %v3195 ], [ %v3207, %v3197 ]
-  %v3210 = icmp eq i64 %v3211, %v18
-  br i1 %v3210, label %v3196, label %v3195
+v3231:
+  %v3232 = load double, ptr %v920, align 8
+  %v3233 = fcmp ogt double %v3232, 5.000000e-01
+  br i1 %v3233, label %v3230, label %v3234
 
-v3196:
-  %v3212 = phi i1 [ false, %v3194 ], [ %v3209, %v3208 ]
-  %v3213 = load double, ptr %v910, align 8, !noalias !443
-  %v3214 = fcmp oeq double %v3213, 1.000000e+00
-  %v3215 = select i1 %v3214, i1 %v3212, i1 false
-  br i1 %v3215, label %v3216, label %v3217
+v3230:
+  %v3235 = load i64, ptr %v921, align 8, !noalias !440
+  %v3236 = inttoptr i64 %v3235 to ptr
+  tail call void %v3236(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !440
+  br label %v3234
 
-v3216:
-  %v3218 = load double, ptr %v133, align 8, !noalias !443
-  %v3219 = load double, ptr %v912, align 8, !noalias !443
-  %v3220 = fsub double %v3218, %v3219
-  br i1 %v913, label %v3221, label %v3222
+v3234:
+  br i1 %v1468, label %v3237, label %v3238
 
-v3223:
-  %v3224 = load double, ptr %v914, align 8, !noalias !443
-  %v3225 = load double, ptr %v23, align 8, !noalias !443
-  %v3226 = mul i64 %v3227, %v196
-  %v3228 = getelementptr double, ptr %v193, i64 %v3226
-  %v3229 = load double, ptr %v3228, align 8, !noalias !443
-  %v3230 = tail call double @llvm.fabs.f64(double %v3229)
-  %v3231 = fmul double %v3225, %v3230
-  %v3232 = fadd double %v3224, %v3231
-  %v3233 = add i64 %v3227, %v195
-  %v3234 = mul i64 %v3233, %v196
-  %v3235 = getelementptr double, ptr %v193, i64 %v3234
-  %v3236 = load double, ptr %v3235, align 8, !noalias !443
-  %v3237 = tail call double @llvm.fabs.f64(double %v3236)
-  %v3238 = fmul double %v3220, %v3237
-  %v3239 = fcmp ogt double %v3238, %v3232
-  br label %v3240
+v3237:
+  %v3239 = load double, ptr %v923, align 8, !noalias !443
+  %v3240 = fcmp olt double %v3239, 5.000000e-01
+  br i1 %v3240, label %v3238, label %v3241
 
-v3240:
-  %v3241 = phi i1 [ true, %v3222 ], [ %v3239, %v3223 ]
-  %v3242 = icmp eq i64 %v10, %v3243
-  br i1 %v3242, label %v3244, label %v3222
+v3241:
+  br i1 %v925, label %v3242, label %v3243
 
 v3244:
-  %v3245 = select i1 %v3241, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v3221
+  %v3245 = getelementptr double, ptr %v926, i64 %v3246
+  %v3247 = load double, ptr %v3245, align 8, !noalias !443
+  %v3248 = add nsw i64 %v3246, %v17
+  %v3249 = icmp slt i64 %v3248, 0
+  %v3250 = select i1 %v3249, i64 %v166, i64 0
+  %v3251 = getelementptr double, ptr %v165, i64 %v3248
+  %v3252 = getelementptr double, ptr %v3251, i64 %v3250
+  %v3253 = load double, ptr %v3252, align 8, !noalias !443
+  %v3254 = fcmp une double %v3247, %v3253
+  br label %v3255
 
-v3221:
-  %v3246 = phi double [ 5.000000e-06, %v3216 ], [ %v3245, %v3244 ]
-  %v3247 = load double, ptr %v916, align 8, !noalias !443
-  %v3248 = load double, ptr %v92, align 8, !noalias !443
-  %v3249 = fsub double %v3247, %v3248
-  %v3250 = fmul double %v3246, %v3249
-  %v3251 = fcmp olt double %v3220, %v3250
-  br i1 %v3251, label %v3252, label %v3253
+v3255:
+  %v3256 = phi i1 [ true, %v3242 ], [ %v3254, %v3244 ]
+  %v3257 = icmp eq i64 %v3258, %v18
+  br i1 %v3257, label %v3243, label %v3242
 
-v3252:
-  %v3254 = load i64, ptr %v918, align 8, !noalias !443
-  %v3255 = add nsw i64 %v3254, 1
-  br label %v3253
-
-v3253:
-  %v3256 = phi i64 [ %v3255, %v3252 ], [ 0, %v3221 ]
-  store i64 %v3256, ptr %v920, align 8, !noalias !443
-  %v3257 = load double, ptr %v133, align 8, !noalias !443
-  store double %v3257, ptr %v912, align 8, !noalias !443
-  store double 1.000000e+00, ptr %v922, align 8, !noalias !443
-  store i64 2, ptr %v496, align 8, !noalias !443
-  %v3258 = load i64, ptr %v920, align 8, !noalias !443
-  %v3259 = icmp sgt i64 %v3258, 1000
-  br i1 %v3259, label %v3260, label %v3217
-
-v3260:
-  %v3261 = load i64, ptr %v142, align 8, !noalias !447
-  %v3262 = icmp sgt i64 %v3261, -1
-  br i1 %v3262, label %v3263, label %v3217
+v3243:
+  %v3259 = phi i1 [ false, %v3241 ], [ %v3256, %v3255 ]
+  %v3260 = load double, ptr %v928, align 8, !noalias !443
+  %v3261 = fcmp oeq double %v3260, 1.000000e+00
+  %v3262 = select i1 %v3261, i1 %v3259, i1 false
+  br i1 %v3262, label %v3263, label %v3264
 
 v3263:
-  %v3264 = getelementptr i64, ptr %v110, i64 %v3261
-  %v3265 = load i64, ptr %v3264, align 8, !noalias !447
-  %v3266 = icmp eq i64 %v3265, 0
-  br i1 %v3266, label %v3267, label %v3217
+  %v3265 = load double, ptr %v133, align 8, !noalias !443
+  %v3266 = load double, ptr %v930, align 8, !noalias !443
+  %v3267 = fsub double %v3265, %v3266
+  br i1 %v931, label %v3268, label %v3269
 
-v3267:
-  store i64 6, ptr %v3264, align 8, !noalias !447
-  br label %v3217
+v3270:
+  %v3271 = load double, ptr %v932, align 8, !noalias !443
+  %v3272 = load double, ptr %v23, align 8, !noalias !443
+  %v3273 = mul i64 %v3274, %v196
+  %v3275 = getelementptr double, ptr %v193, i64 %v3273
+  %v3276 = load double, ptr %v3275, align 8, !noalias !443
+  %v3277 = tail call double @llvm.fabs.f64(double %v3276)
+  %v3278 = fmul double %v3272, %v3277
+  %v3279 = fadd double %v3271, %v3278
+  %v3280 = add i64 %v3274, %v195
+  %v3281 = mul i64 %v3280, %v196
+  %v3282 = getelementptr double, ptr %v193, i64 %v3281
+  %v3283 = load double, ptr %v3282, align 8, !noalias !443
+  %v3284 = tail call double @llvm.fabs.f64(double %v3283)
+  %v3285 = fmul double %v3267, %v3284
+  %v3286 = fcmp ogt double %v3285, %v3279
+  br label %v3287
 
-v3217:
-  store double 0.000000e+00, ptr %v910, align 8, !noalias !443
-  br label %v3191
+v3287:
+  %v3288 = phi i1 [ true, %v3269 ], [ %v3286, %v3270 ]
+  %v3289 = icmp eq i64 %v10, %v3290
+  br i1 %v3289, label %v3291, label %v3269
 
-v3195:
-  %v3268 = phi i1 [ %v3209, %v3208 ], [ false, %v3194 ]
-  %v3199 = phi i64 [ %v3211, %v3208 ], [ 0, %v3194 ]
-  %v3211 = add nsw i64 %v3199, 1
-  br i1 %v3268, label %v3208, label %v3197
+v3291:
+  %v3292 = select i1 %v3288, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3268
 
-v3222:
-  %v3269 = phi i1 [ %v3241, %v3240 ], [ false, %v3216 ]
-  %v3227 = phi i64 [ %v3243, %v3240 ], [ 0, %v3216 ]
-  %v3243 = add nsw i64 %v3227, 1
-  br i1 %v3269, label %v3240, label %v3223
+v3268:
+  %v3293 = phi double [ 5.000000e-06, %v3263 ], [ %v3292, %v3291 ]
+  %v3294 = load double, ptr %v934, align 8, !noalias !443
+  %v3295 = load double, ptr %v92, align 8, !noalias !443
+  %v3296 = fsub double %v3294, %v3295
+  %v3297 = fmul double %v3293, %v3296
+  %v3298 = fcmp olt double %v3267, %v3297
+  br i1 %v3298, label %v3299, label %v3300
 
-v3191:
-  %v3270 = and i1 %v923, %v1307
-  %v3271 = xor i1 %v3270, true
-  %v3272 = or i1 %v307, %v3271
-  br i1 %v3272, label %v3273, label %v3274
+v3299:
+  %v3301 = load i64, ptr %v936, align 8, !noalias !443
+  %v3302 = add nsw i64 %v3301, 1
+  br label %v3300
 
-v3275:
-  %v3276 = getelementptr i64, ptr %v110, i64 %v3277
-  %v3278 = load i64, ptr %v3276, align 8, !noalias !450
-  %v3279 = icmp eq i64 %v3278, 0
-  br i1 %v3279, label %v3280, label %v3281
+v3300:
+  %v3303 = phi i64 [ %v3302, %v3299 ], [ 0, %v3268 ]
+  store i64 %v3303, ptr %v938, align 8, !noalias !443
+  %v3304 = load double, ptr %v133, align 8, !noalias !443
+  store double %v3304, ptr %v930, align 8, !noalias !443
+  store double 1.000000e+00, ptr %v940, align 8, !noalias !443
+  store i64 2, ptr %v514, align 8, !noalias !443
+  %v3305 = load i64, ptr %v938, align 8, !noalias !443
+  %v3306 = icmp sgt i64 %v3305, 1000
+  br i1 %v3306, label %v3307, label %v3264
 
-v3280:
-  %v3282 = getelementptr double, ptr %v926, i64 %v3283
-  %v3284 = load double, ptr %v3282, align 8, !noalias !450
-  %v3285 = fcmp olt double %v3284, 5.000000e-01
-  br i1 %v3285, label %v3281, label %v3286
+v3307:
+  %v3308 = load i64, ptr %v142, align 8, !noalias !447
+  %v3309 = icmp sgt i64 %v3308, -1
+  br i1 %v3309, label %v3310, label %v3264
 
-v3286:
-  %v3287 = getelementptr double, ptr %v133, i64 %v3283
-  %v3288 = load double, ptr %v3287, align 8, !noalias !450
-  %v3289 = getelementptr double, ptr %v928, i64 %v3283
-  %v3290 = load double, ptr %v3289, align 8, !noalias !450
-  %v3291 = fcmp une double %v3288, %v3290
-  %v3292 = select i1 %v3291, i1 true, i1 %v930
-  %v3293 = xor i1 %v3291, true
-  %v3294 = select i1 %v3293, i1 true, i1 %v3295
-  br i1 %v3292, label %v3281, label %v3296
+v3310:
+  %v3311 = getelementptr i64, ptr %v110, i64 %v3308
+  %v3312 = load i64, ptr %v3311, align 8, !noalias !447
+  %v3313 = icmp eq i64 %v3312, 0
+  br i1 %v3313, label %v3314, label %v3264
 
-v3296:
-  %v3297 = getelementptr i64, ptr %v929, i64 %v3283
-  %v3298 = load i64, ptr %v3297, align 8, !noalias !455
-  %v3299 = add nsw i64 %v3298, 1
-  %v3300 = icmp slt i64 %v3298, -1
-  %v3301 = select i1 %v3300, i64 %v77, i64 0
-  %v3302 = add i64 %v3299, %v3301
-  %v3303 = mul i64 %v3302, %v78
-  %v3304 = getelementptr double, ptr %v76, i64 %v3303
-  br label %v3305
+v3314:
+  store i64 6, ptr %v3311, align 8, !noalias !447
+  br label %v3264
 
-v3305:
-  %v3306 = phi i64 [ 0, %v3296 ], [ %v3307, %v3305 ]
-  %v3307 = add nsw i64 %v3306, 1
-  %v3308 = getelementptr double, ptr %v3304, i64 %v3306
-  %v3309 = load double, ptr %v3308, align 8, !noalias !456
-  %v3310 = getelementptr i64, ptr %v62, i64 %v3306
-  %v3311 = load i64, ptr %v3310, align 8, !noalias !456
-  %v3312 = mul nsw i64 %v3311, %v9
-  %v3313 = add nsw i64 %v3312, %v3283
-  %v3314 = icmp slt i64 %v3313, 0
-  %v3315 = select i1 %v3314, i64 %v166, i64 0
-  %v3316 = getelementptr double, ptr %v165, i64 %v3313
-  %v3317 = getelementptr double, ptr %v3316, i64 %v3315
-  store double %v3309, ptr %v3317, align 8, !noalias !456
-  %v3318 = icmp eq i64 %v63, %v3307
-  br i1 %v3318, label %v3281, label %v3305
+v3264:
+  store double 0.000000e+00, ptr %v928, align 8, !noalias !443
+  br label %v3238
 
-v3281:
-  %v3319 = phi i1 [ %v3294, %v3286 ], [ %v3295, %v3280 ], [ %v3295, %v3274 ], [ %v3295, %v3275 ], [ true, %v3305 ]
-  %v3320 = icmp eq i64 %v9, %v3321
-  br i1 %v3320, label %v3322, label %v3274
+v3242:
+  %v3315 = phi i1 [ %v3256, %v3255 ], [ false, %v3241 ]
+  %v3246 = phi i64 [ %v3258, %v3255 ], [ 0, %v3241 ]
+  %v3258 = add nsw i64 %v3246, 1
+  br i1 %v3315, label %v3255, label %v3244
+
+v3269:
+  %v3316 = phi i1 [ %v3288, %v3287 ], [ false, %v3263 ]
+  %v3274 = phi i64 [ %v3290, %v3287 ], [ 0, %v3263 ]
+  %v3290 = add nsw i64 %v3274, 1
+  br i1 %v3316, label %v3287, label %v3270
+
+v3238:
+  %v3317 = and i1 %v941, %v1354
+  %v3318 = xor i1 %v3317, true
+  %v3319 = or i1 %v307, %v3318
+  br i1 %v3319, label %v3320, label %v3321
 
 v3322:
-  br i1 %v3319, label %v3323, label %v3273
+  %v3323 = getelementptr i64, ptr %v110, i64 %v3324
+  %v3325 = load i64, ptr %v3323, align 8, !noalias !450
+  %v3326 = icmp eq i64 %v3325, 0
+  br i1 %v3326, label %v3327, label %v3328
 
-v3323:
-  %v3324 = load i64, ptr %v931, align 8, !noalias !460
-  %v3325 = inttoptr i64 %v3324 to ptr
-  tail call void %v3325(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !460
-  %v3326 = load i64, ptr %v933, align 8, !noalias !455
-  %v3327 = inttoptr i64 %v3326 to ptr
-  tail call void %v3327(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v935), !noalias !455
-  br label %v3328
+v3327:
+  %v3329 = getelementptr double, ptr %v944, i64 %v3330
+  %v3331 = load double, ptr %v3329, align 8, !noalias !450
+  %v3332 = fcmp olt double %v3331, 5.000000e-01
+  br i1 %v3332, label %v3328, label %v3333
 
-v3328:
-  %v3329 = phi i64 [ 0, %v3323 ], [ %v3330, %v3331 ]
-  %v3332 = phi i64 [ %v937, %v3323 ], [ %v3333, %v3331 ]
-  %v3334 = phi i64 [ 1, %v3323 ], [ %v3335, %v3331 ]
-  %v3336 = icmp slt i64 %v3329, 0
-  %v3337 = select i1 %v3336, i64 %v144, i64 0
-  %v3338 = add i64 %v3337, %v3329
-  %v3339 = getelementptr i64, ptr %v142, i64 %v3338
-  %v3340 = load i64, ptr %v3339, align 8, !noalias !463
-  %v3341 = icmp slt i64 %v3340, 0
-  br i1 %v3341, label %v3331, label %v3342
+v3333:
+  %v3334 = getelementptr double, ptr %v133, i64 %v3330
+  %v3335 = load double, ptr %v3334, align 8, !noalias !450
+  %v3336 = getelementptr double, ptr %v946, i64 %v3330
+  %v3337 = load double, ptr %v3336, align 8, !noalias !450
+  %v3338 = fcmp une double %v3335, %v3337
+  %v3339 = select i1 %v3338, i1 true, i1 %v948
+  %v3340 = xor i1 %v3338, true
+  %v3341 = select i1 %v3340, i1 true, i1 %v3342
+  br i1 %v3339, label %v3328, label %v3343
 
-v3342:
-  %v3343 = getelementptr i64, ptr %v110, i64 %v3340
-  %v3344 = load i64, ptr %v3343, align 8, !noalias !463
-  %v3345 = icmp eq i64 %v3344, 0
-  br i1 %v3345, label %v3346, label %v3331
-
-v3346:
-  %v3347 = select i1 %v3336, i64 %v135, i64 0
-  %v3348 = add i64 %v3347, %v3329
-  %v3349 = getelementptr double, ptr %v926, i64 %v3348
-  %v3350 = load double, ptr %v3349, align 8, !noalias !463
-  %v3351 = fcmp olt double %v3350, 5.000000e-01
-  br i1 %v3351, label %v3331, label %v3352
+v3343:
+  %v3344 = getelementptr i64, ptr %v947, i64 %v3330
+  %v3345 = load i64, ptr %v3344, align 8, !noalias !455
+  %v3346 = add nsw i64 %v3345, 1
+  %v3347 = icmp slt i64 %v3345, -1
+  %v3348 = select i1 %v3347, i64 %v77, i64 0
+  %v3349 = add i64 %v3346, %v3348
+  %v3350 = mul i64 %v3349, %v78
+  %v3351 = getelementptr double, ptr %v76, i64 %v3350
+  br label %v3352
 
 v3352:
-  %v3353 = getelementptr double, ptr %v133, i64 %v3348
-  %v3354 = load double, ptr %v3353, align 8, !noalias !463
-  %v3355 = getelementptr double, ptr %v928, i64 %v3348
-  %v3356 = load double, ptr %v3355, align 8, !noalias !463
-  %v3357 = fcmp une double %v3354, %v3356
-  br i1 %v3357, label %v3331, label %v3358
+  %v3353 = phi i64 [ 0, %v3343 ], [ %v3354, %v3352 ]
+  %v3354 = add nsw i64 %v3353, 1
+  %v3355 = getelementptr double, ptr %v3351, i64 %v3353
+  %v3356 = load double, ptr %v3355, align 8, !noalias !456
+  %v3357 = getelementptr i64, ptr %v62, i64 %v3353
+  %v3358 = load i64, ptr %v3357, align 8, !noalias !456
+  %v3359 = mul nsw i64 %v3358, %v9
+  %v3360 = add nsw i64 %v3359, %v3330
+  %v3361 = icmp slt i64 %v3360, 0
+  %v3362 = select i1 %v3361, i64 %v166, i64 0
+  %v3363 = getelementptr double, ptr %v165, i64 %v3360
+  %v3364 = getelementptr double, ptr %v3363, i64 %v3362
+  store double %v3356, ptr %v3364, align 8, !noalias !456
+  %v3365 = icmp eq i64 %v63, %v3354
+  br i1 %v3365, label %v3328, label %v3352
 
-v3358:
-  %v3359 = getelementptr i64, ptr %v940, i64 %v3338
-  %v3360 = load i64, ptr %v3359, align 8, !noalias !466
-  %v3361 = icmp sgt i64 %v3360, 0
-  br i1 %v3361, label %v3362, label %v3363
+v3328:
+  %v3366 = phi i1 [ %v3341, %v3333 ], [ %v3342, %v3327 ], [ %v3342, %v3321 ], [ %v3342, %v3322 ], [ true, %v3352 ]
+  %v3367 = icmp eq i64 %v9, %v3368
+  br i1 %v3367, label %v3369, label %v3321
 
-v3362:
-  %v3364 = getelementptr double, ptr %v92, i64 %v3360
-  %v3365 = getelementptr i8, ptr %v3364, i64 -8
-  %v3366 = load double, ptr %v3365, align 8, !noalias !466
-  %v3367 = getelementptr double, ptr %v133, i64 %v3329
-  %v3368 = getelementptr double, ptr %v3367, i64 %v3347
-  %v3369 = load double, ptr %v3368, align 8, !noalias !466
-  %v3370 = fcmp oeq double %v3366, %v3369
-  br label %v3363
+v3369:
+  br i1 %v3366, label %v3370, label %v3320
 
-v3363:
-  %v3371 = phi i1 [ %v3370, %v3362 ], [ false, %v3358 ]
-  br i1 %v942, label %v3372, label %v3373
+v3370:
+  %v3371 = load i64, ptr %v949, align 8, !noalias !460
+  %v3372 = inttoptr i64 %v3371 to ptr
+  tail call void %v3372(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !460
+  %v3373 = load i64, ptr %v951, align 8, !noalias !455
+  %v3374 = inttoptr i64 %v3373 to ptr
+  tail call void %v3374(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v953), !noalias !455
+  br label %v3375
 
-v3373:
-  %v3374 = mul i64 %v936, %v3340
-  %v3375 = select i1 %v3336, i64 %v196, i64 0
-  %v3376 = add i64 %v3375, %v3329
-  %v3377 = getelementptr double, ptr %v943, i64 %v3376
-  %v3378 = getelementptr double, ptr %v193, i64 %v3376
-  %v3379 = add nsw i64 %v3360, -1
-  %v3380 = select i1 %v3361, i64 0, i64 %v101
-  %v3381 = add i64 %v3379, %v3380
-  %v3382 = mul i64 %v3381, %v102
-  %v3383 = getelementptr double, ptr %v99, i64 %v3374
-  %v3384 = getelementptr double, ptr %v3383, i64 %v3382
-  br label %v3385
+v3375:
+  %v3376 = phi i64 [ 0, %v3370 ], [ %v3377, %v3378 ]
+  %v3379 = phi i64 [ %v955, %v3370 ], [ %v3380, %v3378 ]
+  %v3381 = phi i64 [ 1, %v3370 ], [ %v3382, %v3378 ]
+  %v3383 = icmp slt i64 %v3376, 0
+  %v3384 = select i1 %v3383, i64 %v144, i64 0
+  %v3385 = add i64 %v3384, %v3376
+  %v3386 = getelementptr i64, ptr %v142, i64 %v3385
+  %v3387 = load i64, ptr %v3386, align 8, !noalias !463
+  %v3388 = icmp slt i64 %v3387, 0
+  br i1 %v3388, label %v3378, label %v3389
 
-v3386:
-  %v3387 = getelementptr double, ptr %v3384, i64 %v3388
-  store double %v3389, ptr %v3387, align 8, !noalias !466
-  br label %v3390
-
-v3390:
-  %v3391 = icmp eq i64 %v10, %v3392
-  br i1 %v3391, label %v3393, label %v3385
+v3389:
+  %v3390 = getelementptr i64, ptr %v110, i64 %v3387
+  %v3391 = load i64, ptr %v3390, align 8, !noalias !463
+  %v3392 = icmp eq i64 %v3391, 0
+  br i1 %v3392, label %v3393, label %v3378
 
 v3393:
-  %v3394 = fcmp une double %v3395, 0.000000e+00
-  br i1 %v3394, label %v3396, label %v3372
-
-v3396:
-  %v3397 = load i64, ptr %v3339, align 8, !noalias !470
-  %v3398 = icmp sgt i64 %v3397, -1
-  br i1 %v3398, label %v3399, label %v3372
+  %v3394 = select i1 %v3383, i64 %v135, i64 0
+  %v3395 = add i64 %v3394, %v3376
+  %v3396 = getelementptr double, ptr %v944, i64 %v3395
+  %v3397 = load double, ptr %v3396, align 8, !noalias !463
+  %v3398 = fcmp olt double %v3397, 5.000000e-01
+  br i1 %v3398, label %v3378, label %v3399
 
 v3399:
-  %v3400 = getelementptr i64, ptr %v110, i64 %v3397
-  %v3401 = load i64, ptr %v3400, align 8, !noalias !470
-  %v3402 = icmp eq i64 %v3401, 0
-  br i1 %v3402, label %v3403, label %v3372
+  %v3400 = getelementptr double, ptr %v133, i64 %v3395
+  %v3401 = load double, ptr %v3400, align 8, !noalias !463
+  %v3402 = getelementptr double, ptr %v946, i64 %v3395
+  %v3403 = load double, ptr %v3402, align 8, !noalias !463
+  %v3404 = fcmp une double %v3401, %v3403
+  br i1 %v3404, label %v3378, label %v3405
 
-v3403:
-  store i64 3, ptr %v3400, align 8, !noalias !470
-  br label %v3372
+v3405:
+  %v3406 = getelementptr i64, ptr %v958, i64 %v3385
+  %v3407 = load i64, ptr %v3406, align 8, !noalias !466
+  %v3408 = icmp sgt i64 %v3407, 0
+  br i1 %v3408, label %v3409, label %v3410
 
-v3372:
-  br i1 %v304, label %v3404, label %v3331
+v3409:
+  %v3411 = getelementptr double, ptr %v92, i64 %v3407
+  %v3412 = getelementptr i8, ptr %v3411, i64 -8
+  %v3413 = load double, ptr %v3412, align 8, !noalias !466
+  %v3414 = getelementptr double, ptr %v133, i64 %v3376
+  %v3415 = getelementptr double, ptr %v3414, i64 %v3394
+  %v3416 = load double, ptr %v3415, align 8, !noalias !466
+  %v3417 = fcmp oeq double %v3413, %v3416
+  br label %v3410
 
-v3404:
-  %v3405 = load double, ptr %v945, align 8, !noalias !473
-  %v3406 = load double, ptr %v92, align 8, !noalias !473
-  %v3407 = fsub double %v3405, %v3406
-  %v3408 = fmul double %v3407, 1.000000e-13
-  %v3409 = load double, ptr %v133, align 8, !noalias !473
-  %v3410 = tail call double @llvm.fabs.f64(double %v3409)
-  %v3411 = fmul double %v3410, 4.000000e-15
-  %v3412 = fcmp ogt double %v3411, %v3408
-  %v3413 = select i1 %v3412, double %v3411, double %v3408
-  %v3414 = fadd double %v3409, %v3413
-  store double %v3414, ptr %v947, align 8, !noalias !483
-  %v3415 = load i64, ptr %v6, align 8, !noalias !484
-  %v3416 = inttoptr i64 %v3415 to ptr
-  tail call void %v3416(ptr nonnull %v133, ptr %v935, ptr %v165, ptr %v172, ptr %v179, ptr %v949), !noalias !484
-  br i1 %v942, label %v3417, label %v3418
+v3410:
+  %v3418 = phi i1 [ %v3417, %v3409 ], [ false, %v3405 ]
+  br i1 %v960, label %v3419, label %v3420
 
-v3417:
-  %v3419 = load i64, ptr %v954, align 8, !noalias !487
-  %v3420 = inttoptr i64 %v3419 to ptr
-  tail call void %v3420(ptr nonnull %v133, ptr %v956, ptr %v165, ptr %v172, ptr %v179, ptr %v958), !noalias !487
-  %v3421 = load i64, ptr %v954, align 8, !noalias !490
-  %v3422 = inttoptr i64 %v3421 to ptr
-  tail call void %v3422(ptr nonnull %v947, ptr %v960, ptr %v165, ptr %v172, ptr %v179, ptr %v962), !noalias !490
-  br label %v3423
+v3420:
+  %v3421 = mul i64 %v954, %v3387
+  %v3422 = select i1 %v3383, i64 %v196, i64 0
+  %v3423 = add i64 %v3422, %v3376
+  %v3424 = getelementptr double, ptr %v961, i64 %v3423
+  %v3425 = getelementptr double, ptr %v193, i64 %v3423
+  %v3426 = add nsw i64 %v3407, -1
+  %v3427 = select i1 %v3408, i64 0, i64 %v101
+  %v3428 = add i64 %v3426, %v3427
+  %v3429 = mul i64 %v3428, %v102
+  %v3430 = getelementptr double, ptr %v99, i64 %v3421
+  %v3431 = getelementptr double, ptr %v3430, i64 %v3429
+  br label %v3432
 
-v3423:
-  %v3424 = phi i64 [ %v18, %v3417 ], [ %v3425, %v3426 ]
-  %v3427 = phi i64 [ %v964, %v3417 ], [ %v3428, %v3426 ]
-  %v3429 = icmp sgt i64 %v3427, 0
-  br i1 %v3429, label %v3426, label %v3430
+v3433:
+  %v3434 = getelementptr double, ptr %v3431, i64 %v3435
+  store double %v3436, ptr %v3434, align 8, !noalias !466
+  br label %v3437
 
-v3426:
-  %v3428 = add nsw i64 %v3427, -1
-  %v3425 = add i64 %v3424, 1
-  %v3431 = icmp slt i64 %v3424, 0
-  %v3432 = select i1 %v3431, i64 %v207, i64 0
-  %v3433 = add i64 %v3432, %v3424
-  %v3434 = getelementptr double, ptr %v968, i64 %v3433
-  %v3435 = load double, ptr %v3434, align 8, !noalias !483
-  %v3436 = getelementptr double, ptr %v971, i64 %v3433
-  %v3437 = load double, ptr %v3436, align 8, !noalias !483
-  %v3438 = fsub double %v3435, %v3437
-  %v3439 = tail call double @llvm.fabs.f64(double %v3438)
-  %v3440 = getelementptr double, ptr %v973, i64 %v3433
-  %v3441 = load double, ptr %v3440, align 8, !noalias !483
-  %v3442 = tail call i1 @llvm.is.fpclass.f64(double %v3441, i32 543)
-  %v3443 = select i1 %v3442, double 0.000000e+00, double %v3441
-  %v3444 = fcmp ueq double %v3439, 0x7FF0000000000000
-  %v3445 = select i1 %v3444, double -0.000000e+00, double %v3439
-  %v3446 = fadd double %v3443, %v3445
-  %v3447 = getelementptr double, ptr %v970, i64 %v3433
-  %v3448 = load double, ptr %v3447, align 8, !noalias !483
-  %v3449 = fneg double %v3446
-  %v3450 = fcmp olt double %v3448, %v3449
-  br i1 %v3450, label %v3430, label %v3423
+v3437:
+  %v3438 = icmp eq i64 %v10, %v3439
+  br i1 %v3438, label %v3440, label %v3432
 
-v3418:
-  %v3451 = phi i64 [ %v3452, %v3418 ], [ 0, %v3404 ]
-  %v3452 = add nsw i64 %v3451, 1
-  %v3453 = mul i64 %v3451, %v196
-  %v3454 = getelementptr double, ptr %v943, i64 %v3453
-  %v3455 = load double, ptr %v3454, align 8, !noalias !483
-  %v3456 = getelementptr double, ptr %v951, i64 %v3453
-  %v3457 = load double, ptr %v3456, align 8, !noalias !483
-  %v3458 = fmul double %v3413, %v3457
-  %v3459 = fadd double %v3455, %v3458
-  %v3460 = getelementptr double, ptr %v953, i64 %v3453
-  store double %v3459, ptr %v3460, align 8, !noalias !483
-  %v3461 = icmp eq i64 %v10, %v3452
-  br i1 %v3461, label %v3417, label %v3418
+v3440:
+  %v3441 = fcmp une double %v3442, 0.000000e+00
+  br i1 %v3441, label %v3443, label %v3419
 
-v3462:
-  %v3463 = getelementptr i64, ptr %v975, i64 %v3338
-  store i64 %v3464, ptr %v3463, align 8, !noalias !493
-  %v3465 = load i64, ptr %v3339, align 8, !noalias !494
-  %v3466 = icmp sgt i64 %v3465, -1
-  br i1 %v3466, label %v3467, label %v3468
+v3443:
+  %v3444 = load i64, ptr %v3386, align 8, !noalias !470
+  %v3445 = icmp sgt i64 %v3444, -1
+  br i1 %v3445, label %v3446, label %v3419
 
-v3467:
-  %v3469 = getelementptr i64, ptr %v110, i64 %v3465
-  %v3470 = load i64, ptr %v3469, align 8, !noalias !494
-  %v3471 = icmp eq i64 %v3470, 0
-  br i1 %v3471, label %v3472, label %v3468
+v3446:
+  %v3447 = getelementptr i64, ptr %v110, i64 %v3444
+  %v3448 = load i64, ptr %v3447, align 8, !noalias !470
+  %v3449 = icmp eq i64 %v3448, 0
+  br i1 %v3449, label %v3450, label %v3419
 
-v3472:
-  store i64 4, ptr %v3469, align 8, !noalias !494
-  br label %v3468
+v3450:
+  store i64 3, ptr %v3447, align 8, !noalias !470
+  br label %v3419
 
-v3468:
-  %v3473 = load double, ptr %v3353, align 8, !noalias !493
-  store double %v3473, ptr %v3355, align 8, !noalias !493
-  %v3474 = getelementptr double, ptr %v977, i64 %v3348
-  store double 0.000000e+00, ptr %v3474, align 8, !noalias !493
-  br label %v3331
+v3419:
+  br i1 %v304, label %v3451, label %v3378
 
-v3430:
-  %v3464 = phi i64 [ %v3424, %v3426 ], [ -1, %v3423 ]
-  %v3475 = icmp sgt i64 %v3464, -1
-  br i1 %v3475, label %v3462, label %v3331
+v3451:
+  %v3452 = load double, ptr %v963, align 8, !noalias !473
+  %v3453 = load double, ptr %v92, align 8, !noalias !473
+  %v3454 = fsub double %v3452, %v3453
+  %v3455 = fmul double %v3454, 1.000000e-13
+  %v3456 = load double, ptr %v133, align 8, !noalias !473
+  %v3457 = tail call double @llvm.fabs.f64(double %v3456)
+  %v3458 = fmul double %v3457, 4.000000e-15
+  %v3459 = fcmp ogt double %v3458, %v3455
+  %v3460 = select i1 %v3459, double %v3458, double %v3455
+  %v3461 = fadd double %v3456, %v3460
+  store double %v3461, ptr %v965, align 8, !noalias !483
+  %v3462 = load i64, ptr %v6, align 8, !noalias !484
+  %v3463 = inttoptr i64 %v3462 to ptr
+  tail call void %v3463(ptr nonnull %v133, ptr %v953, ptr %v165, ptr %v172, ptr %v179, ptr %v967), !noalias !484
+  br i1 %v960, label %v3464, label %v3465
 
-v3385:
-  %v3476 = phi double [ 0.000000e+00, %v3373 ], [ %v3395, %v3390 ]
-  %v3388 = phi i64 [ 0, %v3373 ], [ %v3392, %v3390 ]
-  %v3392 = add nsw i64 %v3388, 1
-  %v3477 = mul i64 %v3388, %v196
-  %v3478 = getelementptr double, ptr %v3377, i64 %v3477
-  %v3389 = load double, ptr %v3478, align 8, !noalias !466
-  %v3479 = fmul double %v3389, 0.000000e+00
-  %v3395 = fadd double %v3476, %v3479
-  %v3480 = getelementptr double, ptr %v3378, i64 %v3477
-  store double %v3389, ptr %v3480, align 8, !noalias !466
-  br i1 %v3371, label %v3386, label %v3390
+v3464:
+  %v3466 = load i64, ptr %v972, align 8, !noalias !487
+  %v3467 = inttoptr i64 %v3466 to ptr
+  tail call void %v3467(ptr nonnull %v133, ptr %v974, ptr %v165, ptr %v172, ptr %v179, ptr %v976), !noalias !487
+  %v3468 = load i64, ptr %v972, align 8, !noalias !490
+  %v3469 = inttoptr i64 %v3468 to ptr
+  tail call void %v3469(ptr nonnull %v965, ptr %v978, ptr %v165, ptr %v172, ptr %v179, ptr %v980), !noalias !490
+  br label %v3470
 
-v3331:
-  %v3481 = icmp sgt i64 %v3332, 0
-  %v3482 = zext i1 %v3481 to i64
-  %v3335 = add i64 %v3334, %v3482
-  %v3483 = sext i1 %v3481 to i64
-  %v3333 = add nsw i64 %v3332, %v3483
-  %v3330 = select i1 %v3481, i64 %v3334, i64 0
-  br i1 %v3481, label %v3328, label %v3273
+v3470:
+  %v3471 = phi i64 [ %v18, %v3464 ], [ %v3472, %v3473 ]
+  %v3474 = phi i64 [ %v982, %v3464 ], [ %v3475, %v3473 ]
+  %v3476 = icmp sgt i64 %v3474, 0
+  br i1 %v3476, label %v3473, label %v3477
 
-v3274:
-  %v3295 = phi i1 [ %v3319, %v3281 ], [ false, %v3191 ]
-  %v3283 = phi i64 [ %v3321, %v3281 ], [ 0, %v3191 ]
-  %v3321 = add nsw i64 %v3283, 1
-  %v3484 = getelementptr i64, ptr %v142, i64 %v3283
-  %v3277 = load i64, ptr %v3484, align 8, !noalias !450
-  %v3485 = icmp slt i64 %v3277, 0
-  br i1 %v3485, label %v3281, label %v3275
+v3473:
+  %v3475 = add nsw i64 %v3474, -1
+  %v3472 = add i64 %v3471, 1
+  %v3478 = icmp slt i64 %v3471, 0
+  %v3479 = select i1 %v3478, i64 %v207, i64 0
+  %v3480 = add i64 %v3479, %v3471
+  %v3481 = getelementptr double, ptr %v986, i64 %v3480
+  %v3482 = load double, ptr %v3481, align 8, !noalias !483
+  %v3483 = getelementptr double, ptr %v989, i64 %v3480
+  %v3484 = load double, ptr %v3483, align 8, !noalias !483
+  %v3485 = fsub double %v3482, %v3484
+  %v3486 = tail call double @llvm.fabs.f64(double %v3485)
+  %v3487 = getelementptr double, ptr %v991, i64 %v3480
+  %v3488 = load double, ptr %v3487, align 8, !noalias !483
+  %v3489 = tail call i1 @llvm.is.fpclass.f64(double %v3488, i32 543)
+  %v3490 = select i1 %v3489, double 0.000000e+00, double %v3488
+  %v3491 = fcmp ueq double %v3486, 0x7FF0000000000000
+  %v3492 = select i1 %v3491, double -0.000000e+00, double %v3486
+  %v3493 = fadd double %v3490, %v3492
+  %v3494 = getelementptr double, ptr %v988, i64 %v3480
+  %v3495 = load double, ptr %v3494, align 8, !noalias !483
+  %v3496 = fneg double %v3493
+  %v3497 = fcmp olt double %v3495, %v3496
+  br i1 %v3497, label %v3477, label %v3470
 
-v3273:
-  %v3486 = xor i1 %v1307, true
-  %v3487 = or i1 %v307, %v3486
-  %v3488 = select i1 %v1307, i64 0, i64 %v1077
-  br i1 %v3487, label %v1076, label %v3489
+v3465:
+  %v3498 = phi i64 [ %v3499, %v3465 ], [ 0, %v3451 ]
+  %v3499 = add nsw i64 %v3498, 1
+  %v3500 = mul i64 %v3498, %v196
+  %v3501 = getelementptr double, ptr %v961, i64 %v3500
+  %v3502 = load double, ptr %v3501, align 8, !noalias !483
+  %v3503 = getelementptr double, ptr %v969, i64 %v3500
+  %v3504 = load double, ptr %v3503, align 8, !noalias !483
+  %v3505 = fmul double %v3460, %v3504
+  %v3506 = fadd double %v3502, %v3505
+  %v3507 = getelementptr double, ptr %v971, i64 %v3500
+  store double %v3506, ptr %v3507, align 8, !noalias !483
+  %v3508 = icmp eq i64 %v10, %v3499
+  br i1 %v3508, label %v3464, label %v3465
 
-v3490:
-  %v3491 = mul i64 %v3492, %v126
-  %v3493 = getelementptr i64, ptr %v124, i64 %v3491
-  %v3494 = load i64, ptr %v3493, align 8, !noalias !497
-  %v3495 = getelementptr i8, ptr %v3493, i64 24
-  %v3496 = load i64, ptr %v3495, align 8, !noalias !497
-  %v3497 = add i64 %v3494, %v3496
-  %v3498 = sub i64 %v298, %v3497
-  %v3499 = icmp slt i64 %v3498, 1
-  br i1 %v3499, label %v3500, label %v3501
+v3509:
+  %v3510 = getelementptr i64, ptr %v993, i64 %v3385
+  store i64 %v3511, ptr %v3510, align 8, !noalias !493
+  %v3512 = load i64, ptr %v3386, align 8, !noalias !494
+  %v3513 = icmp sgt i64 %v3512, -1
+  br i1 %v3513, label %v3514, label %v3515
 
-v3500:
-  %v3502 = getelementptr i64, ptr %v110, i64 %v3492
-  %v3503 = load i64, ptr %v3502, align 8, !noalias !501
-  %v3504 = icmp eq i64 %v3503, 0
-  br i1 %v3504, label %v3505, label %v3501
+v3514:
+  %v3516 = getelementptr i64, ptr %v110, i64 %v3512
+  %v3517 = load i64, ptr %v3516, align 8, !noalias !494
+  %v3518 = icmp eq i64 %v3517, 0
+  br i1 %v3518, label %v3519, label %v3515
 
-v3505:
-  store i64 5, ptr %v3502, align 8, !noalias !501
-  br label %v3501
+v3519:
+  store i64 4, ptr %v3516, align 8, !noalias !494
+  br label %v3515
 
-v3501:
-  %v3506 = getelementptr double, ptr %v979, i64 %v3507
-  %v3508 = load double, ptr %v3506, align 8, !noalias !497
-  %v3509 = fcmp ogt double %v3508, 5.000000e-01
-  br i1 %v3509, label %v3510, label %v3511
+v3515:
+  %v3520 = load double, ptr %v3400, align 8, !noalias !493
+  store double %v3520, ptr %v3402, align 8, !noalias !493
+  %v3521 = getelementptr double, ptr %v995, i64 %v3395
+  store double 0.000000e+00, ptr %v3521, align 8, !noalias !493
+  br label %v3378
 
-v3510:
-  %v3512 = getelementptr double, ptr %v133, i64 %v3507
-  %v3513 = load double, ptr %v3512, align 8, !noalias !497
-  %v3514 = getelementptr double, ptr %v981, i64 %v3507
-  %v3515 = load double, ptr %v3514, align 8, !noalias !497
-  %v3516 = fcmp oeq double %v3513, %v3515
-  br i1 %v3516, label %v3517, label %v3511
+v3477:
+  %v3511 = phi i64 [ %v3471, %v3473 ], [ -1, %v3470 ]
+  %v3522 = icmp sgt i64 %v3511, -1
+  br i1 %v3522, label %v3509, label %v3378
 
-v3517:
-  %v3518 = getelementptr i64, ptr %v982, i64 %v3507
-  %v3519 = load i64, ptr %v3518, align 8, !noalias !504
-  %v3520 = add nsw i64 %v3519, 1
-  store i64 %v3520, ptr %v3518, align 8, !noalias !504
-  %v3521 = icmp slt i64 %v3519, -1
-  %v3522 = select i1 %v3521, i64 %v70, i64 0
-  %v3523 = getelementptr double, ptr %v69, i64 %v3520
-  %v3524 = getelementptr double, ptr %v3523, i64 %v3522
-  %v3525 = load double, ptr %v3524, align 8, !noalias !504
-  %v3526 = fcmp oeq double %v3525, 0x7FF0000000000000
-  br i1 %v3526, label %v3527, label %v3528
+v3432:
+  %v3523 = phi double [ 0.000000e+00, %v3420 ], [ %v3442, %v3437 ]
+  %v3435 = phi i64 [ 0, %v3420 ], [ %v3439, %v3437 ]
+  %v3439 = add nsw i64 %v3435, 1
+  %v3524 = mul i64 %v3435, %v196
+  %v3525 = getelementptr double, ptr %v3424, i64 %v3524
+  %v3436 = load double, ptr %v3525, align 8, !noalias !466
+  %v3526 = fmul double %v3436, 0.000000e+00
+  %v3442 = fadd double %v3523, %v3526
+  %v3527 = getelementptr double, ptr %v3425, i64 %v3524
+  store double %v3436, ptr %v3527, align 8, !noalias !466
+  br i1 %v3418, label %v3433, label %v3437
 
-v3527:
-  %v3529 = load i64, ptr %v3530, align 8, !noalias !504
-  %v3531 = icmp slt i64 %v3529, 0
-  %v3532 = select i1 %v3531, i64 %v111, i64 0
-  %v3533 = getelementptr i64, ptr %v110, i64 %v3529
-  %v3534 = getelementptr i64, ptr %v3533, i64 %v3532
-  %v3535 = load i64, ptr %v3534, align 8, !noalias !504
-  %v3536 = icmp eq i64 %v3535, 0
-  br i1 %v3536, label %v3537, label %v3511
+v3378:
+  %v3528 = icmp sgt i64 %v3379, 0
+  %v3529 = zext i1 %v3528 to i64
+  %v3382 = add i64 %v3381, %v3529
+  %v3530 = sext i1 %v3528 to i64
+  %v3380 = add nsw i64 %v3379, %v3530
+  %v3377 = select i1 %v3528, i64 %v3381, i64 0
+  br i1 %v3528, label %v3375, label %v3320
 
-v3537:
-  store i64 1, ptr %v3534, align 8, !noalias !504
-  br label %v3511
+v3321:
+  %v3342 = phi i1 [ %v3366, %v3328 ], [ false, %v3238 ]
+  %v3330 = phi i64 [ %v3368, %v3328 ], [ 0, %v3238 ]
+  %v3368 = add nsw i64 %v3330, 1
+  %v3531 = getelementptr i64, ptr %v142, i64 %v3330
+  %v3324 = load i64, ptr %v3531, align 8, !noalias !450
+  %v3532 = icmp slt i64 %v3324, 0
+  br i1 %v3532, label %v3328, label %v3322
 
-v3528:
-  store double %v3525, ptr %v3514, align 8, !noalias !504
-  %v3538 = select i1 %v3521, i64 %v86, i64 0
-  %v3539 = getelementptr i64, ptr %v85, i64 %v3520
-  %v3540 = getelementptr i64, ptr %v3539, i64 %v3538
-  %v3541 = load i64, ptr %v3540, align 8, !noalias !504
-  %v3542 = icmp eq i64 %v3541, 0
-  br i1 %v3542, label %v3543, label %v3544
+v3320:
+  %v3533 = xor i1 %v1354, true
+  %v3534 = or i1 %v307, %v3533
+  %v3535 = select i1 %v1354, i64 0, i64 %v1124
+  br i1 %v3534, label %v1123, label %v3536
 
-v3543:
-  %v3545 = getelementptr double, ptr %v986, i64 %v3507
-  store double 1.000000e+00, ptr %v3545, align 8, !noalias !504
-  br label %v3546
-
-v3544:
-  %v3547 = getelementptr double, ptr %v984, i64 %v3507
-  %v3548 = load double, ptr %v3547, align 8, !noalias !504
-  %v3549 = fcmp olt double %v3548, 2.500000e-01
-  %v3550 = select i1 %v3549, double 2.500000e-01, double %v3548
-  store double %v3550, ptr %v3547, align 8, !noalias !504
-  %v3551 = load i64, ptr %v496, align 8, !noalias !504
-  %v3552 = tail call i64 @llvm.smax.i64(i64 %v3551, i64 1)
-  br label %v3546
-
-v3546:
-  %v3553 = phi i64 [ %v3552, %v3544 ], [ 2, %v3543 ]
-  store i64 %v3553, ptr %v496, align 8, !noalias !504
-  br i1 %v987, label %v3511, label %v3554
+v3536:
+  %v3537 = phi i64 [ %v3538, %v3539 ], [ 0, %v3320 ]
+  %v3540 = phi i64 [ %v3541, %v3539 ], [ %v999, %v3320 ]
+  %v3542 = phi i64 [ %v3543, %v3539 ], [ %v998, %v3320 ]
+  %v3544 = phi i1 [ %v3545, %v3539 ], [ false, %v3320 ]
+  %v3546 = phi i64 [ %v3547, %v3539 ], [ 0, %v3320 ]
+  %v3548 = icmp slt i64 %v3537, 0
+  %v3549 = select i1 %v3548, i64 %v144, i64 0
+  %v3550 = add i64 %v3549, %v3537
+  %v3551 = getelementptr i64, ptr %v142, i64 %v3550
+  %v3552 = load i64, ptr %v3551, align 8, !noalias !497
+  %v3553 = icmp slt i64 %v3552, 0
+  br i1 %v3553, label %v3539, label %v3554
 
 v3554:
-  %v3555 = select i1 %v3521, i64 %v77, i64 0
-  %v3556 = add i64 %v3555, %v3520
-  %v3557 = mul i64 %v3556, %v78
-  %v3558 = getelementptr double, ptr %v76, i64 %v3557
-  br label %v3559
+  %v3555 = mul i64 %v3552, %v126
+  %v3556 = getelementptr i64, ptr %v124, i64 %v3555
+  %v3557 = load i64, ptr %v3556, align 8, !noalias !497
+  %v3558 = getelementptr i8, ptr %v3556, i64 24
+  %v3559 = load i64, ptr %v3558, align 8, !noalias !497
+  %v3560 = add nsw i64 %v3559, %v3557
+  %v3561 = icmp slt i64 %v3560, %v298
+  br i1 %v3561, label %v3562, label %v3563
 
-v3559:
-  %v3560 = phi i64 [ 0, %v3554 ], [ %v3561, %v3559 ]
-  %v3561 = add nsw i64 %v3560, 1
-  %v3562 = getelementptr double, ptr %v3558, i64 %v3560
-  %v3563 = load double, ptr %v3562, align 8, !noalias !508
-  %v3564 = getelementptr i64, ptr %v62, i64 %v3560
-  %v3565 = load i64, ptr %v3564, align 8, !noalias !508
-  %v3566 = mul nsw i64 %v3565, %v9
-  %v3567 = add nsw i64 %v3566, %v3507
-  %v3568 = icmp slt i64 %v3567, 0
-  %v3569 = select i1 %v3568, i64 %v166, i64 0
-  %v3570 = getelementptr double, ptr %v165, i64 %v3567
-  %v3571 = getelementptr double, ptr %v3570, i64 %v3569
-  store double %v3563, ptr %v3571, align 8, !noalias !508
-  %v3572 = icmp eq i64 %v63, %v3561
-  br i1 %v3572, label %v3511, label %v3559
+v3563:
+  %v3564 = getelementptr i64, ptr %v110, i64 %v3552
+  %v3565 = load i64, ptr %v3564, align 8, !noalias !501
+  %v3566 = icmp eq i64 %v3565, 0
+  br i1 %v3566, label %v3567, label %v3568
 
-v3511:
-  %v3573 = getelementptr i64, ptr %v110, i64 %v3492
-  %v3574 = load i64, ptr %v3573, align 8, !noalias !497
-  %v3575 = icmp eq i64 %v3574, 0
-  br i1 %v3575, label %v3576, label %v3577
+v3567:
+  store i64 5, ptr %v3564, align 8, !noalias !501
+  br label %v3568
+
+v3562:
+  %v3569 = select i1 %v3548, i64 %v135, i64 0
+  %v3570 = add i64 %v3569, %v3537
+  %v3571 = getelementptr double, ptr %v1001, i64 %v3570
+  %v3572 = load double, ptr %v3571, align 8, !noalias !504
+  %v3573 = sitofp i64 %v3560 to double
+  %v3574 = fcmp ogt double %v3572, %v3573
+  br i1 %v3574, label %v3568, label %v3575
+
+v3575:
+  br i1 %v1002, label %v3576, label %v3577
 
 v3577:
-  %v3578 = getelementptr i64, ptr %v989, i64 %v3507
-  %v3579 = load i64, ptr %v3578, align 8, !noalias !497
-  %v3580 = getelementptr i64, ptr %v117, i64 %v3492
-  store i64 %v3579, ptr %v3580, align 8, !noalias !497
-  store i64 -1, ptr %v3530, align 8, !noalias !497
-  %v3581 = getelementptr double, ptr %v991, i64 %v3507
-  store double 0.000000e+00, ptr %v3581, align 8, !noalias !512
-  %v3582 = load i64, ptr %v151, align 8, !noalias !512
-  %v3583 = load i64, ptr %v992, align 8, !noalias !512
-  %v3584 = icmp eq i64 %v3582, %v3583
-  br i1 %v3584, label %v3585, label %v3586
-
-v3586:
-  %v3587 = add nsw i64 %v3582, 1
-  store i64 %v3587, ptr %v151, align 8, !noalias !512
-  store i64 2, ptr %v496, align 8, !noalias !512
-  store i64 %v3582, ptr %v3530, align 8, !noalias !512
-  %v3588 = icmp slt i64 %v3582, 0
-  %v3589 = select i1 %v3588, i64 %v49, i64 0
-  %v3590 = getelementptr i64, ptr %v48, i64 %v3582
-  %v3591 = getelementptr i64, ptr %v3590, i64 %v3589
-  %v3592 = load i64, ptr %v3591, align 8, !noalias !512
-  %v3593 = icmp slt i64 %v3592, 0
-  %v3594 = select i1 %v3593, i64 %v56, i64 0
-  %v3595 = getelementptr i64, ptr %v55, i64 %v3592
-  %v3596 = getelementptr i64, ptr %v3595, i64 %v3594
-  %v3597 = load i64, ptr %v3596, align 8, !noalias !512
-  %v3598 = getelementptr i64, ptr %v993, i64 %v3507
-  store i64 %v3597, ptr %v3598, align 8, !noalias !512
-  store i64 1, ptr %v3578, align 8, !noalias !512
-  %v3599 = getelementptr i64, ptr %v995, i64 %v3507
-  store i64 0, ptr %v3599, align 8, !noalias !512
-  br i1 %v996, label %v3600, label %v3601
-
-v3601:
-  %v3602 = select i1 %v3588, i64 %v40, i64 0
-  %v3603 = add i64 %v3602, %v3582
-  %v3604 = mul i64 %v3603, %v41
-  %v3605 = getelementptr double, ptr %v39, i64 %v3604
-  %v3606 = getelementptr double, ptr %v165, i64 %v3507
-  br label %v3607
-
-v3600:
-  br i1 %v997, label %v3608, label %v3609
-
-v3609:
-  %v3610 = load i64, ptr %v3598, align 8, !noalias !512
-  %v3611 = icmp slt i64 %v3610, 0
-  %v3612 = select i1 %v3611, i64 %v77, i64 0
-  %v3613 = add i64 %v3612, %v3610
-  %v3614 = mul i64 %v3613, %v78
-  %v3615 = getelementptr double, ptr %v76, i64 %v3614
-  br label %v3616
-
-v3616:
-  %v3617 = phi i64 [ 0, %v3609 ], [ %v3618, %v3616 ]
-  %v3618 = add nsw i64 %v3617, 1
-  %v3619 = getelementptr double, ptr %v3615, i64 %v3617
-  %v3620 = load double, ptr %v3619, align 8, !noalias !515
-  %v3621 = getelementptr i64, ptr %v62, i64 %v3617
-  %v3622 = load i64, ptr %v3621, align 8, !noalias !515
-  %v3623 = mul nsw i64 %v3622, %v9
-  %v3624 = add nsw i64 %v3623, %v3507
-  %v3625 = icmp slt i64 %v3624, 0
-  %v3626 = select i1 %v3625, i64 %v166, i64 0
-  %v3627 = getelementptr double, ptr %v165, i64 %v3624
-  %v3628 = getelementptr double, ptr %v3627, i64 %v3626
-  store double %v3620, ptr %v3628, align 8, !noalias !515
-  %v3629 = icmp eq i64 %v3618, %v63
-  br i1 %v3629, label %v3608, label %v3616
-
-v3630:
-  %v3631 = getelementptr double, ptr %v133, i64 %v3507
-  %v3632 = getelementptr double, ptr %v1000, i64 %v3507
-  %v3633 = load double, ptr %v3632, align 8, !noalias !519
-  %v3634 = getelementptr double, ptr %v1002, i64 %v3507
-  %v3635 = load double, ptr %v3634, align 8, !noalias !519
-  %v3636 = getelementptr double, ptr %v1004, i64 %v3507
-  %v3637 = load double, ptr %v3636, align 8, !noalias !519
-  store double 0.000000e+00, ptr %v3631, align 8, !noalias !519
-  %v3638 = getelementptr double, ptr %v3631, i64 %v135
-  store double 0.000000e+00, ptr %v3638, align 8, !noalias !519
-  %v3639 = getelementptr i8, ptr %v3631, i64 %v1005
-  store double 0.000000e+00, ptr %v3639, align 8, !noalias !519
-  %v3640 = getelementptr i8, ptr %v3631, i64 %v990
-  store double 0.000000e+00, ptr %v3640, align 8, !noalias !519
-  %v3641 = getelementptr i8, ptr %v3631, i64 %v1006
-  store double 0.000000e+00, ptr %v3641, align 8, !noalias !519
-  %v3642 = getelementptr i8, ptr %v3631, i64 %v978
-  store double 0.000000e+00, ptr %v3642, align 8, !noalias !519
-  %v3643 = getelementptr i8, ptr %v3631, i64 %v1007
-  store double 0.000000e+00, ptr %v3643, align 8, !noalias !519
-  %v3644 = getelementptr i8, ptr %v3631, i64 %v1008
-  store double 0.000000e+00, ptr %v3644, align 8, !noalias !519
-  %v3645 = getelementptr i8, ptr %v3631, i64 %v1009
-  store double 0.000000e+00, ptr %v3645, align 8, !noalias !519
-  %v3646 = getelementptr i8, ptr %v3631, i64 %v1010
-  store double 0.000000e+00, ptr %v3646, align 8, !noalias !519
-  %v3647 = getelementptr i8, ptr %v3631, i64 %v1011
-  store double 0.000000e+00, ptr %v3647, align 8, !noalias !519
-  %v3648 = getelementptr i8, ptr %v3631, i64 %v1012
-  store double 0.000000e+00, ptr %v3648, align 8, !noalias !519
-  %v3649 = getelementptr i8, ptr %v3631, i64 %v1013
-  store double 0.000000e+00, ptr %v3649, align 8, !noalias !519
-  %v3650 = getelementptr i8, ptr %v3631, i64 %v1014
-  store double 0.000000e+00, ptr %v3650, align 8, !noalias !519
-  %v3651 = getelementptr i8, ptr %v3631, i64 %v1015
-  store double 0.000000e+00, ptr %v3651, align 8, !noalias !519
-  %v3652 = getelementptr i8, ptr %v3631, i64 %v1016
-  store double 0.000000e+00, ptr %v3652, align 8, !noalias !519
-  %v3653 = getelementptr i8, ptr %v3631, i64 %v1017
-  store double 0.000000e+00, ptr %v3653, align 8, !noalias !519
-  %v3654 = getelementptr i8, ptr %v3631, i64 %v1018
-  store double 0.000000e+00, ptr %v3654, align 8, !noalias !519
-  %v3655 = getelementptr i8, ptr %v3631, i64 %v999
-  store double 0.000000e+00, ptr %v3655, align 8, !noalias !519
-  %v3656 = getelementptr i8, ptr %v3631, i64 %v1019
-  store double 0.000000e+00, ptr %v3656, align 8, !noalias !519
-  %v3657 = getelementptr i8, ptr %v3631, i64 %v1020
-  store double 0.000000e+00, ptr %v3657, align 8, !noalias !519
-  %v3658 = getelementptr i8, ptr %v3631, i64 %v1021
-  store double 0.000000e+00, ptr %v3658, align 8, !noalias !519
-  %v3659 = getelementptr i8, ptr %v3631, i64 %v1022
-  store double 0.000000e+00, ptr %v3659, align 8, !noalias !519
-  %v3660 = getelementptr i8, ptr %v3631, i64 %v1023
-  store double 0.000000e+00, ptr %v3660, align 8, !noalias !519
-  %v3661 = getelementptr i8, ptr %v3631, i64 %v1024
-  store double 0.000000e+00, ptr %v3661, align 8, !noalias !519
-  %v3662 = getelementptr i8, ptr %v3631, i64 %v1025
-  store double 0.000000e+00, ptr %v3662, align 8, !noalias !519
-  %v3663 = getelementptr i8, ptr %v3631, i64 %v1026
-  store double 0.000000e+00, ptr %v3663, align 8, !noalias !519
-  %v3664 = getelementptr i8, ptr %v3631, i64 %v1027
-  store double 0.000000e+00, ptr %v3664, align 8, !noalias !519
-  %v3665 = getelementptr i8, ptr %v3631, i64 %v1028
-  store double 0.000000e+00, ptr %v3665, align 8, !noalias !519
-  %v3666 = getelementptr i8, ptr %v3631, i64 %v1003
-  store double 0.000000e+00, ptr %v3666, align 8, !noalias !519
-  %v3667 = getelementptr i8, ptr %v3631, i64 %v1001
-  store double 0.000000e+00, ptr %v3667, align 8, !noalias !519
-  %v3668 = fcmp oeq double %v3637, 0xFFF0000000000000
-  %v3669 = select i1 %v3668, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v3669, ptr %v3636, align 8, !noalias !519
-  store double %v3635, ptr %v3634, align 8, !noalias !519
-  store double %v3633, ptr %v3632, align 8, !noalias !519
-  store double 1.000000e+00, ptr %v3581, align 8, !noalias !519
-  %v3670 = getelementptr double, ptr %v1029, i64 %v3507
-  store double 0xFFF0000000000000, ptr %v3670, align 8, !noalias !519
-  %v3671 = getelementptr double, ptr %v1030, i64 %v3507
-  store double 0x7FF0000000000000, ptr %v3671, align 8, !noalias !519
-  %v3672 = load double, ptr %v92, align 8, !noalias !512
-  store double %v3672, ptr %v3631, align 8, !noalias !512
-  %v3673 = load i64, ptr %v3598, align 8, !noalias !512
-  %v3674 = icmp slt i64 %v3673, 0
-  %v3675 = select i1 %v3674, i64 %v70, i64 0
-  %v3676 = getelementptr double, ptr %v69, i64 %v3673
-  %v3677 = getelementptr double, ptr %v3676, i64 %v3675
-  %v3678 = load double, ptr %v3677, align 8, !noalias !512
-  %v3679 = getelementptr double, ptr %v1031, i64 %v3507
-  store double %v3678, ptr %v3679, align 8, !noalias !512
-  br label %v3585
-
-v3607:
-  %v3680 = phi i64 [ 0, %v3601 ], [ %v3681, %v3607 ]
-  %v3681 = add nsw i64 %v3680, 1
-  %v3682 = getelementptr double, ptr %v3605, i64 %v3680
-  %v3683 = load double, ptr %v3682, align 8, !noalias !512
-  %v3684 = mul nsw i64 %v3680, %v9
-  %v3685 = getelementptr double, ptr %v3606, i64 %v3684
-  store double %v3683, ptr %v3685, align 8, !noalias !512
-  %v3686 = icmp eq i64 %v3681, %v41
-  br i1 %v3686, label %v3600, label %v3607
-
-v3608:
-  br i1 %v998, label %v3630, label %v3687
-
-v3687:
-  %v3688 = getelementptr double, ptr %v193, i64 %v3507
-  %v3689 = select i1 %v3588, i64 %v31, i64 0
-  %v3690 = add i64 %v3689, %v3582
-  %v3691 = mul i64 %v3690, %v32
-  %v3692 = getelementptr double, ptr %v30, i64 %v3691
-  br label %v3693
-
-v3693:
-  %v3694 = phi i64 [ 0, %v3687 ], [ %v3695, %v3693 ]
-  %v3695 = add nsw i64 %v3694, 1
-  %v3696 = getelementptr double, ptr %v3692, i64 %v3694
-  %v3697 = load double, ptr %v3696, align 8, !noalias !512
-  %v3698 = mul i64 %v3694, %v196
-  %v3699 = getelementptr double, ptr %v3688, i64 %v3698
-  store double %v3697, ptr %v3699, align 8, !noalias !512
-  %v3700 = icmp eq i64 %v3695, %v10
-  br i1 %v3700, label %v3630, label %v3693
+  %v3578 = getelementptr double, ptr %v193, i64 %v3537
+  %v3579 = select i1 %v3548, i64 %v196, i64 0
+  %v3580 = getelementptr double, ptr %v3578, i64 %v3579
+  br label %v3581
 
 v3576:
-  %v3701 = getelementptr double, ptr %v1033, i64 %v3507
-  %v3702 = load double, ptr %v3701, align 8, !noalias !497
-  %v3703 = fcmp ult double %v3702, 1.500000e+01
-  br i1 %v3703, label %v3585, label %v3704
+  %v3582 = phi double [ 0.000000e+00, %v3575 ], [ %v3583, %v3581 ]
+  %v3584 = getelementptr double, ptr %v133, i64 %v3570
+  %v3585 = load double, ptr %v3584, align 8, !noalias !504
+  %v3586 = getelementptr double, ptr %v1004, i64 %v3570
+  %v3587 = load double, ptr %v3586, align 8, !noalias !504
+  %v3588 = fsub double %v3585, %v3587
+  %v3589 = getelementptr double, ptr %v1006, i64 %v3570
+  %v3590 = load double, ptr %v3589, align 8, !noalias !504
+  %v3591 = fadd double %v3590, 1.000000e+00
+  store double %v3591, ptr %v3589, align 8, !noalias !504
+  %v3592 = getelementptr double, ptr %v1008, i64 %v3570
+  %v3593 = load double, ptr %v3592, align 8, !noalias !504
+  %v3594 = fmul double %v3593, 1.250000e+00
+  %v3595 = fcmp ogt double %v3588, %v3594
+  br i1 %v3595, label %v3596, label %v3597
 
-v3704:
-  %v3705 = load double, ptr %v1035, align 8, !noalias !497
-  %v3706 = getelementptr double, ptr %v133, i64 %v3507
-  %v3707 = load double, ptr %v3706, align 8, !noalias !497
-  %v3708 = fsub double %v3705, %v3707
-  %v3709 = getelementptr double, ptr %v1036, i64 %v3507
-  %v3710 = load double, ptr %v3709, align 8, !noalias !497
-  %v3711 = fmul double %v3710, 2.500000e+02
-  %v3712 = fcmp ogt double %v3708, %v3711
-  br i1 %v3712, label %v3585, label %v3713
+v3596:
+  store double 0.000000e+00, ptr %v3589, align 8, !noalias !504
+  %v3598 = getelementptr double, ptr %v1010, i64 %v3570
+  store double %v3582, ptr %v3598, align 8, !noalias !504
+  br label %v3597
 
-v3713:
-  store double 0.000000e+00, ptr %v3701, align 8, !noalias !497
-  br label %v3585
+v3597:
+  %v3599 = load double, ptr %v3584, align 8, !noalias !504
+  store double %v3599, ptr %v3586, align 8, !noalias !504
+  store double %v3588, ptr %v3592, align 8, !noalias !504
+  %v3600 = fmul double %v3573, 2.000000e+00
+  store double %v3600, ptr %v3571, align 8, !noalias !504
+  %v3601 = getelementptr double, ptr %v1012, i64 %v3570
+  %v3602 = load double, ptr %v3601, align 8, !noalias !504
+  %v3603 = load double, ptr %v3584, align 8, !noalias !504
+  %v3604 = fsub double %v3602, %v3603
+  %v3605 = fmul double %v3588, 2.000000e+00
+  %v3606 = sub nsw i64 %v298, %v3560
+  %v3607 = sitofp i64 %v3606 to double
+  %v3608 = fmul double %v3605, %v3607
+  %v3609 = fmul double %v3604, %v3573
+  %v3610 = fcmp olt double %v3608, %v3609
+  br i1 %v3610, label %v3611, label %v3568
 
-v3585:
-  %v3714 = phi i1 [ %v3715, %v3576 ], [ true, %v3704 ], [ %v3715, %v3713 ], [ %v3715, %v3577 ], [ %v3715, %v3630 ]
-  %v3716 = load i64, ptr %v3530, align 8, !noalias !497
-  %v3717 = icmp sgt i64 %v3716, -1
-  br i1 %v3717, label %v3718, label %v3719
+v3611:
+  %v3612 = getelementptr double, ptr %v1014, i64 %v3570
+  %v3613 = load double, ptr %v3612, align 8, !noalias !504
+  %v3614 = fmul double %v3613, 2.000000e+00
+  %v3615 = fcmp ogt double %v3582, %v3614
+  br i1 %v3615, label %v3616, label %v3568
 
-v3718:
-  %v3720 = add nsw i64 %v3721, 1
-  %v3722 = getelementptr double, ptr %v1038, i64 %v3507
-  %v3723 = load double, ptr %v3722, align 8, !noalias !497
-  %v3724 = fcmp ogt double %v3723, 0.000000e+00
-  br i1 %v3724, label %v3725, label %v3726
+v3616:
+  %v3617 = load double, ptr %v3589, align 8, !noalias !504
+  %v3618 = fcmp ult double %v3617, 5.000000e+00
+  br i1 %v3618, label %v3568, label %v3619
 
-v3726:
-  %v3727 = mul i64 %v3716, %v126
-  %v3728 = getelementptr i64, ptr %v124, i64 %v3727
-  %v3729 = load i64, ptr %v3728, align 8, !noalias !497
-  %v3730 = and i64 %v3729, 127
-  %v3731 = sub nsw i64 128, %v3730
-  %v3732 = tail call i64 @llvm.smin.i64(i64 %v3731, i64 %v3498)
-  %v3733 = sitofp i64 %v3732 to double
-  br label %v3725
+v3581:
+  %v3620 = phi double [ 0.000000e+00, %v3577 ], [ %v3583, %v3581 ]
+  %v3621 = phi i64 [ 0, %v3577 ], [ %v3622, %v3581 ]
+  %v3622 = add nsw i64 %v3621, 1
+  %v3623 = mul i64 %v3621, %v196
+  %v3624 = getelementptr double, ptr %v3580, i64 %v3623
+  %v3625 = load double, ptr %v3624, align 8, !noalias !504
+  %v3626 = tail call double @llvm.fabs.f64(double %v3625)
+  %v3627 = fcmp ogt double %v3626, %v3620
+  %v3583 = select i1 %v3627, double %v3626, double %v3620
+  %v3628 = icmp eq i64 %v10, %v3622
+  br i1 %v3628, label %v3576, label %v3581
 
-v3725:
-  %v3734 = phi double [ %v3733, %v3726 ], [ 1.000000e+00, %v3718 ]
-  %v3735 = getelementptr double, ptr %v1040, i64 %v3507
-  store double %v3734, ptr %v3735, align 8, !noalias !497
-  %v3736 = getelementptr double, ptr %v1042, i64 %v3507
-  %v3737 = load double, ptr %v3736, align 8, !noalias !523
-  %v3738 = getelementptr double, ptr %v1044, i64 %v3507
-  store double %v3737, ptr %v3738, align 8, !noalias !523
-  %v3739 = getelementptr i64, ptr %v1046, i64 %v3507
-  %v3740 = load i64, ptr %v3739, align 8, !noalias !523
-  %v3741 = icmp slt i64 %v3740, %v93
-  br i1 %v3741, label %v3742, label %v3719
+v3619:
+  %v3629 = load i64, ptr %v3551, align 8, !noalias !508
+  %v3630 = icmp sgt i64 %v3629, -1
+  br i1 %v3630, label %v3631, label %v3568
 
-v3742:
-  %v3743 = icmp slt i64 %v3740, 0
-  %v3744 = select i1 %v3743, i64 %v93, i64 0
-  %v3745 = getelementptr double, ptr %v92, i64 %v3740
-  %v3746 = getelementptr double, ptr %v3745, i64 %v3744
-  %v3747 = load double, ptr %v3746, align 8, !noalias !523
-  %v3748 = load double, ptr %v3736, align 8, !noalias !523
-  %v3749 = fcmp olt double %v3748, %v3747
-  %v3750 = select i1 %v3749, double %v3748, double %v3747
-  store double %v3750, ptr %v3738, align 8, !noalias !523
-  br label %v3719
+v3631:
+  %v3632 = getelementptr i64, ptr %v110, i64 %v3629
+  %v3633 = load i64, ptr %v3632, align 8, !noalias !508
+  %v3634 = icmp eq i64 %v3633, 0
+  br i1 %v3634, label %v3635, label %v3568
 
-v3719:
-  %v3751 = phi i64 [ %v3721, %v3489 ], [ %v3721, %v3585 ], [ %v3720, %v3725 ], [ %v3720, %v3742 ]
-  %v3752 = phi i1 [ %v3715, %v3489 ], [ %v3714, %v3585 ], [ %v3714, %v3725 ], [ %v3714, %v3742 ]
-  %v3753 = icmp sgt i64 %v3754, 1
-  br i1 %v3753, label %v3489, label %v3755
+v3635:
+  store i64 8, ptr %v3632, align 8, !noalias !508
+  br label %v3568
 
-v3489:
-  %v3715 = phi i1 [ %v3752, %v3719 ], [ false, %v3273 ]
-  %v3721 = phi i64 [ %v3751, %v3719 ], [ 0, %v3273 ]
-  %v3507 = phi i64 [ %v3756, %v3719 ], [ 0, %v3273 ]
-  %v3754 = phi i64 [ %v3757, %v3719 ], [ %v308, %v3273 ]
-  %v3757 = add nsw i64 %v3754, -1
-  %v3756 = add nsw i64 %v3507, 1
-  %v3530 = getelementptr i64, ptr %v142, i64 %v3507
-  %v3492 = load i64, ptr %v3530, align 8, !noalias !497
-  %v3758 = icmp slt i64 %v3492, 0
-  br i1 %v3758, label %v3719, label %v3490
+v3568:
+  %v3636 = select i1 %v3548, i64 %v135, i64 0
+  %v3637 = add i64 %v3636, %v3537
+  %v3638 = getelementptr double, ptr %v1016, i64 %v3637
+  %v3639 = load double, ptr %v3638, align 8, !noalias !497
+  %v3640 = fcmp ogt double %v3639, 5.000000e-01
+  br i1 %v3640, label %v3641, label %v3642
 
-v1076:
-  %v1075 = phi i64 [ %v1079, %v3273 ], [ %v3759, %v3755 ]
-  %v1078 = phi i64 [ %v3488, %v3273 ], [ %v3751, %v3755 ]
-  %v3760 = icmp sgt i64 %v1078, 0
-  %v3761 = icmp sgt i64 %v1075, 0
-  %v3762 = select i1 %v3760, i1 %v3761, i1 false
-  br i1 %v3762, label %v1073, label %v495
+v3641:
+  %v3643 = getelementptr double, ptr %v133, i64 %v3637
+  %v3644 = load double, ptr %v3643, align 8, !noalias !497
+  %v3645 = getelementptr double, ptr %v1018, i64 %v3637
+  %v3646 = load double, ptr %v3645, align 8, !noalias !497
+  %v3647 = fcmp oeq double %v3644, %v3646
+  br i1 %v3647, label %v3648, label %v3642
 
-v495:
-  %v3763 = phi i64 [ %v490, %v309 ], [ %v1078, %v1076 ]
-  br i1 %v307, label %v3764, label %v3765
+v3648:
+  %v3649 = getelementptr i64, ptr %v1019, i64 %v3550
+  %v3650 = load i64, ptr %v3649, align 8, !noalias !511
+  %v3651 = add nsw i64 %v3650, 1
+  store i64 %v3651, ptr %v3649, align 8, !noalias !511
+  %v3652 = icmp slt i64 %v3650, -1
+  %v3653 = select i1 %v3652, i64 %v70, i64 0
+  %v3654 = getelementptr double, ptr %v69, i64 %v3651
+  %v3655 = getelementptr double, ptr %v3654, i64 %v3653
+  %v3656 = load double, ptr %v3655, align 8, !noalias !511
+  %v3657 = fcmp oeq double %v3656, 0x7FF0000000000000
+  br i1 %v3657, label %v3658, label %v3659
 
-v3765:
-  %v3766 = mul i64 %v135, 192
-  %v3767 = getelementptr i8, ptr %v133, i64 %v3766
-  %v3768 = mul i64 %v135, 200
-  %v3769 = getelementptr i8, ptr %v133, i64 %v3768
-  %v3770 = add nsw i64 %v11, -1
-  %v3771 = mul i64 %v135, 176
-  %v3772 = getelementptr i8, ptr %v133, i64 %v3771
-  br label %v3773
+v3658:
+  %v3660 = load i64, ptr %v3551, align 8, !noalias !511
+  %v3661 = icmp slt i64 %v3660, 0
+  %v3662 = select i1 %v3661, i64 %v111, i64 0
+  %v3663 = getelementptr i64, ptr %v110, i64 %v3660
+  %v3664 = getelementptr i64, ptr %v3663, i64 %v3662
+  %v3665 = load i64, ptr %v3664, align 8, !noalias !511
+  %v3666 = icmp eq i64 %v3665, 0
+  br i1 %v3666, label %v3667, label %v3642
 
-v3774:
-  %v3775 = getelementptr double, ptr %v3767, i64 %v3776
-  %v3777 = load double, ptr %v3775, align 8, !noalias !527
-  %v3778 = fptosi double %v3777 to i64
-  %v3779 = getelementptr double, ptr %v3769, i64 %v3776
-  %v3780 = load double, ptr %v3779, align 8, !noalias !527
-  %v3781 = fptosi double %v3780 to i64
-  %v3782 = mul i64 %v3783, %v126
-  %v3784 = getelementptr i64, ptr %v124, i64 %v3782
-  %v3785 = load i64, ptr %v3784, align 8, !noalias !527
-  %v3786 = add nsw i64 %v3785, %v3778
-  store i64 %v3786, ptr %v3784, align 8, !noalias !527
-  %v3787 = getelementptr i8, ptr %v3784, i64 24
-  %v3788 = load i64, ptr %v3787, align 8, !noalias !527
-  %v3789 = add nsw i64 %v3788, %v3781
-  store i64 %v3789, ptr %v3787, align 8, !noalias !527
-  %v3790 = getelementptr i8, ptr %v3784, i64 8
-  %v3791 = load i64, ptr %v3790, align 8, !noalias !527
-  %v3792 = add nsw i64 %v3781, %v3778
-  %v3793 = mul nsw i64 %v3792, %v3770
-  %v3794 = add nsw i64 %v3793, %v3778
-  %v3795 = add nsw i64 %v3794, %v3791
-  store i64 %v3795, ptr %v3790, align 8, !noalias !527
-  store double 0.000000e+00, ptr %v3775, align 8, !noalias !527
-  store double 0.000000e+00, ptr %v3779, align 8, !noalias !527
-  %v3796 = getelementptr double, ptr %v3772, i64 %v3776
-  %v3797 = load double, ptr %v3796, align 8, !noalias !527
-  %v3798 = sitofp i64 %v3792 to double
-  %v3799 = fsub double %v3797, %v3798
-  store double %v3799, ptr %v3796, align 8, !noalias !527
-  br label %v3800
+v3667:
+  store i64 1, ptr %v3664, align 8, !noalias !511
+  br label %v3642
 
-v3800:
-  %v3801 = icmp sgt i64 %v3802, 1
-  br i1 %v3801, label %v3773, label %v3764
+v3659:
+  store double %v3656, ptr %v3645, align 8, !noalias !511
+  %v3668 = select i1 %v3652, i64 %v86, i64 0
+  %v3669 = getelementptr i64, ptr %v85, i64 %v3651
+  %v3670 = getelementptr i64, ptr %v3669, i64 %v3668
+  %v3671 = load i64, ptr %v3670, align 8, !noalias !511
+  %v3672 = icmp eq i64 %v3671, 0
+  br i1 %v3672, label %v3673, label %v3674
 
-v3773:
-  %v3776 = phi i64 [ 0, %v3765 ], [ %v3803, %v3800 ]
-  %v3802 = phi i64 [ %v308, %v3765 ], [ %v3804, %v3800 ]
-  %v3804 = add nsw i64 %v3802, -1
-  %v3803 = add nsw i64 %v3776, 1
-  %v3805 = getelementptr i64, ptr %v142, i64 %v3776
-  %v3783 = load i64, ptr %v3805, align 8, !noalias !527
-  %v3806 = icmp sgt i64 %v3783, -1
-  br i1 %v3806, label %v3774, label %v3800
+v3673:
+  %v3675 = getelementptr double, ptr %v1023, i64 %v3637
+  store double 1.000000e+00, ptr %v3675, align 8, !noalias !511
+  br label %v3676
 
-v3807:
-  %v3808 = phi i32 [ 0, %v3764 ], [ %v3058, %v3060 ]
-  ret i32 %v3808
+v3674:
+  %v3677 = getelementptr double, ptr %v1021, i64 %v3637
+  %v3678 = load double, ptr %v3677, align 8, !noalias !511
+  %v3679 = fcmp olt double %v3678, 2.500000e-01
+  %v3680 = select i1 %v3679, double 2.500000e-01, double %v3678
+  store double %v3680, ptr %v3677, align 8, !noalias !511
+  %v3681 = load i64, ptr %v514, align 8, !noalias !511
+  %v3682 = tail call i64 @llvm.smax.i64(i64 %v3681, i64 1)
+  br label %v3676
 
-v357:
-  %v487 = phi i64 [ 0, %v310 ], [ %v486, %v364 ]
-  %v489 = phi i64 [ %v308, %v310 ], [ %v3809, %v364 ]
-  %v360 = phi i64 [ 0, %v310 ], [ %v3810, %v364 ]
-  %v3809 = add nsw i64 %v489, -1
-  %v3810 = add nsw i64 %v360, 1
-  %v483 = getelementptr i64, ptr %v142, i64 %v360
-  %v3811 = load i64, ptr %v483, align 8
-  %v3812 = icmp slt i64 %v3811, 0
-  br i1 %v3812, label %v358, label %v364
+v3676:
+  %v3683 = phi i64 [ %v3682, %v3674 ], [ 2, %v3673 ]
+  store i64 %v3683, ptr %v514, align 8, !noalias !511
+  br i1 %v1024, label %v3642, label %v3684
 
-v1285:
-  %v3813 = load i64, ptr %v6, align 8, !noalias !531
-  %v3814 = inttoptr i64 %v3813 to ptr
-  tail call void %v3814(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v579), !noalias !531
-  br label %v1286
+v3684:
+  %v3685 = select i1 %v3652, i64 %v77, i64 0
+  %v3686 = add i64 %v3685, %v3651
+  %v3687 = mul i64 %v3686, %v78
+  %v3688 = getelementptr double, ptr %v76, i64 %v3687
+  br label %v3689
 
-v1286:
-  br i1 %v580, label %v3815, label %v3816
+v3689:
+  %v3690 = phi i64 [ 0, %v3684 ], [ %v3691, %v3689 ]
+  %v3691 = add nsw i64 %v3690, 1
+  %v3692 = getelementptr double, ptr %v3688, i64 %v3690
+  %v3693 = load double, ptr %v3692, align 8, !noalias !515
+  %v3694 = getelementptr i64, ptr %v62, i64 %v3690
+  %v3695 = load i64, ptr %v3694, align 8, !noalias !515
+  %v3696 = mul nsw i64 %v3695, %v9
+  %v3697 = add nsw i64 %v3696, %v3537
+  %v3698 = icmp slt i64 %v3697, 0
+  %v3699 = select i1 %v3698, i64 %v166, i64 0
+  %v3700 = getelementptr double, ptr %v165, i64 %v3697
+  %v3701 = getelementptr double, ptr %v3700, i64 %v3699
+  store double %v3693, ptr %v3701, align 8, !noalias !515
+  %v3702 = icmp eq i64 %v63, %v3691
+  br i1 %v3702, label %v3642, label %v3689
 
-v3815:
-  %v3817 = load double, ptr %v582, align 8, !noalias !534
-  %v3818 = fcmp olt double %v3817, 5.000000e-01
-  br i1 %v3818, label %v3819, label %v3820
+v3642:
+  %v3703 = getelementptr i64, ptr %v110, i64 %v3552
+  %v3704 = load i64, ptr %v3703, align 8, !noalias !497
+  %v3705 = icmp eq i64 %v3704, 0
+  br i1 %v3705, label %v3706, label %v3707
 
-v3819:
-  br i1 %v583, label %v3821, label %v3822
+v3707:
+  %v3708 = getelementptr i64, ptr %v1026, i64 %v3550
+  %v3709 = load i64, ptr %v3708, align 8, !noalias !497
+  %v3710 = getelementptr i64, ptr %v117, i64 %v3552
+  store i64 %v3709, ptr %v3710, align 8, !noalias !497
+  store i64 -1, ptr %v3551, align 8, !noalias !497
+  %v3711 = getelementptr double, ptr %v1028, i64 %v3637
+  store double 0.000000e+00, ptr %v3711, align 8, !noalias !519
+  %v3712 = load i64, ptr %v151, align 8, !noalias !519
+  %v3713 = load i64, ptr %v1029, align 8, !noalias !519
+  %v3714 = icmp eq i64 %v3712, %v3713
+  br i1 %v3714, label %v3715, label %v3716
 
-v3821:
-  br i1 %v595, label %v3823, label %v3824, !prof !397
+v3716:
+  %v3717 = add nsw i64 %v3712, 1
+  store i64 %v3717, ptr %v151, align 8, !noalias !519
+  store i64 2, ptr %v514, align 8, !noalias !519
+  store i64 %v3712, ptr %v3551, align 8, !noalias !519
+  %v3718 = icmp slt i64 %v3712, 0
+  %v3719 = select i1 %v3718, i64 %v49, i64 0
+  %v3720 = getelementptr i64, ptr %v48, i64 %v3712
+  %v3721 = getelementptr i64, ptr %v3720, i64 %v3719
+  %v3722 = load i64, ptr %v3721, align 8, !noalias !519
+  %v3723 = icmp slt i64 %v3722, 0
+  %v3724 = select i1 %v3723, i64 %v56, i64 0
+  %v3725 = getelementptr i64, ptr %v55, i64 %v3722
+  %v3726 = getelementptr i64, ptr %v3725, i64 %v3724
+  %v3727 = load i64, ptr %v3726, align 8, !noalias !519
+  %v3728 = getelementptr i64, ptr %v1030, i64 %v3550
+  store i64 %v3727, ptr %v3728, align 8, !noalias !519
+  store i64 1, ptr %v3708, align 8, !noalias !519
+  %v3729 = getelementptr i64, ptr %v1032, i64 %v3550
+  store i64 0, ptr %v3729, align 8, !noalias !519
+  br i1 %v1033, label %v3730, label %v3731
 
-v3825:
-  %v3826 = icmp eq i64 %v3827, %v628
-  br i1 %v3826, label %v3820, label %v3828
+v3731:
+  %v3732 = select i1 %v3718, i64 %v40, i64 0
+  %v3733 = add i64 %v3732, %v3712
+  %v3734 = mul i64 %v3733, %v41
+  %v3735 = getelementptr double, ptr %v39, i64 %v3734
+  br label %v3736
 
-v3829:
-  %v3830 = load i64, ptr %v605, align 8, !noalias !538
-  %v3831 = icmp eq i64 %v3830, %v3827
-  br i1 %v3831, label %v3832, label %v3833
+v3730:
+  br i1 %v1034, label %v3737, label %v3738
 
-v3832:
-  %v3834 = load double, ptr %v607, align 8, !noalias !538
-  %v3835 = fmul double %v3834, 1.000000e-03
-  br label %v3833
+v3738:
+  %v3739 = load i64, ptr %v3728, align 8, !noalias !519
+  %v3740 = icmp slt i64 %v3739, 0
+  %v3741 = select i1 %v3740, i64 %v77, i64 0
+  %v3742 = add i64 %v3741, %v3739
+  %v3743 = mul i64 %v3742, %v78
+  %v3744 = getelementptr double, ptr %v76, i64 %v3743
+  br label %v3745
 
-v3833:
-  %v3836 = phi double [ %v3835, %v3832 ], [ 0.000000e+00, %v3829 ]
-  store double %v3836, ptr %v3837, align 8, !noalias !538
-  br i1 %v583, label %v3838, label %v3839
+v3745:
+  %v3746 = phi i64 [ 0, %v3738 ], [ %v3747, %v3745 ]
+  %v3747 = add nsw i64 %v3746, 1
+  %v3748 = getelementptr double, ptr %v3744, i64 %v3746
+  %v3749 = load double, ptr %v3748, align 8, !noalias !522
+  %v3750 = getelementptr i64, ptr %v62, i64 %v3746
+  %v3751 = load i64, ptr %v3750, align 8, !noalias !522
+  %v3752 = mul nsw i64 %v3751, %v9
+  %v3753 = add nsw i64 %v3752, %v3537
+  %v3754 = icmp slt i64 %v3753, 0
+  %v3755 = select i1 %v3754, i64 %v166, i64 0
+  %v3756 = getelementptr double, ptr %v165, i64 %v3753
+  %v3757 = getelementptr double, ptr %v3756, i64 %v3755
+  store double %v3749, ptr %v3757, align 8, !noalias !522
+  %v3758 = icmp eq i64 %v3747, %v63
+  br i1 %v3758, label %v3737, label %v3745
 
-v3840:
-  %v3841 = phi i64 [ %v3842, %v3840 ], [ 0, %v3828 ]
-  %v3842 = add nsw i64 %v3841, 1
-  %v3843 = mul i64 %v3841, %v196
-  %v3844 = getelementptr double, ptr %v193, i64 %v3843
-  %v3845 = load double, ptr %v3844, align 8, !noalias !538
-  %v3846 = tail call double @llvm.fabs.f64(double %v3845)
-  %v3847 = fcmp ogt double %v3848, %v3846
-  %v3849 = select i1 %v3847, double %v3848, double %v3846
-  %v3850 = fcmp ogt double %v3849, 0.000000e+00
-  %v3851 = fmul double %v3849, 1.200000e-05
-  %v3852 = select i1 %v3850, double %v3851, double 1.200000e-05
-  %v3853 = getelementptr i64, ptr %v266, i64 %v3841
-  %v3854 = load i64, ptr %v3853, align 8, !noalias !538
-  %v3855 = icmp eq i64 %v3854, %v3827
-  %v3856 = select i1 %v3855, double %v3852, double 0.000000e+00
-  %v3857 = getelementptr double, ptr %v3858, i64 %v3841
-  store double %v3856, ptr %v3857, align 8, !noalias !538
-  %v3859 = icmp eq i64 %v10, %v3842
-  br i1 %v3859, label %v3829, label %v3840
+v3759:
+  %v3760 = getelementptr double, ptr %v133, i64 %v3637
+  %v3761 = getelementptr double, ptr %v1037, i64 %v3637
+  %v3762 = load double, ptr %v3761, align 8, !noalias !526
+  %v3763 = getelementptr double, ptr %v1039, i64 %v3637
+  %v3764 = load double, ptr %v3763, align 8, !noalias !526
+  %v3765 = getelementptr double, ptr %v1041, i64 %v3637
+  %v3766 = load double, ptr %v3765, align 8, !noalias !526
+  %v3767 = getelementptr double, ptr %v1043, i64 %v3637
+  %v3768 = load double, ptr %v3767, align 8, !noalias !526
+  store double 0.000000e+00, ptr %v3760, align 8, !noalias !526
+  %v3769 = getelementptr double, ptr %v3760, i64 %v135
+  store double 0.000000e+00, ptr %v3769, align 8, !noalias !526
+  %v3770 = getelementptr i8, ptr %v3760, i64 %v1044
+  store double 0.000000e+00, ptr %v3770, align 8, !noalias !526
+  %v3771 = getelementptr i8, ptr %v3760, i64 %v1027
+  store double 0.000000e+00, ptr %v3771, align 8, !noalias !526
+  %v3772 = getelementptr i8, ptr %v3760, i64 %v1045
+  store double 0.000000e+00, ptr %v3772, align 8, !noalias !526
+  %v3773 = getelementptr i8, ptr %v3760, i64 %v1015
+  store double 0.000000e+00, ptr %v3773, align 8, !noalias !526
+  %v3774 = getelementptr i8, ptr %v3760, i64 %v1046
+  store double 0.000000e+00, ptr %v3774, align 8, !noalias !526
+  %v3775 = getelementptr i8, ptr %v3760, i64 %v1047
+  store double 0.000000e+00, ptr %v3775, align 8, !noalias !526
+  %v3776 = getelementptr i8, ptr %v3760, i64 %v1048
+  store double 0.000000e+00, ptr %v3776, align 8, !noalias !526
+  %v3777 = getelementptr i8, ptr %v3760, i64 %v1049
+  store double 0.000000e+00, ptr %v3777, align 8, !noalias !526
+  %v3778 = getelementptr i8, ptr %v3760, i64 %v1050
+  store double 0.000000e+00, ptr %v3778, align 8, !noalias !526
+  %v3779 = getelementptr i8, ptr %v3760, i64 %v1051
+  store double 0.000000e+00, ptr %v3779, align 8, !noalias !526
+  %v3780 = getelementptr i8, ptr %v3760, i64 %v1052
+  store double 0.000000e+00, ptr %v3780, align 8, !noalias !526
+  %v3781 = getelementptr i8, ptr %v3760, i64 %v1053
+  store double 0.000000e+00, ptr %v3781, align 8, !noalias !526
+  %v3782 = getelementptr i8, ptr %v3760, i64 %v1054
+  store double 0.000000e+00, ptr %v3782, align 8, !noalias !526
+  %v3783 = getelementptr i8, ptr %v3760, i64 %v1055
+  store double 0.000000e+00, ptr %v3783, align 8, !noalias !526
+  %v3784 = getelementptr i8, ptr %v3760, i64 %v1056
+  store double 0.000000e+00, ptr %v3784, align 8, !noalias !526
+  %v3785 = getelementptr i8, ptr %v3760, i64 %v1057
+  store double 0.000000e+00, ptr %v3785, align 8, !noalias !526
+  %v3786 = getelementptr i8, ptr %v3760, i64 %v1038
+  store double 0.000000e+00, ptr %v3786, align 8, !noalias !526
+  %v3787 = getelementptr i8, ptr %v3760, i64 %v1058
+  store double 0.000000e+00, ptr %v3787, align 8, !noalias !526
+  %v3788 = getelementptr i8, ptr %v3760, i64 %v1059
+  store double 0.000000e+00, ptr %v3788, align 8, !noalias !526
+  %v3789 = getelementptr i8, ptr %v3760, i64 %v1060
+  store double 0.000000e+00, ptr %v3789, align 8, !noalias !526
+  %v3790 = getelementptr i8, ptr %v3760, i64 %v1061
+  store double 0.000000e+00, ptr %v3790, align 8, !noalias !526
+  %v3791 = getelementptr i8, ptr %v3760, i64 %v1062
+  store double 0.000000e+00, ptr %v3791, align 8, !noalias !526
+  %v3792 = getelementptr i8, ptr %v3760, i64 %v1063
+  store double 0.000000e+00, ptr %v3792, align 8, !noalias !526
+  %v3793 = getelementptr i8, ptr %v3760, i64 %v1064
+  store double 0.000000e+00, ptr %v3793, align 8, !noalias !526
+  %v3794 = getelementptr i8, ptr %v3760, i64 %v1065
+  store double 0.000000e+00, ptr %v3794, align 8, !noalias !526
+  %v3795 = getelementptr i8, ptr %v3760, i64 %v1066
+  store double 0.000000e+00, ptr %v3795, align 8, !noalias !526
+  %v3796 = getelementptr i8, ptr %v3760, i64 %v1067
+  store double 0.000000e+00, ptr %v3796, align 8, !noalias !526
+  %v3797 = getelementptr i8, ptr %v3760, i64 %v1042
+  store double 0.000000e+00, ptr %v3797, align 8, !noalias !526
+  %v3798 = getelementptr i8, ptr %v3760, i64 %v1040
+  store double 0.000000e+00, ptr %v3798, align 8, !noalias !526
+  %v3799 = getelementptr i8, ptr %v3760, i64 %v1036
+  store double 0.000000e+00, ptr %v3799, align 8, !noalias !526
+  %v3800 = getelementptr i8, ptr %v3760, i64 %v1068
+  store double 0.000000e+00, ptr %v3800, align 8, !noalias !526
+  %v3801 = getelementptr i8, ptr %v3760, i64 %v1069
+  store double 0.000000e+00, ptr %v3801, align 8, !noalias !526
+  %v3802 = getelementptr i8, ptr %v3760, i64 %v1070
+  store double 0.000000e+00, ptr %v3802, align 8, !noalias !526
+  %v3803 = getelementptr i8, ptr %v3760, i64 %v1071
+  store double 0.000000e+00, ptr %v3803, align 8, !noalias !526
+  %v3804 = fcmp ueq double %v3762, 0x7FF0000000000000
+  %v3805 = fcmp oeq double %v3768, 0xFFF0000000000000
+  %v3806 = select i1 %v3805, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v3806, ptr %v3767, align 8, !noalias !526
+  store double %v3766, ptr %v3765, align 8, !noalias !526
+  store double %v3764, ptr %v3763, align 8, !noalias !526
+  %v3807 = select i1 %v3804, double 0x7FF0000000000000, double 5.000000e+03
+  store double %v3807, ptr %v3761, align 8, !noalias !526
+  store double 1.000000e+00, ptr %v3711, align 8, !noalias !526
+  %v3808 = getelementptr double, ptr %v1072, i64 %v3637
+  store double 0xFFF0000000000000, ptr %v3808, align 8, !noalias !526
+  %v3809 = getelementptr double, ptr %v1073, i64 %v3637
+  store double 0x7FF0000000000000, ptr %v3809, align 8, !noalias !526
+  %v3810 = load double, ptr %v92, align 8, !noalias !519
+  store double %v3810, ptr %v3760, align 8, !noalias !519
+  %v3811 = load double, ptr %v92, align 8, !noalias !519
+  %v3812 = getelementptr double, ptr %v1074, i64 %v3637
+  store double %v3811, ptr %v3812, align 8, !noalias !519
+  %v3813 = load i64, ptr %v3728, align 8, !noalias !519
+  %v3814 = icmp slt i64 %v3813, 0
+  %v3815 = select i1 %v3814, i64 %v70, i64 0
+  %v3816 = getelementptr double, ptr %v69, i64 %v3813
+  %v3817 = getelementptr double, ptr %v3816, i64 %v3815
+  %v3818 = load double, ptr %v3817, align 8, !noalias !519
+  %v3819 = getelementptr double, ptr %v1075, i64 %v3637
+  store double %v3818, ptr %v3819, align 8, !noalias !519
+  br label %v3715
 
-v3860:
-  %v3861 = getelementptr double, ptr %v621, i64 %v3862
-  store double %v3863, ptr %v3861, align 8, !noalias !544
-  br label %v3864
+v3736:
+  %v3820 = phi i64 [ 0, %v3731 ], [ %v3821, %v3736 ]
+  %v3821 = add nsw i64 %v3820, 1
+  %v3822 = getelementptr double, ptr %v3735, i64 %v3820
+  %v3823 = load double, ptr %v3822, align 8, !noalias !519
+  %v3824 = mul nsw i64 %v3820, %v9
+  %v3825 = add nsw i64 %v3824, %v3537
+  %v3826 = icmp slt i64 %v3825, 0
+  %v3827 = select i1 %v3826, i64 %v166, i64 0
+  %v3828 = getelementptr double, ptr %v165, i64 %v3825
+  %v3829 = getelementptr double, ptr %v3828, i64 %v3827
+  store double %v3823, ptr %v3829, align 8, !noalias !519
+  %v3830 = icmp eq i64 %v3821, %v41
+  br i1 %v3830, label %v3730, label %v3736
 
-v3865:
-  %v3866 = select i1 %v3867, i64 %v295, i64 0
-  %v3868 = getelementptr i64, ptr %v294, i64 %v3869
-  %v3870 = getelementptr i64, ptr %v3868, i64 %v3866
-  %v3871 = load i64, ptr %v3870, align 8, !noalias !544
-  %v3872 = icmp slt i64 %v3871, 0
-  %v3873 = select i1 %v3872, i64 %v223, i64 0
-  %v3874 = getelementptr double, ptr %v222, i64 %v3871
-  %v3875 = getelementptr double, ptr %v3874, i64 %v3873
-  store double %v3863, ptr %v3875, align 8, !noalias !544
-  br label %v3864
+v3737:
+  br i1 %v1035, label %v3759, label %v3831
 
-v3864:
-  %v3876 = icmp sgt i64 %v3877, 1
-  br i1 %v3876, label %v3878, label %v3825
-
-v3822:
-  %v3879 = phi i64 [ %v3880, %v3822 ], [ 0, %v3819 ]
-  %v3880 = add nsw i64 %v3879, 1
-  %v3881 = mul i64 %v3879, %v196
-  %v3882 = getelementptr double, ptr %v193, i64 %v3881
-  %v3883 = load double, ptr %v3882, align 8, !noalias !544
-  %v3884 = getelementptr double, ptr %v586, i64 %v3881
-  store double %v3883, ptr %v3884, align 8, !noalias !544
-  %v3885 = getelementptr double, ptr %v588, i64 %v3881
-  store double 0.000000e+00, ptr %v3885, align 8, !noalias !544
-  %v3886 = icmp eq i64 %v10, %v3880
-  br i1 %v3886, label %v3821, label %v3822
-
-v3887:
-  %v3888 = phi i64 [ %v159, %v3889 ], [ %v3890, %v3891 ]
-  %v3892 = sub i64 %v3888, %v3893
-  %v3894 = tail call i64 @llvm.smax.i64(i64 %v3892, i64 0)
-  %v3858 = getelementptr double, ptr %v158, i64 %v3893
-  br i1 %v600, label %v3895, label %v3820
-
-v3895:
-  %v3896 = select i1 %v592, i64 %v3894, i64 0
-  %v3897 = getelementptr double, ptr %v3858, i64 %v10
-  %v3837 = getelementptr double, ptr %v3897, i64 %v3896
-  br label %v3828
-
-v3823:
-  br label %v3824
-
-v3824:
-  %v3898 = phi i64 [ 0, %v3823 ], [ %v594, %v3821 ]
-  br i1 %v596, label %v3899, label %v3900, !prof !131
-
-v3900:
-  br label %v3899
-
-v3899:
-  %v3893 = phi i64 [ %v159, %v3900 ], [ %v3898, %v3824 ]
-  br i1 %v598, label %v3901, label %v3891, !prof !397
-
-v3901:
-  br label %v3891
-
-v3891:
-  %v3890 = phi i64 [ 0, %v3901 ], [ %v597, %v3899 ]
-  br i1 %v599, label %v3887, label %v3889, !prof !131
-
-v3889:
-  br label %v3887
-
-v3828:
-  %v3827 = phi i64 [ 0, %v3895 ], [ %v3902, %v3825 ]
-  %v3902 = add nsw i64 %v3827, 1
-  %v3903 = load double, ptr %v602, align 8, !noalias !538
-  %v3904 = load double, ptr %v23, align 8, !noalias !538
-  %v3848 = fdiv double %v3903, %v3904
-  br i1 %v583, label %v3829, label %v3840
-
-v3905:
-  %v3906 = load double, ptr %v133, align 8, !noalias !545
-  %v3907 = load double, ptr %v3837, align 8, !noalias !545
-  %v3908 = fmul double %v3907, 5.000000e-01
-  %v3909 = fadd double %v3906, %v3908
-  store double %v3909, ptr %v610, align 8, !noalias !545
-  %v3910 = load i64, ptr %v6, align 8, !noalias !549
-  %v3911 = inttoptr i64 %v3910 to ptr
-  tail call void %v3911(ptr nonnull %v610, ptr %v613, ptr %v165, ptr %v172, ptr %v179, ptr %v623), !noalias !549
-  br label %v3912
-
-v3912:
-  %v3913 = phi i64 [ %v3914, %v3912 ], [ 0, %v3905 ]
-  %v3914 = add nsw i64 %v3913, 1
-  %v3915 = mul i64 %v3913, %v196
-  %v3916 = getelementptr double, ptr %v193, i64 %v3915
-  %v3917 = load double, ptr %v3916, align 8, !noalias !545
-  %v3918 = getelementptr double, ptr %v3858, i64 %v3913
-  %v3919 = load double, ptr %v3918, align 8, !noalias !545
-  %v3920 = fmul double %v3919, 5.000000e-01
-  %v3921 = fsub double %v3917, %v3920
-  %v3922 = getelementptr double, ptr %v614, i64 %v3915
-  store double %v3921, ptr %v3922, align 8, !noalias !545
-  %v3923 = icmp eq i64 %v10, %v3914
-  br i1 %v3923, label %v3924, label %v3912
-
-v3838:
-  %v3925 = load double, ptr %v133, align 8, !noalias !545
-  %v3926 = fmul double %v3836, 5.000000e-01
-  %v3927 = fadd double %v3926, %v3925
-  store double %v3927, ptr %v610, align 8, !noalias !545
-  %v3928 = load i64, ptr %v6, align 8, !noalias !549
-  %v3929 = inttoptr i64 %v3928 to ptr
-  tail call void %v3929(ptr nonnull %v610, ptr %v613, ptr %v165, ptr %v172, ptr %v179, ptr %v625), !noalias !549
-  br label %v3924
-
-v3924:
-  %v3930 = load double, ptr %v133, align 8, !noalias !545
-  %v3931 = load double, ptr %v3837, align 8, !noalias !545
-  %v3932 = fmul double %v3931, 5.000000e-01
-  %v3933 = fsub double %v3930, %v3932
-  store double %v3933, ptr %v610, align 8, !noalias !545
-  %v3934 = load i64, ptr %v6, align 8, !noalias !549
-  %v3935 = inttoptr i64 %v3934 to ptr
-  tail call void %v3935(ptr nonnull %v610, ptr %v613, ptr %v165, ptr %v172, ptr %v179, ptr %v627), !noalias !549
-  br i1 %v583, label %v3936, label %v3937
-
-v3938:
-  %v3939 = fsub double %v3940, %v3941
-  br label %v3942
-
-v3943:
-  %v3944 = getelementptr double, ptr %v619, i64 %v3945
-  %v3946 = load double, ptr %v3944, align 8, !noalias !545
-  %v3947 = fsub double %v3940, %v3946
-  %v3948 = fmul double %v3947, 2.000000e+00
-  br label %v3942
-
-v3942:
-  %v3949 = phi double [ %v3948, %v3943 ], [ %v3939, %v3938 ]
-  store double %v3949, ptr %v3950, align 8, !noalias !545
-  %v3951 = icmp eq i64 %v10, %v3952
-  br i1 %v3951, label %v3936, label %v3937
+v3831:
+  %v3832 = getelementptr double, ptr %v193, i64 %v3537
+  %v3833 = select i1 %v3718, i64 %v31, i64 0
+  %v3834 = add i64 %v3833, %v3712
+  %v3835 = mul i64 %v3834, %v32
+  %v3836 = getelementptr double, ptr %v30, i64 %v3835
+  %v3837 = select i1 %v3548, i64 %v196, i64 0
+  %v3838 = getelementptr double, ptr %v3832, i64 %v3837
+  br label %v3839
 
 v3839:
-  %v3953 = phi i64 [ %v3954, %v3839 ], [ 0, %v3833 ]
-  %v3954 = add nsw i64 %v3953, 1
-  %v3955 = mul i64 %v3953, %v196
-  %v3956 = getelementptr double, ptr %v193, i64 %v3955
-  %v3957 = load double, ptr %v3956, align 8, !noalias !545
-  %v3958 = getelementptr double, ptr %v3858, i64 %v3953
-  %v3959 = load double, ptr %v3958, align 8, !noalias !545
-  %v3960 = fmul double %v3959, 5.000000e-01
-  %v3961 = fadd double %v3957, %v3960
-  %v3962 = getelementptr double, ptr %v614, i64 %v3955
-  store double %v3961, ptr %v3962, align 8, !noalias !545
-  %v3963 = icmp eq i64 %v10, %v3954
-  br i1 %v3963, label %v3905, label %v3839
+  %v3840 = phi i64 [ 0, %v3831 ], [ %v3841, %v3839 ]
+  %v3841 = add nsw i64 %v3840, 1
+  %v3842 = getelementptr double, ptr %v3836, i64 %v3840
+  %v3843 = load double, ptr %v3842, align 8, !noalias !519
+  %v3844 = mul i64 %v3840, %v196
+  %v3845 = getelementptr double, ptr %v3838, i64 %v3844
+  store double %v3843, ptr %v3845, align 8, !noalias !519
+  %v3846 = icmp eq i64 %v3841, %v10
+  br i1 %v3846, label %v3759, label %v3839
 
-v3937:
-  %v3964 = phi i64 [ %v3952, %v3942 ], [ 0, %v3924 ]
-  %v3952 = add nsw i64 %v3964, 1
-  %v3945 = mul i64 %v3964, %v196
-  %v3965 = getelementptr double, ptr %v193, i64 %v3945
-  %v3966 = load double, ptr %v3965, align 8, !noalias !545
-  %v3967 = getelementptr double, ptr %v614, i64 %v3945
-  store double %v3966, ptr %v3967, align 8, !noalias !545
-  %v3950 = getelementptr double, ptr %v616, i64 %v3945
-  %v3940 = load double, ptr %v3950, align 8, !noalias !545
-  %v3968 = getelementptr double, ptr %v618, i64 %v3945
-  %v3941 = load double, ptr %v3968, align 8, !noalias !545
-  %v3969 = fsub double %v3941, %v3941
-  %v3970 = fcmp oeq double %v3969, 0.000000e+00
-  br i1 %v3970, label %v3938, label %v3943
+v3706:
+  %v3847 = getelementptr double, ptr %v1077, i64 %v3637
+  %v3848 = load double, ptr %v3847, align 8, !noalias !497
+  %v3849 = fcmp ult double %v3848, 1.500000e+01
+  br i1 %v3849, label %v3715, label %v3850
 
-v3936:
-  %v3971 = getelementptr i64, ptr %v273, i64 %v3827
-  %v3972 = load i64, ptr %v3971, align 8, !noalias !544
-  %v3973 = getelementptr i8, ptr %v3971, i64 8
-  %v3974 = load i64, ptr %v3973, align 8, !noalias !544
-  %v3975 = sub i64 %v3974, %v3972
-  %v3976 = icmp slt i64 %v3975, 1
-  br i1 %v3976, label %v3825, label %v3878
+v3850:
+  %v3851 = load double, ptr %v1079, align 8, !noalias !497
+  %v3852 = getelementptr double, ptr %v133, i64 %v3637
+  %v3853 = load double, ptr %v3852, align 8, !noalias !497
+  %v3854 = fsub double %v3851, %v3853
+  %v3855 = getelementptr double, ptr %v1080, i64 %v3637
+  %v3856 = load double, ptr %v3855, align 8, !noalias !497
+  %v3857 = fmul double %v3856, 2.500000e+02
+  %v3858 = fcmp ogt double %v3854, %v3857
+  br i1 %v3858, label %v3715, label %v3859
 
-v3878:
-  %v3877 = phi i64 [ %v3977, %v3864 ], [ %v3975, %v3936 ]
-  %v3869 = phi i64 [ %v3978, %v3864 ], [ %v3972, %v3936 ]
-  %v3977 = add nsw i64 %v3877, -1
-  %v3978 = add i64 %v3869, 1
-  %v3867 = icmp slt i64 %v3869, 0
-  %v3979 = select i1 %v3867, i64 %v281, i64 0
-  %v3980 = getelementptr i64, ptr %v280, i64 %v3869
-  %v3981 = getelementptr i64, ptr %v3980, i64 %v3979
-  %v3982 = load i64, ptr %v3981, align 8, !noalias !544
-  %v3983 = select i1 %v3867, i64 %v288, i64 0
-  %v3984 = getelementptr i64, ptr %v287, i64 %v3869
-  %v3985 = getelementptr i64, ptr %v3984, i64 %v3983
-  %v3986 = load i64, ptr %v3985, align 8, !noalias !544
-  %v3987 = icmp slt i64 %v3982, 0
-  %v3988 = select i1 %v3987, i64 %v195, i64 0
-  %v3989 = add i64 %v3988, %v3982
-  %v3862 = mul i64 %v3989, %v196
-  %v3990 = getelementptr double, ptr %v616, i64 %v3862
-  %v3991 = load double, ptr %v3990, align 8, !noalias !544
-  %v3992 = icmp slt i64 %v3986, 0
-  %v3993 = select i1 %v3992, i64 %v3894, i64 0
-  %v3994 = getelementptr double, ptr %v3858, i64 %v3986
-  %v3995 = getelementptr double, ptr %v3994, i64 %v3993
-  %v3996 = load double, ptr %v3995, align 8, !noalias !544
-  %v3997 = fdiv double %v3991, %v3996
-  %v3998 = fsub double %v3997, %v3997
-  %v3999 = fcmp oeq double %v3998, 0.000000e+00
-  %v3863 = select i1 %v3999, double %v3997, double 0.000000e+00
-  %v4000 = icmp eq i64 %v3986, %v10
-  br i1 %v4000, label %v3860, label %v3865
+v3859:
+  store double 0.000000e+00, ptr %v3847, align 8, !noalias !497
+  br label %v3715
 
-v3820:
-  br i1 %v629, label %v4001, label %v3816
+v3715:
+  %v3860 = phi i1 [ %v3544, %v3706 ], [ true, %v3850 ], [ %v3544, %v3859 ], [ %v3544, %v3707 ], [ %v3544, %v3759 ]
+  %v3861 = load i64, ptr %v3551, align 8, !noalias !497
+  %v3862 = icmp sgt i64 %v3861, -1
+  br i1 %v3862, label %v3863, label %v3539
 
-v4002:
-  %v4003 = mul i64 %v4004, %v632
-  %v4005 = icmp slt i64 %v4003, 0
-  %v4006 = select i1 %v4005, i64 %v230, i64 0
-  %v4007 = getelementptr double, ptr %v229, i64 %v4003
-  %v4008 = getelementptr double, ptr %v4007, i64 %v4006
-  %v4009 = load double, ptr %v4008, align 8, !noalias !534
-  %v4010 = load double, ptr %v634, align 8, !noalias !534
-  %v4011 = fadd double %v4009, %v4010
-  store double %v4011, ptr %v4008, align 8, !noalias !534
-  %v4012 = icmp eq i64 %v10, %v4013
-  br i1 %v4012, label %v4014, label %v4001
+v3863:
+  %v3864 = add nsw i64 %v3546, 1
+  %v3865 = getelementptr double, ptr %v1082, i64 %v3637
+  %v3866 = load double, ptr %v3865, align 8, !noalias !497
+  %v3867 = fcmp ogt double %v3866, 0.000000e+00
+  br i1 %v3867, label %v3868, label %v3869
 
-v4015:
-  %v4016 = icmp eq i64 %v4017, %v10
-  br i1 %v4016, label %v3816, label %v4014
+v3869:
+  %v3870 = mul i64 %v3861, %v126
+  %v3871 = getelementptr i64, ptr %v124, i64 %v3870
+  %v3872 = load i64, ptr %v3871, align 8, !noalias !497
+  %v3873 = and i64 %v3872, 127
+  %v3874 = getelementptr double, ptr %v1084, i64 %v3637
+  %v3875 = load double, ptr %v3874, align 8, !noalias !497
+  %v3876 = fcmp olt double %v3875, %v1085
+  %v3877 = select i1 %v3876, double %v3875, double %v1085
+  %v3878 = sitofp i64 %v3560 to double
+  %v3879 = fsub double %v3877, %v3878
+  %v3880 = sub nsw i64 128, %v3873
+  %v3881 = uitofp i64 %v3880 to double
+  %v3882 = fcmp ogt double %v3879, %v3881
+  %v3883 = select i1 %v3882, double %v3881, double %v3879
+  br label %v3868
 
-v4018:
-  %v4019 = phi i64 [ %v4020, %v4014 ], [ %v4021, %v4022 ]
-  %v4023 = getelementptr i64, ptr %v236, i64 %v4020
-  store i64 %v4019, ptr %v4023, align 8, !noalias !552
-  %v4024 = add nsw i64 %v4019, %v4025
-  %v4026 = icmp slt i64 %v4024, 0
-  %v4027 = select i1 %v4026, i64 %v230, i64 0
-  %v4028 = getelementptr double, ptr %v229, i64 %v4024
-  %v4029 = getelementptr double, ptr %v4028, i64 %v4027
-  %v4030 = load double, ptr %v4029, align 8, !noalias !552
-  %v4031 = load double, ptr %v4032, align 8, !noalias !552
-  store double %v4030, ptr %v4032, align 8, !noalias !552
-  store double %v4031, ptr %v4029, align 8, !noalias !552
-  br i1 %v4033, label %v4034, label %v4035
+v3868:
+  %v3884 = phi double [ %v3883, %v3869 ], [ 1.000000e+00, %v3863 ]
+  %v3885 = getelementptr double, ptr %v1087, i64 %v3637
+  store double %v3884, ptr %v3885, align 8, !noalias !497
+  %v3886 = getelementptr double, ptr %v1089, i64 %v3637
+  %v3887 = load double, ptr %v3886, align 8, !noalias !530
+  %v3888 = getelementptr double, ptr %v1091, i64 %v3637
+  store double %v3887, ptr %v3888, align 8, !noalias !530
+  %v3889 = getelementptr i64, ptr %v1093, i64 %v3550
+  %v3890 = load i64, ptr %v3889, align 8, !noalias !530
+  %v3891 = icmp slt i64 %v3890, %v93
+  br i1 %v3891, label %v3892, label %v3539
 
-v4034:
-  %v4036 = sub i64 %v4037, %v4017
-  %v4038 = icmp slt i64 %v4036, 1
-  br i1 %v4038, label %v4015, label %v4039
+v3892:
+  %v3893 = icmp slt i64 %v3890, 0
+  %v3894 = select i1 %v3893, i64 %v93, i64 0
+  %v3895 = getelementptr double, ptr %v92, i64 %v3890
+  %v3896 = getelementptr double, ptr %v3895, i64 %v3894
+  %v3897 = load double, ptr %v3896, align 8, !noalias !530
+  %v3898 = load double, ptr %v3886, align 8, !noalias !530
+  %v3899 = fcmp olt double %v3898, %v3897
+  %v3900 = select i1 %v3899, double %v3898, double %v3897
+  store double %v3900, ptr %v3888, align 8, !noalias !530
+  br label %v3539
 
-v4040:
-  %v4041 = icmp sgt i64 %v4042, 1
-  br i1 %v4041, label %v4039, label %v4015
+v3539:
+  %v3547 = phi i64 [ %v3546, %v3536 ], [ %v3546, %v3715 ], [ %v3864, %v3868 ], [ %v3864, %v3892 ]
+  %v3545 = phi i1 [ %v3544, %v3536 ], [ %v3860, %v3715 ], [ %v3860, %v3868 ], [ %v3860, %v3892 ]
+  %v3901 = icmp sgt i64 %v3542, 0
+  %v3902 = sext i1 %v3901 to i64
+  %v3543 = add nsw i64 %v3542, %v3902
+  %v3903 = zext i1 %v3901 to i64
+  %v3541 = add i64 %v3540, %v3903
+  %v3538 = select i1 %v3901, i64 %v3540, i64 0
+  br i1 %v3901, label %v3536, label %v3904
 
-v4014:
-  %v4020 = phi i64 [ %v4017, %v4015 ], [ 0, %v4002 ]
-  %v4017 = add nsw i64 %v4020, 1
-  %v4025 = mul nsw i64 %v4020, %v10
-  %v4043 = add nsw i64 %v4020, %v253
-  %v4044 = add nsw i64 %v4043, 1
-  %v4045 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4044, i64 %v10)
-  %v4046 = add i64 %v635, %v4043
-  %v4037 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4046, i64 %v10)
-  %v4047 = getelementptr double, ptr %v229, i64 %v4025
-  %v4032 = getelementptr double, ptr %v4047, i64 %v4020
-  %v4048 = sub i64 %v4045, %v4017
-  %v4049 = tail call i64 @llvm.smax.i64(i64 %v4048, i64 0)
-  %v4033 = icmp slt i64 %v4048, 1
-  br i1 %v4033, label %v4018, label %v4050
+v1123:
+  %v1122 = phi i64 [ %v1126, %v3320 ], [ %v3905, %v3904 ]
+  %v1125 = phi i64 [ %v3535, %v3320 ], [ %v3547, %v3904 ]
+  %v3906 = icmp sgt i64 %v1125, 0
+  %v3907 = icmp sgt i64 %v1122, 0
+  %v3908 = select i1 %v3906, i1 %v3907, i1 false
+  br i1 %v3908, label %v1120, label %v513
 
-v4050:
-  %v4051 = load double, ptr %v4032, align 8, !noalias !552
-  %v4052 = tail call double @llvm.fabs.f64(double %v4051)
-  br label %v4022
+v513:
+  %v3909 = phi i64 [ %v508, %v309 ], [ %v1125, %v1123 ]
+  br i1 %v307, label %v3910, label %v3911
 
-v4022:
-  %v4053 = phi i64 [ %v4021, %v4022 ], [ %v4020, %v4050 ]
-  %v4054 = phi double [ %v4055, %v4022 ], [ %v4052, %v4050 ]
-  %v4056 = phi i64 [ %v4057, %v4022 ], [ %v4049, %v4050 ]
-  %v4058 = phi i64 [ %v4059, %v4022 ], [ %v4017, %v4050 ]
-  %v4057 = add nsw i64 %v4056, -1
-  %v4059 = add i64 %v4058, 1
-  %v4060 = add nsw i64 %v4058, %v4025
-  %v4061 = icmp slt i64 %v4060, 0
-  %v4062 = select i1 %v4061, i64 %v230, i64 0
-  %v4063 = getelementptr double, ptr %v229, i64 %v4060
-  %v4064 = getelementptr double, ptr %v4063, i64 %v4062
-  %v4065 = load double, ptr %v4064, align 8, !noalias !552
-  %v4066 = tail call double @llvm.fabs.f64(double %v4065)
-  %v4067 = fcmp ogt double %v4066, %v4054
-  %v4055 = select i1 %v4067, double %v4066, double %v4054
-  %v4021 = select i1 %v4067, i64 %v4058, i64 %v4053
-  %v4068 = icmp sgt i64 %v4056, 1
-  br i1 %v4068, label %v4022, label %v4018
+v3911:
+  %v3912 = mul i64 %v135, 192
+  %v3913 = getelementptr i8, ptr %v133, i64 %v3912
+  %v3914 = mul i64 %v135, 200
+  %v3915 = getelementptr i8, ptr %v133, i64 %v3914
+  %v3916 = add nsw i64 %v11, -1
+  %v3917 = mul i64 %v135, 176
+  %v3918 = getelementptr i8, ptr %v133, i64 %v3917
+  br label %v3919
+
+v3920:
+  %v3921 = getelementptr double, ptr %v3913, i64 %v3922
+  %v3923 = load double, ptr %v3921, align 8, !noalias !534
+  %v3924 = fptosi double %v3923 to i64
+  %v3925 = getelementptr double, ptr %v3915, i64 %v3922
+  %v3926 = load double, ptr %v3925, align 8, !noalias !534
+  %v3927 = fptosi double %v3926 to i64
+  %v3928 = mul i64 %v3929, %v126
+  %v3930 = getelementptr i64, ptr %v124, i64 %v3928
+  %v3931 = load i64, ptr %v3930, align 8, !noalias !534
+  %v3932 = add nsw i64 %v3931, %v3924
+  store i64 %v3932, ptr %v3930, align 8, !noalias !534
+  %v3933 = getelementptr i8, ptr %v3930, i64 24
+  %v3934 = load i64, ptr %v3933, align 8, !noalias !534
+  %v3935 = add nsw i64 %v3934, %v3927
+  store i64 %v3935, ptr %v3933, align 8, !noalias !534
+  %v3936 = getelementptr i8, ptr %v3930, i64 8
+  %v3937 = load i64, ptr %v3936, align 8, !noalias !534
+  %v3938 = add nsw i64 %v3927, %v3924
+  %v3939 = mul nsw i64 %v3938, %v3916
+  %v3940 = add nsw i64 %v3939, %v3924
+  %v3941 = add nsw i64 %v3940, %v3937
+  store i64 %v3941, ptr %v3936, align 8, !noalias !534
+  store double 0.000000e+00, ptr %v3921, align 8, !noalias !534
+  store double 0.000000e+00, ptr %v3925, align 8, !noalias !534
+  %v3942 = getelementptr double, ptr %v3918, i64 %v3922
+  %v3943 = load double, ptr %v3942, align 8, !noalias !534
+  %v3944 = sitofp i64 %v3938 to double
+  %v3945 = fsub double %v3943, %v3944
+  store double %v3945, ptr %v3942, align 8, !noalias !534
+  br label %v3946
+
+v3946:
+  %v3947 = icmp sgt i64 %v3948, 1
+  br i1 %v3947, label %v3919, label %v3910
+
+v3919:
+  %v3922 = phi i64 [ 0, %v3911 ], [ %v3949, %v3946 ]
+  %v3948 = phi i64 [ %v308, %v3911 ], [ %v3950, %v3946 ]
+  %v3950 = add nsw i64 %v3948, -1
+  %v3949 = add nsw i64 %v3922, 1
+  %v3951 = getelementptr i64, ptr %v142, i64 %v3922
+  %v3929 = load i64, ptr %v3951, align 8, !noalias !534
+  %v3952 = icmp sgt i64 %v3929, -1
+  br i1 %v3952, label %v3920, label %v3946
+
+v3953:
+  %v3954 = phi i32 [ 0, %v3910 ], [ %v3105, %v3107 ]
+  ret i32 %v3954
+
+v364:
+  %v505 = phi i64 [ 0, %v310 ], [ %v504, %v371 ]
+  %v507 = phi i64 [ %v308, %v310 ], [ %v3955, %v371 ]
+  %v367 = phi i64 [ 0, %v310 ], [ %v3956, %v371 ]
+  %v3955 = add nsw i64 %v507, -1
+  %v3956 = add nsw i64 %v367, 1
+  %v501 = getelementptr i64, ptr %v142, i64 %v367
+  %v3957 = load i64, ptr %v501, align 8
+  %v3958 = icmp slt i64 %v3957, 0
+  br i1 %v3958, label %v365, label %v371
+
+v1332:
+  %v3959 = load i64, ptr %v6, align 8, !noalias !538
+  %v3960 = inttoptr i64 %v3959 to ptr
+  tail call void %v3960(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v597), !noalias !538
+  br label %v1333
+
+v1333:
+  br i1 %v598, label %v3961, label %v3962
+
+v3961:
+  %v3963 = load double, ptr %v600, align 8, !noalias !541
+  %v3964 = fcmp olt double %v3963, 5.000000e-01
+  br i1 %v3964, label %v3965, label %v3966
+
+v3965:
+  br i1 %v601, label %v3967, label %v3968
+
+v3967:
+  br i1 %v613, label %v3969, label %v3970, !prof !397
+
+v3971:
+  %v3972 = icmp eq i64 %v3973, %v646
+  br i1 %v3972, label %v3966, label %v3974
+
+v3975:
+  %v3976 = load i64, ptr %v623, align 8, !noalias !545
+  %v3977 = icmp eq i64 %v3976, %v3973
+  br i1 %v3977, label %v3978, label %v3979
+
+v3978:
+  %v3980 = load double, ptr %v625, align 8, !noalias !545
+  %v3981 = fmul double %v3980, 1.000000e-03
+  br label %v3979
+
+v3979:
+  %v3982 = phi double [ %v3981, %v3978 ], [ 0.000000e+00, %v3975 ]
+  store double %v3982, ptr %v3983, align 8, !noalias !545
+  br i1 %v601, label %v3984, label %v3985
+
+v3986:
+  %v3987 = phi i64 [ %v3988, %v3986 ], [ 0, %v3974 ]
+  %v3988 = add nsw i64 %v3987, 1
+  %v3989 = mul i64 %v3987, %v196
+  %v3990 = getelementptr double, ptr %v193, i64 %v3989
+  %v3991 = load double, ptr %v3990, align 8, !noalias !545
+  %v3992 = tail call double @llvm.fabs.f64(double %v3991)
+  %v3993 = fcmp ogt double %v3994, %v3992
+  %v3995 = select i1 %v3993, double %v3994, double %v3992
+  %v3996 = fcmp ogt double %v3995, 0.000000e+00
+  %v3997 = fmul double %v3995, 1.200000e-05
+  %v3998 = select i1 %v3996, double %v3997, double 1.200000e-05
+  %v3999 = getelementptr i64, ptr %v266, i64 %v3987
+  %v4000 = load i64, ptr %v3999, align 8, !noalias !545
+  %v4001 = icmp eq i64 %v4000, %v3973
+  %v4002 = select i1 %v4001, double %v3998, double 0.000000e+00
+  %v4003 = getelementptr double, ptr %v4004, i64 %v3987
+  store double %v4002, ptr %v4003, align 8, !noalias !545
+  %v4005 = icmp eq i64 %v10, %v3988
+  br i1 %v4005, label %v3975, label %v3986
+
+v4006:
+  %v4007 = getelementptr double, ptr %v639, i64 %v4008
+  store double %v4009, ptr %v4007, align 8, !noalias !551
+  br label %v4010
+
+v4011:
+  %v4012 = select i1 %v4013, i64 %v295, i64 0
+  %v4014 = getelementptr i64, ptr %v294, i64 %v4015
+  %v4016 = getelementptr i64, ptr %v4014, i64 %v4012
+  %v4017 = load i64, ptr %v4016, align 8, !noalias !551
+  %v4018 = icmp slt i64 %v4017, 0
+  %v4019 = select i1 %v4018, i64 %v223, i64 0
+  %v4020 = getelementptr double, ptr %v222, i64 %v4017
+  %v4021 = getelementptr double, ptr %v4020, i64 %v4019
+  store double %v4009, ptr %v4021, align 8, !noalias !551
+  br label %v4010
+
+v4010:
+  %v4022 = icmp sgt i64 %v4023, 1
+  br i1 %v4022, label %v4024, label %v3971
+
+v3968:
+  %v4025 = phi i64 [ %v4026, %v3968 ], [ 0, %v3965 ]
+  %v4026 = add nsw i64 %v4025, 1
+  %v4027 = mul i64 %v4025, %v196
+  %v4028 = getelementptr double, ptr %v193, i64 %v4027
+  %v4029 = load double, ptr %v4028, align 8, !noalias !551
+  %v4030 = getelementptr double, ptr %v604, i64 %v4027
+  store double %v4029, ptr %v4030, align 8, !noalias !551
+  %v4031 = getelementptr double, ptr %v606, i64 %v4027
+  store double 0.000000e+00, ptr %v4031, align 8, !noalias !551
+  %v4032 = icmp eq i64 %v10, %v4026
+  br i1 %v4032, label %v3967, label %v3968
+
+v4033:
+  %v4034 = phi i64 [ %v159, %v4035 ], [ %v4036, %v4037 ]
+  %v4038 = sub i64 %v4034, %v4039
+  %v4040 = tail call i64 @llvm.smax.i64(i64 %v4038, i64 0)
+  %v4004 = getelementptr double, ptr %v158, i64 %v4039
+  br i1 %v618, label %v4041, label %v3966
+
+v4041:
+  %v4042 = select i1 %v610, i64 %v4040, i64 0
+  %v4043 = getelementptr double, ptr %v4004, i64 %v10
+  %v3983 = getelementptr double, ptr %v4043, i64 %v4042
+  br label %v3974
+
+v3969:
+  br label %v3970
+
+v3970:
+  %v4044 = phi i64 [ 0, %v3969 ], [ %v612, %v3967 ]
+  br i1 %v614, label %v4045, label %v4046, !prof !131
+
+v4046:
+  br label %v4045
+
+v4045:
+  %v4039 = phi i64 [ %v159, %v4046 ], [ %v4044, %v3970 ]
+  br i1 %v616, label %v4047, label %v4037, !prof !397
+
+v4047:
+  br label %v4037
+
+v4037:
+  %v4036 = phi i64 [ 0, %v4047 ], [ %v615, %v4045 ]
+  br i1 %v617, label %v4033, label %v4035, !prof !131
 
 v4035:
-  %v4069 = phi i64 [ %v4070, %v4035 ], [ %v4049, %v4018 ]
-  %v4071 = phi i64 [ %v4072, %v4035 ], [ %v4017, %v4018 ]
-  %v4070 = add nsw i64 %v4069, -1
-  %v4072 = add i64 %v4071, 1
-  %v4073 = add nsw i64 %v4071, %v4025
-  %v4074 = icmp slt i64 %v4073, 0
-  %v4075 = select i1 %v4074, i64 %v230, i64 0
-  %v4076 = getelementptr double, ptr %v229, i64 %v4073
-  %v4077 = getelementptr double, ptr %v4076, i64 %v4075
-  %v4078 = load double, ptr %v4077, align 8, !noalias !552
-  %v4079 = load double, ptr %v4032, align 8, !noalias !552
-  %v4080 = fdiv double %v4078, %v4079
-  store double %v4080, ptr %v4077, align 8, !noalias !552
-  %v4081 = icmp sgt i64 %v4069, 1
-  br i1 %v4081, label %v4035, label %v4034
+  br label %v4033
 
-v4039:
-  %v4042 = phi i64 [ %v4082, %v4040 ], [ %v4036, %v4034 ]
-  %v4083 = phi i64 [ %v4084, %v4040 ], [ %v4017, %v4034 ]
-  %v4082 = add nsw i64 %v4042, -1
-  %v4084 = add i64 %v4083, 1
-  %v4085 = mul nsw i64 %v4083, %v10
-  %v4086 = add nsw i64 %v4085, %v4019
-  %v4087 = icmp slt i64 %v4086, 0
-  %v4088 = select i1 %v4087, i64 %v230, i64 0
-  %v4089 = getelementptr double, ptr %v229, i64 %v4086
-  %v4090 = getelementptr double, ptr %v4089, i64 %v4088
-  %v4091 = load double, ptr %v4090, align 8, !noalias !552
-  %v4092 = add nsw i64 %v4085, %v4020
-  %v4093 = icmp slt i64 %v4092, 0
-  %v4094 = select i1 %v4093, i64 %v230, i64 0
-  %v4095 = getelementptr double, ptr %v229, i64 %v4092
-  %v4096 = getelementptr double, ptr %v4095, i64 %v4094
-  %v4097 = load double, ptr %v4096, align 8, !noalias !552
-  store double %v4097, ptr %v4090, align 8, !noalias !552
-  store double %v4091, ptr %v4096, align 8, !noalias !552
-  %v4098 = fcmp oeq double %v4091, 0.000000e+00
-  %v4099 = or i1 %v4033, %v4098
-  br i1 %v4099, label %v4040, label %v4100
+v3974:
+  %v3973 = phi i64 [ 0, %v4041 ], [ %v4048, %v3971 ]
+  %v4048 = add nsw i64 %v3973, 1
+  %v4049 = load double, ptr %v620, align 8, !noalias !545
+  %v4050 = load double, ptr %v23, align 8, !noalias !545
+  %v3994 = fdiv double %v4049, %v4050
+  br i1 %v601, label %v3975, label %v3986
 
-v4100:
-  %v4101 = phi i64 [ %v4102, %v4100 ], [ %v4049, %v4039 ]
-  %v4103 = phi i64 [ %v4104, %v4100 ], [ %v4017, %v4039 ]
-  %v4102 = add nsw i64 %v4101, -1
-  %v4104 = add i64 %v4103, 1
-  %v4105 = add nsw i64 %v4103, %v4085
-  %v4106 = icmp slt i64 %v4105, 0
-  %v4107 = select i1 %v4106, i64 %v230, i64 0
-  %v4108 = getelementptr double, ptr %v229, i64 %v4105
-  %v4109 = getelementptr double, ptr %v4108, i64 %v4107
-  %v4110 = load double, ptr %v4109, align 8, !noalias !552
-  %v4111 = add nsw i64 %v4103, %v4025
-  %v4112 = icmp slt i64 %v4111, 0
-  %v4113 = select i1 %v4112, i64 %v230, i64 0
-  %v4114 = getelementptr double, ptr %v229, i64 %v4111
-  %v4115 = getelementptr double, ptr %v4114, i64 %v4113
-  %v4116 = load double, ptr %v4115, align 8, !noalias !552
-  %v4117 = fmul double %v4091, %v4116
-  %v4118 = fsub double %v4110, %v4117
-  store double %v4118, ptr %v4109, align 8, !noalias !552
-  %v4119 = icmp sgt i64 %v4101, 1
-  br i1 %v4119, label %v4100, label %v4040
+v4051:
+  %v4052 = load double, ptr %v133, align 8, !noalias !552
+  %v4053 = load double, ptr %v3983, align 8, !noalias !552
+  %v4054 = fmul double %v4053, 5.000000e-01
+  %v4055 = fadd double %v4052, %v4054
+  store double %v4055, ptr %v628, align 8, !noalias !552
+  %v4056 = load i64, ptr %v6, align 8, !noalias !556
+  %v4057 = inttoptr i64 %v4056 to ptr
+  tail call void %v4057(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v641), !noalias !556
+  br label %v4058
 
-v4001:
-  %v4004 = phi i64 [ %v4013, %v4002 ], [ 0, %v3820 ]
-  %v4013 = add nsw i64 %v4004, 1
-  %v4120 = sub i64 %v4004, %v630
-  %v4121 = tail call i64 @llvm.smax.i64(i64 %v4120, i64 0)
-  %v4122 = add i64 %v631, %v4004
-  %v4123 = tail call i64 @llvm.smin.i64(i64 %v4122, i64 %v10)
-  %v4124 = sub i64 %v4123, %v4121
-  %v4125 = icmp slt i64 %v4124, 1
-  br i1 %v4125, label %v4002, label %v4126
+v4058:
+  %v4059 = phi i64 [ %v4060, %v4058 ], [ 0, %v4051 ]
+  %v4060 = add nsw i64 %v4059, 1
+  %v4061 = mul i64 %v4059, %v196
+  %v4062 = getelementptr double, ptr %v193, i64 %v4061
+  %v4063 = load double, ptr %v4062, align 8, !noalias !552
+  %v4064 = getelementptr double, ptr %v4004, i64 %v4059
+  %v4065 = load double, ptr %v4064, align 8, !noalias !552
+  %v4066 = fmul double %v4065, 5.000000e-01
+  %v4067 = fsub double %v4063, %v4066
+  %v4068 = getelementptr double, ptr %v632, i64 %v4061
+  store double %v4067, ptr %v4068, align 8, !noalias !552
+  %v4069 = icmp eq i64 %v10, %v4060
+  br i1 %v4069, label %v4070, label %v4058
 
-v4126:
-  %v4127 = mul nsw i64 %v4004, %v10
-  br label %v4128
+v3984:
+  %v4071 = load double, ptr %v133, align 8, !noalias !552
+  %v4072 = fmul double %v3982, 5.000000e-01
+  %v4073 = fadd double %v4072, %v4071
+  store double %v4073, ptr %v628, align 8, !noalias !552
+  %v4074 = load i64, ptr %v6, align 8, !noalias !556
+  %v4075 = inttoptr i64 %v4074 to ptr
+  tail call void %v4075(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v643), !noalias !556
+  br label %v4070
 
-v4128:
-  %v4129 = phi i64 [ %v4124, %v4126 ], [ %v4130, %v4128 ]
-  %v4131 = phi i64 [ %v4121, %v4126 ], [ %v4132, %v4128 ]
-  %v4130 = add nsw i64 %v4129, -1
-  %v4132 = add i64 %v4131, 1
-  %v4133 = add nsw i64 %v4131, %v4127
-  %v4134 = icmp slt i64 %v4133, 0
-  %v4135 = select i1 %v4134, i64 %v223, i64 0
-  %v4136 = getelementptr double, ptr %v222, i64 %v4133
-  %v4137 = getelementptr double, ptr %v4136, i64 %v4135
-  %v4138 = load double, ptr %v4137, align 8, !noalias !534
-  %v4139 = fneg double %v4138
-  %v4140 = select i1 %v4134, i64 %v230, i64 0
-  %v4141 = getelementptr double, ptr %v229, i64 %v4133
-  %v4142 = getelementptr double, ptr %v4141, i64 %v4140
-  store double %v4139, ptr %v4142, align 8, !noalias !534
-  %v4143 = icmp sgt i64 %v4129, 1
-  br i1 %v4143, label %v4128, label %v4002
+v4070:
+  %v4076 = load double, ptr %v133, align 8, !noalias !552
+  %v4077 = load double, ptr %v3983, align 8, !noalias !552
+  %v4078 = fmul double %v4077, 5.000000e-01
+  %v4079 = fsub double %v4076, %v4078
+  store double %v4079, ptr %v628, align 8, !noalias !552
+  %v4080 = load i64, ptr %v6, align 8, !noalias !556
+  %v4081 = inttoptr i64 %v4080 to ptr
+  tail call void %v4081(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v645), !noalias !556
+  br i1 %v601, label %v4082, label %v4083
 
-v3816:
-  br i1 %v639, label %v1306, label %v4144
+v4084:
+  %v4085 = fsub double %v4086, %v4087
+  br label %v4088
 
-v4145:
-  br i1 %v645, label %v4146, label %v4147
+v4089:
+  %v4090 = getelementptr double, ptr %v637, i64 %v4091
+  %v4092 = load double, ptr %v4090, align 8, !noalias !552
+  %v4093 = fsub double %v4086, %v4092
+  %v4094 = fmul double %v4093, 2.000000e+00
+  br label %v4088
 
-v4147:
-  %v4148 = mul i64 %v4149, %v646
-  %v4150 = getelementptr double, ptr %v193, i64 %v4148
-  br label %v4151
+v4088:
+  %v4095 = phi double [ %v4094, %v4089 ], [ %v4085, %v4084 ]
+  store double %v4095, ptr %v4096, align 8, !noalias !552
+  %v4097 = icmp eq i64 %v10, %v4098
+  br i1 %v4097, label %v4082, label %v4083
 
-v4152:
-  %v4153 = icmp slt i64 %v4154, 0
-  %v4155 = select i1 %v4153, i64 %v251, i64 0
-  %v4156 = getelementptr i64, ptr %v250, i64 %v4154
-  %v4157 = getelementptr i64, ptr %v4156, i64 %v4155
-  store i64 %v4158, ptr %v4157, align 8, !noalias !555
-  %v4159 = add nsw i64 %v4154, 1
-  br label %v4160
+v3985:
+  %v4099 = phi i64 [ %v4100, %v3985 ], [ 0, %v3979 ]
+  %v4100 = add nsw i64 %v4099, 1
+  %v4101 = mul i64 %v4099, %v196
+  %v4102 = getelementptr double, ptr %v193, i64 %v4101
+  %v4103 = load double, ptr %v4102, align 8, !noalias !552
+  %v4104 = getelementptr double, ptr %v4004, i64 %v4099
+  %v4105 = load double, ptr %v4104, align 8, !noalias !552
+  %v4106 = fmul double %v4105, 5.000000e-01
+  %v4107 = fadd double %v4103, %v4106
+  %v4108 = getelementptr double, ptr %v632, i64 %v4101
+  store double %v4107, ptr %v4108, align 8, !noalias !552
+  %v4109 = icmp eq i64 %v10, %v4100
+  br i1 %v4109, label %v4051, label %v3985
 
-v4160:
-  %v4161 = phi i64 [ %v4159, %v4152 ], [ %v4154, %v4162 ]
-  %v4163 = icmp eq i64 %v10, %v4164
-  br i1 %v4163, label %v4146, label %v4162
+v4083:
+  %v4110 = phi i64 [ %v4098, %v4088 ], [ 0, %v4070 ]
+  %v4098 = add nsw i64 %v4110, 1
+  %v4091 = mul i64 %v4110, %v196
+  %v4111 = getelementptr double, ptr %v193, i64 %v4091
+  %v4112 = load double, ptr %v4111, align 8, !noalias !552
+  %v4113 = getelementptr double, ptr %v632, i64 %v4091
+  store double %v4112, ptr %v4113, align 8, !noalias !552
+  %v4096 = getelementptr double, ptr %v634, i64 %v4091
+  %v4086 = load double, ptr %v4096, align 8, !noalias !552
+  %v4114 = getelementptr double, ptr %v636, i64 %v4091
+  %v4087 = load double, ptr %v4114, align 8, !noalias !552
+  %v4115 = fsub double %v4087, %v4087
+  %v4116 = fcmp oeq double %v4115, 0.000000e+00
+  br i1 %v4116, label %v4084, label %v4089
 
-v4146:
-  %v4165 = phi i64 [ 0, %v4145 ], [ %v4161, %v4160 ]
-  %v4166 = icmp sgt i64 %v4165, 0
-  %v4167 = icmp slt i64 %v4165, %v10
-  %v4168 = and i1 %v4166, %v4167
-  br i1 %v4168, label %v4169, label %v4170
+v4082:
+  %v4117 = getelementptr i64, ptr %v273, i64 %v3973
+  %v4118 = load i64, ptr %v4117, align 8, !noalias !551
+  %v4119 = getelementptr i8, ptr %v4117, i64 8
+  %v4120 = load i64, ptr %v4119, align 8, !noalias !551
+  %v4121 = sub i64 %v4120, %v4118
+  %v4122 = icmp slt i64 %v4121, 1
+  br i1 %v4122, label %v3971, label %v4024
 
-v4169:
-  %v4171 = phi i64 [ %v4172, %v4173 ], [ %v4165, %v4146 ]
-  %v4174 = phi i64 [ %v4175, %v4173 ], [ 0, %v4146 ]
-  %v4176 = getelementptr i64, ptr %v250, i64 %v4174
-  %v4177 = load i64, ptr %v4176, align 8, !noalias !555
-  %v4175 = add nsw i64 %v4174, 1
-  %v4178 = sub nsw i64 %v4177, %v254
-  %v4179 = tail call i64 @llvm.smax.i64(i64 %v4178, i64 0)
-  %v4180 = add i64 %v653, %v4177
-  %v4181 = tail call i64 @llvm.smin.i64(i64 %v4180, i64 %v10)
-  %v4182 = sub i64 %v4181, %v4179
-  %v4183 = icmp slt i64 %v4182, 1
-  br i1 %v4183, label %v4173, label %v4184
+v4024:
+  %v4023 = phi i64 [ %v4123, %v4010 ], [ %v4121, %v4082 ]
+  %v4015 = phi i64 [ %v4124, %v4010 ], [ %v4118, %v4082 ]
+  %v4123 = add nsw i64 %v4023, -1
+  %v4124 = add i64 %v4015, 1
+  %v4013 = icmp slt i64 %v4015, 0
+  %v4125 = select i1 %v4013, i64 %v281, i64 0
+  %v4126 = getelementptr i64, ptr %v280, i64 %v4015
+  %v4127 = getelementptr i64, ptr %v4126, i64 %v4125
+  %v4128 = load i64, ptr %v4127, align 8, !noalias !551
+  %v4129 = select i1 %v4013, i64 %v288, i64 0
+  %v4130 = getelementptr i64, ptr %v287, i64 %v4015
+  %v4131 = getelementptr i64, ptr %v4130, i64 %v4129
+  %v4132 = load i64, ptr %v4131, align 8, !noalias !551
+  %v4133 = icmp slt i64 %v4128, 0
+  %v4134 = select i1 %v4133, i64 %v195, i64 0
+  %v4135 = add i64 %v4134, %v4128
+  %v4008 = mul i64 %v4135, %v196
+  %v4136 = getelementptr double, ptr %v634, i64 %v4008
+  %v4137 = load double, ptr %v4136, align 8, !noalias !551
+  %v4138 = icmp slt i64 %v4132, 0
+  %v4139 = select i1 %v4138, i64 %v4040, i64 0
+  %v4140 = getelementptr double, ptr %v4004, i64 %v4132
+  %v4141 = getelementptr double, ptr %v4140, i64 %v4139
+  %v4142 = load double, ptr %v4141, align 8, !noalias !551
+  %v4143 = fdiv double %v4137, %v4142
+  %v4144 = fsub double %v4143, %v4143
+  %v4145 = fcmp oeq double %v4144, 0.000000e+00
+  %v4009 = select i1 %v4145, double %v4143, double 0.000000e+00
+  %v4146 = icmp eq i64 %v4132, %v10
+  br i1 %v4146, label %v4006, label %v4011
 
-v4184:
-  %v4185 = mul nsw i64 %v4177, %v10
-  br label %v4186
+v3966:
+  br i1 %v647, label %v4147, label %v3962
 
-v4187:
-  %v4188 = icmp slt i64 %v4189, 0
-  %v4190 = select i1 %v4188, i64 %v244, i64 0
-  %v4191 = getelementptr i64, ptr %v243, i64 %v4189
-  %v4192 = getelementptr i64, ptr %v4191, i64 %v4190
-  %v4193 = load i64, ptr %v4192, align 8, !noalias !555
-  %v4194 = icmp eq i64 %v4193, 0
-  br i1 %v4194, label %v4195, label %v4196
+v4148:
+  %v4149 = mul i64 %v4150, %v650
+  %v4151 = icmp slt i64 %v4149, 0
+  %v4152 = select i1 %v4151, i64 %v230, i64 0
+  %v4153 = getelementptr double, ptr %v229, i64 %v4149
+  %v4154 = getelementptr double, ptr %v4153, i64 %v4152
+  %v4155 = load double, ptr %v4154, align 8, !noalias !541
+  %v4156 = load double, ptr %v652, align 8, !noalias !541
+  %v4157 = fadd double %v4155, %v4156
+  store double %v4157, ptr %v4154, align 8, !noalias !541
+  %v4158 = icmp eq i64 %v10, %v4159
+  br i1 %v4158, label %v4160, label %v4147
 
-v4195:
-  store i64 1, ptr %v4192, align 8, !noalias !555
-  %v4197 = getelementptr i64, ptr %v250, i64 %v4198
-  store i64 %v4189, ptr %v4197, align 8, !noalias !555
-  %v4199 = add nsw i64 %v4198, 1
-  br label %v4196
+v4161:
+  %v4162 = icmp eq i64 %v4163, %v10
+  br i1 %v4162, label %v3962, label %v4160
 
-v4196:
-  %v4200 = phi i64 [ %v4198, %v4187 ], [ %v4199, %v4195 ], [ %v4198, %v4186 ]
-  %v4201 = icmp sgt i64 %v4202, 1
-  br i1 %v4201, label %v4186, label %v4173
+v4164:
+  %v4165 = phi i64 [ %v4166, %v4160 ], [ %v4167, %v4168 ]
+  %v4169 = getelementptr i64, ptr %v236, i64 %v4166
+  store i64 %v4165, ptr %v4169, align 8, !noalias !559
+  %v4170 = add nsw i64 %v4165, %v4171
+  %v4172 = icmp slt i64 %v4170, 0
+  %v4173 = select i1 %v4172, i64 %v230, i64 0
+  %v4174 = getelementptr double, ptr %v229, i64 %v4170
+  %v4175 = getelementptr double, ptr %v4174, i64 %v4173
+  %v4176 = load double, ptr %v4175, align 8, !noalias !559
+  %v4177 = load double, ptr %v4178, align 8, !noalias !559
+  store double %v4176, ptr %v4178, align 8, !noalias !559
+  store double %v4177, ptr %v4175, align 8, !noalias !559
+  br i1 %v4179, label %v4180, label %v4181
 
-v4173:
-  %v4172 = phi i64 [ %v4171, %v4169 ], [ %v4200, %v4196 ]
-  %v4203 = icmp slt i64 %v4175, %v4172
-  %v4204 = icmp slt i64 %v4172, %v10
-  %v4205 = and i1 %v4203, %v4204
-  br i1 %v4205, label %v4169, label %v4170
-
-v4162:
-  %v4154 = phi i64 [ %v4161, %v4160 ], [ 0, %v4151 ]
-  %v4158 = phi i64 [ %v4164, %v4160 ], [ 0, %v4151 ]
-  %v4164 = add nsw i64 %v4158, 1
-  %v4206 = getelementptr double, ptr %v652, i64 %v4158
-  %v4207 = load double, ptr %v4206, align 8, !noalias !555
-  %v4208 = fcmp une double %v4207, 0.000000e+00
-  %v4209 = getelementptr i64, ptr %v243, i64 %v4158
-  %v4210 = zext i1 %v4208 to i64
-  store i64 %v4210, ptr %v4209, align 8, !noalias !555
-  br i1 %v4208, label %v4152, label %v4160
+v4180:
+  %v4182 = sub i64 %v4183, %v4163
+  %v4184 = icmp slt i64 %v4182, 1
+  br i1 %v4184, label %v4161, label %v4185
 
 v4186:
-  %v4198 = phi i64 [ %v4171, %v4184 ], [ %v4200, %v4196 ]
-  %v4202 = phi i64 [ %v4182, %v4184 ], [ %v4211, %v4196 ]
-  %v4189 = phi i64 [ %v4179, %v4184 ], [ %v4212, %v4196 ]
-  %v4211 = add nsw i64 %v4202, -1
-  %v4212 = add i64 %v4189, 1
-  %v4213 = add nsw i64 %v4189, %v4185
-  %v4214 = icmp slt i64 %v4213, 0
-  %v4215 = select i1 %v4214, i64 %v223, i64 0
-  %v4216 = getelementptr double, ptr %v222, i64 %v4213
-  %v4217 = getelementptr double, ptr %v4216, i64 %v4215
-  %v4218 = load double, ptr %v4217, align 8, !noalias !555
-  %v4219 = fcmp une double %v4218, 0.000000e+00
-  br i1 %v4219, label %v4187, label %v4196
+  %v4187 = icmp sgt i64 %v4188, 1
+  br i1 %v4187, label %v4185, label %v4161
 
-v4220:
-  %v4221 = select i1 %v4222, i64 %v195, i64 0
-  %v4223 = add i64 %v4221, %v4224
-  %v4225 = mul i64 %v4223, %v196
-  %v4226 = getelementptr double, ptr %v657, i64 %v4225
-  %v4227 = load double, ptr %v4226, align 8, !noalias !561
-  br label %v4228
+v4160:
+  %v4166 = phi i64 [ %v4163, %v4161 ], [ 0, %v4148 ]
+  %v4163 = add nsw i64 %v4166, 1
+  %v4171 = mul nsw i64 %v4166, %v10
+  %v4189 = add nsw i64 %v4166, %v253
+  %v4190 = add nsw i64 %v4189, 1
+  %v4191 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4190, i64 %v10)
+  %v4192 = add i64 %v653, %v4189
+  %v4183 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4192, i64 %v10)
+  %v4193 = getelementptr double, ptr %v229, i64 %v4171
+  %v4178 = getelementptr double, ptr %v4193, i64 %v4166
+  %v4194 = sub i64 %v4191, %v4163
+  %v4195 = tail call i64 @llvm.smax.i64(i64 %v4194, i64 0)
+  %v4179 = icmp slt i64 %v4194, 1
+  br i1 %v4179, label %v4164, label %v4196
 
-v4228:
-  %v4229 = phi double [ %v4227, %v4220 ], [ 0.000000e+00, %v4230 ]
-  %v4231 = mul i64 %v4232, %v196
-  %v4233 = getelementptr double, ptr %v4234, i64 %v4231
-  store double %v4229, ptr %v4233, align 8, !noalias !561
-  %v4235 = icmp eq i64 %v10, %v4236
-  br i1 %v4235, label %v4237, label %v4230
+v4196:
+  %v4197 = load double, ptr %v4178, align 8, !noalias !559
+  %v4198 = tail call double @llvm.fabs.f64(double %v4197)
+  br label %v4168
 
-v4151:
-  %v4238 = phi i64 [ 0, %v4147 ], [ %v4239, %v4151 ]
-  %v4239 = add nsw i64 %v4238, 1
-  %v4240 = mul i64 %v4238, %v196
-  %v4241 = getelementptr double, ptr %v4150, i64 %v4240
-  %v4242 = load double, ptr %v4241, align 8, !noalias !561
-  %v4243 = getelementptr double, ptr %v648, i64 %v4240
-  %v4244 = load double, ptr %v4243, align 8, !noalias !561
-  %v4245 = fadd double %v4242, %v4244
-  %v4246 = getelementptr i64, ptr %v259, i64 %v4238
-  %v4247 = load i64, ptr %v4246, align 8, !noalias !561
-  %v4248 = icmp slt i64 %v4247, 0
-  %v4249 = select i1 %v4248, i64 %v195, i64 0
-  %v4250 = add i64 %v4249, %v4247
-  %v4251 = mul i64 %v4250, %v196
-  %v4252 = getelementptr double, ptr %v650, i64 %v4251
-  store double %v4245, ptr %v4252, align 8, !noalias !561
-  %v4253 = icmp eq i64 %v10, %v4239
-  br i1 %v4253, label %v4162, label %v4151
+v4168:
+  %v4199 = phi i64 [ %v4167, %v4168 ], [ %v4166, %v4196 ]
+  %v4200 = phi double [ %v4201, %v4168 ], [ %v4198, %v4196 ]
+  %v4202 = phi i64 [ %v4203, %v4168 ], [ %v4195, %v4196 ]
+  %v4204 = phi i64 [ %v4205, %v4168 ], [ %v4163, %v4196 ]
+  %v4203 = add nsw i64 %v4202, -1
+  %v4205 = add i64 %v4204, 1
+  %v4206 = add nsw i64 %v4204, %v4171
+  %v4207 = icmp slt i64 %v4206, 0
+  %v4208 = select i1 %v4207, i64 %v230, i64 0
+  %v4209 = getelementptr double, ptr %v229, i64 %v4206
+  %v4210 = getelementptr double, ptr %v4209, i64 %v4208
+  %v4211 = load double, ptr %v4210, align 8, !noalias !559
+  %v4212 = tail call double @llvm.fabs.f64(double %v4211)
+  %v4213 = fcmp ogt double %v4212, %v4200
+  %v4201 = select i1 %v4213, double %v4212, double %v4200
+  %v4167 = select i1 %v4213, i64 %v4204, i64 %v4199
+  %v4214 = icmp sgt i64 %v4202, 1
+  br i1 %v4214, label %v4168, label %v4164
 
-v4170:
-  br i1 %v645, label %v4237, label %v4254
+v4181:
+  %v4215 = phi i64 [ %v4216, %v4181 ], [ %v4195, %v4164 ]
+  %v4217 = phi i64 [ %v4218, %v4181 ], [ %v4163, %v4164 ]
+  %v4216 = add nsw i64 %v4215, -1
+  %v4218 = add i64 %v4217, 1
+  %v4219 = add nsw i64 %v4217, %v4171
+  %v4220 = icmp slt i64 %v4219, 0
+  %v4221 = select i1 %v4220, i64 %v230, i64 0
+  %v4222 = getelementptr double, ptr %v229, i64 %v4219
+  %v4223 = getelementptr double, ptr %v4222, i64 %v4221
+  %v4224 = load double, ptr %v4223, align 8, !noalias !559
+  %v4225 = load double, ptr %v4178, align 8, !noalias !559
+  %v4226 = fdiv double %v4224, %v4225
+  store double %v4226, ptr %v4223, align 8, !noalias !559
+  %v4227 = icmp sgt i64 %v4215, 1
+  br i1 %v4227, label %v4181, label %v4180
 
-v4255:
-  %v4256 = icmp eq i64 %v10, %v4257
-  br i1 %v4256, label %v4258, label %v4254
+v4185:
+  %v4188 = phi i64 [ %v4228, %v4186 ], [ %v4182, %v4180 ]
+  %v4229 = phi i64 [ %v4230, %v4186 ], [ %v4163, %v4180 ]
+  %v4228 = add nsw i64 %v4188, -1
+  %v4230 = add i64 %v4229, 1
+  %v4231 = mul nsw i64 %v4229, %v10
+  %v4232 = add nsw i64 %v4231, %v4165
+  %v4233 = icmp slt i64 %v4232, 0
+  %v4234 = select i1 %v4233, i64 %v230, i64 0
+  %v4235 = getelementptr double, ptr %v229, i64 %v4232
+  %v4236 = getelementptr double, ptr %v4235, i64 %v4234
+  %v4237 = load double, ptr %v4236, align 8, !noalias !559
+  %v4238 = add nsw i64 %v4231, %v4166
+  %v4239 = icmp slt i64 %v4238, 0
+  %v4240 = select i1 %v4239, i64 %v230, i64 0
+  %v4241 = getelementptr double, ptr %v229, i64 %v4238
+  %v4242 = getelementptr double, ptr %v4241, i64 %v4240
+  %v4243 = load double, ptr %v4242, align 8, !noalias !559
+  store double %v4243, ptr %v4236, align 8, !noalias !559
+  store double %v4237, ptr %v4242, align 8, !noalias !559
+  %v4244 = fcmp oeq double %v4237, 0.000000e+00
+  %v4245 = or i1 %v4179, %v4244
+  br i1 %v4245, label %v4186, label %v4246
 
-v4259:
-  %v4260 = icmp sgt i64 %v4261, 1
-  br i1 %v4260, label %v4258, label %v4262
+v4246:
+  %v4247 = phi i64 [ %v4248, %v4246 ], [ %v4195, %v4185 ]
+  %v4249 = phi i64 [ %v4250, %v4246 ], [ %v4163, %v4185 ]
+  %v4248 = add nsw i64 %v4247, -1
+  %v4250 = add i64 %v4249, 1
+  %v4251 = add nsw i64 %v4249, %v4231
+  %v4252 = icmp slt i64 %v4251, 0
+  %v4253 = select i1 %v4252, i64 %v230, i64 0
+  %v4254 = getelementptr double, ptr %v229, i64 %v4251
+  %v4255 = getelementptr double, ptr %v4254, i64 %v4253
+  %v4256 = load double, ptr %v4255, align 8, !noalias !559
+  %v4257 = add nsw i64 %v4249, %v4171
+  %v4258 = icmp slt i64 %v4257, 0
+  %v4259 = select i1 %v4258, i64 %v230, i64 0
+  %v4260 = getelementptr double, ptr %v229, i64 %v4257
+  %v4261 = getelementptr double, ptr %v4260, i64 %v4259
+  %v4262 = load double, ptr %v4261, align 8, !noalias !559
+  %v4263 = fmul double %v4237, %v4262
+  %v4264 = fsub double %v4256, %v4263
+  store double %v4264, ptr %v4255, align 8, !noalias !559
+  %v4265 = icmp sgt i64 %v4247, 1
+  br i1 %v4265, label %v4246, label %v4186
 
-v4262:
-  %v4263 = mul i64 %v658, %v4149
-  %v4234 = getelementptr double, ptr %v193, i64 %v4263
-  br label %v4230
+v4147:
+  %v4150 = phi i64 [ %v4159, %v4148 ], [ 0, %v3966 ]
+  %v4159 = add nsw i64 %v4150, 1
+  %v4266 = sub i64 %v4150, %v648
+  %v4267 = tail call i64 @llvm.smax.i64(i64 %v4266, i64 0)
+  %v4268 = add i64 %v649, %v4150
+  %v4269 = tail call i64 @llvm.smin.i64(i64 %v4268, i64 %v10)
+  %v4270 = sub i64 %v4269, %v4267
+  %v4271 = icmp slt i64 %v4270, 1
+  br i1 %v4271, label %v4148, label %v4272
 
-v4254:
-  %v4264 = phi i64 [ %v4257, %v4255 ], [ 0, %v4170 ]
-  %v4257 = add nsw i64 %v4264, 1
-  %v4265 = getelementptr i64, ptr %v236, i64 %v4264
-  %v4266 = load i64, ptr %v4265, align 8, !noalias !562
-  %v4267 = add nsw i64 %v4266, %v651
-  %v4268 = icmp slt i64 %v4267, 0
-  %v4269 = select i1 %v4268, i64 %v159, i64 0
-  %v4270 = getelementptr double, ptr %v158, i64 %v4267
-  %v4271 = getelementptr double, ptr %v4270, i64 %v4269
-  %v4272 = load double, ptr %v4271, align 8, !noalias !562
-  %v4273 = getelementptr double, ptr %v655, i64 %v4264
-  %v4274 = load double, ptr %v4273, align 8, !noalias !562
-  store double %v4274, ptr %v4271, align 8, !noalias !562
-  store double %v4272, ptr %v4273, align 8, !noalias !562
-  %v4275 = add i64 %v654, %v4264
-  %v4276 = tail call i64 @llvm.smin.i64(i64 %v4275, i64 %v10)
-  %v4277 = sub i64 %v4276, %v4257
-  %v4278 = icmp slt i64 %v4277, 1
-  br i1 %v4278, label %v4255, label %v4279
+v4272:
+  %v4273 = mul nsw i64 %v4150, %v10
+  br label %v4274
 
-v4279:
-  %v4280 = mul nsw i64 %v4264, %v10
-  br label %v4281
+v4274:
+  %v4275 = phi i64 [ %v4270, %v4272 ], [ %v4276, %v4274 ]
+  %v4277 = phi i64 [ %v4267, %v4272 ], [ %v4278, %v4274 ]
+  %v4276 = add nsw i64 %v4275, -1
+  %v4278 = add i64 %v4277, 1
+  %v4279 = add nsw i64 %v4277, %v4273
+  %v4280 = icmp slt i64 %v4279, 0
+  %v4281 = select i1 %v4280, i64 %v223, i64 0
+  %v4282 = getelementptr double, ptr %v222, i64 %v4279
+  %v4283 = getelementptr double, ptr %v4282, i64 %v4281
+  %v4284 = load double, ptr %v4283, align 8, !noalias !541
+  %v4285 = fneg double %v4284
+  %v4286 = select i1 %v4280, i64 %v230, i64 0
+  %v4287 = getelementptr double, ptr %v229, i64 %v4279
+  %v4288 = getelementptr double, ptr %v4287, i64 %v4286
+  store double %v4285, ptr %v4288, align 8, !noalias !541
+  %v4289 = icmp sgt i64 %v4275, 1
+  br i1 %v4289, label %v4274, label %v4148
 
-v4281:
-  %v4282 = phi i64 [ %v4277, %v4279 ], [ %v4283, %v4281 ]
-  %v4284 = phi i64 [ %v4257, %v4279 ], [ %v4285, %v4281 ]
-  %v4283 = add nsw i64 %v4282, -1
-  %v4285 = add i64 %v4284, 1
-  %v4286 = add nsw i64 %v4284, %v651
-  %v4287 = icmp slt i64 %v4286, 0
-  %v4288 = select i1 %v4287, i64 %v159, i64 0
-  %v4289 = getelementptr double, ptr %v158, i64 %v4286
-  %v4290 = getelementptr double, ptr %v4289, i64 %v4288
-  %v4291 = load double, ptr %v4290, align 8, !noalias !562
-  %v4292 = add nsw i64 %v4284, %v4280
-  %v4293 = icmp slt i64 %v4292, 0
-  %v4294 = select i1 %v4293, i64 %v230, i64 0
-  %v4295 = getelementptr double, ptr %v229, i64 %v4292
-  %v4296 = getelementptr double, ptr %v4295, i64 %v4294
-  %v4297 = load double, ptr %v4296, align 8, !noalias !562
-  %v4298 = fmul double %v4272, %v4297
-  %v4299 = fsub double %v4291, %v4298
-  store double %v4299, ptr %v4290, align 8, !noalias !562
-  %v4300 = icmp sgt i64 %v4282, 1
-  br i1 %v4300, label %v4281, label %v4255
+v3962:
+  br i1 %v657, label %v1353, label %v4290
 
-v4258:
-  %v4261 = phi i64 [ %v4301, %v4259 ], [ %v10, %v4255 ]
-  %v4301 = add nsw i64 %v4261, -1
-  %v4302 = add nsw i64 %v4301, %v651
-  %v4303 = icmp slt i64 %v4302, 0
-  %v4304 = select i1 %v4303, i64 %v159, i64 0
-  %v4305 = getelementptr double, ptr %v158, i64 %v4302
-  %v4306 = getelementptr double, ptr %v4305, i64 %v4304
-  %v4307 = load double, ptr %v4306, align 8, !noalias !562
-  %v4308 = mul nsw i64 %v4301, %v10
-  %v4309 = add nsw i64 %v4308, %v4301
-  %v4310 = icmp slt i64 %v4309, 0
-  %v4311 = select i1 %v4310, i64 %v230, i64 0
-  %v4312 = getelementptr double, ptr %v229, i64 %v4309
-  %v4313 = getelementptr double, ptr %v4312, i64 %v4311
-  %v4314 = load double, ptr %v4313, align 8, !noalias !562
-  %v4315 = fdiv double %v4307, %v4314
-  store double %v4315, ptr %v4306, align 8, !noalias !562
-  %v4316 = sub i64 %v4301, %v656
-  %v4317 = tail call i64 @llvm.smax.i64(i64 %v4316, i64 0)
-  %v4318 = sub i64 %v4301, %v4317
-  %v4319 = icmp slt i64 %v4318, 1
-  br i1 %v4319, label %v4259, label %v4320
+v4291:
+  br i1 %v663, label %v4292, label %v4293
 
-v4320:
-  %v4321 = phi i64 [ %v4322, %v4320 ], [ %v4318, %v4258 ]
-  %v4323 = phi i64 [ %v4324, %v4320 ], [ %v4317, %v4258 ]
-  %v4322 = add nsw i64 %v4321, -1
-  %v4324 = add i64 %v4323, 1
-  %v4325 = add nsw i64 %v4323, %v651
-  %v4326 = icmp slt i64 %v4325, 0
-  %v4327 = select i1 %v4326, i64 %v159, i64 0
-  %v4328 = getelementptr double, ptr %v158, i64 %v4325
-  %v4329 = getelementptr double, ptr %v4328, i64 %v4327
-  %v4330 = load double, ptr %v4329, align 8, !noalias !562
-  %v4331 = add nsw i64 %v4323, %v4308
-  %v4332 = icmp slt i64 %v4331, 0
-  %v4333 = select i1 %v4332, i64 %v230, i64 0
-  %v4334 = getelementptr double, ptr %v229, i64 %v4331
-  %v4335 = getelementptr double, ptr %v4334, i64 %v4333
-  %v4336 = load double, ptr %v4335, align 8, !noalias !562
-  %v4337 = fmul double %v4315, %v4336
-  %v4338 = fsub double %v4330, %v4337
-  store double %v4338, ptr %v4329, align 8, !noalias !562
-  %v4339 = icmp sgt i64 %v4321, 1
-  br i1 %v4339, label %v4320, label %v4259
+v4293:
+  %v4294 = mul i64 %v4295, %v664
+  %v4296 = getelementptr double, ptr %v193, i64 %v4294
+  br label %v4297
 
-v4230:
-  %v4232 = phi i64 [ 0, %v4262 ], [ %v4236, %v4228 ]
-  %v4236 = add nsw i64 %v4232, 1
-  %v4340 = getelementptr i64, ptr %v259, i64 %v4232
-  %v4224 = load i64, ptr %v4340, align 8, !noalias !561
-  %v4222 = icmp slt i64 %v4224, 0
-  %v4341 = select i1 %v4222, i64 %v244, i64 0
-  %v4342 = getelementptr i64, ptr %v243, i64 %v4224
-  %v4343 = getelementptr i64, ptr %v4342, i64 %v4341
-  %v4344 = load i64, ptr %v4343, align 8, !noalias !561
-  %v4345 = icmp eq i64 %v4344, 0
-  br i1 %v4345, label %v4228, label %v4220
+v4298:
+  %v4299 = icmp slt i64 %v4300, 0
+  %v4301 = select i1 %v4299, i64 %v251, i64 0
+  %v4302 = getelementptr i64, ptr %v250, i64 %v4300
+  %v4303 = getelementptr i64, ptr %v4302, i64 %v4301
+  store i64 %v4304, ptr %v4303, align 8, !noalias !562
+  %v4305 = add nsw i64 %v4300, 1
+  br label %v4306
 
-v4237:
-  %v4346 = icmp eq i64 %v4347, %v637
-  br i1 %v4346, label %v1306, label %v4144
+v4306:
+  %v4307 = phi i64 [ %v4305, %v4298 ], [ %v4300, %v4308 ]
+  %v4309 = icmp eq i64 %v10, %v4310
+  br i1 %v4309, label %v4292, label %v4308
 
-v1306:
-  %v4348 = load i64, ptr %v659, align 8, !noalias !566
-  %v4349 = inttoptr i64 %v4348 to ptr
-  tail call void %v4349(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !566
-  br i1 %v307, label %v1304, label %v1294
+v4292:
+  %v4311 = phi i64 [ 0, %v4291 ], [ %v4307, %v4306 ]
+  %v4312 = icmp sgt i64 %v4311, 0
+  %v4313 = icmp slt i64 %v4311, %v10
+  %v4314 = and i1 %v4312, %v4313
+  br i1 %v4314, label %v4315, label %v4316
 
-v4144:
-  %v4347 = phi i64 [ %v4149, %v4237 ], [ 1, %v3816 ]
-  %v4149 = add i64 %v4347, 1
-  %v4350 = getelementptr i64, ptr %v6, i64 %v4347
-  %v4351 = getelementptr i8, ptr %v4350, i64 104
-  %v4352 = load i64, ptr %v4351, align 8, !noalias !569
-  %v4353 = inttoptr i64 %v4352 to ptr
-  tail call void %v4353(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !569
-  %v4354 = load i64, ptr %v6, align 8, !noalias !572
-  %v4355 = mul nsw i64 %v4149, %v642
-  %v4356 = getelementptr double, ptr %v158, i64 %v4355
-  %v4357 = inttoptr i64 %v4354 to ptr
-  tail call void %v4357(ptr %v641, ptr %v644, ptr %v165, ptr %v172, ptr %v179, ptr %v4356), !noalias !572
-  br i1 %v580, label %v4145, label %v4237
+v4315:
+  %v4317 = phi i64 [ %v4318, %v4319 ], [ %v4311, %v4292 ]
+  %v4320 = phi i64 [ %v4321, %v4319 ], [ 0, %v4292 ]
+  %v4322 = getelementptr i64, ptr %v250, i64 %v4320
+  %v4323 = load i64, ptr %v4322, align 8, !noalias !562
+  %v4321 = add nsw i64 %v4320, 1
+  %v4324 = sub nsw i64 %v4323, %v254
+  %v4325 = tail call i64 @llvm.smax.i64(i64 %v4324, i64 0)
+  %v4326 = add i64 %v671, %v4323
+  %v4327 = tail call i64 @llvm.smin.i64(i64 %v4326, i64 %v10)
+  %v4328 = sub i64 %v4327, %v4325
+  %v4329 = icmp slt i64 %v4328, 1
+  br i1 %v4329, label %v4319, label %v4330
 
-v1294:
-  %v1295 = phi i1 [ %v1301, %v1296 ], [ %v1282, %v1306 ]
-  %v4358 = phi i1 [ %v1293, %v1296 ], [ false, %v1306 ]
-  %v1303 = phi i64 [ %v4359, %v1296 ], [ %v308, %v1306 ]
-  %v1289 = phi i64 [ %v4360, %v1296 ], [ 0, %v1306 ]
-  %v4359 = add nsw i64 %v1303, -1
-  %v4360 = add nsw i64 %v1289, 1
-  br i1 %v4358, label %v1292, label %v1287
+v4330:
+  %v4331 = mul nsw i64 %v4323, %v10
+  br label %v4332
 
-v1397:
-  %v1407 = xor i1 %v1392, true
-  %v4361 = xor i1 %v1393, true
-  %v1409 = select i1 %v4361, i1 true, i1 %v686
-  br label %v1310
+v4333:
+  %v4334 = icmp slt i64 %v4335, 0
+  %v4336 = select i1 %v4334, i64 %v244, i64 0
+  %v4337 = getelementptr i64, ptr %v243, i64 %v4335
+  %v4338 = getelementptr i64, ptr %v4337, i64 %v4336
+  %v4339 = load i64, ptr %v4338, align 8, !noalias !562
+  %v4340 = icmp eq i64 %v4339, 0
+  br i1 %v4340, label %v4341, label %v4342
 
-v3060:
-  store ptr %v3057, ptr %v1, align 8
-  br label %v3807
+v4341:
+  store i64 1, ptr %v4338, align 8, !noalias !562
+  %v4343 = getelementptr i64, ptr %v250, i64 %v4344
+  store i64 %v4335, ptr %v4343, align 8, !noalias !562
+  %v4345 = add nsw i64 %v4344, 1
+  br label %v4342
 
-v3059:
-  %v4362 = select i1 %v1307, i1 %v1305, i1 false
-  %v4363 = xor i1 %v4362, true
-  %v4364 = or i1 %v307, %v4363
-  br i1 %v4364, label %v3180, label %v3181
+v4342:
+  %v4346 = phi i64 [ %v4344, %v4333 ], [ %v4345, %v4341 ], [ %v4344, %v4332 ]
+  %v4347 = icmp sgt i64 %v4348, 1
+  br i1 %v4347, label %v4332, label %v4319
 
-v3755:
-  %v3759 = select i1 %v3752, i64 0, i64 %v1079
-  br label %v1076
+v4319:
+  %v4318 = phi i64 [ %v4317, %v4315 ], [ %v4346, %v4342 ]
+  %v4349 = icmp slt i64 %v4321, %v4318
+  %v4350 = icmp slt i64 %v4318, %v10
+  %v4351 = and i1 %v4349, %v4350
+  br i1 %v4351, label %v4315, label %v4316
 
-v3764:
-  store i64 %v3763, ptr %v0, align 8
-  br label %v3807
+v4308:
+  %v4300 = phi i64 [ %v4307, %v4306 ], [ 0, %v4297 ]
+  %v4304 = phi i64 [ %v4310, %v4306 ], [ 0, %v4297 ]
+  %v4310 = add nsw i64 %v4304, 1
+  %v4352 = getelementptr double, ptr %v670, i64 %v4304
+  %v4353 = load double, ptr %v4352, align 8, !noalias !562
+  %v4354 = fcmp une double %v4353, 0.000000e+00
+  %v4355 = getelementptr i64, ptr %v243, i64 %v4304
+  %v4356 = zext i1 %v4354 to i64
+  store i64 %v4356, ptr %v4355, align 8, !noalias !562
+  br i1 %v4354, label %v4298, label %v4306
+
+v4332:
+  %v4344 = phi i64 [ %v4317, %v4330 ], [ %v4346, %v4342 ]
+  %v4348 = phi i64 [ %v4328, %v4330 ], [ %v4357, %v4342 ]
+  %v4335 = phi i64 [ %v4325, %v4330 ], [ %v4358, %v4342 ]
+  %v4357 = add nsw i64 %v4348, -1
+  %v4358 = add i64 %v4335, 1
+  %v4359 = add nsw i64 %v4335, %v4331
+  %v4360 = icmp slt i64 %v4359, 0
+  %v4361 = select i1 %v4360, i64 %v223, i64 0
+  %v4362 = getelementptr double, ptr %v222, i64 %v4359
+  %v4363 = getelementptr double, ptr %v4362, i64 %v4361
+  %v4364 = load double, ptr %v4363, align 8, !noalias !562
+  %v4365 = fcmp une double %v4364, 0.000000e+00
+  br i1 %v4365, label %v4333, label %v4342
+
+v4366:
+  %v4367 = select i1 %v4368, i64 %v195, i64 0
+  %v4369 = add i64 %v4367, %v4370
+  %v4371 = mul i64 %v4369, %v196
+  %v4372 = getelementptr double, ptr %v675, i64 %v4371
+  %v4373 = load double, ptr %v4372, align 8, !noalias !568
+  br label %v4374
+
+v4374:
+  %v4375 = phi double [ %v4373, %v4366 ], [ 0.000000e+00, %v4376 ]
+  %v4377 = mul i64 %v4378, %v196
+  %v4379 = getelementptr double, ptr %v4380, i64 %v4377
+  store double %v4375, ptr %v4379, align 8, !noalias !568
+  %v4381 = icmp eq i64 %v10, %v4382
+  br i1 %v4381, label %v4383, label %v4376
+
+v4297:
+  %v4384 = phi i64 [ 0, %v4293 ], [ %v4385, %v4297 ]
+  %v4385 = add nsw i64 %v4384, 1
+  %v4386 = mul i64 %v4384, %v196
+  %v4387 = getelementptr double, ptr %v4296, i64 %v4386
+  %v4388 = load double, ptr %v4387, align 8, !noalias !568
+  %v4389 = getelementptr double, ptr %v666, i64 %v4386
+  %v4390 = load double, ptr %v4389, align 8, !noalias !568
+  %v4391 = fadd double %v4388, %v4390
+  %v4392 = getelementptr i64, ptr %v259, i64 %v4384
+  %v4393 = load i64, ptr %v4392, align 8, !noalias !568
+  %v4394 = icmp slt i64 %v4393, 0
+  %v4395 = select i1 %v4394, i64 %v195, i64 0
+  %v4396 = add i64 %v4395, %v4393
+  %v4397 = mul i64 %v4396, %v196
+  %v4398 = getelementptr double, ptr %v668, i64 %v4397
+  store double %v4391, ptr %v4398, align 8, !noalias !568
+  %v4399 = icmp eq i64 %v10, %v4385
+  br i1 %v4399, label %v4308, label %v4297
+
+v4316:
+  br i1 %v663, label %v4383, label %v4400
+
+v4401:
+  %v4402 = icmp eq i64 %v10, %v4403
+  br i1 %v4402, label %v4404, label %v4400
+
+v4405:
+  %v4406 = icmp sgt i64 %v4407, 1
+  br i1 %v4406, label %v4404, label %v4408
+
+v4408:
+  %v4409 = mul i64 %v676, %v4295
+  %v4380 = getelementptr double, ptr %v193, i64 %v4409
+  br label %v4376
+
+v4400:
+  %v4410 = phi i64 [ %v4403, %v4401 ], [ 0, %v4316 ]
+  %v4403 = add nsw i64 %v4410, 1
+  %v4411 = getelementptr i64, ptr %v236, i64 %v4410
+  %v4412 = load i64, ptr %v4411, align 8, !noalias !569
+  %v4413 = add nsw i64 %v4412, %v669
+  %v4414 = icmp slt i64 %v4413, 0
+  %v4415 = select i1 %v4414, i64 %v159, i64 0
+  %v4416 = getelementptr double, ptr %v158, i64 %v4413
+  %v4417 = getelementptr double, ptr %v4416, i64 %v4415
+  %v4418 = load double, ptr %v4417, align 8, !noalias !569
+  %v4419 = getelementptr double, ptr %v673, i64 %v4410
+  %v4420 = load double, ptr %v4419, align 8, !noalias !569
+  store double %v4420, ptr %v4417, align 8, !noalias !569
+  store double %v4418, ptr %v4419, align 8, !noalias !569
+  %v4421 = add i64 %v672, %v4410
+  %v4422 = tail call i64 @llvm.smin.i64(i64 %v4421, i64 %v10)
+  %v4423 = sub i64 %v4422, %v4403
+  %v4424 = icmp slt i64 %v4423, 1
+  br i1 %v4424, label %v4401, label %v4425
+
+v4425:
+  %v4426 = mul nsw i64 %v4410, %v10
+  br label %v4427
+
+v4427:
+  %v4428 = phi i64 [ %v4423, %v4425 ], [ %v4429, %v4427 ]
+  %v4430 = phi i64 [ %v4403, %v4425 ], [ %v4431, %v4427 ]
+  %v4429 = add nsw i64 %v4428, -1
+  %v4431 = add i64 %v4430, 1
+  %v4432 = add nsw i64 %v4430, %v669
+  %v4433 = icmp slt i64 %v4432, 0
+  %v4434 = select i1 %v4433, i64 %v159, i64 0
+  %v4435 = getelementptr double, ptr %v158, i64 %v4432
+  %v4436 = getelementptr double, ptr %v4435, i64 %v4434
+  %v4437 = load double, ptr %v4436, align 8, !noalias !569
+  %v4438 = add nsw i64 %v4430, %v4426
+  %v4439 = icmp slt i64 %v4438, 0
+  %v4440 = select i1 %v4439, i64 %v230, i64 0
+  %v4441 = getelementptr double, ptr %v229, i64 %v4438
+  %v4442 = getelementptr double, ptr %v4441, i64 %v4440
+  %v4443 = load double, ptr %v4442, align 8, !noalias !569
+  %v4444 = fmul double %v4418, %v4443
+  %v4445 = fsub double %v4437, %v4444
+  store double %v4445, ptr %v4436, align 8, !noalias !569
+  %v4446 = icmp sgt i64 %v4428, 1
+  br i1 %v4446, label %v4427, label %v4401
+
+v4404:
+  %v4407 = phi i64 [ %v4447, %v4405 ], [ %v10, %v4401 ]
+  %v4447 = add nsw i64 %v4407, -1
+  %v4448 = add nsw i64 %v4447, %v669
+  %v4449 = icmp slt i64 %v4448, 0
+  %v4450 = select i1 %v4449, i64 %v159, i64 0
+  %v4451 = getelementptr double, ptr %v158, i64 %v4448
+  %v4452 = getelementptr double, ptr %v4451, i64 %v4450
+  %v4453 = load double, ptr %v4452, align 8, !noalias !569
+  %v4454 = mul nsw i64 %v4447, %v10
+  %v4455 = add nsw i64 %v4454, %v4447
+  %v4456 = icmp slt i64 %v4455, 0
+  %v4457 = select i1 %v4456, i64 %v230, i64 0
+  %v4458 = getelementptr double, ptr %v229, i64 %v4455
+  %v4459 = getelementptr double, ptr %v4458, i64 %v4457
+  %v4460 = load double, ptr %v4459, align 8, !noalias !569
+  %v4461 = fdiv double %v4453, %v4460
+  store double %v4461, ptr %v4452, align 8, !noalias !569
+  %v4462 = sub i64 %v4447, %v674
+  %v4463 = tail call i64 @llvm.smax.i64(i64 %v4462, i64 0)
+  %v4464 = sub i64 %v4447, %v4463
+  %v4465 = icmp slt i64 %v4464, 1
+  br i1 %v4465, label %v4405, label %v4466
+
+v4466:
+  %v4467 = phi i64 [ %v4468, %v4466 ], [ %v4464, %v4404 ]
+  %v4469 = phi i64 [ %v4470, %v4466 ], [ %v4463, %v4404 ]
+  %v4468 = add nsw i64 %v4467, -1
+  %v4470 = add i64 %v4469, 1
+  %v4471 = add nsw i64 %v4469, %v669
+  %v4472 = icmp slt i64 %v4471, 0
+  %v4473 = select i1 %v4472, i64 %v159, i64 0
+  %v4474 = getelementptr double, ptr %v158, i64 %v4471
+  %v4475 = getelementptr double, ptr %v4474, i64 %v4473
+  %v4476 = load double, ptr %v4475, align 8, !noalias !569
+  %v4477 = add nsw i64 %v4469, %v4454
+  %v4478 = icmp slt i64 %v4477, 0
+  %v4479 = select i1 %v4478, i64 %v230, i64 0
+  %v4480 = getelementptr double, ptr %v229, i64 %v4477
+  %v4481 = getelementptr double, ptr %v4480, i64 %v4479
+  %v4482 = load double, ptr %v4481, align 8, !noalias !569
+  %v4483 = fmul double %v4461, %v4482
+  %v4484 = fsub double %v4476, %v4483
+  store double %v4484, ptr %v4475, align 8, !noalias !569
+  %v4485 = icmp sgt i64 %v4467, 1
+  br i1 %v4485, label %v4466, label %v4405
+
+v4376:
+  %v4378 = phi i64 [ 0, %v4408 ], [ %v4382, %v4374 ]
+  %v4382 = add nsw i64 %v4378, 1
+  %v4486 = getelementptr i64, ptr %v259, i64 %v4378
+  %v4370 = load i64, ptr %v4486, align 8, !noalias !568
+  %v4368 = icmp slt i64 %v4370, 0
+  %v4487 = select i1 %v4368, i64 %v244, i64 0
+  %v4488 = getelementptr i64, ptr %v243, i64 %v4370
+  %v4489 = getelementptr i64, ptr %v4488, i64 %v4487
+  %v4490 = load i64, ptr %v4489, align 8, !noalias !568
+  %v4491 = icmp eq i64 %v4490, 0
+  br i1 %v4491, label %v4374, label %v4366
+
+v4383:
+  %v4492 = icmp eq i64 %v4493, %v655
+  br i1 %v4492, label %v1353, label %v4290
+
+v1353:
+  %v4494 = load i64, ptr %v677, align 8, !noalias !573
+  %v4495 = inttoptr i64 %v4494 to ptr
+  tail call void %v4495(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !573
+  br i1 %v307, label %v1351, label %v1341
+
+v4290:
+  %v4493 = phi i64 [ %v4295, %v4383 ], [ 1, %v3962 ]
+  %v4295 = add i64 %v4493, 1
+  %v4496 = getelementptr i64, ptr %v6, i64 %v4493
+  %v4497 = getelementptr i8, ptr %v4496, i64 104
+  %v4498 = load i64, ptr %v4497, align 8, !noalias !576
+  %v4499 = inttoptr i64 %v4498 to ptr
+  tail call void %v4499(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !576
+  %v4500 = load i64, ptr %v6, align 8, !noalias !579
+  %v4501 = mul nsw i64 %v4295, %v660
+  %v4502 = getelementptr double, ptr %v158, i64 %v4501
+  %v4503 = inttoptr i64 %v4500 to ptr
+  tail call void %v4503(ptr %v659, ptr %v662, ptr %v165, ptr %v172, ptr %v179, ptr %v4502), !noalias !579
+  br i1 %v598, label %v4291, label %v4383
+
+v1341:
+  %v1342 = phi i1 [ %v1348, %v1343 ], [ %v1329, %v1353 ]
+  %v4504 = phi i1 [ %v1340, %v1343 ], [ false, %v1353 ]
+  %v1350 = phi i64 [ %v4505, %v1343 ], [ %v308, %v1353 ]
+  %v1336 = phi i64 [ %v4506, %v1343 ], [ 0, %v1353 ]
+  %v4505 = add nsw i64 %v1350, -1
+  %v4506 = add nsw i64 %v1336, 1
+  br i1 %v4504, label %v1339, label %v1334
+
+v1444:
+  %v1454 = xor i1 %v1439, true
+  %v4507 = xor i1 %v1440, true
+  %v1456 = select i1 %v4507, i1 true, i1 %v704
+  br label %v1357
+
+v3107:
+  store ptr %v3104, ptr %v1, align 8
+  br label %v3953
+
+v3106:
+  %v4508 = select i1 %v1354, i1 %v1352, i1 false
+  %v4509 = xor i1 %v4508, true
+  %v4510 = or i1 %v307, %v4509
+  br i1 %v4510, label %v3227, label %v3228
+
+v3904:
+  %v3905 = select i1 %v3545, i64 0, i64 %v1126
+  br label %v1123
+
+v3910:
+  store i64 %v3909, ptr %v0, align 8
+  br label %v3953
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -5484,9 +5675,9 @@ v65:
 v68:
   %v67 = add i64 %v66, 1
   %v71 = getelementptr double, ptr %v63, i64 %v66
-  %v72 = load double, ptr %v71, align 8, !noalias !575
+  %v72 = load double, ptr %v71, align 8, !noalias !582
   %v73 = getelementptr double, ptr %v64, i64 %v66
-  %v74 = load double, ptr %v73, align 8, !noalias !575
+  %v74 = load double, ptr %v73, align 8, !noalias !582
   %v75 = fneg double %v74
   %v76 = fcmp olt double %v72, %v75
   br i1 %v76, label %v70, label %v65
@@ -5562,31 +5753,31 @@ v137:
   %v141 = add i64 %v140, %v127
   %v142 = getelementptr double, ptr %v105, i64 %v141
   %v143 = getelementptr double, ptr %v142, i64 %v104
-  %v144 = load double, ptr %v143, align 8, !noalias !579
-  %v145 = load double, ptr %v142, align 8, !noalias !579
+  %v144 = load double, ptr %v143, align 8, !noalias !586
+  %v145 = load double, ptr %v142, align 8, !noalias !586
   %v146 = fmul double %v145, 0x3FDDF27AAAADCB3A
   %v147 = fsub double %v144, %v146
   %v148 = getelementptr i8, ptr %v142, i64 %v119
-  %v149 = load double, ptr %v148, align 8, !noalias !579
+  %v149 = load double, ptr %v148, align 8, !noalias !586
   %v150 = fmul double %v149, 0x3FEC575F1EBC4F2F
   %v151 = fsub double %v147, %v150
   %v152 = getelementptr i8, ptr %v142, i64 %v120
-  %v153 = load double, ptr %v152, align 8, !noalias !579
+  %v153 = load double, ptr %v152, align 8, !noalias !586
   %v154 = fmul double %v153, 0x3FE1306AA3D795F4
   %v155 = fadd double %v151, %v154
   %v156 = getelementptr i8, ptr %v142, i64 %v121
-  %v157 = load double, ptr %v156, align 8, !noalias !579
+  %v157 = load double, ptr %v156, align 8, !noalias !586
   %v158 = fmul double %v157, 0x3FCCB9F574BDCC3A
   %v159 = fsub double %v155, %v158
   %v160 = getelementptr i8, ptr %v142, i64 %v122
-  %v161 = load double, ptr %v160, align 8, !noalias !579
+  %v161 = load double, ptr %v160, align 8, !noalias !586
   %v162 = fmul double %v161, 0x3FA4EAF2D6B11E79
   %v163 = fadd double %v159, %v162
   %v164 = tail call double @llvm.fabs.f64(double %v163)
   %v165 = fcmp ogt double %v164, 0.000000e+00
   %v166 = select i1 %v165, double %v164, double 0.000000e+00
   %v167 = getelementptr i8, ptr %v142, i64 %v123
-  %v168 = load double, ptr %v167, align 8, !noalias !579
+  %v168 = load double, ptr %v167, align 8, !noalias !586
   %v169 = fmul double %v145, 0x3FA5118805F8B876
   %v170 = fadd double %v168, %v169
   %v171 = fmul double %v149, 0x3FE51326698BC5BD
@@ -5601,7 +5792,7 @@ v137:
   %v180 = fcmp ogt double %v179, %v166
   %v181 = select i1 %v180, double %v179, double %v166
   %v182 = getelementptr i8, ptr %v142, i64 %v124
-  %v183 = load double, ptr %v182, align 8, !noalias !579
+  %v183 = load double, ptr %v182, align 8, !noalias !586
   %v184 = fmul double %v145, 0x3F9635A30F8F142F
   %v185 = fsub double %v183, %v184
   %v186 = fmul double %v149, 0x3FC1EAE0FF33D241
@@ -5616,7 +5807,7 @@ v137:
   %v195 = fcmp ogt double %v194, %v181
   %v196 = select i1 %v195, double %v194, double %v181
   %v197 = getelementptr i8, ptr %v142, i64 %v125
-  %v198 = load double, ptr %v197, align 8, !noalias !579
+  %v198 = load double, ptr %v197, align 8, !noalias !586
   %v199 = fmul double %v145, 0x3FA4F0C0BB579409
   %v200 = fadd double %v198, %v199
   %v201 = fmul double %v149, 0x3FCD2266FBC0D976
@@ -5631,7 +5822,7 @@ v137:
   %v210 = fcmp ogt double %v209, %v196
   %v211 = select i1 %v210, double %v209, double %v196
   %v212 = getelementptr double, ptr %v107, i64 %v141
-  %v213 = load double, ptr %v212, align 8, !noalias !586
+  %v213 = load double, ptr %v212, align 8, !noalias !593
   %v214 = tail call double @llvm.fabs.f64(double %v213)
   %v215 = fsub double %v144, %v145
   %v216 = tail call double @llvm.fabs.f64(double %v215)
@@ -5682,13 +5873,13 @@ v250:
   %v263 = add i64 %v260, %v262
   %v264 = mul i64 %v263, %v104
   %v265 = getelementptr double, ptr %v142, i64 %v264
-  %v266 = load double, ptr %v265, align 8, !noalias !587
+  %v266 = load double, ptr %v265, align 8, !noalias !594
   %v267 = icmp slt i64 %v251, 0
   %v268 = select i1 %v267, i64 %v13, i64 0
   %v269 = add i64 %v268, %v251
   %v270 = mul i64 %v269, %v104
   %v271 = getelementptr double, ptr %v142, i64 %v270
-  %v272 = load double, ptr %v271, align 8, !noalias !587
+  %v272 = load double, ptr %v271, align 8, !noalias !594
   %v273 = fcmp olt double %v272, %v258
   %v274 = select i1 %v273, double %v272, double %v258
   %v275 = icmp slt i64 %v251, %v109
@@ -5701,7 +5892,7 @@ v276:
   %v280 = add i64 %v277, %v279
   %v281 = mul i64 %v280, %v104
   %v282 = getelementptr double, ptr %v142, i64 %v281
-  %v283 = load double, ptr %v282, align 8, !noalias !587
+  %v283 = load double, ptr %v282, align 8, !noalias !594
   %v284 = fsub double %v266, %v272
   %v285 = tail call double @llvm.fabs.f64(double %v284)
   %v286 = fsub double %v283, %v272
@@ -5810,31 +6001,31 @@ v138:
 
 v356:
   %v357 = fmul double %v102, 5.000000e-01
-  store double 0.000000e+00, ptr %v31, align 8, !noalias !591
+  store double 0.000000e+00, ptr %v31, align 8, !noalias !598
   %v358 = shl i64 %v9, 5
   %v359 = getelementptr i8, ptr %v8, i64 %v358
-  store double 0.000000e+00, ptr %v359, align 8, !noalias !591
+  store double 0.000000e+00, ptr %v359, align 8, !noalias !598
   %v360 = getelementptr double, ptr %v8, i64 %v9
-  store double %v357, ptr %v360, align 8, !noalias !591
-  %v361 = load i64, ptr %v10, align 8, !noalias !591
+  store double %v357, ptr %v360, align 8, !noalias !598
+  %v361 = load i64, ptr %v10, align 8, !noalias !598
   %v362 = icmp slt i64 %v361, 0
   %v363 = select i1 %v362, i64 %v6, i64 0
   %v364 = add i64 %v363, %v361
   %v365 = mul i64 %v364, %v7
   %v366 = getelementptr i64, ptr %v5, i64 %v365
-  %v367 = load i64, ptr %v366, align 8, !noalias !591
+  %v367 = load i64, ptr %v366, align 8, !noalias !598
   %v368 = add nsw i64 %v367, -1
-  store i64 %v368, ptr %v366, align 8, !noalias !591
-  %v369 = load i64, ptr %v10, align 8, !noalias !591
+  store i64 %v368, ptr %v366, align 8, !noalias !598
+  %v369 = load i64, ptr %v10, align 8, !noalias !598
   %v370 = icmp slt i64 %v369, 0
   %v371 = select i1 %v370, i64 %v6, i64 0
   %v372 = add i64 %v371, %v369
   %v373 = mul i64 %v372, %v7
   %v374 = getelementptr i64, ptr %v5, i64 %v373
   %v375 = getelementptr i8, ptr %v374, i64 24
-  %v376 = load i64, ptr %v375, align 8, !noalias !591
+  %v376 = load i64, ptr %v375, align 8, !noalias !598
   %v377 = add nsw i64 %v376, 1
-  store i64 %v377, ptr %v375, align 8, !noalias !591
+  store i64 %v377, ptr %v375, align 8, !noalias !598
   store i64 -1, ptr %v20, align 8
   br label %v37
 
@@ -5899,9 +6090,9 @@ v398:
   %v401 = phi i64 [ 0, %v96 ], [ %v402, %v398 ]
   %v402 = add nsw i64 %v401, 1
   %v403 = getelementptr double, ptr %v395, i64 %v401
-  %v404 = load double, ptr %v403, align 8, !noalias !594
+  %v404 = load double, ptr %v403, align 8, !noalias !601
   %v405 = getelementptr double, ptr %v397, i64 %v401
-  %v406 = load double, ptr %v405, align 8, !noalias !594
+  %v406 = load double, ptr %v405, align 8, !noalias !601
   %v407 = fadd double %v404, %v406
   %v408 = fcmp olt double %v407, %v399
   %v400 = select i1 %v408, double %v407, double %v399
@@ -5932,9 +6123,9 @@ v424:
   %v427 = phi i64 [ 0, %v417 ], [ %v428, %v424 ]
   %v428 = add nsw i64 %v427, 1
   %v429 = getelementptr double, ptr %v421, i64 %v427
-  %v430 = load double, ptr %v429, align 8, !noalias !598
+  %v430 = load double, ptr %v429, align 8, !noalias !605
   %v431 = getelementptr double, ptr %v423, i64 %v427
-  %v432 = load double, ptr %v431, align 8, !noalias !598
+  %v432 = load double, ptr %v431, align 8, !noalias !605
   %v433 = fadd double %v430, %v432
   %v434 = fcmp olt double %v433, %v425
   %v426 = select i1 %v434, double %v433, double %v425
@@ -5952,13 +6143,13 @@ v416:
   br i1 %v18, label %v441, label %v37
 
 v441:
-  %v442 = load double, ptr %v8, align 8, !noalias !602
+  %v442 = load double, ptr %v8, align 8, !noalias !609
   %v443 = tail call double @llvm.fabs.f64(double %v442)
   %v444 = fmul double %v443, 4.000000e-15
   %v445 = getelementptr double, ptr %v3, i64 %v4
   %v446 = getelementptr i8, ptr %v445, i64 -8
-  %v447 = load double, ptr %v446, align 8, !noalias !602
-  %v448 = load double, ptr %v3, align 8, !noalias !602
+  %v447 = load double, ptr %v446, align 8, !noalias !609
+  %v448 = load double, ptr %v3, align 8, !noalias !609
   %v449 = fsub double %v447, %v448
   %v450 = fmul double %v449, 1.000000e-13
   %v451 = fcmp ogt double %v444, %v450
@@ -6234,9 +6425,9 @@ v151:
 !102 = !{!103, !105, !107}
 !103 = distinct !{!103, !104, !"_ZN5pages13solver_layout10derivativeB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29: %retptr"}
 !104 = distinct !{!104, !"_ZN5pages13solver_layout10derivativeB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_2924Literal_5bint_5d_2813_29"}
-!105 = distinct !{!105, !106, !"_ZN5pages12time_stepper13handle_eventsB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %retptr"}
-!106 = distinct !{!106, !"_ZN5pages12time_stepper13handle_eventsB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb"}
-!107 = distinct !{!107, !106, !"_ZN5pages12time_stepper13handle_eventsB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %excinfo"}
+!105 = distinct !{!105, !106, !"_ZN5pages12time_stepper13handle_eventsB4v108B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %retptr"}
+!106 = distinct !{!106, !"_ZN5pages12time_stepper13handle_eventsB4v108B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb"}
+!107 = distinct !{!107, !106, !"_ZN5pages12time_stepper13handle_eventsB4v108B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29bbb: %excinfo"}
 !108 = !{!109, !105, !107}
 !109 = distinct !{!109, !110, !"_ZN5pages13solver_layout7formulaB3v49B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2813_29: %retptr"}
 !110 = distinct !{!110, !"_ZN5pages13solver_layout7formulaB3v49B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2924Literal_5bint_5d_2813_29"}
@@ -6634,107 +6825,114 @@ v151:
 !502 = distinct !{!502, !503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
 !503 = distinct !{!503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
 !504 = !{!505, !507, !498, !500}
-!505 = distinct !{!505, !506, !"_ZN5pages8segments13enter_segmentB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!506 = distinct !{!506, !"_ZN5pages8segments13enter_segmentB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!507 = distinct !{!507, !506, !"_ZN5pages8segments13enter_segmentB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!508 = !{!509, !511, !505, !507, !498, !500}
-!509 = distinct !{!509, !510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!510 = distinct !{!510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!511 = distinct !{!511, !510, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!512 = !{!513, !498, !500}
-!513 = distinct !{!513, !514, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!514 = distinct !{!514, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!515 = !{!516, !518, !513, !498, !500}
+!505 = distinct !{!505, !506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %retptr"}
+!506 = distinct !{!506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx"}
+!507 = distinct !{!507, !506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %excinfo"}
+!508 = !{!509, !498, !500}
+!509 = distinct !{!509, !510, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
+!510 = distinct !{!510, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
+!511 = !{!512, !514, !498, !500}
+!512 = distinct !{!512, !513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!513 = distinct !{!513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!514 = distinct !{!514, !513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!515 = !{!516, !518, !512, !514, !498, !500}
 !516 = distinct !{!516, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
 !517 = distinct !{!517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
 !518 = distinct !{!518, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!519 = !{!520, !522, !513, !498, !500}
-!520 = distinct !{!520, !521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!521 = distinct !{!521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!522 = distinct !{!522, !521, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!523 = !{!524, !526, !498, !500}
-!524 = distinct !{!524, !525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!525 = distinct !{!525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!526 = distinct !{!526, !525, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!527 = !{!528, !530}
-!528 = distinct !{!528, !529, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!529 = distinct !{!529, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!530 = distinct !{!530, !529, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!531 = !{!532, !88, !90}
-!532 = distinct !{!532, !533, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
-!533 = distinct !{!533, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
-!534 = !{!535, !537, !88, !90}
-!535 = distinct !{!535, !536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!536 = distinct !{!536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!537 = distinct !{!537, !536, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!538 = !{!539, !541, !542, !535, !537, !88, !90}
-!539 = distinct !{!539, !540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!540 = distinct !{!540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!541 = distinct !{!541, !540, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!542 = distinct !{!542, !543, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!543 = distinct !{!543, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!544 = !{!542, !535, !537, !88, !90}
-!545 = !{!546, !548, !542, !535, !537, !88, !90}
-!546 = distinct !{!546, !547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!547 = distinct !{!547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!548 = distinct !{!548, !547, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!549 = !{!550, !546, !548, !542, !535, !537, !88, !90}
-!550 = distinct !{!550, !551, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!551 = distinct !{!551, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!552 = !{!553, !535, !537, !88, !90}
-!553 = distinct !{!553, !554, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!554 = distinct !{!554, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
-!555 = !{!556, !558, !559, !88, !90}
-!556 = distinct !{!556, !557, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!557 = distinct !{!557, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx"}
-!558 = distinct !{!558, !557, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
-!559 = distinct !{!559, !560, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!560 = distinct !{!560, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!561 = !{!559, !88, !90}
-!562 = !{!563, !565, !559, !88, !90}
-!563 = distinct !{!563, !564, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!564 = distinct !{!564, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
-!565 = distinct !{!565, !564, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
-!566 = !{!567, !88, !90}
-!567 = distinct !{!567, !568, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
-!568 = distinct !{!568, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
-!569 = !{!570, !88, !90}
-!570 = distinct !{!570, !571, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!571 = distinct !{!571, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!572 = !{!573, !88, !90}
-!573 = distinct !{!573, !574, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!574 = distinct !{!574, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!575 = !{!576, !578}
-!576 = distinct !{!576, !577, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!577 = distinct !{!577, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!578 = distinct !{!578, !577, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!579 = !{!580, !582, !583, !585}
-!580 = distinct !{!580, !581, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!581 = distinct !{!581, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!582 = distinct !{!582, !581, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!583 = distinct !{!583, !584, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
-!584 = distinct !{!584, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
-!585 = distinct !{!585, !584, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
-!586 = !{!583, !585}
-!587 = !{!588, !590, !583, !585}
-!588 = distinct !{!588, !589, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
-!589 = distinct !{!589, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
-!590 = distinct !{!590, !589, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
-!591 = !{!592}
-!592 = distinct !{!592, !593, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
-!593 = distinct !{!593, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
-!594 = !{!595, !597}
-!595 = distinct !{!595, !596, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!596 = distinct !{!596, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!597 = distinct !{!597, !596, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!598 = !{!599, !601}
-!599 = distinct !{!599, !600, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!600 = distinct !{!600, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!601 = distinct !{!601, !600, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!602 = !{!603, !605}
-!603 = distinct !{!603, !604, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!604 = distinct !{!604, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!605 = distinct !{!605, !604, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!519 = !{!520, !498, !500}
+!520 = distinct !{!520, !521, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!521 = distinct !{!521, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!522 = !{!523, !525, !520, !498, !500}
+!523 = distinct !{!523, !524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!524 = distinct !{!524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!525 = distinct !{!525, !524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!526 = !{!527, !529, !520, !498, !500}
+!527 = distinct !{!527, !528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!528 = distinct !{!528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!529 = distinct !{!529, !528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!530 = !{!531, !533, !498, !500}
+!531 = distinct !{!531, !532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!532 = distinct !{!532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!533 = distinct !{!533, !532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!534 = !{!535, !537}
+!535 = distinct !{!535, !536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!536 = distinct !{!536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!537 = distinct !{!537, !536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!538 = !{!539, !88, !90}
+!539 = distinct !{!539, !540, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
+!540 = distinct !{!540, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
+!541 = !{!542, !544, !88, !90}
+!542 = distinct !{!542, !543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!543 = distinct !{!543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!544 = distinct !{!544, !543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!545 = !{!546, !548, !549, !542, !544, !88, !90}
+!546 = distinct !{!546, !547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!547 = distinct !{!547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!548 = distinct !{!548, !547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!549 = distinct !{!549, !550, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!550 = distinct !{!550, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!551 = !{!549, !542, !544, !88, !90}
+!552 = !{!553, !555, !549, !542, !544, !88, !90}
+!553 = distinct !{!553, !554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!554 = distinct !{!554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!555 = distinct !{!555, !554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!556 = !{!557, !553, !555, !549, !542, !544, !88, !90}
+!557 = distinct !{!557, !558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!558 = distinct !{!558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!559 = !{!560, !542, !544, !88, !90}
+!560 = distinct !{!560, !561, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!561 = distinct !{!561, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
+!562 = !{!563, !565, !566, !88, !90}
+!563 = distinct !{!563, !564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!564 = distinct !{!564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx"}
+!565 = distinct !{!565, !564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
+!566 = distinct !{!566, !567, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!567 = distinct !{!567, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!568 = !{!566, !88, !90}
+!569 = !{!570, !572, !566, !88, !90}
+!570 = distinct !{!570, !571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!571 = distinct !{!571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!572 = distinct !{!572, !571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
+!573 = !{!574, !88, !90}
+!574 = distinct !{!574, !575, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
+!575 = distinct !{!575, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
+!576 = !{!577, !88, !90}
+!577 = distinct !{!577, !578, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!578 = distinct !{!578, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!579 = !{!580, !88, !90}
+!580 = distinct !{!580, !581, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!581 = distinct !{!581, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!582 = !{!583, !585}
+!583 = distinct !{!583, !584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!584 = distinct !{!584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!585 = distinct !{!585, !584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!586 = !{!587, !589, !590, !592}
+!587 = distinct !{!587, !588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!588 = distinct !{!588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!589 = distinct !{!589, !588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!590 = distinct !{!590, !591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
+!591 = distinct !{!591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
+!592 = distinct !{!592, !591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
+!593 = !{!590, !592}
+!594 = !{!595, !597, !590, !592}
+!595 = distinct !{!595, !596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
+!596 = distinct !{!596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
+!597 = distinct !{!597, !596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
+!598 = !{!599}
+!599 = distinct !{!599, !600, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
+!600 = distinct !{!600, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
+!601 = !{!602, !604}
+!602 = distinct !{!602, !603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!603 = distinct !{!603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!604 = distinct !{!604, !603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!605 = !{!606, !608}
+!606 = distinct !{!606, !607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!607 = distinct !{!607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!608 = distinct !{!608, !607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!609 = !{!610, !612}
+!610 = distinct !{!610, !611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!611 = distinct !{!611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!612 = distinct !{!612, !611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
 
 define i64 @advance(ptr %v0) {
   %v1 = alloca i64

@@ -44,8 +44,8 @@ class Status(IntEnum):
     TOO_MANY_STEPS = (
         5,
         "too_many_steps",
-        "too many steps: rates change much faster than the run is long. Lower the gains, or loosen "
-        "rtol and atol",
+        "too many steps: rates change much faster than the run is long, or a switch chatters. "
+        "Lower the gains, give a switch a hysteresis, or loosen rtol and atol",
     )
     CHATTERING = (
         6,
@@ -62,8 +62,8 @@ class Status(IntEnum):
     DIVERGING = (
         8,
         "diverges",
-        "the states grow a millionfold, and at this pace the run needs more steps than a member "
-        "may take. Check signs and sizes of the gains, stop it with a guard, or use simulate",
+        "the states grow while the steps shrink, and at this pace the end is out of reach. Check "
+        "signs and sizes of the gains, or stop the run with a guard",
     )
     STIFF = 9, "stiff", "left to an implicit method"
     STOPPED = 10, "stopped", "stopped by a guard"
@@ -103,7 +103,12 @@ INTERPOLANT_ERROR = 27  # above 1 no sample is taken from the interpolant
 STOP_AT = 28  # time up to which a step may go, for a sample at its end
 STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
 MAX_STEP = 30
-REALS = 31
+NEXT_LOOK = 31  # tries after which the pace of the run is measured, or inf
+LOOK_TIME = 32  # time when it was measured last
+LOOK_ADVANCE = 33  # time since the measurement before
+LOOK_SIZE = 34  # largest state when the pace did not fall
+FALLS = 35  # measurements since then
+REALS = 36
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run
 SEGMENT = 1

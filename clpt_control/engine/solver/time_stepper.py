@@ -45,8 +45,13 @@ from .solver_layout import (
     END_RATE,
     EVALUATIONS,
     FAILURE,
+    FALLS,
     FIRST,
     INTERPOLANT_ERROR,
+    LOOK_ADVANCE,
+    LOOK_SIZE,
+    LOOK_TIME,
+    NEXT_LOOK,
     PREPARE,
     RATE,
     REJECTED_COUNT,
@@ -80,6 +85,9 @@ from .solver_layout import (
 )
 
 CHECK_EVERY = 128  # steps between checks for stiffness
+MOST_FALLS = 5
+FALLING = 1.25  # a steady pace has 2, rates that grow exponentially at most 1
+GROWTH = 2.0  # of the largest state
 STEPS_AHEAD = 250  # for which stiffness may matter
 
 
@@ -243,9 +251,11 @@ def end_segments(solver, most):
         m = integers[RUN_INDEX, k]
         if m < 0:
             continue
-        spare = most - counts[m, STEPS] - counts[m, REJECTIONS]
-        if spare <= 0:
+        tries = counts[m, STEPS] + counts[m, REJECTIONS]
+        if tries >= most:
             fail(solver, k, Status.TOO_MANY_STEPS)
+        elif diverges(solver, k, tries, most):
+            fail(solver, k, Status.DIVERGING)
         if lane[ACCEPTED, k] > 0.5 and lane[TIME, k] == lane[SEGMENT_END, k]:
             enter_segment(solver, k)
         if status[m] != Status.RUNNING:
@@ -262,11 +272,39 @@ def end_segments(solver, most):
             until_check = (
                 CHECK_EVERY - counts[integers[RUN_INDEX, k], STEPS] % CHECK_EVERY
             )
+            spare = min(most, lane[NEXT_LOOK, k]) - tries
             lane[TRIES_LEFT, k] = (
                 1.0 if lane[STIFF_STEPS, k] > 0 else min(spare, until_check)
             )
             note_next_stop(solver, k)
     return active, stiff
+
+
+def diverges(solver, k, tries, most):
+    """Return whether a run cannot reach the end of its segment, at a pace that falls for good.
+
+    The pace is measured whenever the tries have doubled.  It falls if time has advanced little more
+    than in the half of these tries before, and for good if it falls `MOST_FALLS` times in a row
+    while the states grow: their rates grow without bound.
+    """
+    lane = solver.lane
+    if tries < lane[NEXT_LOOK, k]:
+        return False
+    size = 0.0
+    for i in range(solver.shape.states):
+        size = max(size, abs(solver.states[STATE, i, k]))
+    advance = lane[TIME, k] - lane[LOOK_TIME, k]
+    lane[FALLS, k] += 1.0
+    if advance > FALLING * lane[LOOK_ADVANCE, k]:
+        lane[FALLS, k] = 0.0
+        lane[LOOK_SIZE, k] = size
+    lane[LOOK_TIME, k] = lane[TIME, k]
+    lane[LOOK_ADVANCE, k] = advance
+    lane[NEXT_LOOK, k] = 2.0 * tries
+    ahead = lane[SEGMENT_END, k] - lane[TIME, k]
+    is_out_of_reach = 2.0 * advance * (most - tries) < ahead * tries
+    grows = size > GROWTH * lane[LOOK_SIZE, k]
+    return is_out_of_reach and grows and lane[FALLS, k] >= MOST_FALLS
 
 
 def count_steps(solver):
