@@ -66,6 +66,13 @@ class Members:
         """Return the integration segments of a member."""
         return self.schedules[self.group[m]]
 
+    def inputs_along(self, times: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Return the inputs of members at times, (m, ninputs, ntimes)."""
+        inputs = [self.runners[m][1] for m in rows.tolist()]
+        if all(item is inputs[0] for item in inputs):
+            inputs = inputs[:1]
+        return np.array([item.along(times) for item in inputs])
+
 
 @dataclass(frozen=True)
 class States:

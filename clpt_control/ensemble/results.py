@@ -1,17 +1,17 @@
-"""The results of an ensemble: arrays in memory, filled chunk by chunk, and their Dataset.
+"""Results of an ensemble: arrays that are written chunk by chunk, and their Dataset.
 
-A chunk is a fixed range of members.  `store` has the same arrays in a folder.
+A chunk is a fixed range of members.  The arrays are in memory; those of a `Store` are in a folder.
 """
 
 import json
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..base.errors import ScenarioError
 from ..engine.solver.solver_layout import Status
+from ..simulation.dataset_template import index_of, variable_of
 from .members import KERNEL, Values, Varied, member_count, software
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def arrays_of(varied: Varied, values: Values) -> "dict[str, xarray.Variable]":
             raise ScenarioError(
                 f"{name} is used twice as a name in the result. Rename one"
             )
-        arrays[name] = Variable(dims, numbers, attributes)
+        arrays[name] = variable_of(Variable, tuple(dims), numbers, attributes)
 
     def add_summary(name: str, dims: tuple[str, ...], empty: Any, **attrs: Any) -> None:
         dims = ("member", *dims)
@@ -78,24 +78,34 @@ def attributes_of(
 
 
 class Results:
-    """An ensemble's arrays by name, in memory."""
+    """Arrays of an ensemble by name, in memory; chunks of members are written into them."""
 
-    path: Path | None = None
+    path: Any = None
+    variables: "Mapping[str, xarray.Variable]"
 
-    def __init__(self, attributes: Mapping[str, Any], arrays: Mapping[str, Any]):
-        self.attributes, self.arrays = attributes, arrays
+    def __init__(
+        self,
+        attributes: Mapping[str, Any],
+        arrays: Mapping[str, Any],
+        dims: Mapping[str, tuple[str, ...]],
+    ):
+        self.attributes, self.arrays, self.dims = attributes, arrays, dims
         self.arguments: dict[str, Any] = json.loads(attributes[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
-        others = {"member", *self.arguments["keys"]}
-        self.per_member = sorted(
-            name
-            for name in arrays.keys() - others
-            if "member" in self.dims_of(arrays[name])
-        )
+        summaries = dims.keys() - {"member", *self.arguments["keys"]}
+        self.per_member = sorted(name for name in summaries if "member" in dims[name])
 
-    def dims_of(self, array: Any) -> tuple[str, ...]:
-        """Return the dimensions of an array."""
-        return tuple(array.dims)
+    @classmethod
+    def in_memory(
+        cls, attributes: Mapping[str, Any], variables: "Mapping[str, xarray.Variable]"
+    ) -> "Results":
+        """Return arrays without the numbers of any chunk."""
+        copies = {name: variable.copy() for name, variable in variables.items()}
+        arrays = {name: variable.values for name, variable in copies.items()}
+        dims = {name: variable.dims for name, variable in copies.items()}
+        results = cls(attributes, arrays, dims)
+        results.variables = copies
+        return results
 
     def rows(self, index: int) -> slice:
         """Return the members of a chunk."""
@@ -107,30 +117,15 @@ class Results:
 
     def values(self, index: int) -> Values:
         """Return the sampled parameters of the members of a chunk."""
-        rows, keys = self.rows(index), self.arguments["keys"]
-        return {key: np.asarray(self.arrays[key][rows]) for key in keys}
+        return {
+            key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]
+        }
 
-    def write(self, index: int, arrays: Values) -> None:
-        """Write a chunk."""
+    def write(self, index: int, summaries: Values) -> None:
+        """Write the summaries of a chunk."""
         for name in self.per_member:
-            if arrays[name].size:
-                self.arrays[name][self.rows(index)] = arrays[name]
-
-    def is_complete(self, index: int) -> bool:
-        """Return whether a chunk need not be run."""
-        return False
-
-    def finish(self) -> None:
-        """Check that every chunk has been written."""
-
-    def remove_empty(self) -> None:
-        """Remove a store without any chunk, for example after a lack of memory."""
-
-    def dataset(self) -> "xarray.Dataset":
-        """Return the ensemble."""
-        from xarray import Dataset
-
-        return self.labelled(Dataset(self.arrays, attrs=self.attributes))
+            if summaries[name].size:
+                self.arrays[name][self.rows(index)] = summaries[name]
 
     def missing(self) -> list[int]:
         """List the chunks that are to be run."""
@@ -138,15 +133,56 @@ class Results:
             k for k in range(-(-self.members // self.chunk)) if not self.is_complete(k)
         ]
 
-    def labelled(self, data: "xarray.Dataset") -> "xarray.Dataset":
-        """Return a Dataset with sampled parameters as coordinates, those of a grid as its index."""
-        from xarray.indexes import PandasMultiIndex
+    def is_complete(self, index: int) -> bool:
+        """Return True if a chunk has been written before."""
+        return False
 
-        keys = self.arguments["keys"]
-        data = data.set_coords(keys)[sorted(map(str, data.variables))]
-        if KERNEL in keys:
-            data[KERNEL] = data[KERNEL].astype(object)
-        scalars = all(data[key].ndim == 1 for key in keys)
-        if self.arguments["design"] == "grid" and scalars:
-            data = data.drop_vars("member").set_xindex(keys, PandasMultiIndex)
-        return data
+    def finish(self) -> None:
+        """Check that every chunk has been written."""
+
+    def remove_empty(self) -> None:
+        """Remove a folder without any chunk, for example after a lack of memory."""
+
+    def dataset(self) -> "xarray.Dataset":
+        """Return the ensemble."""
+        return labelled(self.variables, self.arguments, self.attributes)
+
+
+def labelled(
+    variables: "Mapping[str, xarray.Variable]",
+    arguments: Mapping[str, Any],
+    attributes: Mapping[str, Any],
+) -> "xarray.Dataset":
+    """Return a Dataset: sampled parameters are coordinates, those of a grid its index.
+
+    xarray's constructor would search and align the indexes, which takes longer.
+    """
+    from xarray import Dataset
+    from xarray.indexes import PandasMultiIndex
+
+    keys = arguments["keys"]
+    parts = {name: variables[name] for name in sorted(variables)}
+    if KERNEL in keys:
+        parts[KERNEL] = parts[KERNEL].astype(object)
+    # 1. an index of each dimension
+    indexes: dict[Any, Any] = {}
+    axes = [name for name, part in parts.items() if part.dims == (name,)]
+    if arguments["design"] == "grid" and all(parts[key].ndim == 1 for key in keys):
+        axes.remove("member")
+        levels = {key: parts[key] for key in keys}
+        index = PandasMultiIndex.from_variables(levels, options={})
+        parts |= index.create_variables(levels)
+        indexes |= dict.fromkeys(["member", *keys], index)
+    for name in axes:
+        axis = parts[name]
+        indexes[name], parts[name] = index_of(name, axis.values, axis.attrs)
+    # 2. the Dataset
+    sizes = {
+        dim: size
+        for part in parts.values()
+        for dim, size in zip(part.dims, part.shape, strict=True)
+    }
+    coordinates = {*indexes, *keys}
+    return Dataset._construct_direct(
+        parts, coordinates, sizes, dict(attributes), indexes, {}
+    )

@@ -303,37 +303,47 @@ def _run_here(
     ensemble: Ensemble, store: Results, missing: list[int], threads: int, report: Report
 ) -> None:
     """Run the missing chunks on threads, and write each chunk when its batches are done."""
-    share = -(-store.count(missing) // (4 * threads))  # some batches for every thread
+    members = store.count(missing)
+    share = -(-members // (4 * threads))  # some batches for every thread
     size = min(ensemble.batch, max(8, -(-share // 8) * 8))
     batches = (
         (index, values)
         for index in missing
         for values in cut(store.values(index), size)
     )
-    running: deque[tuple[int, futures.Future]] = deque()
     summaries: list[Values] = []  # of the oldest chunk that is running
+    done = _in_order(ensemble.summaries, batches, threads if members > size else 1)
+    for index, batch in done:
+        summaries.append(batch)
+        completed = sum(len(summary["status"]) for summary in summaries)
+        written = 0
+        if completed == store.count([index]):
+            store.write(index, concatenated(summaries))
+            summaries, written = [], completed
+        report(len(batch["status"]), written)
+
+
+def _in_order(
+    run: Callable[[Values], Values], batches: Iterator[tuple[int, Values]], threads: int
+) -> Iterator[tuple[int, Values]]:
+    """Run batches on threads, two for each at once; yield chunks and summaries in order."""
+    if threads <= 1:
+        for index, values in batches:
+            yield index, run(values)
+        return
+    running: deque[tuple[int, futures.Future]] = deque()
     pool = futures.ThreadPoolExecutor(threads)
     try:
         while True:
-            # 1. keep two batches for each thread
             for index, values in islice(batches, 2 * threads - len(running)):
-                running.append((index, pool.submit(ensemble.summaries, values)))
+                running.append((index, pool.submit(run, values)))
             if not running:
                 return
-            # 2. wait for the oldest batch
             index, future = running.popleft()
             while not futures.wait([future], timeout=interrupt.SLICE).done:
                 interrupt.check()
             interrupt.check()
-            batch = future.result()
-            summaries.append(batch)
-            # 3. write its chunk after the last batch
-            completed = sum(len(summary["status"]) for summary in summaries)
-            written = 0
-            if completed == store.count([index]):
-                store.write(index, concatenated(summaries))
-                summaries, written = [], completed
-            report(len(batch["status"]), written)
+            yield index, future.result()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 

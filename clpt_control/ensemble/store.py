@@ -1,19 +1,20 @@
 """The store of an ensemble: a Zarr folder, written chunk by chunk.
 
-A chunk is a fixed range of members.  Its arrays are written first, its flag in `done` last.  A
-chunk without its flag, or with a file that is missing or fails the checksum of Zarr, is run again,
-so an ensemble may be killed at any time and continued.  The folder is created under a temporary
-name and renamed when it is complete.
+A chunk is a fixed range of members.  Its arrays are written first, their checksum last, in `done`.
+A chunk without a checksum, or with a wrong one, is run again, so an ensemble may be killed at any
+time and continued.  The folder is created under a temporary name and renamed when it is complete.
 
-Attributes and layouts have digests.  A store that was changed, or has more arrays, is refused
-before anything is written into it or displayed.
+Attributes, layouts and coordinates have digests.  A store that was changed, or has more files, is
+refused before anything is written into it or displayed.
 """
 
 import hashlib
 import json
 import shutil
 import warnings
+import zlib
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -21,9 +22,9 @@ import numpy as np
 
 from ..base.errors import DataError, import_optional
 from ..base.files import atomic_path
-from ..base.files.reading import SLASH, renamed, zarr_store
+from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from .members import Values
-from .results import ARGUMENTS, CODE, Results
+from .results import ARGUMENTS, CODE, Results, labelled
 
 if TYPE_CHECKING:
     import xarray
@@ -32,76 +33,77 @@ DIGESTS, DONE = "digests", "done"
 
 
 class Store(Results):
-    """An ensemble's arrays in a folder."""
+    """Arrays of an ensemble in a folder."""
 
     def __init__(self, group: Any, path: Path):
-        import zarr
-
         self.group, self.path = group, path
-        with (
-            warnings.catch_warnings(),
-            # a file that is missing is then no chunk of NaN
-            zarr.config.set({"array.write_empty_chunks": True}),
-        ):
-            warnings.simplefilter("ignore")  # of files that are not arrays
-            self.stored = dict(sorted(group.members()))
-        arrays = {name.replace(SLASH, "/"): node for name, node in self.stored.items()}
-        super().__init__(group.attrs, arrays)
+        with warnings.catch_warnings():
+            # files that are not arrays are found by their digest
+            warnings.simplefilter("ignore")
+            self.names = {name for name, _ in group.members()}
+            arrays = {name.replace(SLASH, "/"): array for name, array in group.arrays()}
+        dims = {
+            name: array.metadata.dimension_names or () for name, array in arrays.items()
+        }
+        super().__init__(group.attrs, arrays, dims)
 
-    def dims_of(self, array: Any) -> tuple[str, ...]:
-        """Return the dimensions of an array, none of a group."""
-        return getattr(array.metadata, "dimension_names", None) or ()
-
-    def write(self, index: int, arrays: Values) -> None:
-        """Write a chunk, then its flag."""
+    def write(self, index: int, summaries: Values) -> None:
+        """Write the summaries of a chunk, then their checksum."""
         try:
-            super().write(index, arrays)
-            self.arrays[DONE][index] = 1
+            super().write(index, summaries)
+            self.group[DONE][index] = self.checksum(summaries)
         except OSError as error:
             path, reason = error.filename2 or self.path, error.strerror or error
             raise DataError(f"{path}: cannot be written: {reason}") from None
 
+    def checksum(self, arrays: Values) -> int:
+        """Return a checksum of a chunk, above zero."""
+        check = 0
+        for name in self.per_member:
+            check = zlib.crc32(np.ascontiguousarray(arrays[name]).data, check)
+        return check + 1
+
     def digests(self) -> dict[str, str]:
-        """Return a hash of the attributes, and of the layout of each array."""
-        attributes = [item for item in self.attributes.items() if item[0] != DIGESTS]
-        facts: dict[str, Any] = {"zarr.json": sorted(attributes)}
-        facts |= {name: node.metadata.to_dict() for name, node in self.stored.items()}
+        """Return a hash of the attributes, and of each array without the values of chunks."""
+        attributes = {
+            name: value for name, value in self.group.attrs.items() if name != DIGESTS
+        }
+        contents: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
+        for name in sorted(self.names):
+            contents[name] = value = self.group[name]
+            with suppress(Exception):  # a damaged file can raise anything
+                filled = name.replace(SLASH, "/") in (*self.per_member, DONE)
+                too_large = value.nbytes > LARGEST or value.nchunks > max(
+                    1, self.members
+                )
+                numbers = None
+                if not filled and not too_large:
+                    read = value[:]
+                    # strings of any length are no bytes of the array
+                    read = read.astype("U99") if read.dtype.kind == "T" else read
+                    numbers = zlib.crc32(read.tobytes())
+                contents[name] = value.metadata.to_dict(), numbers
         return {
-            name: hashlib.sha256(repr(fact).encode()).hexdigest()[:16]
-            for name, fact in facts.items()
+            k: hashlib.sha256(repr(value).encode()).hexdigest()[:16]
+            for k, value in contents.items()
         }
 
-    def changed(self) -> list[str]:
-        """List the arrays whose layout, or numbers outside of chunks, are not as they were made."""
-        made, now = json.loads(self.attributes[DIGESTS]), self.digests()
-        wrong = {name for name in {*made, *now} if made.get(name) != now.get(name)}
-        for name in self.arrays.keys() - {*wrong, *self.per_member, DONE}:
-            count = self.arrays[name].cdata_shape[0]
-            if not wrong and not all(self.is_whole(name, k) for k in range(count)):
-                wrong.add(name)
-        return sorted(wrong)
-
-    def is_whole(self, name: str, index: int) -> bool:
-        """Return whether a chunk of an array is there; raise an error if its checksum is wrong."""
-        array = self.arrays[name]
-        if not array.size:
-            return True
-        array.blocks[index]  # read, with the checksum
-        key = array.metadata.encode_chunk_key((index, *[0] * (array.ndim - 1)))
-        return Path(self.path, array.path, key).is_file()
-
     def is_complete(self, index: int) -> bool:
-        """Return True if a chunk has been written and can be read."""
+        """Return True if a chunk has been written and its checksum is right."""
         try:
-            return bool(self.arrays[DONE][index]) and all(
-                self.is_whole(name, index) for name in self.per_member
-            )
+            checksum = int(self.group[DONE][index])
+            if not checksum:
+                return False
+            read = {
+                name: self.arrays[name][self.rows(index)] for name in self.per_member
+            }
         except Exception:  # a damaged file can raise anything
             return False
+        return self.checksum(read) == checksum
 
     def finish(self) -> None:
         """Check that every chunk has been written; remove temporary files of killed writers."""
-        lost = np.flatnonzero(self.arrays[DONE][:] == 0)
+        lost = np.flatnonzero(self.group[DONE][:] == 0)
         if len(lost):
             raise DataError(
                 f"{self.path}: chunk {lost[0]} is missing. Run the ensemble again"
@@ -113,34 +115,34 @@ class Store(Results):
         """Return the ensemble, whose arrays are read when used."""
         import xarray
 
-        data = xarray.open_zarr(
+        stored = xarray.open_zarr(
             self.group.store,
             chunks=None,
             consolidated=False,
             decode_times=False,
             decode_timedelta=False,
         )
-        data = self.labelled(renamed(data.drop_vars(DONE), SLASH, "/"))
+        named: Any = renamed(stored.drop_vars(DONE), SLASH, "/").variables
+        data = labelled(named, self.arguments, stored.attrs)
         data.encoding["folder"] = str(self.path.absolute().parent)
         return data
 
     def remove_empty(self) -> None:
         """Remove the folder if it has no chunk."""
-        if not np.any(self.arrays[DONE][:]):
+        if not np.any(self.group[DONE][:]):
             shutil.rmtree(self.path, ignore_errors=True)
 
 
 def begun_or_made(
     path: Path | None,
     attributes: Mapping[str, Any],
-    arrays: "Mapping[str, xarray.Variable]",
+    variables: "Mapping[str, xarray.Variable]",
 ) -> Results:
-    """Open the store of the same ensemble, begun by the same code, or make arrays or a store."""
+    """Open the store of the same ensemble, begun by the same code, or make one, or use memory."""
     if path is None:
-        copies = {name: one.copy(deep=True) for name, one in arrays.items()}
-        return Results(attributes, copies)
+        return Results.in_memory(attributes, variables)
     if not path.exists() or (path.is_dir() and not any(path.iterdir())):
-        return create_store(path, attributes, arrays)
+        return create_store(path, attributes, variables)
     store = open_store(path)
     for name, value in json.loads(attributes[ARGUMENTS]).items():
         if store.arguments.get(name) != value:
@@ -167,32 +169,29 @@ def create_store(
 
     arguments = json.loads(attributes[ARGUMENTS])
     chunk = arguments["chunk"]
-    flags = np.zeros(-(-arguments["members"] // chunk), "int8")
-    done = Variable("chunk", flags, {"long_name": "1 if the chunk is written"})
+    count = -(-arguments["members"] // chunk)
+    words = {"long_name": "checksum of a whole chunk"}
+    checksums = Variable("chunk", np.zeros(count, "int64"), words)
     with atomic_path(path, folder=True) as folder:
         group = zarr.create_group(folder)
         group.attrs.update(attributes)
-        for name, variable in {**variables, DONE: done}.items():
+        for name, stored in {**variables, DONE: checksums}.items():
             if not name or "\\" in name:
                 raise DataError(f"Zarr has no name {name!r}. Rename it, without a \\")
-            size, *inner_sizes = variable.shape
-            rows = {"member": chunk, "chunk": 1}.get(str(variable.dims[0]), size)
+            size, *inner_sizes = stored.shape
+            rows = {"member": chunk, "chunk": 1}.get(str(stored.dims[0]), size)
             array = group.create_array(
                 name.replace("/", SLASH),
-                shape=variable.shape,
-                dtype=str if variable.dtype.kind == "U" else variable.dtype,
+                shape=stored.shape,
+                dtype=str if stored.dtype.kind == "U" else stored.dtype,
                 chunks=tuple(max(1, n) for n in (min(rows, size), *inner_sizes)),
-                attributes=variable.attrs,
-                dimension_names=[str(dim).replace("/", SLASH) for dim in variable.dims],
-                fill_value=np.nan
-                if variable.dtype.kind == "f"
-                else variable.dtype.type(),
+                attributes=stored.attrs,
+                dimension_names=[str(dim).replace("/", SLASH) for dim in stored.dims],
+                fill_value=np.nan if stored.dtype.kind == "f" else stored.dtype.type(),
                 compressors=(ZstdCodec(level=1), Crc32cCodec()),
-                config={"write_empty_chunks": True},
             )
-            is_coordinate = variable.dims == (name,) or name in arguments["keys"]
-            if is_coordinate and variable.size:
-                array[:] = variable.values
+            if stored.dims == (name,) or (name in arguments["keys"] and stored.size):
+                array[:] = stored.values
         made = Store(zarr.open_group(folder), folder)
         group.attrs[DIGESTS] = json.dumps(made.digests())
     return Store(zarr.open_group(path, mode="r+"), path)
@@ -212,14 +211,24 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        changed = store.changed()
+        recorded: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
+        now = store.digests()
+        wrong = [
+            name
+            for name in sorted({*recorded, *now})
+            if recorded.get(name) != now.get(name)
+        ]
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is not an ensemble or is damaged. Give another name or remove it"
         ) from None
-    if changed:
+    if wrong and wrong[0] not in recorded:
         raise DataError(
-            f"{path}: is damaged, or of another version: its {changed[0]} is not as it was "
+            f"{path}: contains {wrong[0]}, which is not part of an ensemble. Remove it"
+        )
+    if wrong:
+        raise DataError(
+            f"{path}: is damaged, or of another version: its {wrong[0]} is not as it was "
             "made. Move it away and run the ensemble again"
         )
     return store
@@ -233,7 +242,7 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
         for array in data.variables.values():
             if "time" not in array.dims:
                 array.load()
-        written = np.flatnonzero(store.arrays[DONE][:]).tolist()
+        written = np.flatnonzero(store.group[DONE][:]).tolist()
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is damaged: a part of it cannot be read. Run the ensemble again"

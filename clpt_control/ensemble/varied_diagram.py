@@ -59,8 +59,7 @@ class OutputBatch(MemberBatch):
         times, wires = varied.state_times, varied.wiring.outputs
         y = np.full((len(status), len(wires), len(times)), np.nan)
         for rows, signals in self.ensemble.signals(self.members, self.run):
-            u = [self.members.runners[m][1].along(times) for m in rows]
-            y[rows] = self._outputs(signals, np.array(u))
+            y[rows] = self._outputs(signals, self.members.inputs_along(times, rows))
         not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         status = np.where(not_finite, Status.NOT_FINITE, status)
         for m in np.flatnonzero(status == Status.GUARD_LEFT).tolist():

@@ -69,10 +69,10 @@ class DatasetTemplate:
     note: str = ""
 
     def __post_init__(self) -> None:
-        self.axes = {name: _index(name, *axis) for name, axis in self.axes.items()}
+        self.axes = {name: index_of(name, *axis) for name, axis in self.axes.items()}
         if self.states is not None:
             labels = np.array(self.states, dtype=object)
-            self.axes["state"] = _index("state", labels, STATE)
+            self.axes["state"] = index_of("state", labels, STATE)
         # the last times, and their index
         self._cached_time: tuple[bytes | None, Any] = (None, None)
 
@@ -84,18 +84,18 @@ class DatasetTemplate:
         from xarray import Dataset, Variable
 
         variables: dict[str, Any] = {
-            name: _variable(
+            name: variable_of(
                 Variable, series.dims, series.of(signals), series.attributes
             )
             for name, series in self.variables.items()
         }
         if self.states is not None:
             dims = ("time", "state")
-            variables["states"] = _variable(Variable, dims, solution.x, STATES)
+            variables["states"] = variable_of(Variable, dims, solution.x, STATES)
         axes = {"time": self._time_index(solution.t), **self.axes}
         for name, (_, axis) in axes.items():
             parts = axis._dims, axis._data, axis._attrs or {}
-            variables[name] = _variable(type(axis), *parts)
+            variables[name] = variable_of(type(axis), *parts)
         attributes = {**self.attributes, **solver_attributes(solution)}
         if attributes["message"] == COMPLETED:
             unit = (self.time_attributes or {}).get("units", "")
@@ -116,12 +116,12 @@ class DatasetTemplate:
     def _time_index(self, times: np.ndarray) -> tuple[Any, Any]:
         cached_times, index = self._cached_time
         if times.tobytes() != cached_times:
-            index = _index("time", times.copy(), self.time_attributes)
+            index = index_of("time", times.copy(), self.time_attributes)
             self._cached_time = times.tobytes(), index
         return index
 
 
-def _variable(
+def variable_of(
     kind: Any, dims: tuple[str, ...], data: Any, attributes: Mapping[str, Any]
 ) -> Any:
     """Return a Variable of xarray by its four slots; the constructor takes five times as long."""
@@ -133,7 +133,7 @@ def _variable(
     return variable
 
 
-def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
+def index_of(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
     """Return an index of values and its variable, without xarray's slower constructor."""
     from pandas import Index
     from xarray import Variable
