@@ -1,7 +1,7 @@
-"""A batch of runs of one diagram: the solver's arrays, and how a run is watched.
+"""A batch of runs of one diagram: the solver's arrays, and the calls that advance them.
 
-The solver takes steps for about `PAUSE` seconds a call.  Between calls Python shows the time
-reached.  The solver alone decides where a run ends, by counts of its own tries.
+The solver takes steps for about `PAUSE` seconds a call.  Between calls Python reports the time
+reached.  The solver alone ends a run, by counts of its tries: no result depends on the clock.
 
 Stiff runs go on with an implicit method.  An explicit one stops if its own steps look stiff
 (Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then the
@@ -181,7 +181,7 @@ class Batch:
         if timed:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
-        # a pace that falls may rise again at an event, or by time
+        # rates that read time, or have events, may slow down after any burst
         self.lane[NEXT_LOOK] = np.inf if timed or callee.events else 0.0
         self.lane[FIRST_STEP] = opening
 

@@ -42,7 +42,6 @@ MOST_SEGMENTS = (
 )
 MOST_EVALUATIONS = 200  # of DOP853 in such a segment; LSODA integrates longer ones
 LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
-MOST_STEPS = 500_000  # of a run, which are minutes
 SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
 MARGIN_ROUNDING = 1e-12
 _lsoda = threading.RLock()  # not every SciPy runs two of them at once
@@ -170,7 +169,7 @@ class PythonRun:
             self.steps += 1
             if solver.status == "failed":
                 raise NotIntegrated(solver.t, solver.y.copy(), Status.STEP_TOO_SMALL)
-            if self.steps >= MOST_STEPS:
+            if self.steps >= self.diagram.most:
                 raise self.error(solver.t, solver.y, Status.TOO_MANY_STEPS)
             if self.sweep.guarded:
                 self._stop_at_guard(before, solver)

@@ -59,7 +59,7 @@ from .solver_layout import (
     prepare,
 )
 
-FIRST_LOOK = 5_000.0  # tries
+FIRST_LOOK = 5_000.0  # tries before the pace of a run is measured
 
 
 def note_next_stop(solver, k):

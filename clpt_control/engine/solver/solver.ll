@@ -1,4 +1,4 @@
-; sha256 da6205c11887f2a717368673d59b0a6812fe26881e7ead8eb7aae89acf6064fe 519341d7297dfa77f8f972153ddb1a1da25650ffd63fe60105cfcae87d40b7f9, Python 3.11, numba 0.68.1
+; sha256 2f012e89911fd13dfd68f1b54f1e56ee700d3acaeff22deec8439eb3cd0d7215 38b4ab9b2f5310cb407fdbcdf9c0864e9eab9719a7c558b1d17344a55b8436a0, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -4266,7 +4266,7 @@ v3576:
   store double %v3591, ptr %v3589, align 8, !noalias !504
   %v3592 = getelementptr double, ptr %v1008, i64 %v3570
   %v3593 = load double, ptr %v3592, align 8, !noalias !504
-  %v3594 = fmul double %v3593, 1.250000e+00
+  %v3594 = fmul double %v3593, 1.050000e+00
   %v3595 = fcmp ogt double %v3588, %v3594
   br i1 %v3595, label %v3596, label %v3597
 

@@ -104,10 +104,10 @@ STOP_AT = 28  # time up to which a step may go, for a sample at its end
 STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
 MAX_STEP = 30
 NEXT_LOOK = 31  # tries after which the pace of the run is measured, or inf
-LOOK_TIME = 32  # time when it was measured last
-LOOK_ADVANCE = 33  # time since the measurement before
-LOOK_SIZE = 34  # largest state when the pace did not fall
-FALLS = 35  # measurements since then
+LOOK_TIME = 32  # time at the last measurement
+LOOK_ADVANCE = 33  # advance in time between the last two measurements
+LOOK_SIZE = 34  # largest state at the last measurement with a pace that did not fall
+FALLS = 35  # measurements with a falling pace since then
 REALS = 36
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run

@@ -85,8 +85,8 @@ from .solver_layout import (
 )
 
 CHECK_EVERY = 128  # steps between checks for stiffness
-MOST_FALLS = 5
-FALLING = 1.25  # a steady pace has 2, rates that grow exponentially at most 1
+FALLS_OF_RUNAWAY = 5  # measurements in a row
+FALLING = 1.05  # twice the tries: a steady pace has 2, rates that grow exponentially 1
 GROWTH = 2.0  # of the largest state
 STEPS_AHEAD = 250  # for which stiffness may matter
 
@@ -281,11 +281,11 @@ def end_segments(solver, most):
 
 
 def diverges(solver, k, tries, most):
-    """Return whether a run cannot reach the end of its segment, at a pace that falls for good.
+    """Return whether a run cannot reach the end of its segment, as its pace falls for good.
 
-    The pace is measured whenever the tries have doubled.  It falls if time has advanced little more
-    than in the half of these tries before, and for good if it falls `MOST_FALLS` times in a row
-    while the states grow: their rates grow without bound.
+    The pace is measured whenever the tries have doubled.  It falls if these tries advance no
+    further in time than the half as many before.  It falls for good if it does so
+    `FALLS_OF_RUNAWAY` times in a row while the states grow: their rates grow without bound.
     """
     lane = solver.lane
     if tries < lane[NEXT_LOOK, k]:
@@ -304,7 +304,7 @@ def diverges(solver, k, tries, most):
     ahead = lane[SEGMENT_END, k] - lane[TIME, k]
     is_out_of_reach = 2.0 * advance * (most - tries) < ahead * tries
     grows = size > GROWTH * lane[LOOK_SIZE, k]
-    return is_out_of_reach and grows and lane[FALLS, k] >= MOST_FALLS
+    return is_out_of_reach and grows and lane[FALLS, k] >= FALLS_OF_RUNAWAY
 
 
 def count_steps(solver):
