@@ -20,7 +20,15 @@ import pytest
 from adaptive_loop import mrac
 from random_diagrams import random_diagram
 from sampled_runs import TIMES, VARY, assert_identical, files, lag, system, unread
-from subprocesses import CLPT, GUARD, await_line, listening, started, without_progress
+from subprocesses import (
+    CLPT,
+    GUARD,
+    await_line,
+    listening,
+    ran,
+    started,
+    without_progress,
+)
 
 import clpt_control as clpt
 from clpt_control import (
@@ -358,3 +366,81 @@ def test_dask_needs_its_package_and_a_folder(quick, tmp_path, monkeypatch):
     with pytest.raises(ClptError, match=r"distributed is not installed. Install"):
         run_ensemble(quick, VARY, 4, out=tmp_path / "e.zarr", dask="local")
     assert not list(tmp_path.iterdir())
+
+
+def rocket():
+    """A rocket that vibrates while it burns for 15 s, then coasts for a day."""
+
+    def rates(t, x, u, p):
+        on = 1.0 if t < 15.0 else 0.0
+        return [x[1], 300.0 * on, on * p["w"] * x[3], -on * p["w"] * x[2]]
+
+    ports = {"states": 4, "outputs": ["x", "v", "a", "b"], "params": {"w": 1e3}}
+    return system(rates, **ports)
+
+
+def test_members_with_a_burst_finish_with_the_bits_of_simulate(tmp_path):
+    """The vibration needs most of the tries; x = 300 (15^2 / 2 + 15 (t - 15)) m."""
+    given = {"timepts": [0.0, 15.0, 1e5], "initial_state": [0.0, 0.0, 0.01, 0.0]}
+    vary = {"w": np.linspace(600.0, 2200.0, 17)}
+    runs = [
+        run_ensemble(rocket(), vary, threads=threads, chunk=chunk, **given)
+        for threads, chunk in ((1, None), (2, None), (2, 5))
+    ]
+    stored = run_ensemble(rocket(), vary, out=tmp_path / "e.zarr", chunk=4, **given)
+    for data in (*runs, stored):
+        assert_identical(data.reset_index("member"), runs[0].reset_index("member"))
+    assert (runs[0].status == 1).all()
+    height = 300.0 * (15.0**2 / 2 + 15.0 * (1e5 - 15.0))
+    np.testing.assert_allclose(runs[0].x_final, height, rtol=1e-7)
+    for m in (0, 8, 16):
+        alone = clpt.simulate(rocket(), params={"w": vary["w"][m]}, **given)
+        for port in "xvab":
+            assert float(alone[port][-1]) == float(runs[0][f"{port}_final"][m])
+
+
+def runaway():
+    """An amplitude that grows, and turns the other states ever faster."""
+
+    def rates(t, x, u, p):
+        return [p["growth"] * x[0], x[0] * x[2], -x[0] * x[1]]
+
+    ports = {"states": 3, "outputs": ["a", "b", "c"], "params": {"growth": 1.0}}
+    return system(rates, **ports)
+
+
+def test_runaway_members_end_at_the_same_time_in_any_company():
+    """Each ends by its own tries: threads, chunks and members beside it do not matter."""
+    given = {"timepts": np.linspace(0.0, 20.0, 5), "initial_state": [1.0, 0.0, 1.0]}
+    growths = [-1.0, 1.5, -0.5, 2.0, 3.0, 0.0]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        runs = [
+            run_ensemble(
+                runaway(), {"growth": growths}, threads=threads, chunk=chunk, **given
+            )
+            for threads, chunk in ((1, None), (2, 1), (2, 4))
+        ]
+        alone = run_ensemble(runaway(), {"growth": [2.0]}, **given)
+    for data in runs[1:]:
+        assert_identical(data.reset_index("member"), runs[0].reset_index("member"))
+    assert runs[0].status.values.tolist() == [1, 8, 1, 8, 8, 1]
+    assert alone.end[0] == runs[0].end[3]
+
+
+IN_MEMORY = """
+import sys
+import control
+import clpt_control as clpt
+lag = control.nlsys(
+    lambda t, x, u, p: -p["rate"] * x, inputs=0, outputs=1, states=1, params={"rate": 1.0}
+)
+clpt.run_ensemble(lag, {"rate": [1.0, 2.0]}, timepts=[0.0, 1.0], initial_state=1.0)
+scenario = clpt.paper_scenario().with_values({"run.duration": 4.0})
+clpt.run_ensemble(scenario, "learning.gain=0.5:1", 2, trajectories=True)
+print([name for name in ("zarr", "dask", "distributed") if name in sys.modules])
+"""
+
+
+def test_results_in_memory_import_no_store():
+    assert ran(sys.executable, "-c", IN_MEMORY).stdout == "[]\n"
