@@ -96,6 +96,7 @@ class PythonRun:
         self.run = times[-1] - times[0]
         self.remembers = bool(diagram.hidden_state)
         self.short = method is LSODA and len(self.schedule.edges) > MOST_SEGMENTS
+        self.most = diagram.most
         self.watched = time.perf_counter()
         self.states = np.full((len(times), diagram.nstates), np.nan)
         self.written = 0  # samples
@@ -169,7 +170,7 @@ class PythonRun:
             self.steps += 1
             if solver.status == "failed":
                 raise NotIntegrated(solver.t, solver.y.copy(), Status.STEP_TOO_SMALL)
-            if self.steps >= self.diagram.most:
+            if self.steps >= self.most:
                 raise self.error(solver.t, solver.y, Status.TOO_MANY_STEPS)
             if self.sweep.guarded:
                 self._stop_at_guard(before, solver)
