@@ -196,11 +196,11 @@ class ReadBlock(control.NonlinearIOSystem):
 
         Raises `Unread` if the function cannot be traced.  Sizes that have names are open.
         """
-        if role not in (*self._roles, "output"):
-            raise BlockError(
-                f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
-            )
         if role not in self._records:
+            if role not in (*self._roles, "output"):
+                raise BlockError(
+                    f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
+                )
             self._records[role] = self._read_now(role)
         record = self._records[role]
         if isinstance(record, Unread):

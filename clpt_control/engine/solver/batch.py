@@ -21,9 +21,9 @@ from .callee import MOST_KEPT, Callee, aligned
 from .jacobian_pattern import NO_LINEAR
 from .schedule import Schedule
 from .solver_layout import (
+    FALLS,
     FIRST_STEP,
     MAX_STEP,
-    NEXT_LOOK,
     POINTS,
     REALS,
     ROWS,
@@ -182,7 +182,7 @@ class Batch:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
         # rates that read time, or have events, may slow down after any burst
-        self.lane[NEXT_LOOK] = np.inf if timed or callee.events else 0.0
+        self.lane[FALLS] = -np.inf if timed or callee.events else 0.0
         self.lane[FIRST_STEP] = opening
 
     @property

@@ -21,6 +21,7 @@ from .solver_layout import (
     ENTERED,
     EVALUATIONS,
     EVENT_INDEX,
+    FALLS,
     FIRST_STEP,
     FRESH,
     HELD_RATE,
@@ -103,13 +104,14 @@ def clear_lane(solver, k):
     stiff_steps = lane[STIFF_STEPS, k]
     max_step = lane[MAX_STEP, k]
     first_step = lane[FIRST_STEP, k]
-    is_judged = lane[NEXT_LOOK, k] < math.inf
+    falls = lane[FALLS, k]
     for number in range(REALS):
         lane[number, k] = 0.0
     lane[STIFF_STEPS, k] = stiff_steps if stiff_steps == -math.inf else 0.0
     lane[MAX_STEP, k] = max_step
     lane[FIRST_STEP, k] = first_step
-    lane[NEXT_LOOK, k] = FIRST_LOOK if is_judged else math.inf
+    lane[FALLS, k] = falls if falls == -math.inf else 0.0
+    lane[NEXT_LOOK, k] = FIRST_LOOK
     lane[FRESH, k] = 1.0
     lane[LAST_EVENT, k] = -math.inf
     lane[STOP_AT, k] = math.inf

@@ -1,4 +1,4 @@
-; sha256 2f012e89911fd13dfd68f1b54f1e56ee700d3acaeff22deec8439eb3cd0d7215 38b4ab9b2f5310cb407fdbcdf9c0864e9eab9719a7c558b1d17344a55b8436a0, Python 3.11, numba 0.68.1
+; sha256 89de37f9d7e3c7333ac93002e4de65a5d4622251bdf971bb4f30448d975574cd 9bd68dc3705b8659e4533a8020653695f0693496c770f3ee57f7b15e8ac3cfb7, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -38,7 +38,7 @@ v310:
   %v320 = icmp slt i64 %v41, 1
   %v321 = icmp slt i64 %v63, 1
   %v322 = icmp slt i64 %v10, 1
-  %v323 = mul i64 %v135, 248
+  %v323 = mul i64 %v135, 280
   %v324 = getelementptr i8, ptr %v133, i64 %v323
   %v325 = mul i64 %v135, 144
   %v326 = getelementptr i8, ptr %v133, i64 %v325
@@ -71,5540 +71,5573 @@ v310:
   %v353 = mul i64 %v135, 208
   %v354 = mul i64 %v135, 216
   %v355 = mul i64 %v135, 224
-  %v356 = shl i64 %v135, 8
-  %v357 = mul i64 %v135, 264
-  %v358 = mul i64 %v135, 272
-  %v359 = mul i64 %v135, 280
-  %v360 = getelementptr i8, ptr %v133, i64 %v343
-  %v361 = getelementptr i8, ptr %v133, i64 %v355
-  %v362 = getelementptr i8, ptr %v133, i64 %v356
-  %v363 = getelementptr i8, ptr %v133, i64 %v331
-  br label %v364
+  %v356 = mul i64 %v135, 248
+  %v357 = shl i64 %v135, 8
+  %v358 = mul i64 %v135, 264
+  %v359 = mul i64 %v135, 272
+  %v360 = getelementptr i8, ptr %v133, i64 %v356
+  %v361 = getelementptr i8, ptr %v133, i64 %v343
+  %v362 = getelementptr i8, ptr %v133, i64 %v355
+  %v363 = getelementptr i8, ptr %v133, i64 %v357
+  %v364 = getelementptr i8, ptr %v133, i64 %v331
+  br label %v365
 
-v365:
-  %v366 = getelementptr double, ptr %v312, i64 %v367
-  store double 0.000000e+00, ptr %v366, align 8, !noalias !0
-  %v368 = load i64, ptr %v151, align 8, !noalias !0
-  %v369 = load i64, ptr %v313, align 8, !noalias !0
-  %v370 = icmp eq i64 %v368, %v369
-  br i1 %v370, label %v371, label %v372
+v366:
+  %v367 = getelementptr double, ptr %v312, i64 %v368
+  store double 0.000000e+00, ptr %v367, align 8, !noalias !0
+  %v369 = load i64, ptr %v151, align 8, !noalias !0
+  %v370 = load i64, ptr %v313, align 8, !noalias !0
+  %v371 = icmp eq i64 %v369, %v370
+  br i1 %v371, label %v372, label %v373
 
-v372:
-  %v373 = add nsw i64 %v368, 1
-  store i64 %v373, ptr %v151, align 8, !noalias !0
+v373:
+  %v374 = add nsw i64 %v369, 1
+  store i64 %v374, ptr %v151, align 8, !noalias !0
   store i64 2, ptr %v314, align 8, !noalias !0
-  %v374 = getelementptr i64, ptr %v142, i64 %v367
-  store i64 %v368, ptr %v374, align 8, !noalias !0
-  %v375 = icmp slt i64 %v368, 0
-  %v376 = select i1 %v375, i64 %v49, i64 0
-  %v377 = getelementptr i64, ptr %v48, i64 %v368
-  %v378 = getelementptr i64, ptr %v377, i64 %v376
-  %v379 = load i64, ptr %v378, align 8, !noalias !0
-  %v380 = icmp slt i64 %v379, 0
-  %v381 = select i1 %v380, i64 %v56, i64 0
-  %v382 = getelementptr i64, ptr %v55, i64 %v379
-  %v383 = getelementptr i64, ptr %v382, i64 %v381
-  %v384 = load i64, ptr %v383, align 8, !noalias !0
-  %v385 = getelementptr i64, ptr %v315, i64 %v367
-  store i64 %v384, ptr %v385, align 8, !noalias !0
-  %v386 = getelementptr i64, ptr %v317, i64 %v367
-  store i64 1, ptr %v386, align 8, !noalias !0
-  %v387 = getelementptr i64, ptr %v319, i64 %v367
-  store i64 0, ptr %v387, align 8, !noalias !0
-  br i1 %v320, label %v388, label %v389
+  %v375 = getelementptr i64, ptr %v142, i64 %v368
+  store i64 %v369, ptr %v375, align 8, !noalias !0
+  %v376 = icmp slt i64 %v369, 0
+  %v377 = select i1 %v376, i64 %v49, i64 0
+  %v378 = getelementptr i64, ptr %v48, i64 %v369
+  %v379 = getelementptr i64, ptr %v378, i64 %v377
+  %v380 = load i64, ptr %v379, align 8, !noalias !0
+  %v381 = icmp slt i64 %v380, 0
+  %v382 = select i1 %v381, i64 %v56, i64 0
+  %v383 = getelementptr i64, ptr %v55, i64 %v380
+  %v384 = getelementptr i64, ptr %v383, i64 %v382
+  %v385 = load i64, ptr %v384, align 8, !noalias !0
+  %v386 = getelementptr i64, ptr %v315, i64 %v368
+  store i64 %v385, ptr %v386, align 8, !noalias !0
+  %v387 = getelementptr i64, ptr %v317, i64 %v368
+  store i64 1, ptr %v387, align 8, !noalias !0
+  %v388 = getelementptr i64, ptr %v319, i64 %v368
+  store i64 0, ptr %v388, align 8, !noalias !0
+  br i1 %v320, label %v389, label %v390
+
+v390:
+  %v391 = select i1 %v376, i64 %v40, i64 0
+  %v392 = add i64 %v391, %v369
+  %v393 = mul i64 %v392, %v41
+  %v394 = getelementptr double, ptr %v39, i64 %v393
+  %v395 = getelementptr double, ptr %v165, i64 %v368
+  br label %v396
 
 v389:
-  %v390 = select i1 %v375, i64 %v40, i64 0
-  %v391 = add i64 %v390, %v368
-  %v392 = mul i64 %v391, %v41
-  %v393 = getelementptr double, ptr %v39, i64 %v392
-  %v394 = getelementptr double, ptr %v165, i64 %v367
-  br label %v395
+  br i1 %v321, label %v397, label %v398
 
-v388:
-  br i1 %v321, label %v396, label %v397
+v398:
+  %v399 = load i64, ptr %v386, align 8, !noalias !0
+  %v400 = icmp slt i64 %v399, 0
+  %v401 = select i1 %v400, i64 %v77, i64 0
+  %v402 = add i64 %v401, %v399
+  %v403 = mul i64 %v402, %v78
+  %v404 = getelementptr double, ptr %v76, i64 %v403
+  br label %v405
 
-v397:
-  %v398 = load i64, ptr %v385, align 8, !noalias !0
-  %v399 = icmp slt i64 %v398, 0
-  %v400 = select i1 %v399, i64 %v77, i64 0
-  %v401 = add i64 %v400, %v398
-  %v402 = mul i64 %v401, %v78
-  %v403 = getelementptr double, ptr %v76, i64 %v402
-  br label %v404
+v405:
+  %v406 = phi i64 [ 0, %v398 ], [ %v407, %v405 ]
+  %v407 = add nsw i64 %v406, 1
+  %v408 = getelementptr double, ptr %v404, i64 %v406
+  %v409 = load double, ptr %v408, align 8, !noalias !3
+  %v410 = getelementptr i64, ptr %v62, i64 %v406
+  %v411 = load i64, ptr %v410, align 8, !noalias !3
+  %v412 = mul nsw i64 %v411, %v9
+  %v413 = add nsw i64 %v412, %v368
+  %v414 = icmp slt i64 %v413, 0
+  %v415 = select i1 %v414, i64 %v166, i64 0
+  %v416 = getelementptr double, ptr %v165, i64 %v413
+  %v417 = getelementptr double, ptr %v416, i64 %v415
+  store double %v409, ptr %v417, align 8, !noalias !3
+  %v418 = icmp eq i64 %v407, %v63
+  br i1 %v418, label %v397, label %v405
 
-v404:
-  %v405 = phi i64 [ 0, %v397 ], [ %v406, %v404 ]
-  %v406 = add nsw i64 %v405, 1
-  %v407 = getelementptr double, ptr %v403, i64 %v405
-  %v408 = load double, ptr %v407, align 8, !noalias !3
-  %v409 = getelementptr i64, ptr %v62, i64 %v405
-  %v410 = load i64, ptr %v409, align 8, !noalias !3
-  %v411 = mul nsw i64 %v410, %v9
-  %v412 = add nsw i64 %v411, %v367
-  %v413 = icmp slt i64 %v412, 0
-  %v414 = select i1 %v413, i64 %v166, i64 0
-  %v415 = getelementptr double, ptr %v165, i64 %v412
-  %v416 = getelementptr double, ptr %v415, i64 %v414
-  store double %v408, ptr %v416, align 8, !noalias !3
-  %v417 = icmp eq i64 %v406, %v63
-  br i1 %v417, label %v396, label %v404
-
-v418:
-  %v419 = getelementptr double, ptr %v133, i64 %v367
-  %v420 = getelementptr double, ptr %v324, i64 %v367
-  %v421 = load double, ptr %v420, align 8, !noalias !7
-  %v422 = getelementptr double, ptr %v326, i64 %v367
-  %v423 = load double, ptr %v422, align 8, !noalias !7
-  %v424 = getelementptr double, ptr %v328, i64 %v367
-  %v425 = load double, ptr %v424, align 8, !noalias !7
-  %v426 = getelementptr double, ptr %v330, i64 %v367
-  %v427 = load double, ptr %v426, align 8, !noalias !7
-  store double 0.000000e+00, ptr %v419, align 8, !noalias !7
-  %v428 = getelementptr double, ptr %v419, i64 %v135
-  store double 0.000000e+00, ptr %v428, align 8, !noalias !7
-  %v429 = getelementptr i8, ptr %v419, i64 %v331
+v419:
+  %v420 = getelementptr double, ptr %v133, i64 %v368
+  %v421 = getelementptr double, ptr %v324, i64 %v368
+  %v422 = load double, ptr %v421, align 8, !noalias !7
+  %v423 = getelementptr double, ptr %v326, i64 %v368
+  %v424 = load double, ptr %v423, align 8, !noalias !7
+  %v425 = getelementptr double, ptr %v328, i64 %v368
+  %v426 = load double, ptr %v425, align 8, !noalias !7
+  %v427 = getelementptr double, ptr %v330, i64 %v368
+  %v428 = load double, ptr %v427, align 8, !noalias !7
+  store double 0.000000e+00, ptr %v420, align 8, !noalias !7
+  %v429 = getelementptr double, ptr %v420, i64 %v135
   store double 0.000000e+00, ptr %v429, align 8, !noalias !7
-  %v430 = getelementptr i8, ptr %v419, i64 %v311
+  %v430 = getelementptr i8, ptr %v420, i64 %v331
   store double 0.000000e+00, ptr %v430, align 8, !noalias !7
-  %v431 = getelementptr i8, ptr %v419, i64 %v332
+  %v431 = getelementptr i8, ptr %v420, i64 %v311
   store double 0.000000e+00, ptr %v431, align 8, !noalias !7
-  %v432 = getelementptr i8, ptr %v419, i64 %v333
+  %v432 = getelementptr i8, ptr %v420, i64 %v332
   store double 0.000000e+00, ptr %v432, align 8, !noalias !7
-  %v433 = getelementptr i8, ptr %v419, i64 %v334
+  %v433 = getelementptr i8, ptr %v420, i64 %v333
   store double 0.000000e+00, ptr %v433, align 8, !noalias !7
-  %v434 = getelementptr i8, ptr %v419, i64 %v335
+  %v434 = getelementptr i8, ptr %v420, i64 %v334
   store double 0.000000e+00, ptr %v434, align 8, !noalias !7
-  %v435 = getelementptr i8, ptr %v419, i64 %v336
+  %v435 = getelementptr i8, ptr %v420, i64 %v335
   store double 0.000000e+00, ptr %v435, align 8, !noalias !7
-  %v436 = getelementptr i8, ptr %v419, i64 %v337
+  %v436 = getelementptr i8, ptr %v420, i64 %v336
   store double 0.000000e+00, ptr %v436, align 8, !noalias !7
-  %v437 = getelementptr i8, ptr %v419, i64 %v338
+  %v437 = getelementptr i8, ptr %v420, i64 %v337
   store double 0.000000e+00, ptr %v437, align 8, !noalias !7
-  %v438 = getelementptr i8, ptr %v419, i64 %v339
+  %v438 = getelementptr i8, ptr %v420, i64 %v338
   store double 0.000000e+00, ptr %v438, align 8, !noalias !7
-  %v439 = getelementptr i8, ptr %v419, i64 %v340
+  %v439 = getelementptr i8, ptr %v420, i64 %v339
   store double 0.000000e+00, ptr %v439, align 8, !noalias !7
-  %v440 = getelementptr i8, ptr %v419, i64 %v341
+  %v440 = getelementptr i8, ptr %v420, i64 %v340
   store double 0.000000e+00, ptr %v440, align 8, !noalias !7
-  %v441 = getelementptr i8, ptr %v419, i64 %v342
+  %v441 = getelementptr i8, ptr %v420, i64 %v341
   store double 0.000000e+00, ptr %v441, align 8, !noalias !7
-  %v442 = getelementptr i8, ptr %v419, i64 %v343
+  %v442 = getelementptr i8, ptr %v420, i64 %v342
   store double 0.000000e+00, ptr %v442, align 8, !noalias !7
-  %v443 = getelementptr i8, ptr %v419, i64 %v344
+  %v443 = getelementptr i8, ptr %v420, i64 %v343
   store double 0.000000e+00, ptr %v443, align 8, !noalias !7
-  %v444 = getelementptr i8, ptr %v419, i64 %v345
+  %v444 = getelementptr i8, ptr %v420, i64 %v344
   store double 0.000000e+00, ptr %v444, align 8, !noalias !7
-  %v445 = getelementptr i8, ptr %v419, i64 %v325
+  %v445 = getelementptr i8, ptr %v420, i64 %v345
   store double 0.000000e+00, ptr %v445, align 8, !noalias !7
-  %v446 = getelementptr i8, ptr %v419, i64 %v346
+  %v446 = getelementptr i8, ptr %v420, i64 %v325
   store double 0.000000e+00, ptr %v446, align 8, !noalias !7
-  %v447 = getelementptr i8, ptr %v419, i64 %v347
+  %v447 = getelementptr i8, ptr %v420, i64 %v346
   store double 0.000000e+00, ptr %v447, align 8, !noalias !7
-  %v448 = getelementptr i8, ptr %v419, i64 %v348
+  %v448 = getelementptr i8, ptr %v420, i64 %v347
   store double 0.000000e+00, ptr %v448, align 8, !noalias !7
-  %v449 = getelementptr i8, ptr %v419, i64 %v349
+  %v449 = getelementptr i8, ptr %v420, i64 %v348
   store double 0.000000e+00, ptr %v449, align 8, !noalias !7
-  %v450 = getelementptr i8, ptr %v419, i64 %v350
+  %v450 = getelementptr i8, ptr %v420, i64 %v349
   store double 0.000000e+00, ptr %v450, align 8, !noalias !7
-  %v451 = getelementptr i8, ptr %v419, i64 %v351
+  %v451 = getelementptr i8, ptr %v420, i64 %v350
   store double 0.000000e+00, ptr %v451, align 8, !noalias !7
-  %v452 = getelementptr i8, ptr %v419, i64 %v352
+  %v452 = getelementptr i8, ptr %v420, i64 %v351
   store double 0.000000e+00, ptr %v452, align 8, !noalias !7
-  %v453 = getelementptr i8, ptr %v419, i64 %v353
+  %v453 = getelementptr i8, ptr %v420, i64 %v352
   store double 0.000000e+00, ptr %v453, align 8, !noalias !7
-  %v454 = getelementptr i8, ptr %v419, i64 %v354
+  %v454 = getelementptr i8, ptr %v420, i64 %v353
   store double 0.000000e+00, ptr %v454, align 8, !noalias !7
-  %v455 = getelementptr i8, ptr %v419, i64 %v355
+  %v455 = getelementptr i8, ptr %v420, i64 %v354
   store double 0.000000e+00, ptr %v455, align 8, !noalias !7
-  %v456 = getelementptr i8, ptr %v419, i64 %v329
+  %v456 = getelementptr i8, ptr %v420, i64 %v355
   store double 0.000000e+00, ptr %v456, align 8, !noalias !7
-  %v457 = getelementptr i8, ptr %v419, i64 %v327
+  %v457 = getelementptr i8, ptr %v420, i64 %v329
   store double 0.000000e+00, ptr %v457, align 8, !noalias !7
-  %v458 = getelementptr i8, ptr %v419, i64 %v323
+  %v458 = getelementptr i8, ptr %v420, i64 %v327
   store double 0.000000e+00, ptr %v458, align 8, !noalias !7
-  %v459 = getelementptr i8, ptr %v419, i64 %v356
+  %v459 = getelementptr i8, ptr %v420, i64 %v356
   store double 0.000000e+00, ptr %v459, align 8, !noalias !7
-  %v460 = getelementptr i8, ptr %v419, i64 %v357
+  %v460 = getelementptr i8, ptr %v420, i64 %v357
   store double 0.000000e+00, ptr %v460, align 8, !noalias !7
-  %v461 = getelementptr i8, ptr %v419, i64 %v358
+  %v461 = getelementptr i8, ptr %v420, i64 %v358
   store double 0.000000e+00, ptr %v461, align 8, !noalias !7
-  %v462 = getelementptr i8, ptr %v419, i64 %v359
+  %v462 = getelementptr i8, ptr %v420, i64 %v359
   store double 0.000000e+00, ptr %v462, align 8, !noalias !7
-  %v463 = fcmp ueq double %v421, 0x7FF0000000000000
-  %v464 = fcmp oeq double %v427, 0xFFF0000000000000
+  %v463 = getelementptr i8, ptr %v420, i64 %v323
+  store double 0.000000e+00, ptr %v463, align 8, !noalias !7
+  %v464 = fcmp oeq double %v428, 0xFFF0000000000000
   %v465 = select i1 %v464, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v465, ptr %v426, align 8, !noalias !7
-  store double %v425, ptr %v424, align 8, !noalias !7
-  store double %v423, ptr %v422, align 8, !noalias !7
-  %v466 = select i1 %v463, double 0x7FF0000000000000, double 5.000000e+03
-  store double %v466, ptr %v420, align 8, !noalias !7
-  store double 1.000000e+00, ptr %v366, align 8, !noalias !7
-  %v467 = getelementptr double, ptr %v360, i64 %v367
-  store double 0xFFF0000000000000, ptr %v467, align 8, !noalias !7
-  %v468 = getelementptr double, ptr %v361, i64 %v367
-  store double 0x7FF0000000000000, ptr %v468, align 8, !noalias !7
-  %v469 = load double, ptr %v92, align 8, !noalias !0
-  store double %v469, ptr %v419, align 8, !noalias !0
-  %v470 = load double, ptr %v92, align 8, !noalias !0
-  %v471 = getelementptr double, ptr %v362, i64 %v367
-  store double %v470, ptr %v471, align 8, !noalias !0
-  %v472 = load i64, ptr %v385, align 8, !noalias !0
-  %v473 = icmp slt i64 %v472, 0
-  %v474 = select i1 %v473, i64 %v70, i64 0
-  %v475 = getelementptr double, ptr %v69, i64 %v472
-  %v476 = getelementptr double, ptr %v475, i64 %v474
-  %v477 = load double, ptr %v476, align 8, !noalias !0
-  %v478 = getelementptr double, ptr %v363, i64 %v367
-  store double %v477, ptr %v478, align 8, !noalias !0
-  br label %v371
-
-v395:
-  %v479 = phi i64 [ 0, %v389 ], [ %v480, %v395 ]
-  %v480 = add nsw i64 %v479, 1
-  %v481 = getelementptr double, ptr %v393, i64 %v479
-  %v482 = load double, ptr %v481, align 8, !noalias !0
-  %v483 = mul nsw i64 %v479, %v9
-  %v484 = getelementptr double, ptr %v394, i64 %v483
-  store double %v482, ptr %v484, align 8, !noalias !0
-  %v485 = icmp eq i64 %v480, %v41
-  br i1 %v485, label %v388, label %v395
+  store double %v465, ptr %v427, align 8, !noalias !7
+  store double %v426, ptr %v425, align 8, !noalias !7
+  store double %v424, ptr %v423, align 8, !noalias !7
+  %v466 = fcmp oeq double %v422, 0xFFF0000000000000
+  %v467 = select i1 %v466, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v467, ptr %v421, align 8, !noalias !7
+  %v468 = getelementptr double, ptr %v360, i64 %v368
+  store double 5.000000e+03, ptr %v468, align 8, !noalias !7
+  store double 1.000000e+00, ptr %v367, align 8, !noalias !7
+  %v469 = getelementptr double, ptr %v361, i64 %v368
+  store double 0xFFF0000000000000, ptr %v469, align 8, !noalias !7
+  %v470 = getelementptr double, ptr %v362, i64 %v368
+  store double 0x7FF0000000000000, ptr %v470, align 8, !noalias !7
+  %v471 = load double, ptr %v92, align 8, !noalias !0
+  store double %v471, ptr %v420, align 8, !noalias !0
+  %v472 = load double, ptr %v92, align 8, !noalias !0
+  %v473 = getelementptr double, ptr %v363, i64 %v368
+  store double %v472, ptr %v473, align 8, !noalias !0
+  %v474 = load i64, ptr %v386, align 8, !noalias !0
+  %v475 = icmp slt i64 %v474, 0
+  %v476 = select i1 %v475, i64 %v70, i64 0
+  %v477 = getelementptr double, ptr %v69, i64 %v474
+  %v478 = getelementptr double, ptr %v477, i64 %v476
+  %v479 = load double, ptr %v478, align 8, !noalias !0
+  %v480 = getelementptr double, ptr %v364, i64 %v368
+  store double %v479, ptr %v480, align 8, !noalias !0
+  br label %v372
 
 v396:
-  br i1 %v322, label %v418, label %v486
+  %v481 = phi i64 [ 0, %v390 ], [ %v482, %v396 ]
+  %v482 = add nsw i64 %v481, 1
+  %v483 = getelementptr double, ptr %v394, i64 %v481
+  %v484 = load double, ptr %v483, align 8, !noalias !0
+  %v485 = mul nsw i64 %v481, %v9
+  %v486 = getelementptr double, ptr %v395, i64 %v485
+  store double %v484, ptr %v486, align 8, !noalias !0
+  %v487 = icmp eq i64 %v482, %v41
+  br i1 %v487, label %v389, label %v396
 
-v486:
-  %v487 = getelementptr double, ptr %v193, i64 %v367
-  %v488 = select i1 %v375, i64 %v31, i64 0
-  %v489 = add i64 %v488, %v368
-  %v490 = mul i64 %v489, %v32
-  %v491 = getelementptr double, ptr %v30, i64 %v490
-  br label %v492
+v397:
+  br i1 %v322, label %v419, label %v488
 
-v492:
-  %v493 = phi i64 [ 0, %v486 ], [ %v494, %v492 ]
-  %v494 = add nsw i64 %v493, 1
-  %v495 = getelementptr double, ptr %v491, i64 %v493
-  %v496 = load double, ptr %v495, align 8, !noalias !0
-  %v497 = mul i64 %v493, %v196
-  %v498 = getelementptr double, ptr %v487, i64 %v497
-  store double %v496, ptr %v498, align 8, !noalias !0
-  %v499 = icmp eq i64 %v494, %v10
-  br i1 %v499, label %v418, label %v492
+v488:
+  %v489 = getelementptr double, ptr %v193, i64 %v368
+  %v490 = select i1 %v376, i64 %v31, i64 0
+  %v491 = add i64 %v490, %v369
+  %v492 = mul i64 %v491, %v32
+  %v493 = getelementptr double, ptr %v30, i64 %v492
+  br label %v494
 
-v371:
-  %v500 = load i64, ptr %v501, align 8
-  %v502 = icmp sgt i64 %v500, -1
-  %v503 = zext i1 %v502 to i64
-  %v504 = add nsw i64 %v505, %v503
-  %v506 = icmp sgt i64 %v507, 1
-  br i1 %v506, label %v364, label %v309
+v494:
+  %v495 = phi i64 [ 0, %v488 ], [ %v496, %v494 ]
+  %v496 = add nsw i64 %v495, 1
+  %v497 = getelementptr double, ptr %v493, i64 %v495
+  %v498 = load double, ptr %v497, align 8, !noalias !0
+  %v499 = mul i64 %v495, %v196
+  %v500 = getelementptr double, ptr %v489, i64 %v499
+  store double %v498, ptr %v500, align 8, !noalias !0
+  %v501 = icmp eq i64 %v496, %v10
+  br i1 %v501, label %v419, label %v494
+
+v372:
+  %v502 = load i64, ptr %v503, align 8
+  %v504 = icmp sgt i64 %v502, -1
+  %v505 = zext i1 %v504 to i64
+  %v506 = add nsw i64 %v507, %v505
+  %v508 = icmp sgt i64 %v509, 1
+  br i1 %v508, label %v365, label %v309
 
 v309:
-  %v508 = phi i64 [ 0, %v299 ], [ %v504, %v371 ]
-  %v509 = icmp ne i64 %v508, 0
-  %v510 = icmp sgt i64 %v297, 0
-  %v511 = select i1 %v509, i1 %v510, i1 false
-  br i1 %v511, label %v512, label %v513
+  %v510 = phi i64 [ 0, %v299 ], [ %v506, %v372 ]
+  %v511 = icmp ne i64 %v510, 0
+  %v512 = icmp sgt i64 %v297, 0
+  %v513 = select i1 %v511, i1 %v512, i1 false
+  br i1 %v513, label %v514, label %v515
 
-v512:
-  %v514 = getelementptr i8, ptr %v151, i64 16
-  %v515 = mul i64 %v10, %v9
-  %v516 = mul i64 %v196, %v195
-  %v517 = shl i64 %v196, 7
-  %v518 = mul i64 %v207, %v206
-  %v519 = getelementptr i8, ptr %v6, i64 8
-  %v520 = getelementptr i8, ptr %v6, i64 32
-  %v521 = mul i64 %v135, 24
-  %v522 = getelementptr i8, ptr %v133, i64 %v521
-  %v523 = icmp sgt i64 %v18, 0
-  %v524 = getelementptr i8, ptr %v6, i64 32
-  %v525 = mul i64 %v135, 24
-  %v526 = getelementptr i8, ptr %v133, i64 %v525
-  %v527 = icmp slt i64 %v18, 1
-  %v528 = icmp eq i64 %v14, 0
-  %v529 = mul nsw i64 %v10, %v9
-  %v530 = shl i64 %v529, 4
-  %v531 = getelementptr i8, ptr %v158, i64 %v530
-  %v532 = getelementptr i8, ptr %v6, i64 56
-  %v533 = getelementptr i8, ptr %v6, i64 64
-  %v534 = shl i64 %v135, 6
-  %v535 = getelementptr i8, ptr %v133, i64 %v534
-  %v536 = mul i64 %v529, 136
-  %v537 = getelementptr i8, ptr %v158, i64 %v536
-  %v538 = mul i64 %v529, 24
+v514:
+  %v516 = getelementptr i8, ptr %v151, i64 16
+  %v517 = mul i64 %v10, %v9
+  %v518 = mul i64 %v196, %v195
+  %v519 = shl i64 %v196, 7
+  %v520 = mul i64 %v207, %v206
+  %v521 = getelementptr i8, ptr %v6, i64 8
+  %v522 = getelementptr i8, ptr %v6, i64 32
+  %v523 = mul i64 %v135, 24
+  %v524 = getelementptr i8, ptr %v133, i64 %v523
+  %v525 = icmp sgt i64 %v18, 0
+  %v526 = getelementptr i8, ptr %v6, i64 32
+  %v527 = mul i64 %v135, 24
+  %v528 = getelementptr i8, ptr %v133, i64 %v527
+  %v529 = icmp slt i64 %v18, 1
+  %v530 = icmp eq i64 %v14, 0
+  %v531 = mul nsw i64 %v10, %v9
+  %v532 = shl i64 %v531, 4
+  %v533 = getelementptr i8, ptr %v158, i64 %v532
+  %v534 = getelementptr i8, ptr %v6, i64 56
+  %v535 = getelementptr i8, ptr %v6, i64 64
+  %v536 = shl i64 %v135, 6
+  %v537 = getelementptr i8, ptr %v133, i64 %v536
+  %v538 = mul i64 %v531, 136
   %v539 = getelementptr i8, ptr %v158, i64 %v538
-  %v540 = getelementptr i8, ptr %v6, i64 72
-  %v541 = mul i64 %v515, 112
-  %v542 = mul i64 %v135, 24
-  %v543 = getelementptr i8, ptr %v133, i64 %v542
-  %v544 = shl i64 %v135, 5
+  %v540 = mul i64 %v531, 24
+  %v541 = getelementptr i8, ptr %v158, i64 %v540
+  %v542 = getelementptr i8, ptr %v6, i64 72
+  %v543 = mul i64 %v517, 112
+  %v544 = mul i64 %v135, 24
   %v545 = getelementptr i8, ptr %v133, i64 %v544
-  %v546 = mul i64 %v135, 144
+  %v546 = shl i64 %v135, 5
   %v547 = getelementptr i8, ptr %v133, i64 %v546
-  %v548 = icmp slt i64 %v14, 1
-  %v549 = select i1 %v548, i64 2, i64 0
-  %v550 = zext i1 %v548 to i64
-  %v551 = mul i64 %v135, 88
-  %v552 = getelementptr i8, ptr %v133, i64 %v551
-  %v553 = getelementptr double, ptr %v92, i64 %v93
-  %v554 = getelementptr i8, ptr %v553, i64 -8
-  %v555 = shl i64 %v135, 6
-  %v556 = getelementptr i8, ptr %v133, i64 %v555
-  %v557 = getelementptr i8, ptr %v158, i64 %v541
-  %v558 = icmp slt i64 %v10, 1
-  %v559 = mul i64 %v196, %v195
-  %v560 = mul i64 %v559, 112
-  %v561 = getelementptr i8, ptr %v193, i64 %v560
-  %v562 = shl i64 %v559, 7
+  %v548 = mul i64 %v135, 144
+  %v549 = getelementptr i8, ptr %v133, i64 %v548
+  %v550 = icmp slt i64 %v14, 1
+  %v551 = select i1 %v550, i64 2, i64 0
+  %v552 = zext i1 %v550 to i64
+  %v553 = mul i64 %v135, 88
+  %v554 = getelementptr i8, ptr %v133, i64 %v553
+  %v555 = getelementptr double, ptr %v92, i64 %v93
+  %v556 = getelementptr i8, ptr %v555, i64 -8
+  %v557 = shl i64 %v135, 6
+  %v558 = getelementptr i8, ptr %v133, i64 %v557
+  %v559 = getelementptr i8, ptr %v158, i64 %v543
+  %v560 = icmp slt i64 %v10, 1
+  %v561 = mul i64 %v196, %v195
+  %v562 = mul i64 %v561, 112
   %v563 = getelementptr i8, ptr %v193, i64 %v562
-  %v564 = getelementptr i8, ptr %v6, i64 32
-  %v565 = mul i64 %v207, 216
-  %v566 = getelementptr i8, ptr %v186, i64 %v565
-  %v567 = shl i64 %v10, 7
-  %v568 = getelementptr i8, ptr %v158, i64 %v567
-  %v569 = mul i64 %v207, 240
-  %v570 = getelementptr i8, ptr %v186, i64 %v569
-  %v571 = sub i64 %v207, %v18
-  %v572 = tail call i64 @llvm.smax.i64(i64 %v571, i64 0)
-  %v573 = getelementptr double, ptr %v204, i64 %v207
-  %v574 = mul i64 %v207, %v206
-  %v575 = mul i64 %v574, 80
-  %v576 = getelementptr i8, ptr %v573, i64 %v575
-  %v577 = mul i64 %v574, 72
-  %v578 = getelementptr i8, ptr %v204, i64 %v577
-  %v579 = getelementptr double, ptr %v578, i64 %v207
-  %v580 = shl i64 %v207, 4
-  %v581 = getelementptr i8, ptr %v578, i64 %v580
-  %v582 = shl i64 %v144, 5
-  %v583 = getelementptr i8, ptr %v142, i64 %v582
-  %v584 = shl i64 %v135, 4
-  %v585 = getelementptr i8, ptr %v133, i64 %v584
-  %v586 = mul i64 %v135, 112
+  %v564 = shl i64 %v561, 7
+  %v565 = getelementptr i8, ptr %v193, i64 %v564
+  %v566 = getelementptr i8, ptr %v6, i64 32
+  %v567 = mul i64 %v207, 216
+  %v568 = getelementptr i8, ptr %v186, i64 %v567
+  %v569 = shl i64 %v10, 7
+  %v570 = getelementptr i8, ptr %v158, i64 %v569
+  %v571 = mul i64 %v207, 240
+  %v572 = getelementptr i8, ptr %v186, i64 %v571
+  %v573 = sub i64 %v207, %v18
+  %v574 = tail call i64 @llvm.smax.i64(i64 %v573, i64 0)
+  %v575 = getelementptr double, ptr %v204, i64 %v207
+  %v576 = mul i64 %v207, %v206
+  %v577 = mul i64 %v576, 80
+  %v578 = getelementptr i8, ptr %v575, i64 %v577
+  %v579 = mul i64 %v576, 72
+  %v580 = getelementptr i8, ptr %v204, i64 %v579
+  %v581 = getelementptr double, ptr %v580, i64 %v207
+  %v582 = shl i64 %v207, 4
+  %v583 = getelementptr i8, ptr %v580, i64 %v582
+  %v584 = shl i64 %v144, 5
+  %v585 = getelementptr i8, ptr %v142, i64 %v584
+  %v586 = shl i64 %v135, 4
   %v587 = getelementptr i8, ptr %v133, i64 %v586
-  %v588 = shl i64 %v135, 4
+  %v588 = mul i64 %v135, 112
   %v589 = getelementptr i8, ptr %v133, i64 %v588
-  %v590 = mul i64 %v135, 168
+  %v590 = shl i64 %v135, 4
   %v591 = getelementptr i8, ptr %v133, i64 %v590
-  %v592 = shl i64 %v144, 4
-  %v593 = getelementptr i8, ptr %v142, i64 %v592
-  %v594 = getelementptr i8, ptr %v6, i64 40
-  %v595 = icmp sgt i64 %v14, 0
-  %v596 = mul nsw i64 %v10, %v9
-  %v597 = getelementptr double, ptr %v158, i64 %v596
-  %v598 = icmp sgt i64 %v13, 0
-  %v599 = shl i64 %v135, 5
-  %v600 = getelementptr i8, ptr %v133, i64 %v599
-  %v601 = icmp slt i64 %v10, 1
-  %v602 = mul i64 %v196, %v195
-  %v603 = mul i64 %v602, 136
-  %v604 = getelementptr i8, ptr %v193, i64 %v603
-  %v605 = mul i64 %v602, 88
+  %v592 = mul i64 %v135, 168
+  %v593 = getelementptr i8, ptr %v133, i64 %v592
+  %v594 = shl i64 %v144, 4
+  %v595 = getelementptr i8, ptr %v142, i64 %v594
+  %v596 = getelementptr i8, ptr %v6, i64 40
+  %v597 = icmp sgt i64 %v14, 0
+  %v598 = mul nsw i64 %v10, %v9
+  %v599 = getelementptr double, ptr %v158, i64 %v598
+  %v600 = icmp sgt i64 %v13, 0
+  %v601 = shl i64 %v135, 5
+  %v602 = getelementptr i8, ptr %v133, i64 %v601
+  %v603 = icmp slt i64 %v10, 1
+  %v604 = mul i64 %v196, %v195
+  %v605 = mul i64 %v604, 136
   %v606 = getelementptr i8, ptr %v193, i64 %v605
-  %v607 = mul nsw i64 %v10, 19
-  %v608 = add nsw i64 %v607, 1
-  %v609 = mul nsw i64 %v10, 18
-  %v610 = icmp slt i64 %v10, 0
-  %v611 = select i1 %v610, i64 %v159, i64 0
-  %v612 = add i64 %v611, %v609
-  %v613 = icmp slt i64 %v612, 0
-  %v614 = icmp slt i64 %v612, %v159
-  %v615 = add i64 %v608, %v611
-  %v616 = icmp slt i64 %v615, 0
-  %v617 = icmp slt i64 %v615, %v159
-  %v618 = icmp sgt i64 %v274, 1
-  %v619 = mul i64 %v196, %v195
-  %v620 = getelementptr i8, ptr %v23, i64 8
-  %v621 = select i1 %v610, i64 %v267, i64 0
-  %v622 = getelementptr i64, ptr %v266, i64 %v10
-  %v623 = getelementptr i64, ptr %v622, i64 %v621
-  %v624 = mul i64 %v135, 48
-  %v625 = getelementptr i8, ptr %v133, i64 %v624
-  %v626 = mul i64 %v619, 136
-  %v627 = shl i64 %v135, 6
-  %v628 = getelementptr i8, ptr %v133, i64 %v627
-  %v629 = mul nsw i64 %v10, %v9
-  %v630 = mul i64 %v629, 136
-  %v631 = getelementptr i8, ptr %v158, i64 %v630
-  %v632 = getelementptr i8, ptr %v193, i64 %v626
-  %v633 = mul i64 %v619, 96
-  %v634 = getelementptr i8, ptr %v193, i64 %v633
-  %v635 = mul i64 %v619, 104
+  %v607 = mul i64 %v604, 88
+  %v608 = getelementptr i8, ptr %v193, i64 %v607
+  %v609 = mul nsw i64 %v10, 19
+  %v610 = add nsw i64 %v609, 1
+  %v611 = mul nsw i64 %v10, 18
+  %v612 = icmp slt i64 %v10, 0
+  %v613 = select i1 %v612, i64 %v159, i64 0
+  %v614 = add i64 %v613, %v611
+  %v615 = icmp slt i64 %v614, 0
+  %v616 = icmp slt i64 %v614, %v159
+  %v617 = add i64 %v610, %v613
+  %v618 = icmp slt i64 %v617, 0
+  %v619 = icmp slt i64 %v617, %v159
+  %v620 = icmp sgt i64 %v274, 1
+  %v621 = mul i64 %v196, %v195
+  %v622 = getelementptr i8, ptr %v23, i64 8
+  %v623 = select i1 %v612, i64 %v267, i64 0
+  %v624 = getelementptr i64, ptr %v266, i64 %v10
+  %v625 = getelementptr i64, ptr %v624, i64 %v623
+  %v626 = mul i64 %v135, 48
+  %v627 = getelementptr i8, ptr %v133, i64 %v626
+  %v628 = mul i64 %v621, 136
+  %v629 = shl i64 %v135, 6
+  %v630 = getelementptr i8, ptr %v133, i64 %v629
+  %v631 = mul nsw i64 %v10, %v9
+  %v632 = mul i64 %v631, 136
+  %v633 = getelementptr i8, ptr %v158, i64 %v632
+  %v634 = getelementptr i8, ptr %v193, i64 %v628
+  %v635 = mul i64 %v621, 96
   %v636 = getelementptr i8, ptr %v193, i64 %v635
-  %v637 = getelementptr double, ptr %v193, i64 %v619
-  %v638 = mul i64 %v619, 88
-  %v639 = getelementptr i8, ptr %v193, i64 %v638
-  %v640 = mul i64 %v629, 96
-  %v641 = getelementptr i8, ptr %v158, i64 %v640
-  %v642 = mul i64 %v629, 96
+  %v637 = mul i64 %v621, 104
+  %v638 = getelementptr i8, ptr %v193, i64 %v637
+  %v639 = getelementptr double, ptr %v193, i64 %v621
+  %v640 = mul i64 %v621, 88
+  %v641 = getelementptr i8, ptr %v193, i64 %v640
+  %v642 = mul i64 %v631, 96
   %v643 = getelementptr i8, ptr %v158, i64 %v642
-  %v644 = mul i64 %v629, 104
+  %v644 = mul i64 %v631, 96
   %v645 = getelementptr i8, ptr %v158, i64 %v644
-  %v646 = add nsw i64 %v274, -2
-  %v647 = icmp sgt i64 %v10, 0
-  %v648 = add i64 %v254, %v253
-  %v649 = add i64 %v253, 1
-  %v650 = add i64 %v10, 1
-  %v651 = mul i64 %v135, 160
-  %v652 = getelementptr i8, ptr %v133, i64 %v651
-  %v653 = add i64 %v254, 1
-  %v654 = add i64 %v11, -1
-  %v655 = tail call i64 @llvm.smax.i64(i64 %v654, i64 0)
-  %v656 = mul i64 %v516, 136
-  %v657 = icmp slt i64 %v654, 1
-  %v658 = shl i64 %v135, 6
-  %v659 = getelementptr i8, ptr %v133, i64 %v658
-  %v660 = mul nsw i64 %v10, %v9
-  %v661 = mul i64 %v660, 136
-  %v662 = getelementptr i8, ptr %v158, i64 %v661
-  %v663 = icmp slt i64 %v10, 1
-  %v664 = mul i64 %v196, %v195
-  %v665 = mul i64 %v664, 80
-  %v666 = getelementptr i8, ptr %v193, i64 %v665
-  %v667 = mul i64 %v664, 136
+  %v646 = mul i64 %v631, 104
+  %v647 = getelementptr i8, ptr %v158, i64 %v646
+  %v648 = add nsw i64 %v274, -2
+  %v649 = icmp sgt i64 %v10, 0
+  %v650 = add i64 %v254, %v253
+  %v651 = add i64 %v253, 1
+  %v652 = add i64 %v10, 1
+  %v653 = mul i64 %v135, 160
+  %v654 = getelementptr i8, ptr %v133, i64 %v653
+  %v655 = add i64 %v254, 1
+  %v656 = add i64 %v11, -1
+  %v657 = tail call i64 @llvm.smax.i64(i64 %v656, i64 0)
+  %v658 = mul i64 %v518, 136
+  %v659 = icmp slt i64 %v656, 1
+  %v660 = shl i64 %v135, 6
+  %v661 = getelementptr i8, ptr %v133, i64 %v660
+  %v662 = mul nsw i64 %v10, %v9
+  %v663 = mul i64 %v662, 136
+  %v664 = getelementptr i8, ptr %v158, i64 %v663
+  %v665 = icmp slt i64 %v10, 1
+  %v666 = mul i64 %v196, %v195
+  %v667 = mul i64 %v666, 80
   %v668 = getelementptr i8, ptr %v193, i64 %v667
-  %v669 = mul nsw i64 %v10, 17
-  %v670 = getelementptr double, ptr %v158, i64 %v669
-  %v671 = add i64 %v253, 1
-  %v672 = add i64 %v253, 1
-  %v673 = getelementptr double, ptr %v158, i64 %v669
-  %v674 = add i64 %v254, %v253
-  %v675 = getelementptr i8, ptr %v193, i64 %v656
-  %v676 = mul i64 %v196, %v195
-  %v677 = getelementptr i8, ptr %v6, i64 48
-  %v678 = or i1 %v598, %v306
-  %v679 = mul i64 %v135, 40
-  %v680 = getelementptr i8, ptr %v133, i64 %v679
-  %v681 = mul i64 %v135, 184
+  %v669 = mul i64 %v666, 136
+  %v670 = getelementptr i8, ptr %v193, i64 %v669
+  %v671 = mul nsw i64 %v10, 17
+  %v672 = getelementptr double, ptr %v158, i64 %v671
+  %v673 = add i64 %v253, 1
+  %v674 = add i64 %v253, 1
+  %v675 = getelementptr double, ptr %v158, i64 %v671
+  %v676 = add i64 %v254, %v253
+  %v677 = getelementptr i8, ptr %v193, i64 %v658
+  %v678 = mul i64 %v196, %v195
+  %v679 = getelementptr i8, ptr %v6, i64 48
+  %v680 = or i1 %v600, %v306
+  %v681 = mul i64 %v135, 40
   %v682 = getelementptr i8, ptr %v133, i64 %v681
-  %v683 = mul i64 %v135, 192
+  %v683 = mul i64 %v135, 184
   %v684 = getelementptr i8, ptr %v133, i64 %v683
-  %v685 = mul i64 %v135, 200
+  %v685 = mul i64 %v135, 192
   %v686 = getelementptr i8, ptr %v133, i64 %v685
-  %v687 = mul i64 %v135, 176
+  %v687 = mul i64 %v135, 200
   %v688 = getelementptr i8, ptr %v133, i64 %v687
-  %v689 = shl i64 %v144, 4
-  %v690 = getelementptr i8, ptr %v142, i64 %v689
-  %v691 = mul i64 %v135, 208
-  %v692 = getelementptr i8, ptr %v133, i64 %v691
-  %v693 = mul i64 %v135, 72
+  %v689 = mul i64 %v135, 176
+  %v690 = getelementptr i8, ptr %v133, i64 %v689
+  %v691 = shl i64 %v144, 4
+  %v692 = getelementptr i8, ptr %v142, i64 %v691
+  %v693 = mul i64 %v135, 208
   %v694 = getelementptr i8, ptr %v133, i64 %v693
-  %v695 = mul i64 %v135, 40
+  %v695 = mul i64 %v135, 72
   %v696 = getelementptr i8, ptr %v133, i64 %v695
-  %v697 = mul i64 %v135, 56
+  %v697 = mul i64 %v135, 40
   %v698 = getelementptr i8, ptr %v133, i64 %v697
-  %v699 = mul i64 %v135, 232
+  %v699 = mul i64 %v135, 56
   %v700 = getelementptr i8, ptr %v133, i64 %v699
-  %v701 = icmp eq i64 %v14, 0
-  %v702 = icmp ne i64 %v13, 0
-  %v703 = xor i1 %v701, true
-  %v704 = select i1 %v703, i1 true, i1 %v702
-  %v705 = shl i64 %v135, 6
-  %v706 = getelementptr i8, ptr %v133, i64 %v705
-  %v707 = mul nsw i64 %v10, %v9
-  %v708 = mul i64 %v707, 136
-  %v709 = getelementptr i8, ptr %v158, i64 %v708
-  %v710 = mul i64 %v707, 104
+  %v701 = mul i64 %v135, 232
+  %v702 = getelementptr i8, ptr %v133, i64 %v701
+  %v703 = icmp eq i64 %v14, 0
+  %v704 = icmp ne i64 %v13, 0
+  %v705 = xor i1 %v703, true
+  %v706 = select i1 %v705, i1 true, i1 %v704
+  %v707 = shl i64 %v135, 6
+  %v708 = getelementptr i8, ptr %v133, i64 %v707
+  %v709 = mul nsw i64 %v10, %v9
+  %v710 = mul i64 %v709, 136
   %v711 = getelementptr i8, ptr %v158, i64 %v710
-  %v712 = getelementptr i8, ptr %v6, i64 104
-  %v713 = getelementptr i8, ptr %v6, i64 96
-  %v714 = mul i64 %v196, %v195
-  %v715 = mul i64 %v135, 48
-  %v716 = getelementptr i8, ptr %v133, i64 %v715
-  %v717 = shl i64 %v135, 6
+  %v712 = mul i64 %v709, 104
+  %v713 = getelementptr i8, ptr %v158, i64 %v712
+  %v714 = getelementptr i8, ptr %v6, i64 104
+  %v715 = getelementptr i8, ptr %v6, i64 96
+  %v716 = mul i64 %v196, %v195
+  %v717 = mul i64 %v135, 48
   %v718 = getelementptr i8, ptr %v133, i64 %v717
-  %v719 = shl i64 %v714, 7
-  %v720 = icmp slt i64 %v10, 1
-  %v721 = getelementptr i8, ptr %v193, i64 %v719
-  %v722 = mul i64 %v207, 3
-  %v723 = getelementptr i8, ptr %v6, i64 32
-  %v724 = mul i64 %v714, 192
-  %v725 = mul i64 %v714, 184
-  %v726 = mul i64 %v714, 176
-  %v727 = mul i64 %v714, 168
-  %v728 = mul i64 %v714, 160
-  %v729 = mul i64 %v714, 152
-  %v730 = mul i64 %v714, 144
-  %v731 = mul i64 %v135, 56
-  %v732 = getelementptr i8, ptr %v133, i64 %v731
-  %v733 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
-  %v734 = mul i64 %v207, %v206
-  %v735 = getelementptr double, ptr %v204, i64 %v207
+  %v719 = shl i64 %v135, 6
+  %v720 = getelementptr i8, ptr %v133, i64 %v719
+  %v721 = shl i64 %v716, 7
+  %v722 = icmp slt i64 %v10, 1
+  %v723 = getelementptr i8, ptr %v193, i64 %v721
+  %v724 = mul i64 %v207, 3
+  %v725 = getelementptr i8, ptr %v6, i64 32
+  %v726 = mul i64 %v716, 192
+  %v727 = mul i64 %v716, 184
+  %v728 = mul i64 %v716, 176
+  %v729 = mul i64 %v716, 168
+  %v730 = mul i64 %v716, 160
+  %v731 = mul i64 %v716, 152
+  %v732 = mul i64 %v716, 144
+  %v733 = mul i64 %v135, 56
+  %v734 = getelementptr i8, ptr %v133, i64 %v733
+  %v735 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
   %v736 = mul i64 %v207, %v206
   %v737 = getelementptr double, ptr %v204, i64 %v207
-  %v738 = getelementptr double, ptr %v204, i64 %v207
-  %v739 = shl i64 %v207, 4
-  %v740 = getelementptr i8, ptr %v204, i64 %v739
-  %v741 = icmp sgt i64 %v12, 0
-  %v742 = add nsw i64 %v11, 13
-  %v743 = shl i64 %v135, 6
-  %v744 = getelementptr i8, ptr %v133, i64 %v743
-  %v745 = mul nsw i64 %v10, %v9
-  %v746 = mul i64 %v745, 136
-  %v747 = getelementptr i8, ptr %v158, i64 %v746
-  %v748 = icmp slt i64 %v11, -13
-  %v749 = select i1 %v748, i64 %v7, i64 0
-  %v750 = getelementptr i64, ptr %v6, i64 %v11
-  %v751 = getelementptr i8, ptr %v750, i64 104
-  %v752 = getelementptr i64, ptr %v751, i64 %v749
-  %v753 = getelementptr i8, ptr %v6, i64 88
-  %v754 = shl i64 %v144, 4
-  %v755 = getelementptr i8, ptr %v142, i64 %v754
-  %v756 = mul i64 %v135, 40
-  %v757 = getelementptr i8, ptr %v133, i64 %v756
-  %v758 = mul i64 %v135, 56
+  %v738 = mul i64 %v207, %v206
+  %v739 = getelementptr double, ptr %v204, i64 %v207
+  %v740 = getelementptr double, ptr %v204, i64 %v207
+  %v741 = shl i64 %v207, 4
+  %v742 = getelementptr i8, ptr %v204, i64 %v741
+  %v743 = icmp sgt i64 %v12, 0
+  %v744 = add nsw i64 %v11, 13
+  %v745 = shl i64 %v135, 6
+  %v746 = getelementptr i8, ptr %v133, i64 %v745
+  %v747 = mul nsw i64 %v10, %v9
+  %v748 = mul i64 %v747, 136
+  %v749 = getelementptr i8, ptr %v158, i64 %v748
+  %v750 = icmp slt i64 %v11, -13
+  %v751 = select i1 %v750, i64 %v7, i64 0
+  %v752 = getelementptr i64, ptr %v6, i64 %v11
+  %v753 = getelementptr i8, ptr %v752, i64 104
+  %v754 = getelementptr i64, ptr %v753, i64 %v751
+  %v755 = getelementptr i8, ptr %v6, i64 88
+  %v756 = shl i64 %v144, 4
+  %v757 = getelementptr i8, ptr %v142, i64 %v756
+  %v758 = mul i64 %v135, 40
   %v759 = getelementptr i8, ptr %v133, i64 %v758
-  %v760 = mul i64 %v135, 216
+  %v760 = mul i64 %v135, 56
   %v761 = getelementptr i8, ptr %v133, i64 %v760
-  %v762 = mul i64 %v135, 48
+  %v762 = mul i64 %v135, 216
   %v763 = getelementptr i8, ptr %v133, i64 %v762
-  %v764 = shl i64 %v135, 5
+  %v764 = mul i64 %v135, 48
   %v765 = getelementptr i8, ptr %v133, i64 %v764
-  %v766 = getelementptr double, ptr %v133, i64 %v135
-  %v767 = mul i64 %v135, 224
-  %v768 = getelementptr i8, ptr %v133, i64 %v767
-  %v769 = mul i64 %v196, %v195
-  %v770 = mul i64 %v135, 48
-  %v771 = getelementptr i8, ptr %v133, i64 %v770
-  %v772 = shl i64 %v135, 6
+  %v766 = shl i64 %v135, 5
+  %v767 = getelementptr i8, ptr %v133, i64 %v766
+  %v768 = getelementptr double, ptr %v133, i64 %v135
+  %v769 = mul i64 %v135, 224
+  %v770 = getelementptr i8, ptr %v133, i64 %v769
+  %v771 = mul i64 %v196, %v195
+  %v772 = mul i64 %v135, 48
   %v773 = getelementptr i8, ptr %v133, i64 %v772
-  %v774 = shl i64 %v769, 7
-  %v775 = icmp slt i64 %v10, 1
-  %v776 = getelementptr i8, ptr %v193, i64 %v774
-  %v777 = mul i64 %v207, 3
-  %v778 = getelementptr i8, ptr %v6, i64 32
-  %v779 = mul i64 %v769, 192
-  %v780 = mul i64 %v769, 184
-  %v781 = mul i64 %v769, 176
-  %v782 = mul i64 %v769, 168
-  %v783 = mul i64 %v769, 160
-  %v784 = mul i64 %v769, 152
-  %v785 = mul i64 %v769, 144
-  %v786 = getelementptr double, ptr %v92, i64 %v93
-  %v787 = getelementptr i8, ptr %v786, i64 -8
-  %v788 = icmp slt i64 %v15, 1
-  %v789 = mul i64 %v207, %v206
-  %v790 = shl i64 %v207, 4
-  %v791 = getelementptr double, ptr %v204, i64 %v207
-  %v792 = getelementptr i8, ptr %v204, i64 %v790
-  %v793 = shl i64 %v789, 4
-  %v794 = mul i64 %v789, 24
-  %v795 = shl i64 %v789, 5
-  %v796 = mul i64 %v789, 40
-  %v797 = mul i64 %v789, 48
-  %v798 = mul i64 %v789, 56
-  %v799 = shl i64 %v789, 6
-  %v800 = mul i64 %v135, 104
-  %v801 = getelementptr i8, ptr %v133, i64 %v800
-  %v802 = getelementptr double, ptr %v92, i64 %v93
-  %v803 = getelementptr i8, ptr %v802, i64 -8
-  %v804 = mul i64 %v135, 56
-  %v805 = getelementptr i8, ptr %v133, i64 %v804
-  %v806 = mul i64 %v135, 120
+  %v774 = shl i64 %v135, 6
+  %v775 = getelementptr i8, ptr %v133, i64 %v774
+  %v776 = shl i64 %v771, 7
+  %v777 = icmp slt i64 %v10, 1
+  %v778 = getelementptr i8, ptr %v193, i64 %v776
+  %v779 = mul i64 %v207, 3
+  %v780 = getelementptr i8, ptr %v6, i64 32
+  %v781 = mul i64 %v771, 192
+  %v782 = mul i64 %v771, 184
+  %v783 = mul i64 %v771, 176
+  %v784 = mul i64 %v771, 168
+  %v785 = mul i64 %v771, 160
+  %v786 = mul i64 %v771, 152
+  %v787 = mul i64 %v771, 144
+  %v788 = getelementptr double, ptr %v92, i64 %v93
+  %v789 = getelementptr i8, ptr %v788, i64 -8
+  %v790 = icmp slt i64 %v15, 1
+  %v791 = mul i64 %v207, %v206
+  %v792 = shl i64 %v207, 4
+  %v793 = getelementptr double, ptr %v204, i64 %v207
+  %v794 = getelementptr i8, ptr %v204, i64 %v792
+  %v795 = shl i64 %v791, 4
+  %v796 = mul i64 %v791, 24
+  %v797 = shl i64 %v791, 5
+  %v798 = mul i64 %v791, 40
+  %v799 = mul i64 %v791, 48
+  %v800 = mul i64 %v791, 56
+  %v801 = shl i64 %v791, 6
+  %v802 = mul i64 %v135, 104
+  %v803 = getelementptr i8, ptr %v133, i64 %v802
+  %v804 = getelementptr double, ptr %v92, i64 %v93
+  %v805 = getelementptr i8, ptr %v804, i64 -8
+  %v806 = mul i64 %v135, 56
   %v807 = getelementptr i8, ptr %v133, i64 %v806
-  %v808 = mul i64 %v135, 112
+  %v808 = mul i64 %v135, 120
   %v809 = getelementptr i8, ptr %v133, i64 %v808
-  %v810 = mul i64 %v207, %v206
-  %v811 = shl i64 %v135, 7
-  %v812 = getelementptr i8, ptr %v133, i64 %v811
-  %v813 = mul i64 %v135, 136
+  %v810 = mul i64 %v135, 112
+  %v811 = getelementptr i8, ptr %v133, i64 %v810
+  %v812 = mul i64 %v207, %v206
+  %v813 = shl i64 %v135, 7
   %v814 = getelementptr i8, ptr %v133, i64 %v813
-  %v815 = icmp sgt i64 %v10, 0
-  %v816 = shl i64 %v10, 7
-  %v817 = getelementptr i8, ptr %v158, i64 %v816
-  %v818 = mul i64 %v207, 216
-  %v819 = getelementptr i8, ptr %v186, i64 %v818
-  %v820 = sub i64 %v207, %v18
-  %v821 = tail call i64 @llvm.smax.i64(i64 %v820, i64 0)
-  %v822 = icmp sgt i64 %v820, 0
-  %v823 = shl i64 %v810, 6
-  %v824 = getelementptr i8, ptr %v204, i64 %v823
-  %v825 = shl i64 %v207, 4
-  %v826 = getelementptr i8, ptr %v824, i64 %v825
-  %v827 = mul i64 %v810, 72
-  %v828 = getelementptr i8, ptr %v204, i64 %v827
-  %v829 = getelementptr i8, ptr %v828, i64 %v825
-  %v830 = icmp slt i64 %v207, 1
-  %v831 = getelementptr double, ptr %v828, i64 %v207
-  %v832 = mul i64 %v810, 80
-  %v833 = getelementptr i8, ptr %v204, i64 %v832
-  %v834 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v835 = mul i64 %v517, %v195
-  %v836 = getelementptr i8, ptr %v193, i64 %v835
-  %v837 = mul nsw i64 %v10, %v9
-  %v838 = shl i64 %v837, 7
-  %v839 = getelementptr i8, ptr %v158, i64 %v838
-  %v840 = mul i64 %v837, 112
+  %v815 = mul i64 %v135, 136
+  %v816 = getelementptr i8, ptr %v133, i64 %v815
+  %v817 = icmp sgt i64 %v10, 0
+  %v818 = shl i64 %v10, 7
+  %v819 = getelementptr i8, ptr %v158, i64 %v818
+  %v820 = mul i64 %v207, 216
+  %v821 = getelementptr i8, ptr %v186, i64 %v820
+  %v822 = sub i64 %v207, %v18
+  %v823 = tail call i64 @llvm.smax.i64(i64 %v822, i64 0)
+  %v824 = icmp sgt i64 %v822, 0
+  %v825 = shl i64 %v812, 6
+  %v826 = getelementptr i8, ptr %v204, i64 %v825
+  %v827 = shl i64 %v207, 4
+  %v828 = getelementptr i8, ptr %v826, i64 %v827
+  %v829 = mul i64 %v812, 72
+  %v830 = getelementptr i8, ptr %v204, i64 %v829
+  %v831 = getelementptr i8, ptr %v830, i64 %v827
+  %v832 = icmp slt i64 %v207, 1
+  %v833 = getelementptr double, ptr %v830, i64 %v207
+  %v834 = mul i64 %v812, 80
+  %v835 = getelementptr i8, ptr %v204, i64 %v834
+  %v836 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v837 = mul i64 %v519, %v195
+  %v838 = getelementptr i8, ptr %v193, i64 %v837
+  %v839 = mul nsw i64 %v10, %v9
+  %v840 = shl i64 %v839, 7
   %v841 = getelementptr i8, ptr %v158, i64 %v840
-  %v842 = getelementptr i8, ptr %v6, i64 8
-  %v843 = mul i64 %v837, 120
-  %v844 = getelementptr i8, ptr %v158, i64 %v843
-  %v845 = getelementptr i8, ptr %v23, i64 8
-  %v846 = mul i64 %v769, 120
-  %v847 = getelementptr i8, ptr %v193, i64 %v846
-  %v848 = mul i64 %v769, 112
+  %v842 = mul i64 %v839, 112
+  %v843 = getelementptr i8, ptr %v158, i64 %v842
+  %v844 = getelementptr i8, ptr %v6, i64 8
+  %v845 = mul i64 %v839, 120
+  %v846 = getelementptr i8, ptr %v158, i64 %v845
+  %v847 = getelementptr i8, ptr %v23, i64 8
+  %v848 = mul i64 %v771, 120
   %v849 = getelementptr i8, ptr %v193, i64 %v848
-  %v850 = mul i64 %v135, 40
-  %v851 = getelementptr i8, ptr %v133, i64 %v850
-  %v852 = icmp slt i64 %v18, 1
-  %v853 = mul i64 %v810, 80
-  %v854 = getelementptr i8, ptr %v204, i64 %v853
-  %v855 = mul i64 %v837, 136
-  %v856 = getelementptr i8, ptr %v158, i64 %v855
-  %v857 = mul i64 %v837, 104
+  %v850 = mul i64 %v771, 112
+  %v851 = getelementptr i8, ptr %v193, i64 %v850
+  %v852 = mul i64 %v135, 40
+  %v853 = getelementptr i8, ptr %v133, i64 %v852
+  %v854 = icmp slt i64 %v18, 1
+  %v855 = mul i64 %v812, 80
+  %v856 = getelementptr i8, ptr %v204, i64 %v855
+  %v857 = mul i64 %v839, 136
   %v858 = getelementptr i8, ptr %v158, i64 %v857
-  %v859 = mul i64 %v135, 40
-  %v860 = getelementptr i8, ptr %v133, i64 %v859
-  %v861 = select i1 %v830, i64 0, i64 %v207
-  %v862 = icmp slt i64 %v820, 1
-  %v863 = shl i64 %v144, 4
-  %v864 = getelementptr i8, ptr %v142, i64 %v863
-  %v865 = mul i64 %v135, 224
-  %v866 = getelementptr i8, ptr %v133, i64 %v865
-  %v867 = mul i64 %v102, %v101
-  %v868 = mul i64 %v769, 136
-  %v869 = getelementptr i8, ptr %v193, i64 %v868
-  %v870 = add i64 %v93, -1
-  %v871 = shl i64 %v144, 5
-  %v872 = getelementptr i8, ptr %v142, i64 %v871
-  %v873 = mul i64 %v135, 40
-  %v874 = getelementptr i8, ptr %v133, i64 %v873
-  %v875 = mul i64 %v135, 96
+  %v859 = mul i64 %v839, 104
+  %v860 = getelementptr i8, ptr %v158, i64 %v859
+  %v861 = mul i64 %v135, 40
+  %v862 = getelementptr i8, ptr %v133, i64 %v861
+  %v863 = select i1 %v832, i64 0, i64 %v207
+  %v864 = icmp slt i64 %v822, 1
+  %v865 = shl i64 %v144, 4
+  %v866 = getelementptr i8, ptr %v142, i64 %v865
+  %v867 = mul i64 %v135, 224
+  %v868 = getelementptr i8, ptr %v133, i64 %v867
+  %v869 = mul i64 %v102, %v101
+  %v870 = mul i64 %v771, 136
+  %v871 = getelementptr i8, ptr %v193, i64 %v870
+  %v872 = add i64 %v93, -1
+  %v873 = shl i64 %v144, 5
+  %v874 = getelementptr i8, ptr %v142, i64 %v873
+  %v875 = mul i64 %v135, 40
   %v876 = getelementptr i8, ptr %v133, i64 %v875
-  %v877 = mul i64 %v135, 216
+  %v877 = mul i64 %v135, 96
   %v878 = getelementptr i8, ptr %v133, i64 %v877
-  %v879 = mul i64 %v135, 40
+  %v879 = mul i64 %v135, 216
   %v880 = getelementptr i8, ptr %v133, i64 %v879
-  %v881 = shl i64 %v135, 5
+  %v881 = mul i64 %v135, 40
   %v882 = getelementptr i8, ptr %v133, i64 %v881
-  %v883 = getelementptr double, ptr %v133, i64 %v135
-  %v884 = mul i64 %v769, 136
-  %v885 = getelementptr i8, ptr %v193, i64 %v884
-  %v886 = mul nsw i64 %v10, %v9
-  %v887 = mul i64 %v886, 136
-  %v888 = getelementptr i8, ptr %v158, i64 %v887
-  %v889 = mul i64 %v886, 104
+  %v883 = shl i64 %v135, 5
+  %v884 = getelementptr i8, ptr %v133, i64 %v883
+  %v885 = getelementptr double, ptr %v133, i64 %v135
+  %v886 = mul i64 %v771, 136
+  %v887 = getelementptr i8, ptr %v193, i64 %v886
+  %v888 = mul nsw i64 %v10, %v9
+  %v889 = mul i64 %v888, 136
   %v890 = getelementptr i8, ptr %v158, i64 %v889
-  %v891 = mul i64 %v10, 136
+  %v891 = mul i64 %v888, 104
   %v892 = getelementptr i8, ptr %v158, i64 %v891
-  %v893 = mul i64 %v207, 192
-  %v894 = getelementptr i8, ptr %v186, i64 %v893
-  %v895 = mul i64 %v196, %v195
-  %v896 = mul i64 %v135, 40
-  %v897 = getelementptr i8, ptr %v133, i64 %v896
-  %v898 = mul i64 %v135, 56
+  %v893 = mul i64 %v10, 136
+  %v894 = getelementptr i8, ptr %v158, i64 %v893
+  %v895 = mul i64 %v207, 192
+  %v896 = getelementptr i8, ptr %v186, i64 %v895
+  %v897 = mul i64 %v196, %v195
+  %v898 = mul i64 %v135, 40
   %v899 = getelementptr i8, ptr %v133, i64 %v898
-  %v900 = shl i64 %v144, 4
-  %v901 = getelementptr i8, ptr %v142, i64 %v900
-  %v902 = mul i64 %v135, 48
-  %v903 = getelementptr i8, ptr %v133, i64 %v902
-  %v904 = mul i64 %v895, 136
-  %v905 = icmp slt i64 %v10, 1
-  %v906 = mul i64 %v135, 224
-  %v907 = getelementptr i8, ptr %v133, i64 %v906
-  %v908 = mul i64 %v102, %v101
-  %v909 = getelementptr i8, ptr %v193, i64 %v904
-  %v910 = add i64 %v93, -1
-  %v911 = mul i64 %v895, 192
-  %v912 = mul i64 %v895, 184
-  %v913 = mul i64 %v895, 176
-  %v914 = mul i64 %v895, 168
-  %v915 = mul i64 %v895, 160
-  %v916 = mul i64 %v895, 152
-  %v917 = mul i64 %v895, 144
-  %v918 = icmp sgt i64 %v9, 1
-  %v919 = mul i64 %v135, 40
-  %v920 = getelementptr i8, ptr %v133, i64 %v919
-  %v921 = getelementptr i8, ptr %v6, i64 80
-  %v922 = mul i64 %v135, 40
-  %v923 = getelementptr i8, ptr %v133, i64 %v922
-  %v924 = shl i64 %v518, 6
-  %v925 = icmp sgt i64 %v18, 0
-  %v926 = getelementptr i8, ptr %v204, i64 %v924
-  %v927 = mul i64 %v135, 96
-  %v928 = getelementptr i8, ptr %v133, i64 %v927
-  %v929 = mul i64 %v135, 120
+  %v900 = mul i64 %v135, 56
+  %v901 = getelementptr i8, ptr %v133, i64 %v900
+  %v902 = shl i64 %v144, 4
+  %v903 = getelementptr i8, ptr %v142, i64 %v902
+  %v904 = mul i64 %v135, 48
+  %v905 = getelementptr i8, ptr %v133, i64 %v904
+  %v906 = mul i64 %v897, 136
+  %v907 = icmp slt i64 %v10, 1
+  %v908 = mul i64 %v135, 224
+  %v909 = getelementptr i8, ptr %v133, i64 %v908
+  %v910 = mul i64 %v102, %v101
+  %v911 = getelementptr i8, ptr %v193, i64 %v906
+  %v912 = add i64 %v93, -1
+  %v913 = mul i64 %v897, 192
+  %v914 = mul i64 %v897, 184
+  %v915 = mul i64 %v897, 176
+  %v916 = mul i64 %v897, 168
+  %v917 = mul i64 %v897, 160
+  %v918 = mul i64 %v897, 152
+  %v919 = mul i64 %v897, 144
+  %v920 = icmp sgt i64 %v9, 1
+  %v921 = mul i64 %v135, 40
+  %v922 = getelementptr i8, ptr %v133, i64 %v921
+  %v923 = getelementptr i8, ptr %v6, i64 80
+  %v924 = mul i64 %v135, 40
+  %v925 = getelementptr i8, ptr %v133, i64 %v924
+  %v926 = shl i64 %v520, 6
+  %v927 = icmp sgt i64 %v18, 0
+  %v928 = getelementptr i8, ptr %v204, i64 %v926
+  %v929 = mul i64 %v135, 96
   %v930 = getelementptr i8, ptr %v133, i64 %v929
-  %v931 = icmp slt i64 %v10, 1
-  %v932 = getelementptr i8, ptr %v23, i64 8
-  %v933 = getelementptr double, ptr %v92, i64 %v93
-  %v934 = getelementptr i8, ptr %v933, i64 -8
-  %v935 = mul i64 %v144, 24
-  %v936 = getelementptr i8, ptr %v142, i64 %v935
+  %v931 = mul i64 %v135, 120
+  %v932 = getelementptr i8, ptr %v133, i64 %v931
+  %v933 = icmp slt i64 %v10, 1
+  %v934 = getelementptr i8, ptr %v23, i64 8
+  %v935 = getelementptr double, ptr %v92, i64 %v93
+  %v936 = getelementptr i8, ptr %v935, i64 -8
   %v937 = mul i64 %v144, 24
   %v938 = getelementptr i8, ptr %v142, i64 %v937
-  %v939 = mul i64 %v135, 24
-  %v940 = getelementptr i8, ptr %v133, i64 %v939
-  %v941 = icmp ne i64 %v16, 0
-  %v942 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v943 = mul i64 %v135, 40
-  %v944 = getelementptr i8, ptr %v133, i64 %v943
-  %v945 = shl i64 %v135, 4
+  %v939 = mul i64 %v144, 24
+  %v940 = getelementptr i8, ptr %v142, i64 %v939
+  %v941 = mul i64 %v135, 24
+  %v942 = getelementptr i8, ptr %v133, i64 %v941
+  %v943 = icmp ne i64 %v16, 0
+  %v944 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v945 = mul i64 %v135, 40
   %v946 = getelementptr i8, ptr %v133, i64 %v945
-  %v947 = getelementptr i64, ptr %v142, i64 %v144
-  %v948 = icmp slt i64 %v63, 1
-  %v949 = getelementptr i8, ptr %v6, i64 8
-  %v950 = mul nsw i64 %v10, %v9
-  %v951 = getelementptr i8, ptr %v6, i64 24
-  %v952 = mul i64 %v950, 136
-  %v953 = getelementptr i8, ptr %v158, i64 %v952
-  %v954 = mul i64 %v102, %v101
-  %v955 = add nsw i64 %v942, -1
-  %v956 = mul i64 %v196, %v195
-  %v957 = shl i64 %v144, 4
-  %v958 = getelementptr i8, ptr %v142, i64 %v957
-  %v959 = mul i64 %v956, 136
-  %v960 = icmp slt i64 %v10, 1
-  %v961 = getelementptr i8, ptr %v193, i64 %v959
-  %v962 = getelementptr double, ptr %v92, i64 %v93
-  %v963 = getelementptr i8, ptr %v962, i64 -8
-  %v964 = shl i64 %v135, 6
-  %v965 = getelementptr i8, ptr %v133, i64 %v964
-  %v966 = mul i64 %v950, 112
-  %v967 = getelementptr i8, ptr %v158, i64 %v966
-  %v968 = mul i64 %v956, 112
-  %v969 = getelementptr i8, ptr %v193, i64 %v968
-  %v970 = shl i64 %v956, 7
+  %v947 = shl i64 %v135, 4
+  %v948 = getelementptr i8, ptr %v133, i64 %v947
+  %v949 = getelementptr i64, ptr %v142, i64 %v144
+  %v950 = icmp slt i64 %v63, 1
+  %v951 = getelementptr i8, ptr %v6, i64 8
+  %v952 = mul nsw i64 %v10, %v9
+  %v953 = getelementptr i8, ptr %v6, i64 24
+  %v954 = mul i64 %v952, 136
+  %v955 = getelementptr i8, ptr %v158, i64 %v954
+  %v956 = mul i64 %v102, %v101
+  %v957 = add nsw i64 %v944, -1
+  %v958 = mul i64 %v196, %v195
+  %v959 = shl i64 %v144, 4
+  %v960 = getelementptr i8, ptr %v142, i64 %v959
+  %v961 = mul i64 %v958, 136
+  %v962 = icmp slt i64 %v10, 1
+  %v963 = getelementptr i8, ptr %v193, i64 %v961
+  %v964 = getelementptr double, ptr %v92, i64 %v93
+  %v965 = getelementptr i8, ptr %v964, i64 -8
+  %v966 = shl i64 %v135, 6
+  %v967 = getelementptr i8, ptr %v133, i64 %v966
+  %v968 = mul i64 %v952, 112
+  %v969 = getelementptr i8, ptr %v158, i64 %v968
+  %v970 = mul i64 %v958, 112
   %v971 = getelementptr i8, ptr %v193, i64 %v970
-  %v972 = getelementptr i8, ptr %v6, i64 32
-  %v973 = mul i64 %v10, 136
-  %v974 = getelementptr i8, ptr %v158, i64 %v973
-  %v975 = mul i64 %v207, 216
-  %v976 = getelementptr i8, ptr %v186, i64 %v975
-  %v977 = shl i64 %v10, 7
-  %v978 = getelementptr i8, ptr %v158, i64 %v977
-  %v979 = mul i64 %v207, 240
-  %v980 = getelementptr i8, ptr %v186, i64 %v979
-  %v981 = sub i64 %v207, %v18
-  %v982 = tail call i64 @llvm.smax.i64(i64 %v981, i64 0)
-  %v983 = getelementptr double, ptr %v204, i64 %v207
-  %v984 = mul i64 %v207, %v206
-  %v985 = mul i64 %v984, 80
-  %v986 = getelementptr i8, ptr %v983, i64 %v985
-  %v987 = mul i64 %v984, 72
-  %v988 = getelementptr i8, ptr %v204, i64 %v987
-  %v989 = getelementptr double, ptr %v988, i64 %v207
-  %v990 = shl i64 %v207, 4
-  %v991 = getelementptr i8, ptr %v988, i64 %v990
-  %v992 = shl i64 %v144, 5
-  %v993 = getelementptr i8, ptr %v142, i64 %v992
-  %v994 = mul i64 %v135, 112
-  %v995 = getelementptr i8, ptr %v133, i64 %v994
-  %v996 = xor i1 %v307, true
-  %v997 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
-  %v998 = add nsw i64 %v997, -1
-  %v999 = zext i1 %v996 to i64
-  %v1000 = mul i64 %v135, 248
-  %v1001 = getelementptr i8, ptr %v133, i64 %v1000
-  %v1002 = icmp slt i64 %v10, 1
-  %v1003 = shl i64 %v135, 8
-  %v1004 = getelementptr i8, ptr %v133, i64 %v1003
-  %v1005 = mul i64 %v135, 280
+  %v972 = shl i64 %v958, 7
+  %v973 = getelementptr i8, ptr %v193, i64 %v972
+  %v974 = getelementptr i8, ptr %v6, i64 32
+  %v975 = mul i64 %v10, 136
+  %v976 = getelementptr i8, ptr %v158, i64 %v975
+  %v977 = mul i64 %v207, 216
+  %v978 = getelementptr i8, ptr %v186, i64 %v977
+  %v979 = shl i64 %v10, 7
+  %v980 = getelementptr i8, ptr %v158, i64 %v979
+  %v981 = mul i64 %v207, 240
+  %v982 = getelementptr i8, ptr %v186, i64 %v981
+  %v983 = sub i64 %v207, %v18
+  %v984 = tail call i64 @llvm.smax.i64(i64 %v983, i64 0)
+  %v985 = getelementptr double, ptr %v204, i64 %v207
+  %v986 = mul i64 %v207, %v206
+  %v987 = mul i64 %v986, 80
+  %v988 = getelementptr i8, ptr %v985, i64 %v987
+  %v989 = mul i64 %v986, 72
+  %v990 = getelementptr i8, ptr %v204, i64 %v989
+  %v991 = getelementptr double, ptr %v990, i64 %v207
+  %v992 = shl i64 %v207, 4
+  %v993 = getelementptr i8, ptr %v990, i64 %v992
+  %v994 = shl i64 %v144, 5
+  %v995 = getelementptr i8, ptr %v142, i64 %v994
+  %v996 = mul i64 %v135, 112
+  %v997 = getelementptr i8, ptr %v133, i64 %v996
+  %v998 = xor i1 %v307, true
+  %v999 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
+  %v1000 = add nsw i64 %v999, -1
+  %v1001 = zext i1 %v998 to i64
+  %v1002 = mul i64 %v135, 248
+  %v1003 = getelementptr i8, ptr %v133, i64 %v1002
+  %v1004 = icmp slt i64 %v10, 1
+  %v1005 = shl i64 %v135, 8
   %v1006 = getelementptr i8, ptr %v133, i64 %v1005
-  %v1007 = mul i64 %v135, 264
+  %v1007 = mul i64 %v135, 280
   %v1008 = getelementptr i8, ptr %v133, i64 %v1007
-  %v1009 = mul i64 %v135, 272
+  %v1009 = mul i64 %v135, 264
   %v1010 = getelementptr i8, ptr %v133, i64 %v1009
-  %v1011 = shl i64 %v135, 4
+  %v1011 = mul i64 %v135, 272
   %v1012 = getelementptr i8, ptr %v133, i64 %v1011
-  %v1013 = mul i64 %v135, 272
+  %v1013 = shl i64 %v135, 4
   %v1014 = getelementptr i8, ptr %v133, i64 %v1013
-  %v1015 = mul i64 %v135, 40
+  %v1015 = mul i64 %v135, 272
   %v1016 = getelementptr i8, ptr %v133, i64 %v1015
-  %v1017 = shl i64 %v135, 4
+  %v1017 = mul i64 %v135, 40
   %v1018 = getelementptr i8, ptr %v133, i64 %v1017
-  %v1019 = getelementptr i64, ptr %v142, i64 %v144
-  %v1020 = mul i64 %v135, 24
-  %v1021 = getelementptr i8, ptr %v133, i64 %v1020
+  %v1019 = shl i64 %v135, 4
+  %v1020 = getelementptr i8, ptr %v133, i64 %v1019
+  %v1021 = getelementptr i64, ptr %v142, i64 %v144
   %v1022 = mul i64 %v135, 24
   %v1023 = getelementptr i8, ptr %v133, i64 %v1022
-  %v1024 = icmp slt i64 %v63, 1
-  %v1025 = shl i64 %v144, 4
-  %v1026 = getelementptr i8, ptr %v142, i64 %v1025
-  %v1027 = mul i64 %v135, 24
-  %v1028 = getelementptr i8, ptr %v133, i64 %v1027
-  %v1029 = getelementptr i8, ptr %v151, i64 8
-  %v1030 = getelementptr i64, ptr %v142, i64 %v144
-  %v1031 = mul i64 %v144, 24
-  %v1032 = getelementptr i8, ptr %v142, i64 %v1031
-  %v1033 = icmp slt i64 %v41, 1
-  %v1034 = icmp slt i64 %v63, 1
-  %v1035 = icmp slt i64 %v10, 1
-  %v1036 = mul i64 %v135, 248
-  %v1037 = getelementptr i8, ptr %v133, i64 %v1036
-  %v1038 = mul i64 %v135, 144
+  %v1024 = mul i64 %v135, 24
+  %v1025 = getelementptr i8, ptr %v133, i64 %v1024
+  %v1026 = icmp slt i64 %v63, 1
+  %v1027 = shl i64 %v144, 4
+  %v1028 = getelementptr i8, ptr %v142, i64 %v1027
+  %v1029 = mul i64 %v135, 24
+  %v1030 = getelementptr i8, ptr %v133, i64 %v1029
+  %v1031 = getelementptr i8, ptr %v151, i64 8
+  %v1032 = getelementptr i64, ptr %v142, i64 %v144
+  %v1033 = mul i64 %v144, 24
+  %v1034 = getelementptr i8, ptr %v142, i64 %v1033
+  %v1035 = icmp slt i64 %v41, 1
+  %v1036 = icmp slt i64 %v63, 1
+  %v1037 = icmp slt i64 %v10, 1
+  %v1038 = mul i64 %v135, 280
   %v1039 = getelementptr i8, ptr %v133, i64 %v1038
-  %v1040 = mul i64 %v135, 240
+  %v1040 = mul i64 %v135, 144
   %v1041 = getelementptr i8, ptr %v133, i64 %v1040
-  %v1042 = mul i64 %v135, 232
+  %v1042 = mul i64 %v135, 240
   %v1043 = getelementptr i8, ptr %v133, i64 %v1042
-  %v1044 = shl i64 %v135, 4
-  %v1045 = shl i64 %v135, 5
-  %v1046 = mul i64 %v135, 48
-  %v1047 = mul i64 %v135, 56
-  %v1048 = shl i64 %v135, 6
-  %v1049 = mul i64 %v135, 72
-  %v1050 = mul i64 %v135, 80
-  %v1051 = mul i64 %v135, 88
-  %v1052 = mul i64 %v135, 96
-  %v1053 = mul i64 %v135, 104
-  %v1054 = mul i64 %v135, 112
-  %v1055 = mul i64 %v135, 120
-  %v1056 = shl i64 %v135, 7
-  %v1057 = mul i64 %v135, 136
-  %v1058 = mul i64 %v135, 152
-  %v1059 = mul i64 %v135, 160
-  %v1060 = mul i64 %v135, 168
-  %v1061 = mul i64 %v135, 176
-  %v1062 = mul i64 %v135, 184
-  %v1063 = mul i64 %v135, 192
-  %v1064 = mul i64 %v135, 200
-  %v1065 = mul i64 %v135, 208
-  %v1066 = mul i64 %v135, 216
-  %v1067 = mul i64 %v135, 224
-  %v1068 = shl i64 %v135, 8
-  %v1069 = mul i64 %v135, 264
-  %v1070 = mul i64 %v135, 272
-  %v1071 = mul i64 %v135, 280
-  %v1072 = getelementptr i8, ptr %v133, i64 %v1055
-  %v1073 = getelementptr i8, ptr %v133, i64 %v1067
-  %v1074 = getelementptr i8, ptr %v133, i64 %v1068
-  %v1075 = getelementptr i8, ptr %v133, i64 %v1044
-  %v1076 = mul i64 %v135, 232
-  %v1077 = getelementptr i8, ptr %v133, i64 %v1076
-  %v1078 = getelementptr double, ptr %v92, i64 %v93
-  %v1079 = getelementptr i8, ptr %v1078, i64 -8
-  %v1080 = getelementptr double, ptr %v133, i64 %v135
-  %v1081 = mul i64 %v135, 232
-  %v1082 = getelementptr i8, ptr %v133, i64 %v1081
-  %v1083 = mul i64 %v135, 248
-  %v1084 = getelementptr i8, ptr %v133, i64 %v1083
-  %v1085 = sitofp i64 %v298 to double
-  %v1086 = mul i64 %v135, 176
+  %v1044 = mul i64 %v135, 232
+  %v1045 = getelementptr i8, ptr %v133, i64 %v1044
+  %v1046 = shl i64 %v135, 4
+  %v1047 = shl i64 %v135, 5
+  %v1048 = mul i64 %v135, 48
+  %v1049 = mul i64 %v135, 56
+  %v1050 = shl i64 %v135, 6
+  %v1051 = mul i64 %v135, 72
+  %v1052 = mul i64 %v135, 80
+  %v1053 = mul i64 %v135, 88
+  %v1054 = mul i64 %v135, 96
+  %v1055 = mul i64 %v135, 104
+  %v1056 = mul i64 %v135, 112
+  %v1057 = mul i64 %v135, 120
+  %v1058 = shl i64 %v135, 7
+  %v1059 = mul i64 %v135, 136
+  %v1060 = mul i64 %v135, 152
+  %v1061 = mul i64 %v135, 160
+  %v1062 = mul i64 %v135, 168
+  %v1063 = mul i64 %v135, 176
+  %v1064 = mul i64 %v135, 184
+  %v1065 = mul i64 %v135, 192
+  %v1066 = mul i64 %v135, 200
+  %v1067 = mul i64 %v135, 208
+  %v1068 = mul i64 %v135, 216
+  %v1069 = mul i64 %v135, 224
+  %v1070 = mul i64 %v135, 248
+  %v1071 = shl i64 %v135, 8
+  %v1072 = mul i64 %v135, 264
+  %v1073 = mul i64 %v135, 272
+  %v1074 = getelementptr i8, ptr %v133, i64 %v1070
+  %v1075 = getelementptr i8, ptr %v133, i64 %v1057
+  %v1076 = getelementptr i8, ptr %v133, i64 %v1069
+  %v1077 = getelementptr i8, ptr %v133, i64 %v1071
+  %v1078 = getelementptr i8, ptr %v133, i64 %v1046
+  %v1079 = mul i64 %v135, 232
+  %v1080 = getelementptr i8, ptr %v133, i64 %v1079
+  %v1081 = getelementptr double, ptr %v92, i64 %v93
+  %v1082 = getelementptr i8, ptr %v1081, i64 -8
+  %v1083 = getelementptr double, ptr %v133, i64 %v135
+  %v1084 = mul i64 %v135, 232
+  %v1085 = getelementptr i8, ptr %v133, i64 %v1084
+  %v1086 = mul i64 %v135, 248
   %v1087 = getelementptr i8, ptr %v133, i64 %v1086
-  %v1088 = shl i64 %v135, 4
-  %v1089 = getelementptr i8, ptr %v133, i64 %v1088
-  %v1090 = mul i64 %v135, 168
-  %v1091 = getelementptr i8, ptr %v133, i64 %v1090
-  %v1092 = shl i64 %v144, 4
-  %v1093 = getelementptr i8, ptr %v142, i64 %v1092
-  %v1094 = shl i64 %v734, 4
-  %v1095 = mul i64 %v734, 24
-  %v1096 = shl i64 %v734, 5
-  %v1097 = mul i64 %v734, 40
-  %v1098 = mul i64 %v734, 48
-  %v1099 = mul i64 %v734, 56
-  %v1100 = shl i64 %v734, 6
-  %v1101 = shl i64 %v736, 4
-  %v1102 = shl i64 %v736, 5
-  %v1103 = mul i64 %v736, 48
-  %v1104 = shl i64 %v736, 6
-  %v1105 = mul i64 %v736, 24
-  %v1106 = shl i64 %v736, 4
-  %v1107 = shl i64 %v736, 5
-  %v1108 = mul i64 %v736, 48
-  %v1109 = shl i64 %v736, 6
-  %v1110 = mul i64 %v736, 40
-  %v1111 = shl i64 %v736, 4
-  %v1112 = shl i64 %v736, 5
-  %v1113 = mul i64 %v736, 48
-  %v1114 = shl i64 %v736, 6
-  %v1115 = mul i64 %v736, 56
-  %v1116 = shl i64 %v736, 4
-  %v1117 = shl i64 %v736, 5
-  %v1118 = mul i64 %v736, 48
-  %v1119 = shl i64 %v736, 6
-  br label %v1120
+  %v1088 = sitofp i64 %v298 to double
+  %v1089 = mul i64 %v135, 176
+  %v1090 = getelementptr i8, ptr %v133, i64 %v1089
+  %v1091 = shl i64 %v135, 4
+  %v1092 = getelementptr i8, ptr %v133, i64 %v1091
+  %v1093 = mul i64 %v135, 168
+  %v1094 = getelementptr i8, ptr %v133, i64 %v1093
+  %v1095 = shl i64 %v144, 4
+  %v1096 = getelementptr i8, ptr %v142, i64 %v1095
+  %v1097 = shl i64 %v736, 4
+  %v1098 = mul i64 %v736, 24
+  %v1099 = shl i64 %v736, 5
+  %v1100 = mul i64 %v736, 40
+  %v1101 = mul i64 %v736, 48
+  %v1102 = mul i64 %v736, 56
+  %v1103 = shl i64 %v736, 6
+  %v1104 = shl i64 %v738, 4
+  %v1105 = shl i64 %v738, 5
+  %v1106 = mul i64 %v738, 48
+  %v1107 = shl i64 %v738, 6
+  %v1108 = mul i64 %v738, 24
+  %v1109 = shl i64 %v738, 4
+  %v1110 = shl i64 %v738, 5
+  %v1111 = mul i64 %v738, 48
+  %v1112 = shl i64 %v738, 6
+  %v1113 = mul i64 %v738, 40
+  %v1114 = shl i64 %v738, 4
+  %v1115 = shl i64 %v738, 5
+  %v1116 = mul i64 %v738, 48
+  %v1117 = shl i64 %v738, 6
+  %v1118 = mul i64 %v738, 56
+  %v1119 = shl i64 %v738, 4
+  %v1120 = shl i64 %v738, 5
+  %v1121 = mul i64 %v738, 48
+  %v1122 = shl i64 %v738, 6
+  br label %v1123
 
-v1120:
-  %v1121 = phi i64 [ %v1122, %v1123 ], [ %v297, %v512 ]
-  %v1124 = phi i64 [ %v1125, %v1123 ], [ %v508, %v512 ]
-  %v1126 = add nsw i64 %v1121, -1
-  %v1127 = load i64, ptr %v514, align 8, !noalias !11
-  %v1128 = icmp eq i64 %v1127, 0
-  br i1 %v1128, label %v1129, label %v1130
+v1123:
+  %v1124 = phi i64 [ %v1125, %v1126 ], [ %v297, %v514 ]
+  %v1127 = phi i64 [ %v1128, %v1126 ], [ %v510, %v514 ]
+  %v1129 = add nsw i64 %v1124, -1
+  %v1130 = load i64, ptr %v516, align 8, !noalias !11
+  %v1131 = icmp eq i64 %v1130, 0
+  br i1 %v1131, label %v1132, label %v1133
 
-v1130:
-  %v1131 = icmp eq i64 %v1127, 2
-  store i64 0, ptr %v514, align 8, !noalias !11
-  %v1132 = load i64, ptr %v519, align 8, !noalias !15
-  %v1133 = inttoptr i64 %v1132 to ptr
-  tail call void %v1133(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
-  br i1 %v305, label %v1134, label %v1135
+v1133:
+  %v1134 = icmp eq i64 %v1130, 2
+  store i64 0, ptr %v516, align 8, !noalias !11
+  %v1135 = load i64, ptr %v521, align 8, !noalias !15
+  %v1136 = inttoptr i64 %v1135 to ptr
+  tail call void %v1136(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
+  br i1 %v305, label %v1137, label %v1138
 
-v1134:
-  %v1136 = load i64, ptr %v520, align 8, !noalias !18
-  %v1137 = inttoptr i64 %v1136 to ptr
-  tail call void %v1137(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
-  %v1138 = load double, ptr %v522, align 8, !noalias !24
-  %v1139 = fcmp une double %v1138, 2.500000e-01
-  br i1 %v1139, label %v1135, label %v1140
-
-v1140:
-  store double 0.000000e+00, ptr %v522, align 8, !noalias !24
-  br i1 %v523, label %v1141, label %v1142
+v1137:
+  %v1139 = load i64, ptr %v522, align 8, !noalias !18
+  %v1140 = inttoptr i64 %v1139 to ptr
+  tail call void %v1140(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
+  %v1141 = load double, ptr %v524, align 8, !noalias !24
+  %v1142 = fcmp une double %v1141, 2.500000e-01
+  br i1 %v1142, label %v1138, label %v1143
 
 v1143:
-  store double 1.000000e+00, ptr %v522, align 8, !noalias !24
-  br label %v1144
+  store double 0.000000e+00, ptr %v524, align 8, !noalias !24
+  br i1 %v525, label %v1144, label %v1145
+
+v1146:
+  store double 1.000000e+00, ptr %v524, align 8, !noalias !24
+  br label %v1147
+
+v1147:
+  %v1148 = icmp eq i64 %v1149, %v18
+  br i1 %v1148, label %v1145, label %v1144
+
+v1145:
+  %v1150 = load double, ptr %v524, align 8, !noalias !24
+  %v1151 = fcmp ogt double %v1150, 5.000000e-01
+  %v1152 = or i1 %v1134, %v1151
+  br label %v1138
 
 v1144:
-  %v1145 = icmp eq i64 %v1146, %v18
-  br i1 %v1145, label %v1142, label %v1141
+  %v1153 = phi i64 [ %v1149, %v1147 ], [ 0, %v1143 ]
+  %v1149 = add nsw i64 %v1153, 1
+  %v1154 = getelementptr double, ptr %v204, i64 %v1153
+  %v1155 = load double, ptr %v1154, align 8, !noalias !24
+  %v1156 = add nsw i64 %v1153, %v17
+  %v1157 = icmp slt i64 %v1156, 0
+  %v1158 = select i1 %v1157, i64 %v166, i64 0
+  %v1159 = getelementptr double, ptr %v165, i64 %v1156
+  %v1160 = getelementptr double, ptr %v1159, i64 %v1158
+  %v1161 = load double, ptr %v1160, align 8, !noalias !24
+  %v1162 = fcmp une double %v1155, %v1161
+  br i1 %v1162, label %v1146, label %v1147
 
-v1142:
-  %v1147 = load double, ptr %v522, align 8, !noalias !24
-  %v1148 = fcmp ogt double %v1147, 5.000000e-01
-  %v1149 = or i1 %v1131, %v1148
-  br label %v1135
+v1138:
+  %v1163 = phi i1 [ %v1134, %v1133 ], [ %v1152, %v1145 ], [ %v1134, %v1137 ]
+  br i1 %v1163, label %v1164, label %v1132
 
-v1141:
-  %v1150 = phi i64 [ %v1146, %v1144 ], [ 0, %v1140 ]
-  %v1146 = add nsw i64 %v1150, 1
-  %v1151 = getelementptr double, ptr %v204, i64 %v1150
-  %v1152 = load double, ptr %v1151, align 8, !noalias !24
-  %v1153 = add nsw i64 %v1150, %v17
-  %v1154 = icmp slt i64 %v1153, 0
-  %v1155 = select i1 %v1154, i64 %v166, i64 0
-  %v1156 = getelementptr double, ptr %v165, i64 %v1153
-  %v1157 = getelementptr double, ptr %v1156, i64 %v1155
-  %v1158 = load double, ptr %v1157, align 8, !noalias !24
-  %v1159 = fcmp une double %v1152, %v1158
-  br i1 %v1159, label %v1143, label %v1144
+v1164:
+  br i1 %v305, label %v1165, label %v1166
 
-v1135:
-  %v1160 = phi i1 [ %v1131, %v1130 ], [ %v1149, %v1142 ], [ %v1131, %v1134 ]
-  br i1 %v1160, label %v1161, label %v1129
+v1165:
+  %v1167 = load i64, ptr %v526, align 8, !noalias !25
+  %v1168 = inttoptr i64 %v1167 to ptr
+  tail call void %v1168(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !25
+  %v1169 = load double, ptr %v528, align 8, !noalias !31
+  %v1170 = fcmp ule double %v1169, 5.000000e-01
+  %v1171 = select i1 %v1170, i1 true, i1 %v529
+  br i1 %v1171, label %v1172, label %v1173
 
-v1161:
-  br i1 %v305, label %v1162, label %v1163
+v1172:
+  %v1174 = load i64, ptr %v521, align 8, !noalias !32
+  %v1175 = inttoptr i64 %v1174 to ptr
+  tail call void %v1175(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !32
+  br label %v1166
 
-v1162:
-  %v1164 = load i64, ptr %v524, align 8, !noalias !25
-  %v1165 = inttoptr i64 %v1164 to ptr
-  tail call void %v1165(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !25
-  %v1166 = load double, ptr %v526, align 8, !noalias !31
-  %v1167 = fcmp ule double %v1166, 5.000000e-01
-  %v1168 = select i1 %v1167, i1 true, i1 %v527
-  br i1 %v1168, label %v1169, label %v1170
+v1173:
+  %v1176 = phi i64 [ %v1177, %v1173 ], [ 0, %v1165 ]
+  %v1177 = add nsw i64 %v1176, 1
+  %v1178 = getelementptr double, ptr %v204, i64 %v1176
+  %v1179 = load double, ptr %v1178, align 8, !noalias !31
+  %v1180 = add nsw i64 %v1176, %v17
+  %v1181 = icmp slt i64 %v1180, 0
+  %v1182 = select i1 %v1181, i64 %v166, i64 0
+  %v1183 = getelementptr double, ptr %v165, i64 %v1180
+  %v1184 = getelementptr double, ptr %v1183, i64 %v1182
+  store double %v1179, ptr %v1184, align 8, !noalias !31
+  %v1185 = icmp eq i64 %v1177, %v18
+  br i1 %v1185, label %v1172, label %v1173
 
-v1169:
-  %v1171 = load i64, ptr %v519, align 8, !noalias !32
-  %v1172 = inttoptr i64 %v1171 to ptr
-  tail call void %v1172(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !32
-  br label %v1163
+v1166:
+  br i1 %v530, label %v1186, label %v1187
 
-v1170:
-  %v1173 = phi i64 [ %v1174, %v1170 ], [ 0, %v1162 ]
-  %v1174 = add nsw i64 %v1173, 1
-  %v1175 = getelementptr double, ptr %v204, i64 %v1173
-  %v1176 = load double, ptr %v1175, align 8, !noalias !31
-  %v1177 = add nsw i64 %v1173, %v17
-  %v1178 = icmp slt i64 %v1177, 0
-  %v1179 = select i1 %v1178, i64 %v166, i64 0
-  %v1180 = getelementptr double, ptr %v165, i64 %v1177
-  %v1181 = getelementptr double, ptr %v1180, i64 %v1179
-  store double %v1176, ptr %v1181, align 8, !noalias !31
-  %v1182 = icmp eq i64 %v1174, %v18
-  br i1 %v1182, label %v1169, label %v1170
+v1186:
+  %v1188 = load i64, ptr %v6, align 8, !noalias !35
+  %v1189 = inttoptr i64 %v1188 to ptr
+  tail call void %v1189(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v533), !noalias !35
+  %v1190 = load i64, ptr %v534, align 8, !noalias !38
+  %v1191 = inttoptr i64 %v1190 to ptr
+  tail call void %v1191(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !38
+  %v1192 = load i64, ptr %v535, align 8, !noalias !41
+  %v1193 = inttoptr i64 %v1192 to ptr
+  tail call void %v1193(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !41
+  %v1194 = load i64, ptr %v6, align 8, !noalias !44
+  %v1195 = inttoptr i64 %v1194 to ptr
+  tail call void %v1195(ptr %v537, ptr %v539, ptr %v165, ptr %v172, ptr %v179, ptr %v541), !noalias !44
+  %v1196 = load i64, ptr %v542, align 8, !noalias !47
+  %v1197 = inttoptr i64 %v1196 to ptr
+  tail call void %v1197(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !47
+  br label %v1187
 
-v1163:
-  br i1 %v528, label %v1183, label %v1184
+v1187:
+  br i1 %v307, label %v1132, label %v1198
 
-v1183:
-  %v1185 = load i64, ptr %v6, align 8, !noalias !35
-  %v1186 = inttoptr i64 %v1185 to ptr
-  tail call void %v1186(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v531), !noalias !35
-  %v1187 = load i64, ptr %v532, align 8, !noalias !38
-  %v1188 = inttoptr i64 %v1187 to ptr
-  tail call void %v1188(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !38
-  %v1189 = load i64, ptr %v533, align 8, !noalias !41
-  %v1190 = inttoptr i64 %v1189 to ptr
-  tail call void %v1190(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !41
-  %v1191 = load i64, ptr %v6, align 8, !noalias !44
-  %v1192 = inttoptr i64 %v1191 to ptr
-  tail call void %v1192(ptr %v535, ptr %v537, ptr %v165, ptr %v172, ptr %v179, ptr %v539), !noalias !44
-  %v1193 = load i64, ptr %v540, align 8, !noalias !47
-  %v1194 = inttoptr i64 %v1193 to ptr
-  tail call void %v1194(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !47
-  br label %v1184
-
-v1184:
-  br i1 %v307, label %v1129, label %v1195
-
-v1196:
-  store double 0.000000e+00, ptr %v1197, align 8, !noalias !50
-  %v1198 = getelementptr double, ptr %v545, i64 %v1199
-  store double 0.000000e+00, ptr %v1198, align 8, !noalias !50
-  %v1200 = getelementptr double, ptr %v547, i64 %v1199
+v1199:
   store double 0.000000e+00, ptr %v1200, align 8, !noalias !50
-  %v1201 = getelementptr i64, ptr %v142, i64 %v1199
-  %v1202 = load i64, ptr %v1201, align 8, !noalias !50
-  %v1203 = icmp slt i64 %v1202, 0
-  %v1204 = select i1 %v1203, i64 %v125, i64 0
-  %v1205 = add i64 %v1204, %v1202
-  %v1206 = mul i64 %v1205, %v126
-  %v1207 = getelementptr i64, ptr %v124, i64 %v1206
-  %v1208 = getelementptr i8, ptr %v1207, i64 8
-  %v1209 = load i64, ptr %v1208, align 8, !noalias !50
-  %v1210 = add nsw i64 %v1209, %v549
-  store i64 %v1210, ptr %v1208, align 8, !noalias !50
-  %v1211 = load i64, ptr %v1201, align 8, !noalias !50
-  %v1212 = icmp slt i64 %v1211, 0
-  %v1213 = select i1 %v1212, i64 %v125, i64 0
-  %v1214 = add i64 %v1213, %v1211
-  %v1215 = mul i64 %v1214, %v126
-  %v1216 = getelementptr i64, ptr %v124, i64 %v1215
-  %v1217 = getelementptr i8, ptr %v1216, i64 16
-  %v1218 = load i64, ptr %v1217, align 8, !noalias !50
-  %v1219 = add nsw i64 %v1218, %v550
-  store i64 %v1219, ptr %v1217, align 8, !noalias !50
-  %v1220 = getelementptr double, ptr %v552, i64 %v1199
-  %v1221 = load double, ptr %v1220, align 8, !noalias !50
-  %v1222 = fcmp une double %v1221, 0.000000e+00
-  br i1 %v1222, label %v1223, label %v1224
+  %v1201 = getelementptr double, ptr %v547, i64 %v1202
+  store double 0.000000e+00, ptr %v1201, align 8, !noalias !50
+  %v1203 = getelementptr double, ptr %v549, i64 %v1202
+  store double 0.000000e+00, ptr %v1203, align 8, !noalias !50
+  %v1204 = getelementptr i64, ptr %v142, i64 %v1202
+  %v1205 = load i64, ptr %v1204, align 8, !noalias !50
+  %v1206 = icmp slt i64 %v1205, 0
+  %v1207 = select i1 %v1206, i64 %v125, i64 0
+  %v1208 = add i64 %v1207, %v1205
+  %v1209 = mul i64 %v1208, %v126
+  %v1210 = getelementptr i64, ptr %v124, i64 %v1209
+  %v1211 = getelementptr i8, ptr %v1210, i64 8
+  %v1212 = load i64, ptr %v1211, align 8, !noalias !50
+  %v1213 = add nsw i64 %v1212, %v551
+  store i64 %v1213, ptr %v1211, align 8, !noalias !50
+  %v1214 = load i64, ptr %v1204, align 8, !noalias !50
+  %v1215 = icmp slt i64 %v1214, 0
+  %v1216 = select i1 %v1215, i64 %v125, i64 0
+  %v1217 = add i64 %v1216, %v1214
+  %v1218 = mul i64 %v1217, %v126
+  %v1219 = getelementptr i64, ptr %v124, i64 %v1218
+  %v1220 = getelementptr i8, ptr %v1219, i64 16
+  %v1221 = load i64, ptr %v1220, align 8, !noalias !50
+  %v1222 = add nsw i64 %v1221, %v552
+  store i64 %v1222, ptr %v1220, align 8, !noalias !50
+  %v1223 = getelementptr double, ptr %v554, i64 %v1202
+  %v1224 = load double, ptr %v1223, align 8, !noalias !50
+  %v1225 = fcmp une double %v1224, 0.000000e+00
+  br i1 %v1225, label %v1226, label %v1227
 
-v1223:
-  %v1225 = load i64, ptr %v1201, align 8, !noalias !54
-  %v1226 = icmp sgt i64 %v1225, -1
-  br i1 %v1226, label %v1227, label %v1224
+v1226:
+  %v1228 = load i64, ptr %v1204, align 8, !noalias !54
+  %v1229 = icmp sgt i64 %v1228, -1
+  br i1 %v1229, label %v1230, label %v1227
+
+v1230:
+  %v1231 = getelementptr i64, ptr %v110, i64 %v1228
+  %v1232 = load i64, ptr %v1231, align 8, !noalias !54
+  %v1233 = icmp eq i64 %v1232, 0
+  br i1 %v1233, label %v1234, label %v1227
+
+v1234:
+  store i64 3, ptr %v1231, align 8, !noalias !54
+  br label %v1227
 
 v1227:
-  %v1228 = getelementptr i64, ptr %v110, i64 %v1225
-  %v1229 = load i64, ptr %v1228, align 8, !noalias !54
-  %v1230 = icmp eq i64 %v1229, 0
-  br i1 %v1230, label %v1231, label %v1224
+  br i1 %v304, label %v1235, label %v1236
 
-v1231:
-  store i64 3, ptr %v1228, align 8, !noalias !54
-  br label %v1224
+v1235:
+  %v1237 = load double, ptr %v556, align 8, !noalias !57
+  %v1238 = load double, ptr %v92, align 8, !noalias !57
+  %v1239 = fsub double %v1237, %v1238
+  %v1240 = fmul double %v1239, 1.000000e-13
+  %v1241 = load double, ptr %v133, align 8, !noalias !57
+  %v1242 = tail call double @llvm.fabs.f64(double %v1241)
+  %v1243 = fmul double %v1242, 4.000000e-15
+  %v1244 = fcmp ogt double %v1243, %v1240
+  %v1245 = select i1 %v1244, double %v1243, double %v1240
+  %v1246 = fadd double %v1241, %v1245
+  store double %v1246, ptr %v558, align 8, !noalias !67
+  %v1247 = load i64, ptr %v6, align 8, !noalias !68
+  %v1248 = inttoptr i64 %v1247 to ptr
+  tail call void %v1248(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v559), !noalias !68
+  br i1 %v560, label %v1249, label %v1250
 
-v1224:
-  br i1 %v304, label %v1232, label %v1233
-
-v1232:
-  %v1234 = load double, ptr %v554, align 8, !noalias !57
-  %v1235 = load double, ptr %v92, align 8, !noalias !57
-  %v1236 = fsub double %v1234, %v1235
-  %v1237 = fmul double %v1236, 1.000000e-13
-  %v1238 = load double, ptr %v133, align 8, !noalias !57
-  %v1239 = tail call double @llvm.fabs.f64(double %v1238)
-  %v1240 = fmul double %v1239, 4.000000e-15
-  %v1241 = fcmp ogt double %v1240, %v1237
-  %v1242 = select i1 %v1241, double %v1240, double %v1237
-  %v1243 = fadd double %v1238, %v1242
-  store double %v1243, ptr %v556, align 8, !noalias !67
-  %v1244 = load i64, ptr %v6, align 8, !noalias !68
-  %v1245 = inttoptr i64 %v1244 to ptr
-  tail call void %v1245(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v557), !noalias !68
-  br i1 %v558, label %v1246, label %v1247
-
-v1246:
-  %v1248 = load i64, ptr %v564, align 8, !noalias !71
-  %v1249 = inttoptr i64 %v1248 to ptr
-  tail call void %v1249(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v566), !noalias !71
-  %v1250 = load i64, ptr %v564, align 8, !noalias !74
-  %v1251 = inttoptr i64 %v1250 to ptr
-  tail call void %v1251(ptr nonnull %v556, ptr %v568, ptr %v165, ptr %v172, ptr %v179, ptr %v570), !noalias !74
-  br label %v1252
-
-v1252:
-  %v1253 = phi i64 [ %v18, %v1246 ], [ %v1254, %v1255 ]
-  %v1256 = phi i64 [ %v572, %v1246 ], [ %v1257, %v1255 ]
-  %v1258 = icmp sgt i64 %v1256, 0
-  br i1 %v1258, label %v1255, label %v1259
+v1249:
+  %v1251 = load i64, ptr %v566, align 8, !noalias !71
+  %v1252 = inttoptr i64 %v1251 to ptr
+  tail call void %v1252(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v568), !noalias !71
+  %v1253 = load i64, ptr %v566, align 8, !noalias !74
+  %v1254 = inttoptr i64 %v1253 to ptr
+  tail call void %v1254(ptr nonnull %v558, ptr %v570, ptr %v165, ptr %v172, ptr %v179, ptr %v572), !noalias !74
+  br label %v1255
 
 v1255:
-  %v1257 = add nsw i64 %v1256, -1
-  %v1254 = add i64 %v1253, 1
-  %v1260 = icmp slt i64 %v1253, 0
-  %v1261 = select i1 %v1260, i64 %v207, i64 0
-  %v1262 = add i64 %v1261, %v1253
-  %v1263 = getelementptr double, ptr %v576, i64 %v1262
-  %v1264 = load double, ptr %v1263, align 8, !noalias !67
-  %v1265 = getelementptr double, ptr %v579, i64 %v1262
-  %v1266 = load double, ptr %v1265, align 8, !noalias !67
-  %v1267 = fsub double %v1264, %v1266
-  %v1268 = tail call double @llvm.fabs.f64(double %v1267)
-  %v1269 = getelementptr double, ptr %v581, i64 %v1262
-  %v1270 = load double, ptr %v1269, align 8, !noalias !67
-  %v1271 = tail call i1 @llvm.is.fpclass.f64(double %v1270, i32 543)
-  %v1272 = select i1 %v1271, double 0.000000e+00, double %v1270
-  %v1273 = fcmp ueq double %v1268, 0x7FF0000000000000
-  %v1274 = select i1 %v1273, double -0.000000e+00, double %v1268
-  %v1275 = fadd double %v1272, %v1274
-  %v1276 = getelementptr double, ptr %v578, i64 %v1262
-  %v1277 = load double, ptr %v1276, align 8, !noalias !67
-  %v1278 = fneg double %v1275
-  %v1279 = fcmp olt double %v1277, %v1278
-  br i1 %v1279, label %v1259, label %v1252
+  %v1256 = phi i64 [ %v18, %v1249 ], [ %v1257, %v1258 ]
+  %v1259 = phi i64 [ %v574, %v1249 ], [ %v1260, %v1258 ]
+  %v1261 = icmp sgt i64 %v1259, 0
+  br i1 %v1261, label %v1258, label %v1262
 
-v1247:
-  %v1280 = phi i64 [ %v1281, %v1247 ], [ 0, %v1232 ]
-  %v1281 = add nsw i64 %v1280, 1
-  %v1282 = mul i64 %v1280, %v196
-  %v1283 = getelementptr double, ptr %v193, i64 %v1282
-  %v1284 = load double, ptr %v1283, align 8, !noalias !67
-  %v1285 = getelementptr double, ptr %v561, i64 %v1282
-  %v1286 = load double, ptr %v1285, align 8, !noalias !67
-  %v1287 = fmul double %v1242, %v1286
-  %v1288 = fadd double %v1284, %v1287
-  %v1289 = getelementptr double, ptr %v563, i64 %v1282
-  store double %v1288, ptr %v1289, align 8, !noalias !67
-  %v1290 = icmp eq i64 %v10, %v1281
-  br i1 %v1290, label %v1246, label %v1247
+v1258:
+  %v1260 = add nsw i64 %v1259, -1
+  %v1257 = add i64 %v1256, 1
+  %v1263 = icmp slt i64 %v1256, 0
+  %v1264 = select i1 %v1263, i64 %v207, i64 0
+  %v1265 = add i64 %v1264, %v1256
+  %v1266 = getelementptr double, ptr %v578, i64 %v1265
+  %v1267 = load double, ptr %v1266, align 8, !noalias !67
+  %v1268 = getelementptr double, ptr %v581, i64 %v1265
+  %v1269 = load double, ptr %v1268, align 8, !noalias !67
+  %v1270 = fsub double %v1267, %v1269
+  %v1271 = tail call double @llvm.fabs.f64(double %v1270)
+  %v1272 = getelementptr double, ptr %v583, i64 %v1265
+  %v1273 = load double, ptr %v1272, align 8, !noalias !67
+  %v1274 = tail call i1 @llvm.is.fpclass.f64(double %v1273, i32 543)
+  %v1275 = select i1 %v1274, double 0.000000e+00, double %v1273
+  %v1276 = fcmp ueq double %v1271, 0x7FF0000000000000
+  %v1277 = select i1 %v1276, double -0.000000e+00, double %v1271
+  %v1278 = fadd double %v1275, %v1277
+  %v1279 = getelementptr double, ptr %v580, i64 %v1265
+  %v1280 = load double, ptr %v1279, align 8, !noalias !67
+  %v1281 = fneg double %v1278
+  %v1282 = fcmp olt double %v1280, %v1281
+  br i1 %v1282, label %v1262, label %v1255
 
-v1291:
-  %v1292 = getelementptr i64, ptr %v583, i64 %v1199
-  store i64 %v1293, ptr %v1292, align 8, !noalias !77
-  %v1294 = load i64, ptr %v1201, align 8, !noalias !78
-  %v1295 = icmp sgt i64 %v1294, -1
-  br i1 %v1295, label %v1296, label %v1297
+v1250:
+  %v1283 = phi i64 [ %v1284, %v1250 ], [ 0, %v1235 ]
+  %v1284 = add nsw i64 %v1283, 1
+  %v1285 = mul i64 %v1283, %v196
+  %v1286 = getelementptr double, ptr %v193, i64 %v1285
+  %v1287 = load double, ptr %v1286, align 8, !noalias !67
+  %v1288 = getelementptr double, ptr %v563, i64 %v1285
+  %v1289 = load double, ptr %v1288, align 8, !noalias !67
+  %v1290 = fmul double %v1245, %v1289
+  %v1291 = fadd double %v1287, %v1290
+  %v1292 = getelementptr double, ptr %v565, i64 %v1285
+  store double %v1291, ptr %v1292, align 8, !noalias !67
+  %v1293 = icmp eq i64 %v10, %v1284
+  br i1 %v1293, label %v1249, label %v1250
 
-v1296:
-  %v1298 = getelementptr i64, ptr %v110, i64 %v1294
-  %v1299 = load i64, ptr %v1298, align 8, !noalias !78
-  %v1300 = icmp eq i64 %v1299, 0
-  br i1 %v1300, label %v1301, label %v1297
+v1294:
+  %v1295 = getelementptr i64, ptr %v585, i64 %v1202
+  store i64 %v1296, ptr %v1295, align 8, !noalias !77
+  %v1297 = load i64, ptr %v1204, align 8, !noalias !78
+  %v1298 = icmp sgt i64 %v1297, -1
+  br i1 %v1298, label %v1299, label %v1300
 
-v1301:
-  store i64 4, ptr %v1298, align 8, !noalias !78
-  br label %v1297
+v1299:
+  %v1301 = getelementptr i64, ptr %v110, i64 %v1297
+  %v1302 = load i64, ptr %v1301, align 8, !noalias !78
+  %v1303 = icmp eq i64 %v1302, 0
+  br i1 %v1303, label %v1304, label %v1300
 
-v1297:
-  %v1302 = getelementptr double, ptr %v133, i64 %v1199
-  %v1303 = load double, ptr %v1302, align 8, !noalias !77
-  %v1304 = getelementptr double, ptr %v585, i64 %v1199
-  store double %v1303, ptr %v1304, align 8, !noalias !77
-  %v1305 = getelementptr double, ptr %v587, i64 %v1199
-  store double 0.000000e+00, ptr %v1305, align 8, !noalias !77
-  br label %v1233
+v1304:
+  store i64 4, ptr %v1301, align 8, !noalias !78
+  br label %v1300
 
-v1259:
-  %v1293 = phi i64 [ %v1253, %v1255 ], [ -1, %v1252 ]
-  %v1306 = icmp sgt i64 %v1293, -1
-  br i1 %v1306, label %v1291, label %v1233
+v1300:
+  %v1305 = getelementptr double, ptr %v133, i64 %v1202
+  %v1306 = load double, ptr %v1305, align 8, !noalias !77
+  %v1307 = getelementptr double, ptr %v587, i64 %v1202
+  store double %v1306, ptr %v1307, align 8, !noalias !77
+  %v1308 = getelementptr double, ptr %v589, i64 %v1202
+  store double 0.000000e+00, ptr %v1308, align 8, !noalias !77
+  br label %v1236
 
-v1307:
-  %v1308 = icmp sgt i64 %v1309, 1
-  br i1 %v1308, label %v1195, label %v1129
+v1262:
+  %v1296 = phi i64 [ %v1256, %v1258 ], [ -1, %v1255 ]
+  %v1309 = icmp sgt i64 %v1296, -1
+  br i1 %v1309, label %v1294, label %v1236
 
-v1195:
-  %v1309 = phi i64 [ %v1310, %v1307 ], [ %v308, %v1184 ]
-  %v1199 = phi i64 [ %v1311, %v1307 ], [ 0, %v1184 ]
-  %v1310 = add nsw i64 %v1309, -1
-  %v1311 = add nsw i64 %v1199, 1
-  %v1197 = getelementptr double, ptr %v543, i64 %v1199
-  %v1312 = load double, ptr %v1197, align 8, !noalias !50
-  %v1313 = fcmp olt double %v1312, 5.000000e-01
-  br i1 %v1313, label %v1307, label %v1196
+v1310:
+  %v1311 = icmp sgt i64 %v1312, 1
+  br i1 %v1311, label %v1198, label %v1132
 
-v1233:
-  %v1314 = getelementptr double, ptr %v589, i64 %v1199
-  %v1315 = load double, ptr %v1314, align 8, !noalias !81
-  %v1316 = getelementptr double, ptr %v591, i64 %v1199
-  store double %v1315, ptr %v1316, align 8, !noalias !81
-  %v1317 = getelementptr i64, ptr %v593, i64 %v1199
-  %v1318 = load i64, ptr %v1317, align 8, !noalias !81
-  %v1319 = icmp slt i64 %v1318, %v93
-  br i1 %v1319, label %v1320, label %v1307
+v1198:
+  %v1312 = phi i64 [ %v1313, %v1310 ], [ %v308, %v1187 ]
+  %v1202 = phi i64 [ %v1314, %v1310 ], [ 0, %v1187 ]
+  %v1313 = add nsw i64 %v1312, -1
+  %v1314 = add nsw i64 %v1202, 1
+  %v1200 = getelementptr double, ptr %v545, i64 %v1202
+  %v1315 = load double, ptr %v1200, align 8, !noalias !50
+  %v1316 = fcmp olt double %v1315, 5.000000e-01
+  br i1 %v1316, label %v1310, label %v1199
 
-v1320:
-  %v1321 = icmp slt i64 %v1318, 0
-  %v1322 = select i1 %v1321, i64 %v93, i64 0
-  %v1323 = getelementptr double, ptr %v92, i64 %v1318
-  %v1324 = getelementptr double, ptr %v1323, i64 %v1322
-  %v1325 = load double, ptr %v1324, align 8, !noalias !81
-  %v1326 = load double, ptr %v1314, align 8, !noalias !81
-  %v1327 = fcmp olt double %v1326, %v1325
-  %v1328 = select i1 %v1327, double %v1326, double %v1325
-  store double %v1328, ptr %v1316, align 8, !noalias !81
-  br label %v1307
+v1236:
+  %v1317 = getelementptr double, ptr %v591, i64 %v1202
+  %v1318 = load double, ptr %v1317, align 8, !noalias !81
+  %v1319 = getelementptr double, ptr %v593, i64 %v1202
+  store double %v1318, ptr %v1319, align 8, !noalias !81
+  %v1320 = getelementptr i64, ptr %v595, i64 %v1202
+  %v1321 = load i64, ptr %v1320, align 8, !noalias !81
+  %v1322 = icmp slt i64 %v1321, %v93
+  br i1 %v1322, label %v1323, label %v1310
 
-v1129:
-  %v1329 = phi i1 [ %v678, %v1135 ], [ %v678, %v1120 ], [ true, %v1184 ], [ true, %v1307 ]
-  %v1330 = load i64, ptr %v594, align 8, !noalias !85
-  %v1331 = inttoptr i64 %v1330 to ptr
-  tail call void %v1331(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !85
-  br i1 %v595, label %v1332, label %v1333
+v1323:
+  %v1324 = icmp slt i64 %v1321, 0
+  %v1325 = select i1 %v1324, i64 %v93, i64 0
+  %v1326 = getelementptr double, ptr %v92, i64 %v1321
+  %v1327 = getelementptr double, ptr %v1326, i64 %v1325
+  %v1328 = load double, ptr %v1327, align 8, !noalias !81
+  %v1329 = load double, ptr %v1317, align 8, !noalias !81
+  %v1330 = fcmp olt double %v1329, %v1328
+  %v1331 = select i1 %v1330, double %v1329, double %v1328
+  store double %v1331, ptr %v1319, align 8, !noalias !81
+  br label %v1310
 
-v1334:
-  %v1335 = getelementptr double, ptr %v680, i64 %v1336
-  %v1337 = load double, ptr %v1335, align 8
-  %v1338 = fcmp ogt double %v1337, 5.000000e-01
-  br label %v1339
+v1132:
+  %v1332 = phi i1 [ %v680, %v1138 ], [ %v680, %v1123 ], [ true, %v1187 ], [ true, %v1310 ]
+  %v1333 = load i64, ptr %v596, align 8, !noalias !85
+  %v1334 = inttoptr i64 %v1333 to ptr
+  tail call void %v1334(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !85
+  br i1 %v597, label %v1335, label %v1336
 
-v1339:
-  %v1340 = phi i1 [ true, %v1341 ], [ %v1338, %v1334 ]
-  br i1 %v1342, label %v1343, label %v1344
+v1337:
+  %v1338 = getelementptr double, ptr %v682, i64 %v1339
+  %v1340 = load double, ptr %v1338, align 8
+  %v1341 = fcmp ogt double %v1340, 5.000000e-01
+  br label %v1342
 
-v1344:
-  %v1345 = getelementptr double, ptr %v682, i64 %v1336
-  %v1346 = load double, ptr %v1345, align 8
-  %v1347 = fcmp ogt double %v1346, 5.000000e-01
-  br label %v1343
+v1342:
+  %v1343 = phi i1 [ true, %v1344 ], [ %v1341, %v1337 ]
+  br i1 %v1345, label %v1346, label %v1347
 
-v1343:
-  %v1348 = phi i1 [ true, %v1339 ], [ %v1347, %v1344 ]
-  %v1349 = icmp sgt i64 %v1350, 1
-  br i1 %v1349, label %v1341, label %v1351
+v1347:
+  %v1348 = getelementptr double, ptr %v684, i64 %v1339
+  %v1349 = load double, ptr %v1348, align 8
+  %v1350 = fcmp ogt double %v1349, 5.000000e-01
+  br label %v1346
 
-v1351:
-  %v1352 = phi i1 [ false, %v1353 ], [ %v1340, %v1343 ]
-  %v1354 = phi i1 [ %v1329, %v1353 ], [ %v1348, %v1343 ]
-  %v1355 = xor i1 %v1354, true
-  %v1356 = or i1 %v307, %v1355
-  br i1 %v1356, label %v1357, label %v1358
+v1346:
+  %v1351 = phi i1 [ true, %v1342 ], [ %v1350, %v1347 ]
+  %v1352 = icmp sgt i64 %v1353, 1
+  br i1 %v1352, label %v1344, label %v1354
 
-v1359:
-  br i1 %v307, label %v1357, label %v1360
+v1354:
+  %v1355 = phi i1 [ false, %v1356 ], [ %v1343, %v1346 ]
+  %v1357 = phi i1 [ %v1332, %v1356 ], [ %v1351, %v1346 ]
+  %v1358 = xor i1 %v1357, true
+  %v1359 = or i1 %v307, %v1358
+  br i1 %v1359, label %v1360, label %v1361
 
-v1361:
-  %v1362 = getelementptr double, ptr %v684, i64 %v1363
-  %v1364 = load double, ptr %v1362, align 8, !noalias !91
-  %v1365 = fptosi double %v1364 to i64
-  %v1366 = getelementptr double, ptr %v686, i64 %v1363
-  %v1367 = load double, ptr %v1366, align 8, !noalias !91
+v1362:
+  br i1 %v307, label %v1360, label %v1363
+
+v1364:
+  %v1365 = getelementptr double, ptr %v686, i64 %v1366
+  %v1367 = load double, ptr %v1365, align 8, !noalias !91
   %v1368 = fptosi double %v1367 to i64
-  %v1369 = mul i64 %v1370, %v126
-  %v1371 = getelementptr i64, ptr %v124, i64 %v1369
-  %v1372 = load i64, ptr %v1371, align 8, !noalias !91
-  %v1373 = add nsw i64 %v1372, %v1365
-  store i64 %v1373, ptr %v1371, align 8, !noalias !91
-  %v1374 = getelementptr i8, ptr %v1371, i64 24
+  %v1369 = getelementptr double, ptr %v688, i64 %v1366
+  %v1370 = load double, ptr %v1369, align 8, !noalias !91
+  %v1371 = fptosi double %v1370 to i64
+  %v1372 = mul i64 %v1373, %v126
+  %v1374 = getelementptr i64, ptr %v124, i64 %v1372
   %v1375 = load i64, ptr %v1374, align 8, !noalias !91
   %v1376 = add nsw i64 %v1375, %v1368
   store i64 %v1376, ptr %v1374, align 8, !noalias !91
-  %v1377 = getelementptr i8, ptr %v1371, i64 8
+  %v1377 = getelementptr i8, ptr %v1374, i64 24
   %v1378 = load i64, ptr %v1377, align 8, !noalias !91
-  %v1379 = add nsw i64 %v1368, %v1365
-  %v1380 = mul nsw i64 %v1379, %v654
-  %v1381 = add nsw i64 %v1380, %v1365
-  %v1382 = add nsw i64 %v1381, %v1378
-  store i64 %v1382, ptr %v1377, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1362, align 8, !noalias !91
-  store double 0.000000e+00, ptr %v1366, align 8, !noalias !91
-  %v1383 = getelementptr double, ptr %v688, i64 %v1363
-  %v1384 = load double, ptr %v1383, align 8, !noalias !91
-  %v1385 = sitofp i64 %v1379 to double
-  %v1386 = fsub double %v1384, %v1385
-  store double %v1386, ptr %v1383, align 8, !noalias !91
-  br label %v1387
+  %v1379 = add nsw i64 %v1378, %v1371
+  store i64 %v1379, ptr %v1377, align 8, !noalias !91
+  %v1380 = getelementptr i8, ptr %v1374, i64 8
+  %v1381 = load i64, ptr %v1380, align 8, !noalias !91
+  %v1382 = add nsw i64 %v1371, %v1368
+  %v1383 = mul nsw i64 %v1382, %v656
+  %v1384 = add nsw i64 %v1383, %v1368
+  %v1385 = add nsw i64 %v1384, %v1381
+  store i64 %v1385, ptr %v1380, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1365, align 8, !noalias !91
+  store double 0.000000e+00, ptr %v1369, align 8, !noalias !91
+  %v1386 = getelementptr double, ptr %v690, i64 %v1366
+  %v1387 = load double, ptr %v1386, align 8, !noalias !91
+  %v1388 = sitofp i64 %v1382 to double
+  %v1389 = fsub double %v1387, %v1388
+  store double %v1389, ptr %v1386, align 8, !noalias !91
+  br label %v1390
 
-v1387:
-  %v1388 = icmp sgt i64 %v1389, 1
-  br i1 %v1388, label %v1358, label %v1359
+v1390:
+  %v1391 = icmp sgt i64 %v1392, 1
+  br i1 %v1391, label %v1361, label %v1362
 
-v1358:
-  %v1389 = phi i64 [ %v1390, %v1387 ], [ %v308, %v1351 ]
-  %v1363 = phi i64 [ %v1391, %v1387 ], [ 0, %v1351 ]
-  %v1390 = add nsw i64 %v1389, -1
-  %v1391 = add nsw i64 %v1363, 1
-  %v1392 = getelementptr i64, ptr %v142, i64 %v1363
-  %v1370 = load i64, ptr %v1392, align 8, !noalias !91
-  %v1393 = icmp sgt i64 %v1370, -1
-  br i1 %v1393, label %v1361, label %v1387
+v1361:
+  %v1392 = phi i64 [ %v1393, %v1390 ], [ %v308, %v1354 ]
+  %v1366 = phi i64 [ %v1394, %v1390 ], [ 0, %v1354 ]
+  %v1393 = add nsw i64 %v1392, -1
+  %v1394 = add nsw i64 %v1366, 1
+  %v1395 = getelementptr i64, ptr %v142, i64 %v1366
+  %v1373 = load i64, ptr %v1395, align 8, !noalias !91
+  %v1396 = icmp sgt i64 %v1373, -1
+  br i1 %v1396, label %v1364, label %v1390
 
-v1394:
-  %v1395 = getelementptr double, ptr %v694, i64 %v1396
-  %v1397 = load double, ptr %v1395, align 8, !noalias !98
-  %v1398 = fcmp ogt double %v1397, 5.000000e-01
-  br i1 %v1398, label %v1399, label %v1400
+v1397:
+  %v1398 = getelementptr double, ptr %v696, i64 %v1399
+  %v1400 = load double, ptr %v1398, align 8, !noalias !98
+  %v1401 = fcmp ogt double %v1400, 5.000000e-01
+  br i1 %v1401, label %v1402, label %v1403
 
-v1399:
-  %v1401 = fptosi double %v1397 to i64
-  %v1402 = load i64, ptr %v1403, align 8, !noalias !99
-  %v1404 = icmp sgt i64 %v1402, -1
-  br i1 %v1404, label %v1405, label %v1400
+v1402:
+  %v1404 = fptosi double %v1400 to i64
+  %v1405 = load i64, ptr %v1406, align 8, !noalias !99
+  %v1407 = icmp sgt i64 %v1405, -1
+  br i1 %v1407, label %v1408, label %v1403
 
-v1400:
-  %v1406 = getelementptr double, ptr %v696, i64 %v1396
-  %v1407 = load double, ptr %v1406, align 8, !noalias !98
-  %v1408 = fcmp ogt double %v1407, 5.000000e-01
-  br i1 %v1408, label %v1409, label %v1410
+v1403:
+  %v1409 = getelementptr double, ptr %v698, i64 %v1399
+  %v1410 = load double, ptr %v1409, align 8, !noalias !98
+  %v1411 = fcmp ogt double %v1410, 5.000000e-01
+  br i1 %v1411, label %v1412, label %v1413
 
-v1409:
-  %v1411 = select i1 %v1412, i1 true, i1 %v304
-  %v1413 = icmp slt i64 %v1414, %v93
-  br i1 %v1413, label %v1415, label %v1416
+v1412:
+  %v1414 = select i1 %v1415, i1 true, i1 %v304
+  %v1416 = icmp slt i64 %v1417, %v93
+  br i1 %v1416, label %v1418, label %v1419
 
-v1415:
-  %v1417 = icmp slt i64 %v1414, 0
-  %v1418 = select i1 %v1417, i64 %v93, i64 0
-  %v1419 = getelementptr double, ptr %v92, i64 %v1414
-  %v1420 = getelementptr double, ptr %v1419, i64 %v1418
-  %v1421 = load double, ptr %v1420, align 8, !noalias !98
-  %v1422 = getelementptr double, ptr %v698, i64 %v1396
-  %v1423 = load double, ptr %v1422, align 8, !noalias !98
-  %v1424 = fcmp olt double %v1421, %v1423
-  br i1 %v1424, label %v1425, label %v1416
+v1418:
+  %v1420 = icmp slt i64 %v1417, 0
+  %v1421 = select i1 %v1420, i64 %v93, i64 0
+  %v1422 = getelementptr double, ptr %v92, i64 %v1417
+  %v1423 = getelementptr double, ptr %v1422, i64 %v1421
+  %v1424 = load double, ptr %v1423, align 8, !noalias !98
+  %v1425 = getelementptr double, ptr %v700, i64 %v1399
+  %v1426 = load double, ptr %v1425, align 8, !noalias !98
+  %v1427 = fcmp olt double %v1424, %v1426
+  br i1 %v1427, label %v1428, label %v1419
 
-v1425:
-  br label %v1416
+v1428:
+  br label %v1419
 
-v1416:
-  %v1426 = phi i1 [ true, %v1425 ], [ %v1411, %v1415 ], [ %v1411, %v1409 ]
-  %v1427 = mul i64 %v1428, %v126
-  %v1429 = getelementptr i64, ptr %v124, i64 %v1427
-  %v1430 = load i64, ptr %v1429, align 8, !noalias !98
-  %v1431 = and i64 %v1430, 127
-  %v1432 = icmp eq i64 %v1431, 0
-  br i1 %v1432, label %v1433, label %v1434
+v1419:
+  %v1429 = phi i1 [ true, %v1428 ], [ %v1414, %v1418 ], [ %v1414, %v1412 ]
+  %v1430 = mul i64 %v1431, %v126
+  %v1432 = getelementptr i64, ptr %v124, i64 %v1430
+  %v1433 = load i64, ptr %v1432, align 8, !noalias !98
+  %v1434 = and i64 %v1433, 127
+  %v1435 = icmp eq i64 %v1434, 0
+  br i1 %v1435, label %v1436, label %v1437
 
-v1434:
-  %v1435 = getelementptr double, ptr %v700, i64 %v1396
-  %v1436 = load double, ptr %v1435, align 8, !noalias !98
-  %v1437 = fcmp ogt double %v1436, 0.000000e+00
-  br i1 %v1437, label %v1433, label %v1410
+v1437:
+  %v1438 = getelementptr double, ptr %v702, i64 %v1399
+  %v1439 = load double, ptr %v1438, align 8, !noalias !98
+  %v1440 = fcmp ogt double %v1439, 0.000000e+00
+  br i1 %v1440, label %v1436, label %v1413
 
-v1433:
-  store double 1.000000e+00, ptr %v1438, align 8, !noalias !98
-  br label %v1410
+v1436:
+  store double 1.000000e+00, ptr %v1441, align 8, !noalias !98
+  br label %v1413
 
-v1410:
-  %v1439 = phi i1 [ %v1426, %v1433 ], [ %v1426, %v1434 ], [ %v1412, %v1400 ], [ %v1412, %v1360 ]
-  %v1440 = phi i1 [ true, %v1433 ], [ %v1441, %v1434 ], [ %v1441, %v1400 ], [ %v1441, %v1360 ]
-  %v1442 = icmp sgt i64 %v1443, 1
-  br i1 %v1442, label %v1360, label %v1444
+v1413:
+  %v1442 = phi i1 [ %v1429, %v1436 ], [ %v1429, %v1437 ], [ %v1415, %v1403 ], [ %v1415, %v1363 ]
+  %v1443 = phi i1 [ true, %v1436 ], [ %v1444, %v1437 ], [ %v1444, %v1403 ], [ %v1444, %v1363 ]
+  %v1445 = icmp sgt i64 %v1446, 1
+  br i1 %v1445, label %v1363, label %v1447
+
+v1363:
+  %v1444 = phi i1 [ %v1443, %v1413 ], [ false, %v1362 ]
+  %v1415 = phi i1 [ %v1442, %v1413 ], [ false, %v1362 ]
+  %v1446 = phi i64 [ %v1448, %v1413 ], [ %v308, %v1362 ]
+  %v1399 = phi i64 [ %v1449, %v1413 ], [ 0, %v1362 ]
+  %v1448 = add nsw i64 %v1446, -1
+  %v1449 = add nsw i64 %v1399, 1
+  %v1406 = getelementptr i64, ptr %v142, i64 %v1399
+  %v1431 = load i64, ptr %v1406, align 8, !noalias !98
+  %v1450 = getelementptr i64, ptr %v692, i64 %v1399
+  %v1417 = load i64, ptr %v1450, align 8, !noalias !98
+  %v1441 = getelementptr double, ptr %v694, i64 %v1399
+  store double 0.000000e+00, ptr %v1441, align 8, !noalias !98
+  %v1451 = icmp sgt i64 %v1431, -1
+  br i1 %v1451, label %v1397, label %v1413
+
+v1408:
+  %v1452 = getelementptr i64, ptr %v110, i64 %v1405
+  %v1453 = load i64, ptr %v1452, align 8, !noalias !99
+  %v1454 = icmp eq i64 %v1453, 0
+  br i1 %v1454, label %v1455, label %v1403
+
+v1455:
+  store i64 %v1404, ptr %v1452, align 8, !noalias !99
+  br label %v1403
 
 v1360:
-  %v1441 = phi i1 [ %v1440, %v1410 ], [ false, %v1359 ]
-  %v1412 = phi i1 [ %v1439, %v1410 ], [ false, %v1359 ]
-  %v1443 = phi i64 [ %v1445, %v1410 ], [ %v308, %v1359 ]
-  %v1396 = phi i64 [ %v1446, %v1410 ], [ 0, %v1359 ]
-  %v1445 = add nsw i64 %v1443, -1
-  %v1446 = add nsw i64 %v1396, 1
-  %v1403 = getelementptr i64, ptr %v142, i64 %v1396
-  %v1428 = load i64, ptr %v1403, align 8, !noalias !98
-  %v1447 = getelementptr i64, ptr %v690, i64 %v1396
-  %v1414 = load i64, ptr %v1447, align 8, !noalias !98
-  %v1438 = getelementptr double, ptr %v692, i64 %v1396
-  store double 0.000000e+00, ptr %v1438, align 8, !noalias !98
-  %v1448 = icmp sgt i64 %v1428, -1
-  br i1 %v1448, label %v1394, label %v1410
+  %v1456 = phi i1 [ true, %v1354 ], [ true, %v1362 ], [ %v1457, %v1447 ]
+  %v1458 = phi i1 [ true, %v1354 ], [ true, %v1362 ], [ %v1459, %v1447 ]
+  %v1460 = and i1 %v703, %v1355
+  br i1 %v1460, label %v1461, label %v1462
 
-v1405:
-  %v1449 = getelementptr i64, ptr %v110, i64 %v1402
-  %v1450 = load i64, ptr %v1449, align 8, !noalias !99
-  %v1451 = icmp eq i64 %v1450, 0
-  br i1 %v1451, label %v1452, label %v1400
-
-v1452:
-  store i64 %v1401, ptr %v1449, align 8, !noalias !99
-  br label %v1400
-
-v1357:
-  %v1453 = phi i1 [ true, %v1351 ], [ true, %v1359 ], [ %v1454, %v1444 ]
-  %v1455 = phi i1 [ true, %v1351 ], [ true, %v1359 ], [ %v1456, %v1444 ]
-  %v1457 = and i1 %v701, %v1352
-  br i1 %v1457, label %v1458, label %v1459
-
-v1458:
-  %v1460 = load i64, ptr %v6, align 8, !noalias !102
-  %v1461 = inttoptr i64 %v1460 to ptr
-  tail call void %v1461(ptr %v706, ptr %v709, ptr %v165, ptr %v172, ptr %v179, ptr %v711), !noalias !102
-  br label %v1459
-
-v1459:
-  br i1 %v1455, label %v1462, label %v1463
-
-v1463:
-  %v1464 = load i64, ptr %v712, align 8, !noalias !108
-  %v1465 = inttoptr i64 %v1464 to ptr
-  tail call void %v1465(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !108
+v1461:
+  %v1463 = load i64, ptr %v6, align 8, !noalias !102
+  %v1464 = inttoptr i64 %v1463 to ptr
+  tail call void %v1464(ptr %v708, ptr %v711, ptr %v165, ptr %v172, ptr %v179, ptr %v713), !noalias !102
   br label %v1462
 
 v1462:
-  %v1466 = select i1 %v1352, i1 %v304, i1 false
-  %v1467 = xor i1 %v1352, true
-  %v1468 = select i1 %v305, i1 %v1352, i1 false
-  %v1469 = xor i1 %v1468, true
-  %v1470 = select i1 %v1469, i1 true, i1 %v1466
-  %v1471 = select i1 %v305, i1 %v1352, i1 %v1466
-  br i1 %v1470, label %v1472, label %v1473
+  br i1 %v1458, label %v1465, label %v1466
 
-v1473:
-  %v1474 = load i64, ptr %v713, align 8, !noalias !111
-  %v1475 = inttoptr i64 %v1474 to ptr
-  tail call void %v1475(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !111
-  br label %v1476
+v1466:
+  %v1467 = load i64, ptr %v714, align 8, !noalias !108
+  %v1468 = inttoptr i64 %v1467 to ptr
+  tail call void %v1468(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !108
+  br label %v1465
+
+v1465:
+  %v1469 = select i1 %v1355, i1 %v304, i1 false
+  %v1470 = xor i1 %v1355, true
+  %v1471 = select i1 %v305, i1 %v1355, i1 false
+  %v1472 = xor i1 %v1471, true
+  %v1473 = select i1 %v1472, i1 true, i1 %v1469
+  %v1474 = select i1 %v305, i1 %v1355, i1 %v1469
+  br i1 %v1473, label %v1475, label %v1476
 
 v1476:
-  %v1477 = phi i64 [ 0, %v1473 ], [ %v1478, %v1479 ]
-  %v1478 = add nsw i64 %v1477, 1
-  %v1480 = icmp ult i64 %v1477, 9
-  br i1 %v1480, label %v1481, label %v1482
-
-v1481:
-  %v1483 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1477
-  %v1484 = load double, ptr %v1483, align 8
-  %v1485 = load double, ptr %v133, align 8, !noalias !114
-  %v1486 = load double, ptr %v716, align 8, !noalias !114
-  %v1487 = fmul double %v1484, %v1486
-  %v1488 = fadd double %v1485, %v1487
-  store double %v1488, ptr %v718, align 8, !noalias !114
-  br i1 %v720, label %v1479, label %v1489
-
-v1489:
-  %v1490 = fsub double 1.000000e+00, %v1484
-  br label %v1491
-
-v1491:
-  %v1492 = phi i64 [ 0, %v1489 ], [ %v1493, %v1491 ]
-  %v1494 = mul i64 %v1492, %v196
-  %v1495 = getelementptr double, ptr %v193, i64 %v1494
-  %v1496 = getelementptr i8, ptr %v1495, i64 %v724
-  %v1497 = load double, ptr %v1496, align 8, !noalias !124
-  %v1498 = fadd double %v1497, 0.000000e+00
-  %v1499 = fmul double %v1484, %v1498
-  %v1500 = getelementptr i8, ptr %v1495, i64 %v725
-  %v1501 = load double, ptr %v1500, align 8, !noalias !124
-  %v1502 = fadd double %v1501, %v1499
-  %v1503 = fmul double %v1490, %v1502
-  %v1504 = getelementptr i8, ptr %v1495, i64 %v726
-  %v1505 = load double, ptr %v1504, align 8, !noalias !124
-  %v1506 = fadd double %v1505, %v1503
-  %v1507 = fmul double %v1484, %v1506
-  %v1508 = getelementptr i8, ptr %v1495, i64 %v727
-  %v1509 = load double, ptr %v1508, align 8, !noalias !124
-  %v1510 = fadd double %v1509, %v1507
-  %v1511 = fmul double %v1490, %v1510
-  %v1512 = getelementptr i8, ptr %v1495, i64 %v728
-  %v1513 = load double, ptr %v1512, align 8, !noalias !124
-  %v1514 = fadd double %v1513, %v1511
-  %v1515 = fmul double %v1484, %v1514
-  %v1516 = getelementptr i8, ptr %v1495, i64 %v729
-  %v1517 = load double, ptr %v1516, align 8, !noalias !124
-  %v1518 = fadd double %v1517, %v1515
-  %v1519 = fmul double %v1490, %v1518
-  %v1520 = getelementptr i8, ptr %v1495, i64 %v730
-  %v1521 = load double, ptr %v1520, align 8, !noalias !124
-  %v1522 = fadd double %v1521, %v1519
-  %v1523 = fmul double %v1484, %v1522
-  %v1493 = add nsw i64 %v1492, 1
-  %v1524 = load double, ptr %v1495, align 8, !noalias !124
-  %v1525 = fadd double %v1524, %v1523
-  %v1526 = getelementptr double, ptr %v721, i64 %v1494
-  store double %v1525, ptr %v1526, align 8, !noalias !114
-  %v1527 = icmp eq i64 %v10, %v1493
-  br i1 %v1527, label %v1479, label %v1491
+  %v1477 = load i64, ptr %v715, align 8, !noalias !111
+  %v1478 = inttoptr i64 %v1477 to ptr
+  tail call void %v1478(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !111
+  br label %v1479
 
 v1479:
-  %v1528 = icmp eq i64 %v1477, 8
-  %v1529 = select i1 %v1528, i64 17, i64 16
-  %v1530 = mul i64 %v722, %v1477
-  %v1531 = load i64, ptr %v723, align 8, !noalias !128
-  %v1532 = mul nsw i64 %v1529, %v10
-  %v1533 = getelementptr double, ptr %v158, i64 %v1532
-  %v1534 = getelementptr double, ptr %v186, i64 %v1530
-  %v1535 = inttoptr i64 %v1531 to ptr
-  tail call void %v1535(ptr nonnull %v718, ptr %v1533, ptr %v165, ptr %v172, ptr %v179, ptr %v1534), !noalias !128
-  %v1536 = icmp eq i64 %v1478, 9
-  br i1 %v1536, label %v1482, label %v1476
+  %v1480 = phi i64 [ 0, %v1476 ], [ %v1481, %v1482 ]
+  %v1481 = add nsw i64 %v1480, 1
+  %v1483 = icmp ult i64 %v1480, 9
+  br i1 %v1483, label %v1484, label %v1485
+
+v1484:
+  %v1486 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1480
+  %v1487 = load double, ptr %v1486, align 8
+  %v1488 = load double, ptr %v133, align 8, !noalias !114
+  %v1489 = load double, ptr %v718, align 8, !noalias !114
+  %v1490 = fmul double %v1487, %v1489
+  %v1491 = fadd double %v1488, %v1490
+  store double %v1491, ptr %v720, align 8, !noalias !114
+  br i1 %v722, label %v1482, label %v1492
+
+v1492:
+  %v1493 = fsub double 1.000000e+00, %v1487
+  br label %v1494
+
+v1494:
+  %v1495 = phi i64 [ 0, %v1492 ], [ %v1496, %v1494 ]
+  %v1497 = mul i64 %v1495, %v196
+  %v1498 = getelementptr double, ptr %v193, i64 %v1497
+  %v1499 = getelementptr i8, ptr %v1498, i64 %v726
+  %v1500 = load double, ptr %v1499, align 8, !noalias !124
+  %v1501 = fadd double %v1500, 0.000000e+00
+  %v1502 = fmul double %v1487, %v1501
+  %v1503 = getelementptr i8, ptr %v1498, i64 %v727
+  %v1504 = load double, ptr %v1503, align 8, !noalias !124
+  %v1505 = fadd double %v1504, %v1502
+  %v1506 = fmul double %v1493, %v1505
+  %v1507 = getelementptr i8, ptr %v1498, i64 %v728
+  %v1508 = load double, ptr %v1507, align 8, !noalias !124
+  %v1509 = fadd double %v1508, %v1506
+  %v1510 = fmul double %v1487, %v1509
+  %v1511 = getelementptr i8, ptr %v1498, i64 %v729
+  %v1512 = load double, ptr %v1511, align 8, !noalias !124
+  %v1513 = fadd double %v1512, %v1510
+  %v1514 = fmul double %v1493, %v1513
+  %v1515 = getelementptr i8, ptr %v1498, i64 %v730
+  %v1516 = load double, ptr %v1515, align 8, !noalias !124
+  %v1517 = fadd double %v1516, %v1514
+  %v1518 = fmul double %v1487, %v1517
+  %v1519 = getelementptr i8, ptr %v1498, i64 %v731
+  %v1520 = load double, ptr %v1519, align 8, !noalias !124
+  %v1521 = fadd double %v1520, %v1518
+  %v1522 = fmul double %v1493, %v1521
+  %v1523 = getelementptr i8, ptr %v1498, i64 %v732
+  %v1524 = load double, ptr %v1523, align 8, !noalias !124
+  %v1525 = fadd double %v1524, %v1522
+  %v1526 = fmul double %v1487, %v1525
+  %v1496 = add nsw i64 %v1495, 1
+  %v1527 = load double, ptr %v1498, align 8, !noalias !124
+  %v1528 = fadd double %v1527, %v1526
+  %v1529 = getelementptr double, ptr %v723, i64 %v1497
+  store double %v1528, ptr %v1529, align 8, !noalias !114
+  %v1530 = icmp eq i64 %v10, %v1496
+  br i1 %v1530, label %v1482, label %v1494
 
 v1482:
-  %v1537 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1476 ], [ null, %v1479 ]
-  %v1538 = phi i32 [ 1, %v1476 ], [ 0, %v1479 ]
-  br i1 %v1480, label %v1539, label %v1540, !prof !131
+  %v1531 = icmp eq i64 %v1480, 8
+  %v1532 = select i1 %v1531, i64 17, i64 16
+  %v1533 = mul i64 %v724, %v1480
+  %v1534 = load i64, ptr %v725, align 8, !noalias !128
+  %v1535 = mul nsw i64 %v1532, %v10
+  %v1536 = getelementptr double, ptr %v158, i64 %v1535
+  %v1537 = getelementptr double, ptr %v186, i64 %v1533
+  %v1538 = inttoptr i64 %v1534 to ptr
+  tail call void %v1538(ptr nonnull %v720, ptr %v1536, ptr %v165, ptr %v172, ptr %v179, ptr %v1537), !noalias !128
+  %v1539 = icmp eq i64 %v1481, 9
+  br i1 %v1539, label %v1485, label %v1479
 
-v1472:
-  %v1541 = phi i1 [ %v1471, %v1462 ], [ %v1542, %v1540 ]
-  %v1543 = xor i1 %v1453, true
-  %v1544 = select i1 %v1543, i1 true, i1 %v1541
-  br i1 %v1544, label %v1545, label %v1546
+v1485:
+  %v1540 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1479 ], [ null, %v1482 ]
+  %v1541 = phi i32 [ 1, %v1479 ], [ 0, %v1482 ]
+  br i1 %v1483, label %v1542, label %v1543, !prof !131
 
-v1545:
-  br i1 %v741, label %v1547, label %v1548
-
-v1549:
-  %v1550 = load i64, ptr %v752, align 8, !noalias !132
-  %v1551 = inttoptr i64 %v1550 to ptr
-  tail call void %v1551(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !132
-  br label %v1548
-
-v1547:
-  %v1552 = phi i64 [ %v1553, %v1547 ], [ 1, %v1545 ]
-  %v1553 = add i64 %v1552, 1
-  %v1554 = add nsw i64 %v742, %v1552
-  %v1555 = icmp slt i64 %v1554, 0
-  %v1556 = select i1 %v1555, i64 %v7, i64 0
-  %v1557 = getelementptr i64, ptr %v6, i64 %v1554
-  %v1558 = getelementptr i64, ptr %v1557, i64 %v1556
-  %v1559 = load i64, ptr %v1558, align 8, !noalias !138
-  %v1560 = inttoptr i64 %v1559 to ptr
-  tail call void %v1560(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !138
-  %v1561 = add nsw i64 %v1552, 13
-  %v1562 = load i64, ptr %v6, align 8, !noalias !141
-  %v1563 = mul nsw i64 %v1561, %v745
-  %v1564 = getelementptr double, ptr %v158, i64 %v1563
-  %v1565 = inttoptr i64 %v1562 to ptr
-  tail call void %v1565(ptr %v744, ptr %v747, ptr %v165, ptr %v172, ptr %v179, ptr %v1564), !noalias !141
-  %v1566 = icmp eq i64 %v1552, %v12
-  br i1 %v1566, label %v1549, label %v1547
+v1475:
+  %v1544 = phi i1 [ %v1474, %v1465 ], [ %v1545, %v1543 ]
+  %v1546 = xor i1 %v1456, true
+  %v1547 = select i1 %v1546, i1 true, i1 %v1544
+  br i1 %v1547, label %v1548, label %v1549
 
 v1548:
-  %v1567 = load i64, ptr %v753, align 8, !noalias !144
-  %v1568 = inttoptr i64 %v1567 to ptr
-  tail call void %v1568(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !144
-  %v1569 = select i1 %v704, i1 true, i1 %v1467
-  %v1570 = or i1 %v1569, %v307
-  br i1 %v1570, label %v1571, label %v1572
+  br i1 %v743, label %v1550, label %v1551
 
-v1573:
-  %v1574 = getelementptr double, ptr %v757, i64 %v1575
-  %v1576 = load double, ptr %v1574, align 8, !noalias !147
-  %v1577 = fcmp uge double %v1576, 5.000000e-01
-  %v1578 = icmp slt i64 %v1579, %v93
-  %v1580 = select i1 %v1577, i1 %v1578, i1 false
-  br i1 %v1580, label %v1581, label %v1582
+v1552:
+  %v1553 = load i64, ptr %v754, align 8, !noalias !132
+  %v1554 = inttoptr i64 %v1553 to ptr
+  tail call void %v1554(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !132
+  br label %v1551
 
-v1581:
-  %v1583 = icmp slt i64 %v1579, 0
-  %v1584 = select i1 %v1583, i64 %v93, i64 0
-  %v1585 = getelementptr double, ptr %v92, i64 %v1579
-  %v1586 = getelementptr double, ptr %v1585, i64 %v1584
-  %v1587 = load double, ptr %v1586, align 8, !noalias !147
-  %v1588 = getelementptr double, ptr %v759, i64 %v1575
-  %v1589 = load double, ptr %v1588, align 8, !noalias !147
-  %v1590 = fcmp olt double %v1587, %v1589
-  br i1 %v1590, label %v1591, label %v1582
+v1550:
+  %v1555 = phi i64 [ %v1556, %v1550 ], [ 1, %v1548 ]
+  %v1556 = add i64 %v1555, 1
+  %v1557 = add nsw i64 %v744, %v1555
+  %v1558 = icmp slt i64 %v1557, 0
+  %v1559 = select i1 %v1558, i64 %v7, i64 0
+  %v1560 = getelementptr i64, ptr %v6, i64 %v1557
+  %v1561 = getelementptr i64, ptr %v1560, i64 %v1559
+  %v1562 = load i64, ptr %v1561, align 8, !noalias !138
+  %v1563 = inttoptr i64 %v1562 to ptr
+  tail call void %v1563(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !138
+  %v1564 = add nsw i64 %v1555, 13
+  %v1565 = load i64, ptr %v6, align 8, !noalias !141
+  %v1566 = mul nsw i64 %v1564, %v747
+  %v1567 = getelementptr double, ptr %v158, i64 %v1566
+  %v1568 = inttoptr i64 %v1565 to ptr
+  tail call void %v1568(ptr %v746, ptr %v749, ptr %v165, ptr %v172, ptr %v179, ptr %v1567), !noalias !141
+  %v1569 = icmp eq i64 %v1555, %v12
+  br i1 %v1569, label %v1552, label %v1550
 
-v1591:
-  %v1592 = getelementptr double, ptr %v761, i64 %v1575
-  %v1593 = load double, ptr %v1592, align 8, !noalias !147
-  %v1594 = fcmp ogt double %v1593, 1.000000e+00
-  br i1 %v1594, label %v1595, label %v1582
+v1551:
+  %v1570 = load i64, ptr %v755, align 8, !noalias !144
+  %v1571 = inttoptr i64 %v1570 to ptr
+  tail call void %v1571(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !144
+  %v1572 = select i1 %v706, i1 true, i1 %v1470
+  %v1573 = or i1 %v1572, %v307
+  br i1 %v1573, label %v1574, label %v1575
 
-v1595:
-  %v1596 = getelementptr double, ptr %v763, i64 %v1575
-  %v1597 = load double, ptr %v1596, align 8, !noalias !147
-  store double 0.000000e+00, ptr %v1574, align 8, !noalias !151
-  %v1598 = getelementptr double, ptr %v765, i64 %v1575
-  store double 0.000000e+00, ptr %v1598, align 8, !noalias !151
-  %v1599 = getelementptr double, ptr %v766, i64 %v1575
-  store double %v1597, ptr %v1599, align 8, !noalias !151
-  %v1600 = load i64, ptr %v1601, align 8, !noalias !151
-  %v1602 = icmp slt i64 %v1600, 0
-  %v1603 = select i1 %v1602, i64 %v125, i64 0
-  %v1604 = add i64 %v1603, %v1600
-  %v1605 = mul i64 %v1604, %v126
-  %v1606 = getelementptr i64, ptr %v124, i64 %v1605
-  %v1607 = load i64, ptr %v1606, align 8, !noalias !151
-  %v1608 = add nsw i64 %v1607, -1
-  store i64 %v1608, ptr %v1606, align 8, !noalias !151
-  %v1609 = load i64, ptr %v1601, align 8, !noalias !151
-  %v1610 = icmp slt i64 %v1609, 0
-  %v1611 = select i1 %v1610, i64 %v125, i64 0
-  %v1612 = add i64 %v1611, %v1609
-  %v1613 = mul i64 %v1612, %v126
-  %v1614 = getelementptr i64, ptr %v124, i64 %v1613
-  %v1615 = getelementptr i8, ptr %v1614, i64 24
-  %v1616 = load i64, ptr %v1615, align 8, !noalias !151
-  %v1617 = add nsw i64 %v1616, 1
-  store i64 %v1617, ptr %v1615, align 8, !noalias !151
-  %v1618 = load double, ptr %v1586, align 8, !noalias !147
-  %v1619 = getelementptr double, ptr %v768, i64 %v1575
-  store double %v1618, ptr %v1619, align 8, !noalias !147
-  %v1620 = mul i64 %v1621, %v126
-  %v1622 = getelementptr i64, ptr %v124, i64 %v1620
-  %v1623 = getelementptr i8, ptr %v1622, i64 8
-  %v1624 = load i64, ptr %v1623, align 8, !noalias !147
-  %v1625 = add nsw i64 %v1624, %v12
-  store i64 %v1625, ptr %v1623, align 8, !noalias !147
-  br label %v1582
+v1576:
+  %v1577 = getelementptr double, ptr %v759, i64 %v1578
+  %v1579 = load double, ptr %v1577, align 8, !noalias !147
+  %v1580 = fcmp uge double %v1579, 5.000000e-01
+  %v1581 = icmp slt i64 %v1582, %v93
+  %v1583 = select i1 %v1580, i1 %v1581, i1 false
+  br i1 %v1583, label %v1584, label %v1585
 
-v1582:
-  %v1626 = icmp sgt i64 %v1627, 1
-  br i1 %v1626, label %v1572, label %v1571
+v1584:
+  %v1586 = icmp slt i64 %v1582, 0
+  %v1587 = select i1 %v1586, i64 %v93, i64 0
+  %v1588 = getelementptr double, ptr %v92, i64 %v1582
+  %v1589 = getelementptr double, ptr %v1588, i64 %v1587
+  %v1590 = load double, ptr %v1589, align 8, !noalias !147
+  %v1591 = getelementptr double, ptr %v761, i64 %v1578
+  %v1592 = load double, ptr %v1591, align 8, !noalias !147
+  %v1593 = fcmp olt double %v1590, %v1592
+  br i1 %v1593, label %v1594, label %v1585
 
-v1572:
-  %v1627 = phi i64 [ %v1628, %v1582 ], [ %v308, %v1548 ]
-  %v1575 = phi i64 [ %v1629, %v1582 ], [ 0, %v1548 ]
-  %v1628 = add nsw i64 %v1627, -1
-  %v1629 = add nsw i64 %v1575, 1
-  %v1601 = getelementptr i64, ptr %v142, i64 %v1575
-  %v1621 = load i64, ptr %v1601, align 8, !noalias !147
-  %v1630 = getelementptr i64, ptr %v755, i64 %v1575
-  %v1579 = load i64, ptr %v1630, align 8, !noalias !147
-  %v1631 = icmp slt i64 %v1621, 0
-  br i1 %v1631, label %v1582, label %v1573
+v1594:
+  %v1595 = getelementptr double, ptr %v763, i64 %v1578
+  %v1596 = load double, ptr %v1595, align 8, !noalias !147
+  %v1597 = fcmp ogt double %v1596, 1.000000e+00
+  br i1 %v1597, label %v1598, label %v1585
 
-v1571:
-  br i1 %v1541, label %v1632, label %v1633
+v1598:
+  %v1599 = getelementptr double, ptr %v765, i64 %v1578
+  %v1600 = load double, ptr %v1599, align 8, !noalias !147
+  store double 0.000000e+00, ptr %v1577, align 8, !noalias !151
+  %v1601 = getelementptr double, ptr %v767, i64 %v1578
+  store double 0.000000e+00, ptr %v1601, align 8, !noalias !151
+  %v1602 = getelementptr double, ptr %v768, i64 %v1578
+  store double %v1600, ptr %v1602, align 8, !noalias !151
+  %v1603 = load i64, ptr %v1604, align 8, !noalias !151
+  %v1605 = icmp slt i64 %v1603, 0
+  %v1606 = select i1 %v1605, i64 %v125, i64 0
+  %v1607 = add i64 %v1606, %v1603
+  %v1608 = mul i64 %v1607, %v126
+  %v1609 = getelementptr i64, ptr %v124, i64 %v1608
+  %v1610 = load i64, ptr %v1609, align 8, !noalias !151
+  %v1611 = add nsw i64 %v1610, -1
+  store i64 %v1611, ptr %v1609, align 8, !noalias !151
+  %v1612 = load i64, ptr %v1604, align 8, !noalias !151
+  %v1613 = icmp slt i64 %v1612, 0
+  %v1614 = select i1 %v1613, i64 %v125, i64 0
+  %v1615 = add i64 %v1614, %v1612
+  %v1616 = mul i64 %v1615, %v126
+  %v1617 = getelementptr i64, ptr %v124, i64 %v1616
+  %v1618 = getelementptr i8, ptr %v1617, i64 24
+  %v1619 = load i64, ptr %v1618, align 8, !noalias !151
+  %v1620 = add nsw i64 %v1619, 1
+  store i64 %v1620, ptr %v1618, align 8, !noalias !151
+  %v1621 = load double, ptr %v1589, align 8, !noalias !147
+  %v1622 = getelementptr double, ptr %v770, i64 %v1578
+  store double %v1621, ptr %v1622, align 8, !noalias !147
+  %v1623 = mul i64 %v1624, %v126
+  %v1625 = getelementptr i64, ptr %v124, i64 %v1623
+  %v1626 = getelementptr i8, ptr %v1625, i64 8
+  %v1627 = load i64, ptr %v1626, align 8, !noalias !147
+  %v1628 = add nsw i64 %v1627, %v12
+  store i64 %v1628, ptr %v1626, align 8, !noalias !147
+  br label %v1585
 
-v1632:
+v1585:
+  %v1629 = icmp sgt i64 %v1630, 1
+  br i1 %v1629, label %v1575, label %v1574
+
+v1575:
+  %v1630 = phi i64 [ %v1631, %v1585 ], [ %v308, %v1551 ]
+  %v1578 = phi i64 [ %v1632, %v1585 ], [ 0, %v1551 ]
+  %v1631 = add nsw i64 %v1630, -1
+  %v1632 = add nsw i64 %v1578, 1
+  %v1604 = getelementptr i64, ptr %v142, i64 %v1578
+  %v1624 = load i64, ptr %v1604, align 8, !noalias !147
+  %v1633 = getelementptr i64, ptr %v757, i64 %v1578
+  %v1582 = load i64, ptr %v1633, align 8, !noalias !147
+  %v1634 = icmp slt i64 %v1624, 0
+  br i1 %v1634, label %v1585, label %v1576
+
+v1574:
+  br i1 %v1544, label %v1635, label %v1636
+
+v1635:
   call void @llvm.lifetime.start.p0(ptr nonnull %v302)
   call void @llvm.lifetime.start.p0(ptr nonnull %v303)
   store i8 0, ptr %v302, align 1, !noalias !154
   store ptr null, ptr %v303, align 8, !noalias !154
-  br label %v1634
-
-v1634:
-  %v1635 = phi i64 [ 0, %v1632 ], [ %v1636, %v1637 ]
-  %v1636 = add nsw i64 %v1635, 1
-  %v1638 = icmp ult i64 %v1635, 9
-  br i1 %v1638, label %v1639, label %v1640
-
-v1639:
-  %v1641 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1635
-  %v1642 = load double, ptr %v1641, align 8
-  %v1643 = load double, ptr %v133, align 8, !noalias !158
-  %v1644 = load double, ptr %v771, align 8, !noalias !158
-  %v1645 = fmul double %v1642, %v1644
-  %v1646 = fadd double %v1643, %v1645
-  store double %v1646, ptr %v773, align 8, !noalias !158
-  br i1 %v775, label %v1637, label %v1647
-
-v1647:
-  %v1648 = fsub double 1.000000e+00, %v1642
-  br label %v1649
-
-v1649:
-  %v1650 = phi i64 [ 0, %v1647 ], [ %v1651, %v1649 ]
-  %v1652 = mul i64 %v1650, %v196
-  %v1653 = getelementptr double, ptr %v193, i64 %v1652
-  %v1654 = getelementptr i8, ptr %v1653, i64 %v779
-  %v1655 = load double, ptr %v1654, align 8, !noalias !165
-  %v1656 = fadd double %v1655, 0.000000e+00
-  %v1657 = fmul double %v1642, %v1656
-  %v1658 = getelementptr i8, ptr %v1653, i64 %v780
-  %v1659 = load double, ptr %v1658, align 8, !noalias !165
-  %v1660 = fadd double %v1659, %v1657
-  %v1661 = fmul double %v1648, %v1660
-  %v1662 = getelementptr i8, ptr %v1653, i64 %v781
-  %v1663 = load double, ptr %v1662, align 8, !noalias !165
-  %v1664 = fadd double %v1663, %v1661
-  %v1665 = fmul double %v1642, %v1664
-  %v1666 = getelementptr i8, ptr %v1653, i64 %v782
-  %v1667 = load double, ptr %v1666, align 8, !noalias !165
-  %v1668 = fadd double %v1667, %v1665
-  %v1669 = fmul double %v1648, %v1668
-  %v1670 = getelementptr i8, ptr %v1653, i64 %v783
-  %v1671 = load double, ptr %v1670, align 8, !noalias !165
-  %v1672 = fadd double %v1671, %v1669
-  %v1673 = fmul double %v1642, %v1672
-  %v1674 = getelementptr i8, ptr %v1653, i64 %v784
-  %v1675 = load double, ptr %v1674, align 8, !noalias !165
-  %v1676 = fadd double %v1675, %v1673
-  %v1677 = fmul double %v1648, %v1676
-  %v1678 = getelementptr i8, ptr %v1653, i64 %v785
-  %v1679 = load double, ptr %v1678, align 8, !noalias !165
-  %v1680 = fadd double %v1679, %v1677
-  %v1681 = fmul double %v1642, %v1680
-  %v1651 = add nsw i64 %v1650, 1
-  %v1682 = load double, ptr %v1653, align 8, !noalias !165
-  %v1683 = fadd double %v1682, %v1681
-  %v1684 = getelementptr double, ptr %v776, i64 %v1652
-  store double %v1683, ptr %v1684, align 8, !noalias !158
-  %v1685 = icmp eq i64 %v10, %v1651
-  br i1 %v1685, label %v1637, label %v1649
+  br label %v1637
 
 v1637:
-  %v1686 = icmp eq i64 %v1635, 8
-  %v1687 = select i1 %v1686, i64 17, i64 16
-  %v1688 = mul i64 %v1635, %v777
-  %v1689 = load i64, ptr %v778, align 8, !noalias !169
-  %v1690 = mul nsw i64 %v1687, %v10
-  %v1691 = getelementptr double, ptr %v158, i64 %v1690
-  %v1692 = getelementptr double, ptr %v186, i64 %v1688
-  %v1693 = inttoptr i64 %v1689 to ptr
-  tail call void %v1693(ptr nonnull %v773, ptr %v1691, ptr %v165, ptr %v172, ptr %v179, ptr %v1692), !noalias !169
-  %v1694 = icmp eq i64 %v1636, 9
-  br i1 %v1694, label %v1640, label %v1634
+  %v1638 = phi i64 [ 0, %v1635 ], [ %v1639, %v1640 ]
+  %v1639 = add nsw i64 %v1638, 1
+  %v1641 = icmp ult i64 %v1638, 9
+  br i1 %v1641, label %v1642, label %v1643
+
+v1642:
+  %v1644 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v1638
+  %v1645 = load double, ptr %v1644, align 8
+  %v1646 = load double, ptr %v133, align 8, !noalias !158
+  %v1647 = load double, ptr %v773, align 8, !noalias !158
+  %v1648 = fmul double %v1645, %v1647
+  %v1649 = fadd double %v1646, %v1648
+  store double %v1649, ptr %v775, align 8, !noalias !158
+  br i1 %v777, label %v1640, label %v1650
+
+v1650:
+  %v1651 = fsub double 1.000000e+00, %v1645
+  br label %v1652
+
+v1652:
+  %v1653 = phi i64 [ 0, %v1650 ], [ %v1654, %v1652 ]
+  %v1655 = mul i64 %v1653, %v196
+  %v1656 = getelementptr double, ptr %v193, i64 %v1655
+  %v1657 = getelementptr i8, ptr %v1656, i64 %v781
+  %v1658 = load double, ptr %v1657, align 8, !noalias !165
+  %v1659 = fadd double %v1658, 0.000000e+00
+  %v1660 = fmul double %v1645, %v1659
+  %v1661 = getelementptr i8, ptr %v1656, i64 %v782
+  %v1662 = load double, ptr %v1661, align 8, !noalias !165
+  %v1663 = fadd double %v1662, %v1660
+  %v1664 = fmul double %v1651, %v1663
+  %v1665 = getelementptr i8, ptr %v1656, i64 %v783
+  %v1666 = load double, ptr %v1665, align 8, !noalias !165
+  %v1667 = fadd double %v1666, %v1664
+  %v1668 = fmul double %v1645, %v1667
+  %v1669 = getelementptr i8, ptr %v1656, i64 %v784
+  %v1670 = load double, ptr %v1669, align 8, !noalias !165
+  %v1671 = fadd double %v1670, %v1668
+  %v1672 = fmul double %v1651, %v1671
+  %v1673 = getelementptr i8, ptr %v1656, i64 %v785
+  %v1674 = load double, ptr %v1673, align 8, !noalias !165
+  %v1675 = fadd double %v1674, %v1672
+  %v1676 = fmul double %v1645, %v1675
+  %v1677 = getelementptr i8, ptr %v1656, i64 %v786
+  %v1678 = load double, ptr %v1677, align 8, !noalias !165
+  %v1679 = fadd double %v1678, %v1676
+  %v1680 = fmul double %v1651, %v1679
+  %v1681 = getelementptr i8, ptr %v1656, i64 %v787
+  %v1682 = load double, ptr %v1681, align 8, !noalias !165
+  %v1683 = fadd double %v1682, %v1680
+  %v1684 = fmul double %v1645, %v1683
+  %v1654 = add nsw i64 %v1653, 1
+  %v1685 = load double, ptr %v1656, align 8, !noalias !165
+  %v1686 = fadd double %v1685, %v1684
+  %v1687 = getelementptr double, ptr %v778, i64 %v1655
+  store double %v1686, ptr %v1687, align 8, !noalias !158
+  %v1688 = icmp eq i64 %v10, %v1654
+  br i1 %v1688, label %v1640, label %v1652
 
 v1640:
-  %v1695 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1634 ], [ null, %v1637 ]
-  %v1696 = phi i32 [ 1, %v1634 ], [ 0, %v1637 ]
-  br i1 %v1638, label %v1697, label %v1698, !prof !131
+  %v1689 = icmp eq i64 %v1638, 8
+  %v1690 = select i1 %v1689, i64 17, i64 16
+  %v1691 = mul i64 %v1638, %v779
+  %v1692 = load i64, ptr %v780, align 8, !noalias !169
+  %v1693 = mul nsw i64 %v1690, %v10
+  %v1694 = getelementptr double, ptr %v158, i64 %v1693
+  %v1695 = getelementptr double, ptr %v186, i64 %v1691
+  %v1696 = inttoptr i64 %v1692 to ptr
+  tail call void %v1696(ptr nonnull %v775, ptr %v1694, ptr %v165, ptr %v172, ptr %v179, ptr %v1695), !noalias !169
+  %v1697 = icmp eq i64 %v1639, 9
+  br i1 %v1697, label %v1643, label %v1637
 
-v1697:
-  %v1699 = load double, ptr %v787, align 8, !noalias !172
-  %v1700 = load double, ptr %v92, align 8, !noalias !172
-  %v1701 = fsub double %v1699, %v1700
-  %v1702 = fmul double %v1701, 1.000000e-13
-  %v1703 = load double, ptr %v133, align 8, !noalias !172
-  %v1704 = tail call double @llvm.fabs.f64(double %v1703)
-  %v1705 = fmul double %v1704, 4.000000e-15
-  %v1706 = fcmp ogt double %v1705, %v1702
-  %v1707 = select i1 %v1706, double %v1705, double %v1702
-  %v1708 = load double, ptr %v771, align 8, !noalias !179
-  %v1709 = fdiv double %v1707, %v1708
-  %v1710 = fcmp olt double %v1709, 1.000000e+00
-  %v1711 = select i1 %v1710, double %v1709, double 1.000000e+00
-  br i1 %v788, label %v1712, label %v1713
+v1643:
+  %v1698 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1637 ], [ null, %v1640 ]
+  %v1699 = phi i32 [ 1, %v1637 ], [ 0, %v1640 ]
+  br i1 %v1641, label %v1700, label %v1701, !prof !131
 
-v1714:
-  %v1715 = fcmp olt double %v1716, %v1717
-  %v1718 = select i1 %v1715, double %v1716, double %v1717
-  %v1719 = fcmp ogt double %v1716, %v1720
-  %v1721 = select i1 %v1719, double %v1716, double %v1720
-  br label %v1722
+v1700:
+  %v1702 = load double, ptr %v789, align 8, !noalias !172
+  %v1703 = load double, ptr %v92, align 8, !noalias !172
+  %v1704 = fsub double %v1702, %v1703
+  %v1705 = fmul double %v1704, 1.000000e-13
+  %v1706 = load double, ptr %v133, align 8, !noalias !172
+  %v1707 = tail call double @llvm.fabs.f64(double %v1706)
+  %v1708 = fmul double %v1707, 4.000000e-15
+  %v1709 = fcmp ogt double %v1708, %v1705
+  %v1710 = select i1 %v1709, double %v1708, double %v1705
+  %v1711 = load double, ptr %v773, align 8, !noalias !179
+  %v1712 = fdiv double %v1710, %v1711
+  %v1713 = fcmp olt double %v1712, 1.000000e+00
+  %v1714 = select i1 %v1713, double %v1712, double 1.000000e+00
+  br i1 %v790, label %v1715, label %v1716
 
-v1722:
-  %v1723 = phi double [ %v1721, %v1714 ], [ %v1720, %v1724 ]
-  %v1725 = phi double [ %v1718, %v1714 ], [ %v1717, %v1724 ]
-  %v1726 = icmp eq i64 %v1727, 9
-  br i1 %v1726, label %v1728, label %v1724
+v1717:
+  %v1718 = fcmp olt double %v1719, %v1720
+  %v1721 = select i1 %v1718, double %v1719, double %v1720
+  %v1722 = fcmp ogt double %v1719, %v1723
+  %v1724 = select i1 %v1722, double %v1719, double %v1723
+  br label %v1725
 
-v1728:
-  %v1729 = fsub double %v1723, %v1725
-  %v1730 = fmul double %v1711, %v1729
-  %v1731 = tail call i1 @llvm.is.fpclass.f64(double %v1732, i32 543)
-  %v1733 = select i1 %v1731, double 0.000000e+00, double %v1732
-  %v1734 = tail call i1 @llvm.is.fpclass.f64(double %v1730, i32 543)
-  %v1735 = select i1 %v1734, double -0.000000e+00, double %v1730
-  %v1736 = fadd double %v1733, %v1735
-  %v1737 = getelementptr double, ptr %v791, i64 %v1738
-  %v1739 = load double, ptr %v1737, align 8, !noalias !179
-  %v1740 = sub nsw i64 %v1741, %v18
-  %v1742 = getelementptr double, ptr %v215, i64 %v1740
-  %v1743 = load double, ptr %v1742, align 8, !noalias !179
-  %v1744 = getelementptr double, ptr %v792, i64 %v1738
-  store double %v1736, ptr %v1744, align 8, !noalias !179
-  %v1745 = fcmp ule double %v1743, 5.000000e-01
-  %v1746 = fcmp ule double %v1739, 0.000000e+00
-  %v1747 = select i1 %v1745, i1 true, i1 %v1746
-  %v1748 = select i1 %v1747, double %v1736, double 0.000000e+00
-  %v1749 = getelementptr double, ptr %v1744, i64 %v789
-  store double %v1748, ptr %v1749, align 8, !noalias !179
-  %v1750 = getelementptr i8, ptr %v1744, i64 %v793
-  store double %v1748, ptr %v1750, align 8, !noalias !179
-  %v1751 = getelementptr i8, ptr %v1744, i64 %v794
-  store double %v1748, ptr %v1751, align 8, !noalias !179
-  %v1752 = getelementptr i8, ptr %v1744, i64 %v795
-  store double %v1748, ptr %v1752, align 8, !noalias !179
-  %v1753 = getelementptr i8, ptr %v1744, i64 %v796
-  store double %v1748, ptr %v1753, align 8, !noalias !179
-  %v1754 = getelementptr i8, ptr %v1744, i64 %v797
-  store double %v1748, ptr %v1754, align 8, !noalias !179
-  %v1755 = getelementptr i8, ptr %v1744, i64 %v798
-  store double %v1748, ptr %v1755, align 8, !noalias !179
-  %v1756 = getelementptr i8, ptr %v1744, i64 %v799
-  store double %v1748, ptr %v1756, align 8, !noalias !179
-  %v1757 = add nsw i64 %v1758, -1
-  %v1759 = add i64 %v1741, 1
-  %v1760 = icmp sgt i64 %v1758, 1
-  br i1 %v1760, label %v1713, label %v1712
+v1725:
+  %v1726 = phi double [ %v1724, %v1717 ], [ %v1723, %v1727 ]
+  %v1728 = phi double [ %v1721, %v1717 ], [ %v1720, %v1727 ]
+  %v1729 = icmp eq i64 %v1730, 9
+  br i1 %v1729, label %v1731, label %v1727
 
-v1713:
-  %v1758 = phi i64 [ %v1757, %v1728 ], [ %v15, %v1697 ]
-  %v1741 = phi i64 [ %v1759, %v1728 ], [ %v18, %v1697 ]
-  %v1761 = icmp slt i64 %v1741, 0
-  %v1762 = select i1 %v1761, i64 %v207, i64 0
-  %v1738 = add i64 %v1762, %v1741
-  br label %v1724
+v1731:
+  %v1732 = fsub double %v1726, %v1728
+  %v1733 = fmul double %v1714, %v1732
+  %v1734 = tail call i1 @llvm.is.fpclass.f64(double %v1735, i32 543)
+  %v1736 = select i1 %v1734, double 0.000000e+00, double %v1735
+  %v1737 = tail call i1 @llvm.is.fpclass.f64(double %v1733, i32 543)
+  %v1738 = select i1 %v1737, double -0.000000e+00, double %v1733
+  %v1739 = fadd double %v1736, %v1738
+  %v1740 = getelementptr double, ptr %v793, i64 %v1741
+  %v1742 = load double, ptr %v1740, align 8, !noalias !179
+  %v1743 = sub nsw i64 %v1744, %v18
+  %v1745 = getelementptr double, ptr %v215, i64 %v1743
+  %v1746 = load double, ptr %v1745, align 8, !noalias !179
+  %v1747 = getelementptr double, ptr %v794, i64 %v1741
+  store double %v1739, ptr %v1747, align 8, !noalias !179
+  %v1748 = fcmp ule double %v1746, 5.000000e-01
+  %v1749 = fcmp ule double %v1742, 0.000000e+00
+  %v1750 = select i1 %v1748, i1 true, i1 %v1749
+  %v1751 = select i1 %v1750, double %v1739, double 0.000000e+00
+  %v1752 = getelementptr double, ptr %v1747, i64 %v791
+  store double %v1751, ptr %v1752, align 8, !noalias !179
+  %v1753 = getelementptr i8, ptr %v1747, i64 %v795
+  store double %v1751, ptr %v1753, align 8, !noalias !179
+  %v1754 = getelementptr i8, ptr %v1747, i64 %v796
+  store double %v1751, ptr %v1754, align 8, !noalias !179
+  %v1755 = getelementptr i8, ptr %v1747, i64 %v797
+  store double %v1751, ptr %v1755, align 8, !noalias !179
+  %v1756 = getelementptr i8, ptr %v1747, i64 %v798
+  store double %v1751, ptr %v1756, align 8, !noalias !179
+  %v1757 = getelementptr i8, ptr %v1747, i64 %v799
+  store double %v1751, ptr %v1757, align 8, !noalias !179
+  %v1758 = getelementptr i8, ptr %v1747, i64 %v800
+  store double %v1751, ptr %v1758, align 8, !noalias !179
+  %v1759 = getelementptr i8, ptr %v1747, i64 %v801
+  store double %v1751, ptr %v1759, align 8, !noalias !179
+  %v1760 = add nsw i64 %v1761, -1
+  %v1762 = add i64 %v1744, 1
+  %v1763 = icmp sgt i64 %v1761, 1
+  br i1 %v1763, label %v1716, label %v1715
 
-v1724:
-  %v1717 = phi double [ 0x7FF0000000000000, %v1713 ], [ %v1725, %v1722 ]
-  %v1720 = phi double [ 0xFFF0000000000000, %v1713 ], [ %v1723, %v1722 ]
-  %v1763 = phi double [ 0.000000e+00, %v1713 ], [ %v1732, %v1722 ]
-  %v1764 = phi i64 [ 0, %v1713 ], [ %v1727, %v1722 ]
-  %v1727 = add nsw i64 %v1764, 1
-  %v1765 = mul i64 %v1764, %v789
-  %v1766 = getelementptr double, ptr %v204, i64 %v1765
-  %v1767 = getelementptr i8, ptr %v1766, i64 %v790
-  %v1768 = getelementptr double, ptr %v1767, i64 %v1738
-  %v1769 = load double, ptr %v1768, align 8, !noalias !179
-  %v1770 = tail call i1 @llvm.is.fpclass.f64(double %v1769, i32 543)
-  %v1771 = fadd double %v1769, 0.000000e+00
-  %v1772 = select i1 %v1770, double 0.000000e+00, double %v1771
-  %v1773 = fcmp ogt double %v1772, %v1763
-  %v1732 = select i1 %v1773, double %v1772, double %v1763
-  %v1774 = getelementptr double, ptr %v1766, i64 %v207
-  %v1775 = getelementptr double, ptr %v1774, i64 %v1738
-  %v1716 = load double, ptr %v1775, align 8, !noalias !179
-  %v1776 = tail call double @llvm.fabs.f64(double %v1716)
-  %v1777 = fcmp ueq double %v1776, 0x7FF0000000000000
-  br i1 %v1777, label %v1722, label %v1714
+v1716:
+  %v1761 = phi i64 [ %v1760, %v1731 ], [ %v15, %v1700 ]
+  %v1744 = phi i64 [ %v1762, %v1731 ], [ %v18, %v1700 ]
+  %v1764 = icmp slt i64 %v1744, 0
+  %v1765 = select i1 %v1764, i64 %v207, i64 0
+  %v1741 = add i64 %v1765, %v1744
+  br label %v1727
 
-v1712:
+v1727:
+  %v1720 = phi double [ 0x7FF0000000000000, %v1716 ], [ %v1728, %v1725 ]
+  %v1723 = phi double [ 0xFFF0000000000000, %v1716 ], [ %v1726, %v1725 ]
+  %v1766 = phi double [ 0.000000e+00, %v1716 ], [ %v1735, %v1725 ]
+  %v1767 = phi i64 [ 0, %v1716 ], [ %v1730, %v1725 ]
+  %v1730 = add nsw i64 %v1767, 1
+  %v1768 = mul i64 %v1767, %v791
+  %v1769 = getelementptr double, ptr %v204, i64 %v1768
+  %v1770 = getelementptr i8, ptr %v1769, i64 %v792
+  %v1771 = getelementptr double, ptr %v1770, i64 %v1741
+  %v1772 = load double, ptr %v1771, align 8, !noalias !179
+  %v1773 = tail call i1 @llvm.is.fpclass.f64(double %v1772, i32 543)
+  %v1774 = fadd double %v1772, 0.000000e+00
+  %v1775 = select i1 %v1773, double 0.000000e+00, double %v1774
+  %v1776 = fcmp ogt double %v1775, %v1766
+  %v1735 = select i1 %v1776, double %v1775, double %v1766
+  %v1777 = getelementptr double, ptr %v1769, i64 %v207
+  %v1778 = getelementptr double, ptr %v1777, i64 %v1741
+  %v1719 = load double, ptr %v1778, align 8, !noalias !179
+  %v1779 = tail call double @llvm.fabs.f64(double %v1719)
+  %v1780 = fcmp ueq double %v1779, 0x7FF0000000000000
+  br i1 %v1780, label %v1725, label %v1717
+
+v1715:
   store i8 0, ptr %v302, align 1, !noalias !154
-  %v1778 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
-  %v1779 = icmp eq i32 %v1778, 0
-  br i1 %v1779, label %v1780, label %v1781, !prof !131
+  %v1781 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
+  %v1782 = icmp eq i32 %v1781, 0
+  br i1 %v1782, label %v1783, label %v1784, !prof !131
 
-v1781:
-  %v1782 = load ptr, ptr %v303, align 8, !noalias !154
-  br label %v1698
+v1784:
+  %v1785 = load ptr, ptr %v303, align 8, !noalias !154
+  br label %v1701
 
-v1780:
-  %v1783 = load i8, ptr %v302, align 1, !noalias !154
-  %v1784 = icmp eq i8 %v1783, 0
-  br label %v1698
+v1783:
+  %v1786 = load i8, ptr %v302, align 1, !noalias !154
+  %v1787 = icmp eq i8 %v1786, 0
+  br label %v1701
 
-v1698:
-  %v1785 = phi i1 [ %v1784, %v1780 ], [ true, %v1781 ], [ true, %v1640 ]
-  %v1786 = phi ptr [ null, %v1780 ], [ %v1782, %v1781 ], [ %v1695, %v1640 ]
-  %v1787 = phi i32 [ 0, %v1780 ], [ 1, %v1781 ], [ %v1696, %v1640 ]
+v1701:
+  %v1788 = phi i1 [ %v1787, %v1783 ], [ true, %v1784 ], [ true, %v1643 ]
+  %v1789 = phi ptr [ null, %v1783 ], [ %v1785, %v1784 ], [ %v1698, %v1643 ]
+  %v1790 = phi i32 [ 0, %v1783 ], [ 1, %v1784 ], [ %v1699, %v1643 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v302)
   call void @llvm.lifetime.end.p0(ptr nonnull %v303)
-  %v1788 = icmp eq i32 %v1787, 0
-  %v1789 = select i1 %v1788, ptr undef, ptr %v1786
-  br i1 %v1788, label %v1790, label %v1546, !prof !131
+  %v1791 = icmp eq i32 %v1790, 0
+  %v1792 = select i1 %v1791, ptr undef, ptr %v1789
+  br i1 %v1791, label %v1793, label %v1549, !prof !131
 
-v1791:
-  %v1792 = load double, ptr %v801, align 8, !noalias !180
-  %v1793 = load double, ptr %v771, align 8, !noalias !180
-  %v1794 = load double, ptr %v803, align 8, !noalias !180
-  %v1795 = load double, ptr %v92, align 8, !noalias !180
-  %v1796 = fsub double %v1794, %v1795
+v1794:
+  %v1795 = load double, ptr %v803, align 8, !noalias !180
+  %v1796 = load double, ptr %v773, align 8, !noalias !180
   %v1797 = load double, ptr %v805, align 8, !noalias !180
-  %v1798 = load double, ptr %v807, align 8, !noalias !180
+  %v1798 = load double, ptr %v92, align 8, !noalias !180
   %v1799 = fsub double %v1797, %v1798
-  %v1800 = fmul double %v1796, 5.000000e-06
-  %v1801 = fcmp olt double %v1799, %v1800
-  br label %v1802
+  %v1800 = load double, ptr %v807, align 8, !noalias !180
+  %v1801 = load double, ptr %v809, align 8, !noalias !180
+  %v1802 = fsub double %v1800, %v1801
+  %v1803 = fmul double %v1799, 5.000000e-06
+  %v1804 = fcmp olt double %v1802, %v1803
+  br label %v1805
 
-v1803:
-  %v1804 = sub nsw i64 45, %v1805
-  %v1806 = load double, ptr %v812, align 8, !noalias !184
-  %v1807 = load double, ptr %v814, align 8, !noalias !184
-  br label %v1808
+v1806:
+  %v1807 = sub nsw i64 45, %v1808
+  %v1809 = load double, ptr %v814, align 8, !noalias !184
+  %v1810 = load double, ptr %v816, align 8, !noalias !184
+  br label %v1811
 
-v1808:
-  %v1809 = phi double [ %v1810, %v1808 ], [ 1.000000e+00, %v1803 ]
-  %v1811 = phi double [ %v1812, %v1808 ], [ 2.000000e+00, %v1803 ]
-  %v1813 = phi i64 [ %v1814, %v1808 ], [ %v1804, %v1803 ]
-  %v1815 = and i64 %v1813, 1
-  %v1816 = icmp eq i64 %v1815, 0
-  %v1817 = fmul double %v1809, %v1811
-  %v1810 = select i1 %v1816, double %v1809, double %v1817
-  %v1814 = lshr i64 %v1813, 1
-  %v1812 = fmul double %v1811, %v1811
-  %v1818 = icmp eq i64 %v1814, 0
-  br i1 %v1818, label %v1819, label %v1808
+v1811:
+  %v1812 = phi double [ %v1813, %v1811 ], [ 1.000000e+00, %v1806 ]
+  %v1814 = phi double [ %v1815, %v1811 ], [ 2.000000e+00, %v1806 ]
+  %v1816 = phi i64 [ %v1817, %v1811 ], [ %v1807, %v1806 ]
+  %v1818 = and i64 %v1816, 1
+  %v1819 = icmp eq i64 %v1818, 0
+  %v1820 = fmul double %v1812, %v1814
+  %v1813 = select i1 %v1819, double %v1812, double %v1820
+  %v1817 = lshr i64 %v1816, 1
+  %v1815 = fmul double %v1814, %v1814
+  %v1821 = icmp eq i64 %v1817, 0
+  br i1 %v1821, label %v1822, label %v1811
 
-v1820:
-  %v1821 = fcmp olt double %v1822, 0.000000e+00
-  %v1823 = select i1 %v1821, double 0.000000e+00, double %v1822
-  %v1824 = fmul double %v1825, %v1823
-  %v1826 = fsub double %v1827, %v1824
-  br label %v1828
+v1823:
+  %v1824 = fcmp olt double %v1825, 0.000000e+00
+  %v1826 = select i1 %v1824, double 0.000000e+00, double %v1825
+  %v1827 = fmul double %v1828, %v1826
+  %v1829 = fsub double %v1830, %v1827
+  br label %v1831
 
-v1819:
-  %v1829 = fadd double %v1830, %v1831
-  %v1827 = fmul double %v1829, 5.000000e-01
-  %v1832 = fmul double %v1810, 1.000000e-13
-  %v1833 = fsub double %v1832, %v1834
-  %v1822 = fmul double %v1833, 5.000000e-01
-  %v1835 = fmul double %v1831, %v1807
-  %v1836 = fmul double %v1830, %v1806
-  %v1837 = fsub double %v1835, %v1836
-  %v1838 = fsub double %v1807, %v1806
-  %v1839 = fdiv double %v1837, %v1838
-  %v1840 = fcmp olt double %v1831, %v1839
-  %v1841 = fcmp olt double %v1839, %v1830
-  %v1842 = and i1 %v1840, %v1841
-  %v1843 = select i1 %v1842, double %v1839, double %v1827
-  %v1844 = fsub double %v1827, %v1843
-  %v1825 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1844)
-  %v1845 = fmul double %v1834, %v1834
-  %v1846 = tail call double @llvm.fabs.f64(double %v1844)
-  %v1847 = fcmp olt double %v1846, %v1845
-  %v1848 = select i1 %v1847, double %v1846, double %v1845
-  %v1849 = fmul double %v1825, %v1848
-  %v1850 = fadd double %v1843, %v1849
-  %v1851 = fsub double %v1850, %v1827
-  %v1852 = tail call double @llvm.fabs.f64(double %v1851)
-  %v1853 = fcmp ugt double %v1852, %v1822
-  br i1 %v1853, label %v1820, label %v1828
-
-v1854:
-  store double %v1855, ptr %v809, align 8, !noalias !190
-  store double %v1856, ptr %v814, align 8, !noalias !190
-  br label %v1857
-
-v1858:
-  store double %v1855, ptr %v801, align 8, !noalias !190
-  store double %v1856, ptr %v812, align 8, !noalias !190
-  br label %v1857
+v1822:
+  %v1832 = fadd double %v1833, %v1834
+  %v1830 = fmul double %v1832, 5.000000e-01
+  %v1835 = fmul double %v1813, 1.000000e-13
+  %v1836 = fsub double %v1835, %v1837
+  %v1825 = fmul double %v1836, 5.000000e-01
+  %v1838 = fmul double %v1834, %v1810
+  %v1839 = fmul double %v1833, %v1809
+  %v1840 = fsub double %v1838, %v1839
+  %v1841 = fsub double %v1810, %v1809
+  %v1842 = fdiv double %v1840, %v1841
+  %v1843 = fcmp olt double %v1834, %v1842
+  %v1844 = fcmp olt double %v1842, %v1833
+  %v1845 = and i1 %v1843, %v1844
+  %v1846 = select i1 %v1845, double %v1842, double %v1830
+  %v1847 = fsub double %v1830, %v1846
+  %v1828 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v1847)
+  %v1848 = fmul double %v1837, %v1837
+  %v1849 = tail call double @llvm.fabs.f64(double %v1847)
+  %v1850 = fcmp olt double %v1849, %v1848
+  %v1851 = select i1 %v1850, double %v1849, double %v1848
+  %v1852 = fmul double %v1828, %v1851
+  %v1853 = fadd double %v1846, %v1852
+  %v1854 = fsub double %v1853, %v1830
+  %v1855 = tail call double @llvm.fabs.f64(double %v1854)
+  %v1856 = fcmp ugt double %v1855, %v1825
+  br i1 %v1856, label %v1823, label %v1831
 
 v1857:
-  %v1859 = icmp eq i64 %v1860, 45
-  br i1 %v1859, label %v1861, label %v1802
+  store double %v1858, ptr %v811, align 8, !noalias !190
+  store double %v1859, ptr %v816, align 8, !noalias !190
+  br label %v1860
 
-v1802:
-  %v1805 = phi i64 [ 0, %v1791 ], [ %v1860, %v1857 ]
-  %v1860 = add nsw i64 %v1805, 1
-  %v1830 = load double, ptr %v809, align 8, !noalias !190
-  %v1831 = load double, ptr %v801, align 8, !noalias !190
-  %v1834 = fsub double %v1830, %v1831
-  %v1862 = fcmp ugt double %v1834, 1.000000e-13
-  br i1 %v1862, label %v1803, label %v1861
+v1861:
+  store double %v1858, ptr %v803, align 8, !noalias !190
+  store double %v1859, ptr %v814, align 8, !noalias !190
+  br label %v1860
 
-v1828:
-  %v1855 = phi double [ %v1850, %v1819 ], [ %v1826, %v1820 ]
-  %v1863 = load double, ptr %v133, align 8, !noalias !191
-  %v1864 = load double, ptr %v771, align 8, !noalias !191
-  %v1865 = fmul double %v1855, %v1864
-  %v1866 = fadd double %v1863, %v1865
-  store double %v1866, ptr %v773, align 8, !noalias !191
-  br i1 %v815, label %v1867, label %v1868
+v1860:
+  %v1862 = icmp eq i64 %v1863, 45
+  br i1 %v1862, label %v1864, label %v1805
 
-v1867:
-  %v1869 = fsub double 1.000000e+00, %v1855
-  br label %v1870
+v1805:
+  %v1808 = phi i64 [ 0, %v1794 ], [ %v1863, %v1860 ]
+  %v1863 = add nsw i64 %v1808, 1
+  %v1833 = load double, ptr %v811, align 8, !noalias !190
+  %v1834 = load double, ptr %v803, align 8, !noalias !190
+  %v1837 = fsub double %v1833, %v1834
+  %v1865 = fcmp ugt double %v1837, 1.000000e-13
+  br i1 %v1865, label %v1806, label %v1864
+
+v1831:
+  %v1858 = phi double [ %v1853, %v1822 ], [ %v1829, %v1823 ]
+  %v1866 = load double, ptr %v133, align 8, !noalias !191
+  %v1867 = load double, ptr %v773, align 8, !noalias !191
+  %v1868 = fmul double %v1858, %v1867
+  %v1869 = fadd double %v1866, %v1868
+  store double %v1869, ptr %v775, align 8, !noalias !191
+  br i1 %v817, label %v1870, label %v1871
 
 v1870:
-  %v1871 = phi i64 [ 0, %v1867 ], [ %v1872, %v1870 ]
-  %v1873 = mul i64 %v1871, %v196
-  %v1874 = getelementptr double, ptr %v193, i64 %v1873
-  %v1875 = getelementptr i8, ptr %v1874, i64 %v779
-  %v1876 = load double, ptr %v1875, align 8, !noalias !198
-  %v1877 = fadd double %v1876, 0.000000e+00
-  %v1878 = fmul double %v1855, %v1877
-  %v1879 = getelementptr i8, ptr %v1874, i64 %v780
-  %v1880 = load double, ptr %v1879, align 8, !noalias !198
-  %v1881 = fadd double %v1880, %v1878
-  %v1882 = fmul double %v1869, %v1881
-  %v1883 = getelementptr i8, ptr %v1874, i64 %v781
-  %v1884 = load double, ptr %v1883, align 8, !noalias !198
-  %v1885 = fadd double %v1884, %v1882
-  %v1886 = fmul double %v1855, %v1885
-  %v1887 = getelementptr i8, ptr %v1874, i64 %v782
-  %v1888 = load double, ptr %v1887, align 8, !noalias !198
-  %v1889 = fadd double %v1888, %v1886
-  %v1890 = fmul double %v1869, %v1889
-  %v1891 = getelementptr i8, ptr %v1874, i64 %v783
-  %v1892 = load double, ptr %v1891, align 8, !noalias !198
-  %v1893 = fadd double %v1892, %v1890
-  %v1894 = fmul double %v1855, %v1893
-  %v1895 = getelementptr i8, ptr %v1874, i64 %v784
-  %v1896 = load double, ptr %v1895, align 8, !noalias !198
-  %v1897 = fadd double %v1896, %v1894
-  %v1898 = fmul double %v1869, %v1897
-  %v1899 = getelementptr i8, ptr %v1874, i64 %v785
-  %v1900 = load double, ptr %v1899, align 8, !noalias !198
-  %v1901 = fadd double %v1900, %v1898
-  %v1902 = fmul double %v1855, %v1901
-  %v1872 = add nsw i64 %v1871, 1
-  %v1903 = load double, ptr %v1874, align 8, !noalias !198
-  %v1904 = fadd double %v1903, %v1902
-  %v1905 = getelementptr double, ptr %v776, i64 %v1873
-  store double %v1904, ptr %v1905, align 8, !noalias !191
-  %v1906 = icmp eq i64 %v10, %v1872
-  br i1 %v1906, label %v1868, label %v1870
+  %v1872 = fsub double 1.000000e+00, %v1858
+  br label %v1873
 
-v1868:
-  %v1907 = load i64, ptr %v778, align 8, !noalias !202
-  %v1908 = inttoptr i64 %v1907 to ptr
-  tail call void %v1908(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !202
-  br i1 %v822, label %v1909, label %v1910
+v1873:
+  %v1874 = phi i64 [ 0, %v1870 ], [ %v1875, %v1873 ]
+  %v1876 = mul i64 %v1874, %v196
+  %v1877 = getelementptr double, ptr %v193, i64 %v1876
+  %v1878 = getelementptr i8, ptr %v1877, i64 %v781
+  %v1879 = load double, ptr %v1878, align 8, !noalias !198
+  %v1880 = fadd double %v1879, 0.000000e+00
+  %v1881 = fmul double %v1858, %v1880
+  %v1882 = getelementptr i8, ptr %v1877, i64 %v782
+  %v1883 = load double, ptr %v1882, align 8, !noalias !198
+  %v1884 = fadd double %v1883, %v1881
+  %v1885 = fmul double %v1872, %v1884
+  %v1886 = getelementptr i8, ptr %v1877, i64 %v783
+  %v1887 = load double, ptr %v1886, align 8, !noalias !198
+  %v1888 = fadd double %v1887, %v1885
+  %v1889 = fmul double %v1858, %v1888
+  %v1890 = getelementptr i8, ptr %v1877, i64 %v784
+  %v1891 = load double, ptr %v1890, align 8, !noalias !198
+  %v1892 = fadd double %v1891, %v1889
+  %v1893 = fmul double %v1872, %v1892
+  %v1894 = getelementptr i8, ptr %v1877, i64 %v785
+  %v1895 = load double, ptr %v1894, align 8, !noalias !198
+  %v1896 = fadd double %v1895, %v1893
+  %v1897 = fmul double %v1858, %v1896
+  %v1898 = getelementptr i8, ptr %v1877, i64 %v786
+  %v1899 = load double, ptr %v1898, align 8, !noalias !198
+  %v1900 = fadd double %v1899, %v1897
+  %v1901 = fmul double %v1872, %v1900
+  %v1902 = getelementptr i8, ptr %v1877, i64 %v787
+  %v1903 = load double, ptr %v1902, align 8, !noalias !198
+  %v1904 = fadd double %v1903, %v1901
+  %v1905 = fmul double %v1858, %v1904
+  %v1875 = add nsw i64 %v1874, 1
+  %v1906 = load double, ptr %v1877, align 8, !noalias !198
+  %v1907 = fadd double %v1906, %v1905
+  %v1908 = getelementptr double, ptr %v778, i64 %v1876
+  store double %v1907, ptr %v1908, align 8, !noalias !191
+  %v1909 = icmp eq i64 %v10, %v1875
+  br i1 %v1909, label %v1871, label %v1873
 
-v1909:
-  %v1911 = phi i64 [ %v1912, %v1909 ], [ %v821, %v1868 ]
-  %v1913 = phi i64 [ %v1914, %v1909 ], [ %v18, %v1868 ]
-  %v1912 = add nsw i64 %v1911, -1
-  %v1914 = add i64 %v1913, 1
-  %v1915 = icmp slt i64 %v1913, 0
-  %v1916 = select i1 %v1915, i64 %v207, i64 0
-  %v1917 = add i64 %v1916, %v1913
-  %v1918 = getelementptr double, ptr %v826, i64 %v1917
-  %v1919 = load double, ptr %v1918, align 8, !noalias !205
-  %v1920 = getelementptr double, ptr %v829, i64 %v1917
-  store double %v1919, ptr %v1920, align 8, !noalias !205
-  %v1921 = icmp sgt i64 %v1911, 1
-  br i1 %v1921, label %v1909, label %v1910
+v1871:
+  %v1910 = load i64, ptr %v780, align 8, !noalias !202
+  %v1911 = inttoptr i64 %v1910 to ptr
+  tail call void %v1911(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !202
+  br i1 %v824, label %v1912, label %v1913
 
-v1910:
-  br i1 %v830, label %v1922, label %v1923
+v1912:
+  %v1914 = phi i64 [ %v1915, %v1912 ], [ %v823, %v1871 ]
+  %v1916 = phi i64 [ %v1917, %v1912 ], [ %v18, %v1871 ]
+  %v1915 = add nsw i64 %v1914, -1
+  %v1917 = add i64 %v1916, 1
+  %v1918 = icmp slt i64 %v1916, 0
+  %v1919 = select i1 %v1918, i64 %v207, i64 0
+  %v1920 = add i64 %v1919, %v1916
+  %v1921 = getelementptr double, ptr %v828, i64 %v1920
+  %v1922 = load double, ptr %v1921, align 8, !noalias !205
+  %v1923 = getelementptr double, ptr %v831, i64 %v1920
+  store double %v1922, ptr %v1923, align 8, !noalias !205
+  %v1924 = icmp sgt i64 %v1914, 1
+  br i1 %v1924, label %v1912, label %v1913
 
-v1923:
-  %v1924 = phi double [ %v1925, %v1923 ], [ 0x7FF0000000000000, %v1910 ]
-  %v1926 = phi i64 [ %v1927, %v1923 ], [ 0, %v1910 ]
-  %v1927 = add nsw i64 %v1926, 1
-  %v1928 = getelementptr double, ptr %v831, i64 %v1926
-  %v1929 = load double, ptr %v1928, align 8, !noalias !206
-  %v1930 = getelementptr double, ptr %v829, i64 %v1926
-  %v1931 = load double, ptr %v1930, align 8, !noalias !206
-  %v1932 = fadd double %v1929, %v1931
-  %v1933 = fcmp olt double %v1932, %v1924
-  %v1925 = select i1 %v1933, double %v1932, double %v1924
-  %v1934 = icmp eq i64 %v207, %v1927
-  br i1 %v1934, label %v1922, label %v1923
+v1913:
+  br i1 %v832, label %v1925, label %v1926
 
-v1922:
-  %v1856 = phi double [ 0x7FF0000000000000, %v1910 ], [ %v1925, %v1923 ]
-  %v1935 = fcmp olt double %v1856, 0.000000e+00
-  br i1 %v1935, label %v1854, label %v1858
+v1926:
+  %v1927 = phi double [ %v1928, %v1926 ], [ 0x7FF0000000000000, %v1913 ]
+  %v1929 = phi i64 [ %v1930, %v1926 ], [ 0, %v1913 ]
+  %v1930 = add nsw i64 %v1929, 1
+  %v1931 = getelementptr double, ptr %v833, i64 %v1929
+  %v1932 = load double, ptr %v1931, align 8, !noalias !206
+  %v1933 = getelementptr double, ptr %v831, i64 %v1929
+  %v1934 = load double, ptr %v1933, align 8, !noalias !206
+  %v1935 = fadd double %v1932, %v1934
+  %v1936 = fcmp olt double %v1935, %v1927
+  %v1928 = select i1 %v1936, double %v1935, double %v1927
+  %v1937 = icmp eq i64 %v207, %v1930
+  br i1 %v1937, label %v1925, label %v1926
 
-v1936:
-  %v1937 = load double, ptr %v809, align 8, !noalias !210
-  %v1938 = load double, ptr %v133, align 8, !noalias !214
-  %v1939 = load double, ptr %v771, align 8, !noalias !214
-  %v1940 = fmul double %v1937, %v1939
-  %v1941 = fadd double %v1938, %v1940
-  store double %v1941, ptr %v773, align 8, !noalias !214
-  br i1 %v815, label %v1942, label %v1943
+v1925:
+  %v1859 = phi double [ 0x7FF0000000000000, %v1913 ], [ %v1928, %v1926 ]
+  %v1938 = fcmp olt double %v1859, 0.000000e+00
+  br i1 %v1938, label %v1857, label %v1861
 
-v1942:
-  %v1944 = fsub double 1.000000e+00, %v1937
-  br label %v1945
+v1939:
+  %v1940 = load double, ptr %v811, align 8, !noalias !210
+  %v1941 = load double, ptr %v133, align 8, !noalias !214
+  %v1942 = load double, ptr %v773, align 8, !noalias !214
+  %v1943 = fmul double %v1940, %v1942
+  %v1944 = fadd double %v1941, %v1943
+  store double %v1944, ptr %v775, align 8, !noalias !214
+  br i1 %v817, label %v1945, label %v1946
 
 v1945:
-  %v1946 = phi i64 [ 0, %v1942 ], [ %v1947, %v1945 ]
-  %v1948 = mul i64 %v1946, %v196
-  %v1949 = getelementptr double, ptr %v193, i64 %v1948
-  %v1950 = getelementptr i8, ptr %v1949, i64 %v779
-  %v1951 = load double, ptr %v1950, align 8, !noalias !221
-  %v1952 = fadd double %v1951, 0.000000e+00
-  %v1953 = fmul double %v1937, %v1952
-  %v1954 = getelementptr i8, ptr %v1949, i64 %v780
-  %v1955 = load double, ptr %v1954, align 8, !noalias !221
-  %v1956 = fadd double %v1955, %v1953
-  %v1957 = fmul double %v1944, %v1956
-  %v1958 = getelementptr i8, ptr %v1949, i64 %v781
-  %v1959 = load double, ptr %v1958, align 8, !noalias !221
-  %v1960 = fadd double %v1959, %v1957
-  %v1961 = fmul double %v1937, %v1960
-  %v1962 = getelementptr i8, ptr %v1949, i64 %v782
-  %v1963 = load double, ptr %v1962, align 8, !noalias !221
-  %v1964 = fadd double %v1963, %v1961
-  %v1965 = fmul double %v1944, %v1964
-  %v1966 = getelementptr i8, ptr %v1949, i64 %v783
-  %v1967 = load double, ptr %v1966, align 8, !noalias !221
-  %v1968 = fadd double %v1967, %v1965
-  %v1969 = fmul double %v1937, %v1968
-  %v1970 = getelementptr i8, ptr %v1949, i64 %v784
-  %v1971 = load double, ptr %v1970, align 8, !noalias !221
-  %v1972 = fadd double %v1971, %v1969
-  %v1973 = fmul double %v1944, %v1972
-  %v1974 = getelementptr i8, ptr %v1949, i64 %v785
-  %v1975 = load double, ptr %v1974, align 8, !noalias !221
-  %v1976 = fadd double %v1975, %v1973
-  %v1977 = fmul double %v1937, %v1976
-  %v1947 = add nsw i64 %v1946, 1
-  %v1978 = load double, ptr %v1949, align 8, !noalias !221
-  %v1979 = fadd double %v1978, %v1977
-  %v1980 = getelementptr double, ptr %v776, i64 %v1948
-  store double %v1979, ptr %v1980, align 8, !noalias !214
-  %v1981 = icmp eq i64 %v10, %v1947
-  br i1 %v1981, label %v1943, label %v1945
+  %v1947 = fsub double 1.000000e+00, %v1940
+  br label %v1948
 
-v1943:
-  %v1982 = load i64, ptr %v778, align 8, !noalias !225
-  %v1983 = inttoptr i64 %v1982 to ptr
-  tail call void %v1983(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !225
-  br i1 %v822, label %v1984, label %v1985
+v1948:
+  %v1949 = phi i64 [ 0, %v1945 ], [ %v1950, %v1948 ]
+  %v1951 = mul i64 %v1949, %v196
+  %v1952 = getelementptr double, ptr %v193, i64 %v1951
+  %v1953 = getelementptr i8, ptr %v1952, i64 %v781
+  %v1954 = load double, ptr %v1953, align 8, !noalias !221
+  %v1955 = fadd double %v1954, 0.000000e+00
+  %v1956 = fmul double %v1940, %v1955
+  %v1957 = getelementptr i8, ptr %v1952, i64 %v782
+  %v1958 = load double, ptr %v1957, align 8, !noalias !221
+  %v1959 = fadd double %v1958, %v1956
+  %v1960 = fmul double %v1947, %v1959
+  %v1961 = getelementptr i8, ptr %v1952, i64 %v783
+  %v1962 = load double, ptr %v1961, align 8, !noalias !221
+  %v1963 = fadd double %v1962, %v1960
+  %v1964 = fmul double %v1940, %v1963
+  %v1965 = getelementptr i8, ptr %v1952, i64 %v784
+  %v1966 = load double, ptr %v1965, align 8, !noalias !221
+  %v1967 = fadd double %v1966, %v1964
+  %v1968 = fmul double %v1947, %v1967
+  %v1969 = getelementptr i8, ptr %v1952, i64 %v785
+  %v1970 = load double, ptr %v1969, align 8, !noalias !221
+  %v1971 = fadd double %v1970, %v1968
+  %v1972 = fmul double %v1940, %v1971
+  %v1973 = getelementptr i8, ptr %v1952, i64 %v786
+  %v1974 = load double, ptr %v1973, align 8, !noalias !221
+  %v1975 = fadd double %v1974, %v1972
+  %v1976 = fmul double %v1947, %v1975
+  %v1977 = getelementptr i8, ptr %v1952, i64 %v787
+  %v1978 = load double, ptr %v1977, align 8, !noalias !221
+  %v1979 = fadd double %v1978, %v1976
+  %v1980 = fmul double %v1940, %v1979
+  %v1950 = add nsw i64 %v1949, 1
+  %v1981 = load double, ptr %v1952, align 8, !noalias !221
+  %v1982 = fadd double %v1981, %v1980
+  %v1983 = getelementptr double, ptr %v778, i64 %v1951
+  store double %v1982, ptr %v1983, align 8, !noalias !214
+  %v1984 = icmp eq i64 %v10, %v1950
+  br i1 %v1984, label %v1946, label %v1948
 
-v1985:
-  br label %v1986
+v1946:
+  %v1985 = load i64, ptr %v780, align 8, !noalias !225
+  %v1986 = inttoptr i64 %v1985 to ptr
+  tail call void %v1986(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !225
+  br i1 %v824, label %v1987, label %v1988
 
-v1984:
-  %v1987 = phi i64 [ %v1988, %v1984 ], [ %v821, %v1943 ]
-  %v1989 = phi i64 [ %v1990, %v1984 ], [ %v18, %v1943 ]
-  %v1988 = add nsw i64 %v1987, -1
-  %v1990 = add i64 %v1989, 1
-  %v1991 = icmp slt i64 %v1989, 0
-  %v1992 = select i1 %v1991, i64 %v207, i64 0
-  %v1993 = add i64 %v1992, %v1989
-  %v1994 = getelementptr double, ptr %v826, i64 %v1993
-  %v1995 = load double, ptr %v1994, align 8, !noalias !228
-  %v1996 = getelementptr double, ptr %v829, i64 %v1993
-  store double %v1995, ptr %v1996, align 8, !noalias !228
-  %v1997 = icmp sgt i64 %v1987, 1
-  br i1 %v1997, label %v1984, label %v1985
+v1988:
+  br label %v1989
 
-v1998:
-  %v1999 = icmp slt i64 %v2000, 0
-  %v2001 = select i1 %v1999, i64 %v207, i64 0
-  %v2002 = add i64 %v2001, %v2000
-  %v2003 = getelementptr double, ptr %v831, i64 %v2002
-  %v2004 = load double, ptr %v2003, align 8, !noalias !210
-  store double %v2004, ptr %v814, align 8, !noalias !210
-  br label %v2005
+v1987:
+  %v1990 = phi i64 [ %v1991, %v1987 ], [ %v823, %v1946 ]
+  %v1992 = phi i64 [ %v1993, %v1987 ], [ %v18, %v1946 ]
+  %v1991 = add nsw i64 %v1990, -1
+  %v1993 = add i64 %v1992, 1
+  %v1994 = icmp slt i64 %v1992, 0
+  %v1995 = select i1 %v1994, i64 %v207, i64 0
+  %v1996 = add i64 %v1995, %v1992
+  %v1997 = getelementptr double, ptr %v828, i64 %v1996
+  %v1998 = load double, ptr %v1997, align 8, !noalias !228
+  %v1999 = getelementptr double, ptr %v831, i64 %v1996
+  store double %v1998, ptr %v1999, align 8, !noalias !228
+  %v2000 = icmp sgt i64 %v1990, 1
+  br i1 %v2000, label %v1987, label %v1988
 
-v2006:
-  %v2007 = phi i64 [ 0, %v2008 ], [ %v2009, %v2006 ]
-  %v2010 = mul i64 %v2007, %v196
-  %v2011 = getelementptr double, ptr %v193, i64 %v2010
-  %v2012 = getelementptr i8, ptr %v2011, i64 %v779
-  %v2013 = load double, ptr %v2012, align 8, !noalias !229
-  %v2014 = fadd double %v2013, 0.000000e+00
-  %v2015 = fmul double %v2016, %v2014
-  %v2017 = getelementptr i8, ptr %v2011, i64 %v780
-  %v2018 = load double, ptr %v2017, align 8, !noalias !229
-  %v2019 = fadd double %v2018, %v2015
-  %v2020 = fmul double %v2021, %v2019
-  %v2022 = getelementptr i8, ptr %v2011, i64 %v781
-  %v2023 = load double, ptr %v2022, align 8, !noalias !229
-  %v2024 = fadd double %v2023, %v2020
-  %v2025 = fmul double %v2016, %v2024
-  %v2026 = getelementptr i8, ptr %v2011, i64 %v782
-  %v2027 = load double, ptr %v2026, align 8, !noalias !229
-  %v2028 = fadd double %v2027, %v2025
-  %v2029 = fmul double %v2021, %v2028
-  %v2030 = getelementptr i8, ptr %v2011, i64 %v783
-  %v2031 = load double, ptr %v2030, align 8, !noalias !229
-  %v2032 = fadd double %v2031, %v2029
-  %v2033 = fmul double %v2016, %v2032
-  %v2034 = getelementptr i8, ptr %v2011, i64 %v784
-  %v2035 = load double, ptr %v2034, align 8, !noalias !229
-  %v2036 = fadd double %v2035, %v2033
-  %v2037 = fmul double %v2021, %v2036
-  %v2038 = getelementptr i8, ptr %v2011, i64 %v785
-  %v2039 = load double, ptr %v2038, align 8, !noalias !229
-  %v2040 = fadd double %v2039, %v2037
-  %v2041 = fmul double %v2016, %v2040
-  %v2009 = add nsw i64 %v2007, 1
-  %v2042 = load double, ptr %v2011, align 8, !noalias !229
-  %v2043 = fadd double %v2042, %v2041
-  %v2044 = getelementptr double, ptr %v776, i64 %v2010
-  store double %v2043, ptr %v2044, align 8, !noalias !239
-  %v2045 = icmp eq i64 %v10, %v2009
-  br i1 %v2045, label %v2046, label %v2006
+v2001:
+  %v2002 = icmp slt i64 %v2003, 0
+  %v2004 = select i1 %v2002, i64 %v207, i64 0
+  %v2005 = add i64 %v2004, %v2003
+  %v2006 = getelementptr double, ptr %v833, i64 %v2005
+  %v2007 = load double, ptr %v2006, align 8, !noalias !210
+  store double %v2007, ptr %v816, align 8, !noalias !210
+  br label %v2008
 
-v2046:
-  %v2047 = load i64, ptr %v778, align 8, !noalias !240
-  %v2048 = inttoptr i64 %v2047 to ptr
-  tail call void %v2048(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !240
-  br i1 %v862, label %v2049, label %v2050
-
-v2050:
-  %v2051 = phi i64 [ %v2052, %v2050 ], [ %v821, %v2046 ]
-  %v2053 = phi i64 [ %v2054, %v2050 ], [ %v18, %v2046 ]
-  %v2052 = add nsw i64 %v2051, -1
-  %v2054 = add i64 %v2053, 1
-  %v2055 = icmp slt i64 %v2053, 0
-  %v2056 = select i1 %v2055, i64 %v207, i64 0
-  %v2057 = add i64 %v2056, %v2053
-  %v2058 = getelementptr double, ptr %v826, i64 %v2057
-  %v2059 = load double, ptr %v2058, align 8, !noalias !243
-  %v2060 = getelementptr double, ptr %v829, i64 %v2057
-  store double %v2059, ptr %v2060, align 8, !noalias !243
-  %v2061 = icmp sgt i64 %v2051, 1
-  br i1 %v2061, label %v2050, label %v2049
-
-v2062:
-  br i1 %v2063, label %v2064, label %v2065
-
-v2064:
-  %v2066 = load double, ptr %v809, align 8, !noalias !210
-  br label %v2065
-
-v2065:
-  %v2067 = phi double [ %v2066, %v2064 ], [ %v2016, %v2062 ]
-  %v2068 = fmul double %v2067, 5.000000e-01
-  %v2069 = icmp eq i64 %v2070, 45
-  br i1 %v2069, label %v2071, label %v2005
-
-v2072:
-  %v2073 = getelementptr double, ptr %v826, i64 %v2002
-  store double 0.000000e+00, ptr %v2073, align 8, !noalias !210
-  br label %v2074
-
-v2075:
-  %v2076 = sub nsw i64 45, %v2077
-  %v2078 = load double, ptr %v812, align 8, !noalias !244
-  %v2079 = load double, ptr %v814, align 8, !noalias !244
-  br label %v2080
-
-v2080:
-  %v2081 = phi double [ %v2082, %v2080 ], [ 1.000000e+00, %v2075 ]
-  %v2083 = phi double [ %v2084, %v2080 ], [ 2.000000e+00, %v2075 ]
-  %v2085 = phi i64 [ %v2086, %v2080 ], [ %v2076, %v2075 ]
-  %v2087 = and i64 %v2085, 1
-  %v2088 = icmp eq i64 %v2087, 0
-  %v2089 = fmul double %v2081, %v2083
-  %v2082 = select i1 %v2088, double %v2081, double %v2089
-  %v2086 = lshr i64 %v2085, 1
-  %v2084 = fmul double %v2083, %v2083
-  %v2090 = icmp eq i64 %v2086, 0
-  br i1 %v2090, label %v2091, label %v2080
-
-v2092:
-  %v2093 = fcmp olt double %v2094, 0.000000e+00
-  %v2095 = select i1 %v2093, double 0.000000e+00, double %v2094
-  %v2096 = fmul double %v2097, %v2095
-  %v2098 = fsub double %v2099, %v2096
-  br label %v2100
-
-v2091:
-  %v2101 = fadd double %v2102, %v2103
-  %v2099 = fmul double %v2101, 5.000000e-01
-  %v2104 = fmul double %v2082, 0x3D06849B86A12B9B
-  %v2105 = fsub double %v2104, %v2106
-  %v2094 = fmul double %v2105, 5.000000e-01
-  %v2107 = fmul double %v2103, %v2079
-  %v2108 = fmul double %v2102, %v2078
-  %v2109 = fsub double %v2107, %v2108
-  %v2110 = fsub double %v2079, %v2078
-  %v2111 = fdiv double %v2109, %v2110
-  %v2112 = fcmp olt double %v2103, %v2111
-  %v2113 = fcmp olt double %v2111, %v2102
-  %v2114 = and i1 %v2112, %v2113
-  %v2115 = select i1 %v2114, double %v2111, double %v2099
-  %v2116 = fsub double %v2099, %v2115
-  %v2097 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2116)
-  %v2117 = fmul double %v2106, %v2106
-  %v2118 = tail call double @llvm.fabs.f64(double %v2116)
-  %v2119 = fcmp olt double %v2118, %v2117
-  %v2120 = select i1 %v2119, double %v2118, double %v2117
-  %v2121 = fmul double %v2097, %v2120
-  %v2122 = fadd double %v2115, %v2121
-  %v2123 = fsub double %v2122, %v2099
-  %v2124 = tail call double @llvm.fabs.f64(double %v2123)
-  %v2125 = fcmp ugt double %v2124, %v2094
-  br i1 %v2125, label %v2092, label %v2100
-
-v2126:
-  store double %v2127, ptr %v809, align 8, !noalias !250
-  store double %v2128, ptr %v814, align 8, !noalias !250
-  br label %v2129
-
-v2130:
-  store double %v2127, ptr %v801, align 8, !noalias !250
-  store double %v2128, ptr %v812, align 8, !noalias !250
-  br label %v2129
-
-v2129:
-  %v2131 = icmp eq i64 %v2132, 45
-  br i1 %v2131, label %v2133, label %v2074
-
-v2074:
-  %v2077 = phi i64 [ 0, %v2072 ], [ %v2132, %v2129 ]
-  %v2132 = add nsw i64 %v2077, 1
-  %v2102 = load double, ptr %v809, align 8, !noalias !250
-  %v2103 = load double, ptr %v801, align 8, !noalias !250
-  %v2106 = fsub double %v2102, %v2103
-  %v2134 = fcmp ugt double %v2106, 0x3D06849B86A12B9B
-  br i1 %v2134, label %v2075, label %v2133
-
-v2100:
-  %v2127 = phi double [ %v2122, %v2091 ], [ %v2098, %v2092 ]
-  %v2135 = load double, ptr %v133, align 8, !noalias !251
-  %v2136 = load double, ptr %v771, align 8, !noalias !251
-  %v2137 = fmul double %v2127, %v2136
-  %v2138 = fadd double %v2135, %v2137
-  store double %v2138, ptr %v773, align 8, !noalias !251
-  br i1 %v815, label %v2139, label %v2140
-
-v2139:
-  %v2141 = fsub double 1.000000e+00, %v2127
-  br label %v2142
-
-v2142:
-  %v2143 = phi i64 [ 0, %v2139 ], [ %v2144, %v2142 ]
-  %v2145 = mul i64 %v2143, %v196
-  %v2146 = getelementptr double, ptr %v193, i64 %v2145
-  %v2147 = getelementptr i8, ptr %v2146, i64 %v779
-  %v2148 = load double, ptr %v2147, align 8, !noalias !258
-  %v2149 = fadd double %v2148, 0.000000e+00
-  %v2150 = fmul double %v2127, %v2149
-  %v2151 = getelementptr i8, ptr %v2146, i64 %v780
-  %v2152 = load double, ptr %v2151, align 8, !noalias !258
-  %v2153 = fadd double %v2152, %v2150
-  %v2154 = fmul double %v2141, %v2153
-  %v2155 = getelementptr i8, ptr %v2146, i64 %v781
-  %v2156 = load double, ptr %v2155, align 8, !noalias !258
-  %v2157 = fadd double %v2156, %v2154
-  %v2158 = fmul double %v2127, %v2157
-  %v2159 = getelementptr i8, ptr %v2146, i64 %v782
-  %v2160 = load double, ptr %v2159, align 8, !noalias !258
-  %v2161 = fadd double %v2160, %v2158
-  %v2162 = fmul double %v2141, %v2161
-  %v2163 = getelementptr i8, ptr %v2146, i64 %v783
-  %v2164 = load double, ptr %v2163, align 8, !noalias !258
-  %v2165 = fadd double %v2164, %v2162
-  %v2166 = fmul double %v2127, %v2165
-  %v2167 = getelementptr i8, ptr %v2146, i64 %v784
-  %v2168 = load double, ptr %v2167, align 8, !noalias !258
-  %v2169 = fadd double %v2168, %v2166
-  %v2170 = fmul double %v2141, %v2169
-  %v2171 = getelementptr i8, ptr %v2146, i64 %v785
-  %v2172 = load double, ptr %v2171, align 8, !noalias !258
-  %v2173 = fadd double %v2172, %v2170
-  %v2174 = fmul double %v2127, %v2173
-  %v2144 = add nsw i64 %v2143, 1
-  %v2175 = load double, ptr %v2146, align 8, !noalias !258
-  %v2176 = fadd double %v2175, %v2174
-  %v2177 = getelementptr double, ptr %v776, i64 %v2145
-  store double %v2176, ptr %v2177, align 8, !noalias !251
-  %v2178 = icmp eq i64 %v10, %v2144
-  br i1 %v2178, label %v2140, label %v2142
-
-v2140:
-  %v2179 = load i64, ptr %v778, align 8, !noalias !262
-  %v2180 = inttoptr i64 %v2179 to ptr
-  tail call void %v2180(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !262
-  br i1 %v822, label %v2181, label %v2182
-
-v2181:
-  %v2183 = phi i64 [ %v2184, %v2181 ], [ %v821, %v2140 ]
-  %v2185 = phi i64 [ %v2186, %v2181 ], [ %v18, %v2140 ]
-  %v2184 = add nsw i64 %v2183, -1
-  %v2186 = add i64 %v2185, 1
-  %v2187 = icmp slt i64 %v2185, 0
-  %v2188 = select i1 %v2187, i64 %v207, i64 0
-  %v2189 = add i64 %v2188, %v2185
-  %v2190 = getelementptr double, ptr %v826, i64 %v2189
-  %v2191 = load double, ptr %v2190, align 8, !noalias !265
-  %v2192 = getelementptr double, ptr %v829, i64 %v2189
-  store double %v2191, ptr %v2192, align 8, !noalias !265
-  %v2193 = icmp sgt i64 %v2183, 1
-  br i1 %v2193, label %v2181, label %v2182
-
-v2182:
-  br i1 %v830, label %v2194, label %v2195
-
-v2195:
-  %v2196 = phi double [ %v2197, %v2195 ], [ 0x7FF0000000000000, %v2182 ]
-  %v2198 = phi i64 [ %v2199, %v2195 ], [ 0, %v2182 ]
-  %v2199 = add nsw i64 %v2198, 1
-  %v2200 = getelementptr double, ptr %v831, i64 %v2198
-  %v2201 = load double, ptr %v2200, align 8, !noalias !266
-  %v2202 = getelementptr double, ptr %v829, i64 %v2198
-  %v2203 = load double, ptr %v2202, align 8, !noalias !266
-  %v2204 = fadd double %v2201, %v2203
-  %v2205 = fcmp olt double %v2204, %v2196
-  %v2197 = select i1 %v2205, double %v2204, double %v2196
-  %v2206 = icmp eq i64 %v207, %v2199
-  br i1 %v2206, label %v2194, label %v2195
-
-v2194:
-  %v2128 = phi double [ 0x7FF0000000000000, %v2182 ], [ %v2197, %v2195 ]
-  %v2207 = fcmp olt double %v2128, 0.000000e+00
-  br i1 %v2207, label %v2126, label %v2130
-
-v2071:
-  store double 0.000000e+00, ptr %v809, align 8, !noalias !210
-  br label %v2133
-
-v2133:
-  %v2208 = load double, ptr %v133, align 8, !noalias !210
-  %v2209 = load double, ptr %v809, align 8, !noalias !210
-  %v2210 = load double, ptr %v771, align 8, !noalias !210
-  %v2211 = fmul double %v2209, %v2210
-  %v2212 = fadd double %v2208, %v2211
-  %v2213 = load i64, ptr %v142, align 8, !noalias !270
-  %v2214 = load i64, ptr %v864, align 8, !noalias !270
-  %v2215 = icmp slt i64 %v2214, %v93
-  br i1 %v2215, label %v2216, label %v2217
-
-v2216:
-  %v2218 = icmp slt i64 %v2214, 0
-  %v2219 = select i1 %v2218, i64 %v93, i64 0
-  %v2220 = getelementptr double, ptr %v92, i64 %v2214
-  %v2221 = getelementptr double, ptr %v2220, i64 %v2219
-  %v2222 = load double, ptr %v2221, align 8, !noalias !270
-  %v2223 = fcmp ugt double %v2222, %v2212
-  br i1 %v2223, label %v2217, label %v2224
-
-v2224:
-  %v2225 = icmp slt i64 %v2213, 0
-  %v2226 = select i1 %v2225, i64 %v100, i64 0
-  %v2227 = add i64 %v2226, %v2213
-  %v2228 = mul i64 %v867, %v2227
-  %v2229 = getelementptr double, ptr %v99, i64 %v2228
-  br label %v2230
-
-v2230:
-  %v2231 = phi i64 [ %v2232, %v2233 ], [ %v2214, %v2224 ]
-  %v2234 = icmp slt i64 %v2231, 0
-  %v2235 = select i1 %v2234, i64 %v93, i64 0
-  %v2236 = getelementptr double, ptr %v92, i64 %v2231
-  %v2237 = getelementptr double, ptr %v2236, i64 %v2235
-  %v2238 = load double, ptr %v2237, align 8, !noalias !270
-  %v2239 = load double, ptr %v133, align 8, !noalias !270
-  %v2240 = fsub double %v2238, %v2239
-  %v2241 = load double, ptr %v771, align 8, !noalias !270
-  %v2242 = fdiv double %v2240, %v2241
-  br i1 %v775, label %v2243, label %v2244
-
-v2244:
-  %v2245 = fsub double 1.000000e+00, %v2242
-  %v2246 = select i1 %v2234, i64 %v101, i64 0
-  %v2247 = add i64 %v2246, %v2231
-  %v2248 = mul i64 %v2247, %v102
-  %v2249 = getelementptr double, ptr %v2229, i64 %v2248
-  br label %v2250
-
-v2251:
-  %v2252 = getelementptr double, ptr %v869, i64 %v2253
-  %v2254 = load double, ptr %v2252, align 8, !noalias !270
-  br label %v2255
-
-v2243:
-  store double 0x7FF0000000000000, ptr %v866, align 8, !noalias !270
-  %v2256 = icmp eq i64 %v2231, %v870
-  br i1 %v2256, label %v2217, label %v2233
-
-v2233:
-  %v2232 = add i64 %v2231, 1
-  %v2257 = icmp slt i64 %v2231, -1
-  %v2258 = select i1 %v2257, i64 %v93, i64 0
-  %v2259 = getelementptr double, ptr %v92, i64 %v2232
-  %v2260 = getelementptr double, ptr %v2259, i64 %v2258
-  %v2261 = load double, ptr %v2260, align 8, !noalias !270
-  %v2262 = fcmp ugt double %v2261, %v2212
-  br i1 %v2262, label %v2217, label %v2230
-
-v2217:
-  %v2263 = phi i64 [ %v2214, %v2216 ], [ %v2214, %v2133 ], [ %v93, %v2243 ], [ %v2232, %v2233 ]
-  store i64 %v2263, ptr %v864, align 8, !noalias !270
-  store i64 %v2000, ptr %v872, align 8, !noalias !210
-  %v2264 = load i64, ptr %v142, align 8, !noalias !274
-  %v2265 = icmp sgt i64 %v2264, -1
-  br i1 %v2265, label %v2266, label %v2267
-
-v2255:
-  %v2268 = phi double [ %v2269, %v2270 ], [ %v2254, %v2251 ]
-  %v2271 = getelementptr double, ptr %v2249, i64 %v2272
-  store double %v2268, ptr %v2271, align 8, !noalias !270
-  %v2273 = icmp eq i64 %v10, %v2274
-  br i1 %v2273, label %v2243, label %v2250
-
-v2250:
-  %v2272 = phi i64 [ 0, %v2244 ], [ %v2274, %v2255 ]
-  %v2274 = add nsw i64 %v2272, 1
-  %v2275 = load double, ptr %v2237, align 8, !noalias !270
-  %v2276 = load double, ptr %v805, align 8, !noalias !270
-  %v2277 = fcmp oeq double %v2275, %v2276
-  %v2253 = mul i64 %v2272, %v196
-  br i1 %v2277, label %v2251, label %v2270
-
-v2270:
-  %v2278 = getelementptr double, ptr %v193, i64 %v2253
-  %v2279 = getelementptr i8, ptr %v2278, i64 %v779
-  %v2280 = load double, ptr %v2279, align 8, !noalias !277
-  %v2281 = fadd double %v2280, 0.000000e+00
-  %v2282 = fmul double %v2242, %v2281
-  %v2283 = getelementptr i8, ptr %v2278, i64 %v780
-  %v2284 = load double, ptr %v2283, align 8, !noalias !277
-  %v2285 = fadd double %v2284, %v2282
-  %v2286 = fmul double %v2245, %v2285
-  %v2287 = getelementptr i8, ptr %v2278, i64 %v781
-  %v2288 = load double, ptr %v2287, align 8, !noalias !277
-  %v2289 = fadd double %v2288, %v2286
-  %v2290 = fmul double %v2242, %v2289
-  %v2291 = getelementptr i8, ptr %v2278, i64 %v782
-  %v2292 = load double, ptr %v2291, align 8, !noalias !277
-  %v2293 = fadd double %v2292, %v2290
-  %v2294 = fmul double %v2245, %v2293
-  %v2295 = getelementptr i8, ptr %v2278, i64 %v783
-  %v2296 = load double, ptr %v2295, align 8, !noalias !277
-  %v2297 = fadd double %v2296, %v2294
-  %v2298 = fmul double %v2242, %v2297
-  %v2299 = getelementptr i8, ptr %v2278, i64 %v784
-  %v2300 = load double, ptr %v2299, align 8, !noalias !277
-  %v2301 = fadd double %v2300, %v2298
-  %v2302 = fmul double %v2245, %v2301
-  %v2303 = getelementptr i8, ptr %v2278, i64 %v785
-  %v2304 = load double, ptr %v2303, align 8, !noalias !277
-  %v2305 = fadd double %v2304, %v2302
-  %v2306 = fmul double %v2242, %v2305
-  %v2307 = load double, ptr %v2278, align 8, !noalias !277
-  %v2269 = fadd double %v2307, %v2306
-  br label %v2255
-
-v1986:
-  %v2308 = phi i64 [ %v2309, %v2310 ], [ 0, %v1985 ]
-  %v2311 = phi i64 [ %v2312, %v2310 ], [ %v861, %v1985 ]
-  %v2313 = icmp sgt i64 %v2311, 0
-  br i1 %v2313, label %v2310, label %v2314
-
-v2310:
-  %v2312 = add nsw i64 %v2311, -1
-  %v2309 = add i64 %v2308, 1
-  %v2315 = getelementptr double, ptr %v831, i64 %v2308
-  %v2316 = load double, ptr %v2315, align 8, !noalias !281
-  %v2317 = getelementptr double, ptr %v829, i64 %v2308
-  %v2318 = load double, ptr %v2317, align 8, !noalias !281
-  %v2319 = fneg double %v2318
-  %v2320 = fcmp olt double %v2316, %v2319
-  br i1 %v2320, label %v2314, label %v1986
-
-v2314:
-  %v2000 = phi i64 [ %v2308, %v2310 ], [ -1, %v1986 ]
-  %v2321 = icmp slt i64 %v2000, %v18
-  br i1 %v2321, label %v2322, label %v1998
-
-v2005:
-  %v2016 = phi double [ %v1792, %v1998 ], [ %v2068, %v2065 ]
-  %v2323 = phi i64 [ 0, %v1998 ], [ %v2070, %v2065 ]
-  %v2070 = add nsw i64 %v2323, 1
-  %v2063 = icmp eq i64 %v2323, 0
-  %v2324 = load double, ptr %v133, align 8, !noalias !239
-  %v2325 = load double, ptr %v771, align 8, !noalias !239
-  %v2326 = fmul double %v2016, %v2325
-  %v2327 = fadd double %v2324, %v2326
-  store double %v2327, ptr %v773, align 8, !noalias !239
-  br i1 %v775, label %v2046, label %v2008
-
-v2008:
-  %v2021 = fsub double 1.000000e+00, %v2016
-  br label %v2006
+v2009:
+  %v2010 = phi i64 [ 0, %v2011 ], [ %v2012, %v2009 ]
+  %v2013 = mul i64 %v2010, %v196
+  %v2014 = getelementptr double, ptr %v193, i64 %v2013
+  %v2015 = getelementptr i8, ptr %v2014, i64 %v781
+  %v2016 = load double, ptr %v2015, align 8, !noalias !229
+  %v2017 = fadd double %v2016, 0.000000e+00
+  %v2018 = fmul double %v2019, %v2017
+  %v2020 = getelementptr i8, ptr %v2014, i64 %v782
+  %v2021 = load double, ptr %v2020, align 8, !noalias !229
+  %v2022 = fadd double %v2021, %v2018
+  %v2023 = fmul double %v2024, %v2022
+  %v2025 = getelementptr i8, ptr %v2014, i64 %v783
+  %v2026 = load double, ptr %v2025, align 8, !noalias !229
+  %v2027 = fadd double %v2026, %v2023
+  %v2028 = fmul double %v2019, %v2027
+  %v2029 = getelementptr i8, ptr %v2014, i64 %v784
+  %v2030 = load double, ptr %v2029, align 8, !noalias !229
+  %v2031 = fadd double %v2030, %v2028
+  %v2032 = fmul double %v2024, %v2031
+  %v2033 = getelementptr i8, ptr %v2014, i64 %v785
+  %v2034 = load double, ptr %v2033, align 8, !noalias !229
+  %v2035 = fadd double %v2034, %v2032
+  %v2036 = fmul double %v2019, %v2035
+  %v2037 = getelementptr i8, ptr %v2014, i64 %v786
+  %v2038 = load double, ptr %v2037, align 8, !noalias !229
+  %v2039 = fadd double %v2038, %v2036
+  %v2040 = fmul double %v2024, %v2039
+  %v2041 = getelementptr i8, ptr %v2014, i64 %v787
+  %v2042 = load double, ptr %v2041, align 8, !noalias !229
+  %v2043 = fadd double %v2042, %v2040
+  %v2044 = fmul double %v2019, %v2043
+  %v2012 = add nsw i64 %v2010, 1
+  %v2045 = load double, ptr %v2014, align 8, !noalias !229
+  %v2046 = fadd double %v2045, %v2044
+  %v2047 = getelementptr double, ptr %v778, i64 %v2013
+  store double %v2046, ptr %v2047, align 8, !noalias !239
+  %v2048 = icmp eq i64 %v10, %v2012
+  br i1 %v2048, label %v2049, label %v2009
 
 v2049:
-  store double %v2016, ptr %v801, align 8, !noalias !210
-  %v2328 = load double, ptr %v2003, align 8, !noalias !210
-  store double %v2328, ptr %v812, align 8, !noalias !210
-  %v2329 = fcmp ogt double %v2328, 0.000000e+00
-  br i1 %v2329, label %v2072, label %v2062
+  %v2050 = load i64, ptr %v780, align 8, !noalias !240
+  %v2051 = inttoptr i64 %v2050 to ptr
+  tail call void %v2051(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !240
+  br i1 %v864, label %v2052, label %v2053
 
-v2266:
-  %v2330 = getelementptr i64, ptr %v110, i64 %v2264
-  %v2331 = load i64, ptr %v2330, align 8, !noalias !274
-  %v2332 = icmp eq i64 %v2331, 0
-  br i1 %v2332, label %v2333, label %v2267
+v2053:
+  %v2054 = phi i64 [ %v2055, %v2053 ], [ %v823, %v2049 ]
+  %v2056 = phi i64 [ %v2057, %v2053 ], [ %v18, %v2049 ]
+  %v2055 = add nsw i64 %v2054, -1
+  %v2057 = add i64 %v2056, 1
+  %v2058 = icmp slt i64 %v2056, 0
+  %v2059 = select i1 %v2058, i64 %v207, i64 0
+  %v2060 = add i64 %v2059, %v2056
+  %v2061 = getelementptr double, ptr %v828, i64 %v2060
+  %v2062 = load double, ptr %v2061, align 8, !noalias !243
+  %v2063 = getelementptr double, ptr %v831, i64 %v2060
+  store double %v2062, ptr %v2063, align 8, !noalias !243
+  %v2064 = icmp sgt i64 %v2054, 1
+  br i1 %v2064, label %v2053, label %v2052
 
-v2333:
-  store i64 4, ptr %v2330, align 8, !noalias !274
-  br label %v2267
+v2065:
+  br i1 %v2066, label %v2067, label %v2068
 
-v2267:
-  store double 0.000000e+00, ptr %v874, align 8, !noalias !210
-  br label %v2334
+v2067:
+  %v2069 = load double, ptr %v811, align 8, !noalias !210
+  br label %v2068
 
-v2335:
-  br i1 %v1801, label %v2322, label %v2336
+v2068:
+  %v2070 = phi double [ %v2069, %v2067 ], [ %v2019, %v2065 ]
+  %v2071 = fmul double %v2070, 5.000000e-01
+  %v2072 = icmp eq i64 %v2073, 45
+  br i1 %v2072, label %v2074, label %v2008
+
+v2075:
+  %v2076 = getelementptr double, ptr %v828, i64 %v2005
+  store double 0.000000e+00, ptr %v2076, align 8, !noalias !210
+  br label %v2077
+
+v2078:
+  %v2079 = sub nsw i64 45, %v2080
+  %v2081 = load double, ptr %v814, align 8, !noalias !244
+  %v2082 = load double, ptr %v816, align 8, !noalias !244
+  br label %v2083
+
+v2083:
+  %v2084 = phi double [ %v2085, %v2083 ], [ 1.000000e+00, %v2078 ]
+  %v2086 = phi double [ %v2087, %v2083 ], [ 2.000000e+00, %v2078 ]
+  %v2088 = phi i64 [ %v2089, %v2083 ], [ %v2079, %v2078 ]
+  %v2090 = and i64 %v2088, 1
+  %v2091 = icmp eq i64 %v2090, 0
+  %v2092 = fmul double %v2084, %v2086
+  %v2085 = select i1 %v2091, double %v2084, double %v2092
+  %v2089 = lshr i64 %v2088, 1
+  %v2087 = fmul double %v2086, %v2086
+  %v2093 = icmp eq i64 %v2089, 0
+  br i1 %v2093, label %v2094, label %v2083
+
+v2095:
+  %v2096 = fcmp olt double %v2097, 0.000000e+00
+  %v2098 = select i1 %v2096, double 0.000000e+00, double %v2097
+  %v2099 = fmul double %v2100, %v2098
+  %v2101 = fsub double %v2102, %v2099
+  br label %v2103
+
+v2094:
+  %v2104 = fadd double %v2105, %v2106
+  %v2102 = fmul double %v2104, 5.000000e-01
+  %v2107 = fmul double %v2085, 0x3D06849B86A12B9B
+  %v2108 = fsub double %v2107, %v2109
+  %v2097 = fmul double %v2108, 5.000000e-01
+  %v2110 = fmul double %v2106, %v2082
+  %v2111 = fmul double %v2105, %v2081
+  %v2112 = fsub double %v2110, %v2111
+  %v2113 = fsub double %v2082, %v2081
+  %v2114 = fdiv double %v2112, %v2113
+  %v2115 = fcmp olt double %v2106, %v2114
+  %v2116 = fcmp olt double %v2114, %v2105
+  %v2117 = and i1 %v2115, %v2116
+  %v2118 = select i1 %v2117, double %v2114, double %v2102
+  %v2119 = fsub double %v2102, %v2118
+  %v2100 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2119)
+  %v2120 = fmul double %v2109, %v2109
+  %v2121 = tail call double @llvm.fabs.f64(double %v2119)
+  %v2122 = fcmp olt double %v2121, %v2120
+  %v2123 = select i1 %v2122, double %v2121, double %v2120
+  %v2124 = fmul double %v2100, %v2123
+  %v2125 = fadd double %v2118, %v2124
+  %v2126 = fsub double %v2125, %v2102
+  %v2127 = tail call double @llvm.fabs.f64(double %v2126)
+  %v2128 = fcmp ugt double %v2127, %v2097
+  br i1 %v2128, label %v2095, label %v2103
+
+v2129:
+  store double %v2130, ptr %v811, align 8, !noalias !250
+  store double %v2131, ptr %v816, align 8, !noalias !250
+  br label %v2132
+
+v2133:
+  store double %v2130, ptr %v803, align 8, !noalias !250
+  store double %v2131, ptr %v814, align 8, !noalias !250
+  br label %v2132
+
+v2132:
+  %v2134 = icmp eq i64 %v2135, 45
+  br i1 %v2134, label %v2136, label %v2077
+
+v2077:
+  %v2080 = phi i64 [ 0, %v2075 ], [ %v2135, %v2132 ]
+  %v2135 = add nsw i64 %v2080, 1
+  %v2105 = load double, ptr %v811, align 8, !noalias !250
+  %v2106 = load double, ptr %v803, align 8, !noalias !250
+  %v2109 = fsub double %v2105, %v2106
+  %v2137 = fcmp ugt double %v2109, 0x3D06849B86A12B9B
+  br i1 %v2137, label %v2078, label %v2136
+
+v2103:
+  %v2130 = phi double [ %v2125, %v2094 ], [ %v2101, %v2095 ]
+  %v2138 = load double, ptr %v133, align 8, !noalias !251
+  %v2139 = load double, ptr %v773, align 8, !noalias !251
+  %v2140 = fmul double %v2130, %v2139
+  %v2141 = fadd double %v2138, %v2140
+  store double %v2141, ptr %v775, align 8, !noalias !251
+  br i1 %v817, label %v2142, label %v2143
+
+v2142:
+  %v2144 = fsub double 1.000000e+00, %v2130
+  br label %v2145
+
+v2145:
+  %v2146 = phi i64 [ 0, %v2142 ], [ %v2147, %v2145 ]
+  %v2148 = mul i64 %v2146, %v196
+  %v2149 = getelementptr double, ptr %v193, i64 %v2148
+  %v2150 = getelementptr i8, ptr %v2149, i64 %v781
+  %v2151 = load double, ptr %v2150, align 8, !noalias !258
+  %v2152 = fadd double %v2151, 0.000000e+00
+  %v2153 = fmul double %v2130, %v2152
+  %v2154 = getelementptr i8, ptr %v2149, i64 %v782
+  %v2155 = load double, ptr %v2154, align 8, !noalias !258
+  %v2156 = fadd double %v2155, %v2153
+  %v2157 = fmul double %v2144, %v2156
+  %v2158 = getelementptr i8, ptr %v2149, i64 %v783
+  %v2159 = load double, ptr %v2158, align 8, !noalias !258
+  %v2160 = fadd double %v2159, %v2157
+  %v2161 = fmul double %v2130, %v2160
+  %v2162 = getelementptr i8, ptr %v2149, i64 %v784
+  %v2163 = load double, ptr %v2162, align 8, !noalias !258
+  %v2164 = fadd double %v2163, %v2161
+  %v2165 = fmul double %v2144, %v2164
+  %v2166 = getelementptr i8, ptr %v2149, i64 %v785
+  %v2167 = load double, ptr %v2166, align 8, !noalias !258
+  %v2168 = fadd double %v2167, %v2165
+  %v2169 = fmul double %v2130, %v2168
+  %v2170 = getelementptr i8, ptr %v2149, i64 %v786
+  %v2171 = load double, ptr %v2170, align 8, !noalias !258
+  %v2172 = fadd double %v2171, %v2169
+  %v2173 = fmul double %v2144, %v2172
+  %v2174 = getelementptr i8, ptr %v2149, i64 %v787
+  %v2175 = load double, ptr %v2174, align 8, !noalias !258
+  %v2176 = fadd double %v2175, %v2173
+  %v2177 = fmul double %v2130, %v2176
+  %v2147 = add nsw i64 %v2146, 1
+  %v2178 = load double, ptr %v2149, align 8, !noalias !258
+  %v2179 = fadd double %v2178, %v2177
+  %v2180 = getelementptr double, ptr %v778, i64 %v2148
+  store double %v2179, ptr %v2180, align 8, !noalias !251
+  %v2181 = icmp eq i64 %v10, %v2147
+  br i1 %v2181, label %v2143, label %v2145
+
+v2143:
+  %v2182 = load i64, ptr %v780, align 8, !noalias !262
+  %v2183 = inttoptr i64 %v2182 to ptr
+  tail call void %v2183(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !262
+  br i1 %v824, label %v2184, label %v2185
+
+v2184:
+  %v2186 = phi i64 [ %v2187, %v2184 ], [ %v823, %v2143 ]
+  %v2188 = phi i64 [ %v2189, %v2184 ], [ %v18, %v2143 ]
+  %v2187 = add nsw i64 %v2186, -1
+  %v2189 = add i64 %v2188, 1
+  %v2190 = icmp slt i64 %v2188, 0
+  %v2191 = select i1 %v2190, i64 %v207, i64 0
+  %v2192 = add i64 %v2191, %v2188
+  %v2193 = getelementptr double, ptr %v828, i64 %v2192
+  %v2194 = load double, ptr %v2193, align 8, !noalias !265
+  %v2195 = getelementptr double, ptr %v831, i64 %v2192
+  store double %v2194, ptr %v2195, align 8, !noalias !265
+  %v2196 = icmp sgt i64 %v2186, 1
+  br i1 %v2196, label %v2184, label %v2185
+
+v2185:
+  br i1 %v832, label %v2197, label %v2198
+
+v2198:
+  %v2199 = phi double [ %v2200, %v2198 ], [ 0x7FF0000000000000, %v2185 ]
+  %v2201 = phi i64 [ %v2202, %v2198 ], [ 0, %v2185 ]
+  %v2202 = add nsw i64 %v2201, 1
+  %v2203 = getelementptr double, ptr %v833, i64 %v2201
+  %v2204 = load double, ptr %v2203, align 8, !noalias !266
+  %v2205 = getelementptr double, ptr %v831, i64 %v2201
+  %v2206 = load double, ptr %v2205, align 8, !noalias !266
+  %v2207 = fadd double %v2204, %v2206
+  %v2208 = fcmp olt double %v2207, %v2199
+  %v2200 = select i1 %v2208, double %v2207, double %v2199
+  %v2209 = icmp eq i64 %v207, %v2202
+  br i1 %v2209, label %v2197, label %v2198
+
+v2197:
+  %v2131 = phi double [ 0x7FF0000000000000, %v2185 ], [ %v2200, %v2198 ]
+  %v2210 = fcmp olt double %v2131, 0.000000e+00
+  br i1 %v2210, label %v2129, label %v2133
+
+v2074:
+  store double 0.000000e+00, ptr %v811, align 8, !noalias !210
+  br label %v2136
+
+v2136:
+  %v2211 = load double, ptr %v133, align 8, !noalias !210
+  %v2212 = load double, ptr %v811, align 8, !noalias !210
+  %v2213 = load double, ptr %v773, align 8, !noalias !210
+  %v2214 = fmul double %v2212, %v2213
+  %v2215 = fadd double %v2211, %v2214
+  %v2216 = load i64, ptr %v142, align 8, !noalias !270
+  %v2217 = load i64, ptr %v866, align 8, !noalias !270
+  %v2218 = icmp slt i64 %v2217, %v93
+  br i1 %v2218, label %v2219, label %v2220
+
+v2219:
+  %v2221 = icmp slt i64 %v2217, 0
+  %v2222 = select i1 %v2221, i64 %v93, i64 0
+  %v2223 = getelementptr double, ptr %v92, i64 %v2217
+  %v2224 = getelementptr double, ptr %v2223, i64 %v2222
+  %v2225 = load double, ptr %v2224, align 8, !noalias !270
+  %v2226 = fcmp ugt double %v2225, %v2215
+  br i1 %v2226, label %v2220, label %v2227
+
+v2227:
+  %v2228 = icmp slt i64 %v2216, 0
+  %v2229 = select i1 %v2228, i64 %v100, i64 0
+  %v2230 = add i64 %v2229, %v2216
+  %v2231 = mul i64 %v869, %v2230
+  %v2232 = getelementptr double, ptr %v99, i64 %v2231
+  br label %v2233
+
+v2233:
+  %v2234 = phi i64 [ %v2235, %v2236 ], [ %v2217, %v2227 ]
+  %v2237 = icmp slt i64 %v2234, 0
+  %v2238 = select i1 %v2237, i64 %v93, i64 0
+  %v2239 = getelementptr double, ptr %v92, i64 %v2234
+  %v2240 = getelementptr double, ptr %v2239, i64 %v2238
+  %v2241 = load double, ptr %v2240, align 8, !noalias !270
+  %v2242 = load double, ptr %v133, align 8, !noalias !270
+  %v2243 = fsub double %v2241, %v2242
+  %v2244 = load double, ptr %v773, align 8, !noalias !270
+  %v2245 = fdiv double %v2243, %v2244
+  br i1 %v777, label %v2246, label %v2247
+
+v2247:
+  %v2248 = fsub double 1.000000e+00, %v2245
+  %v2249 = select i1 %v2237, i64 %v101, i64 0
+  %v2250 = add i64 %v2249, %v2234
+  %v2251 = mul i64 %v2250, %v102
+  %v2252 = getelementptr double, ptr %v2232, i64 %v2251
+  br label %v2253
+
+v2254:
+  %v2255 = getelementptr double, ptr %v871, i64 %v2256
+  %v2257 = load double, ptr %v2255, align 8, !noalias !270
+  br label %v2258
+
+v2246:
+  store double 0x7FF0000000000000, ptr %v868, align 8, !noalias !270
+  %v2259 = icmp eq i64 %v2234, %v872
+  br i1 %v2259, label %v2220, label %v2236
+
+v2236:
+  %v2235 = add i64 %v2234, 1
+  %v2260 = icmp slt i64 %v2234, -1
+  %v2261 = select i1 %v2260, i64 %v93, i64 0
+  %v2262 = getelementptr double, ptr %v92, i64 %v2235
+  %v2263 = getelementptr double, ptr %v2262, i64 %v2261
+  %v2264 = load double, ptr %v2263, align 8, !noalias !270
+  %v2265 = fcmp ugt double %v2264, %v2215
+  br i1 %v2265, label %v2220, label %v2233
+
+v2220:
+  %v2266 = phi i64 [ %v2217, %v2219 ], [ %v2217, %v2136 ], [ %v93, %v2246 ], [ %v2235, %v2236 ]
+  store i64 %v2266, ptr %v866, align 8, !noalias !270
+  store i64 %v2003, ptr %v874, align 8, !noalias !210
+  %v2267 = load i64, ptr %v142, align 8, !noalias !274
+  %v2268 = icmp sgt i64 %v2267, -1
+  br i1 %v2268, label %v2269, label %v2270
+
+v2258:
+  %v2271 = phi double [ %v2272, %v2273 ], [ %v2257, %v2254 ]
+  %v2274 = getelementptr double, ptr %v2252, i64 %v2275
+  store double %v2271, ptr %v2274, align 8, !noalias !270
+  %v2276 = icmp eq i64 %v10, %v2277
+  br i1 %v2276, label %v2246, label %v2253
+
+v2253:
+  %v2275 = phi i64 [ 0, %v2247 ], [ %v2277, %v2258 ]
+  %v2277 = add nsw i64 %v2275, 1
+  %v2278 = load double, ptr %v2240, align 8, !noalias !270
+  %v2279 = load double, ptr %v807, align 8, !noalias !270
+  %v2280 = fcmp oeq double %v2278, %v2279
+  %v2256 = mul i64 %v2275, %v196
+  br i1 %v2280, label %v2254, label %v2273
+
+v2273:
+  %v2281 = getelementptr double, ptr %v193, i64 %v2256
+  %v2282 = getelementptr i8, ptr %v2281, i64 %v781
+  %v2283 = load double, ptr %v2282, align 8, !noalias !277
+  %v2284 = fadd double %v2283, 0.000000e+00
+  %v2285 = fmul double %v2245, %v2284
+  %v2286 = getelementptr i8, ptr %v2281, i64 %v782
+  %v2287 = load double, ptr %v2286, align 8, !noalias !277
+  %v2288 = fadd double %v2287, %v2285
+  %v2289 = fmul double %v2248, %v2288
+  %v2290 = getelementptr i8, ptr %v2281, i64 %v783
+  %v2291 = load double, ptr %v2290, align 8, !noalias !277
+  %v2292 = fadd double %v2291, %v2289
+  %v2293 = fmul double %v2245, %v2292
+  %v2294 = getelementptr i8, ptr %v2281, i64 %v784
+  %v2295 = load double, ptr %v2294, align 8, !noalias !277
+  %v2296 = fadd double %v2295, %v2293
+  %v2297 = fmul double %v2248, %v2296
+  %v2298 = getelementptr i8, ptr %v2281, i64 %v785
+  %v2299 = load double, ptr %v2298, align 8, !noalias !277
+  %v2300 = fadd double %v2299, %v2297
+  %v2301 = fmul double %v2245, %v2300
+  %v2302 = getelementptr i8, ptr %v2281, i64 %v786
+  %v2303 = load double, ptr %v2302, align 8, !noalias !277
+  %v2304 = fadd double %v2303, %v2301
+  %v2305 = fmul double %v2248, %v2304
+  %v2306 = getelementptr i8, ptr %v2281, i64 %v787
+  %v2307 = load double, ptr %v2306, align 8, !noalias !277
+  %v2308 = fadd double %v2307, %v2305
+  %v2309 = fmul double %v2245, %v2308
+  %v2310 = load double, ptr %v2281, align 8, !noalias !277
+  %v2272 = fadd double %v2310, %v2309
+  br label %v2258
+
+v1989:
+  %v2311 = phi i64 [ %v2312, %v2313 ], [ 0, %v1988 ]
+  %v2314 = phi i64 [ %v2315, %v2313 ], [ %v863, %v1988 ]
+  %v2316 = icmp sgt i64 %v2314, 0
+  br i1 %v2316, label %v2313, label %v2317
+
+v2313:
+  %v2315 = add nsw i64 %v2314, -1
+  %v2312 = add i64 %v2311, 1
+  %v2318 = getelementptr double, ptr %v833, i64 %v2311
+  %v2319 = load double, ptr %v2318, align 8, !noalias !281
+  %v2320 = getelementptr double, ptr %v831, i64 %v2311
+  %v2321 = load double, ptr %v2320, align 8, !noalias !281
+  %v2322 = fneg double %v2321
+  %v2323 = fcmp olt double %v2319, %v2322
+  br i1 %v2323, label %v2317, label %v1989
+
+v2317:
+  %v2003 = phi i64 [ %v2311, %v2313 ], [ -1, %v1989 ]
+  %v2324 = icmp slt i64 %v2003, %v18
+  br i1 %v2324, label %v2325, label %v2001
+
+v2008:
+  %v2019 = phi double [ %v1795, %v2001 ], [ %v2071, %v2068 ]
+  %v2326 = phi i64 [ 0, %v2001 ], [ %v2073, %v2068 ]
+  %v2073 = add nsw i64 %v2326, 1
+  %v2066 = icmp eq i64 %v2326, 0
+  %v2327 = load double, ptr %v133, align 8, !noalias !239
+  %v2328 = load double, ptr %v773, align 8, !noalias !239
+  %v2329 = fmul double %v2019, %v2328
+  %v2330 = fadd double %v2327, %v2329
+  store double %v2330, ptr %v775, align 8, !noalias !239
+  br i1 %v777, label %v2049, label %v2011
+
+v2011:
+  %v2024 = fsub double 1.000000e+00, %v2019
+  br label %v2009
+
+v2052:
+  store double %v2019, ptr %v803, align 8, !noalias !210
+  %v2331 = load double, ptr %v2006, align 8, !noalias !210
+  store double %v2331, ptr %v814, align 8, !noalias !210
+  %v2332 = fcmp ogt double %v2331, 0.000000e+00
+  br i1 %v2332, label %v2075, label %v2065
+
+v2269:
+  %v2333 = getelementptr i64, ptr %v110, i64 %v2267
+  %v2334 = load i64, ptr %v2333, align 8, !noalias !274
+  %v2335 = icmp eq i64 %v2334, 0
+  br i1 %v2335, label %v2336, label %v2270
 
 v2336:
+  store i64 4, ptr %v2333, align 8, !noalias !274
+  br label %v2270
+
+v2270:
+  store double 0.000000e+00, ptr %v876, align 8, !noalias !210
+  br label %v2337
+
+v2338:
+  br i1 %v1804, label %v2325, label %v2339
+
+v2339:
   call void @llvm.lifetime.start.p0(ptr nonnull %v300), !noalias !180
   call void @llvm.lifetime.start.p0(ptr nonnull %v301), !noalias !180
   store i8 0, ptr %v300, align 1, !noalias !285
   store ptr null, ptr %v301, align 8, !noalias !285
-  %v2337 = load double, ptr %v801, align 8, !noalias !285
-  %v2338 = load double, ptr %v809, align 8, !noalias !285
-  br i1 %v305, label %v2339, label %v2340
-
-v2341:
-  %v2342 = phi i64 [ %v2343, %v2344 ], [ 0, %v2345 ]
-  %v2343 = add nsw i64 %v2342, 1
-  %v2346 = icmp ult i64 %v2342, 9
-  br i1 %v2346, label %v2347, label %v2348
-
-v2347:
-  %v2349 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2342
-  %v2350 = load double, ptr %v2349, align 8
-  %v2351 = load double, ptr %v133, align 8, !noalias !289
-  %v2352 = load double, ptr %v771, align 8, !noalias !289
-  %v2353 = fmul double %v2350, %v2352
-  %v2354 = fadd double %v2351, %v2353
-  store double %v2354, ptr %v773, align 8, !noalias !289
-  br i1 %v815, label %v2355, label %v2344
-
-v2355:
-  %v2356 = fsub double 1.000000e+00, %v2350
-  br label %v2357
-
-v2357:
-  %v2358 = phi i64 [ 0, %v2355 ], [ %v2359, %v2357 ]
-  %v2360 = mul i64 %v2358, %v196
-  %v2361 = getelementptr double, ptr %v193, i64 %v2360
-  %v2362 = getelementptr i8, ptr %v2361, i64 %v779
-  %v2363 = load double, ptr %v2362, align 8, !noalias !296
-  %v2364 = fadd double %v2363, 0.000000e+00
-  %v2365 = fmul double %v2350, %v2364
-  %v2366 = getelementptr i8, ptr %v2361, i64 %v780
-  %v2367 = load double, ptr %v2366, align 8, !noalias !296
-  %v2368 = fadd double %v2367, %v2365
-  %v2369 = fmul double %v2356, %v2368
-  %v2370 = getelementptr i8, ptr %v2361, i64 %v781
-  %v2371 = load double, ptr %v2370, align 8, !noalias !296
-  %v2372 = fadd double %v2371, %v2369
-  %v2373 = fmul double %v2350, %v2372
-  %v2374 = getelementptr i8, ptr %v2361, i64 %v782
-  %v2375 = load double, ptr %v2374, align 8, !noalias !296
-  %v2376 = fadd double %v2375, %v2373
-  %v2377 = fmul double %v2356, %v2376
-  %v2378 = getelementptr i8, ptr %v2361, i64 %v783
-  %v2379 = load double, ptr %v2378, align 8, !noalias !296
-  %v2380 = fadd double %v2379, %v2377
-  %v2381 = fmul double %v2350, %v2380
-  %v2382 = getelementptr i8, ptr %v2361, i64 %v784
-  %v2383 = load double, ptr %v2382, align 8, !noalias !296
-  %v2384 = fadd double %v2383, %v2381
-  %v2385 = fmul double %v2356, %v2384
-  %v2386 = getelementptr i8, ptr %v2361, i64 %v785
-  %v2387 = load double, ptr %v2386, align 8, !noalias !296
-  %v2388 = fadd double %v2387, %v2385
-  %v2389 = fmul double %v2350, %v2388
-  %v2359 = add nsw i64 %v2358, 1
-  %v2390 = load double, ptr %v2361, align 8, !noalias !296
-  %v2391 = fadd double %v2390, %v2389
-  %v2392 = getelementptr double, ptr %v776, i64 %v2360
-  store double %v2391, ptr %v2392, align 8, !noalias !289
-  %v2393 = icmp eq i64 %v10, %v2359
-  br i1 %v2393, label %v2344, label %v2357
+  %v2340 = load double, ptr %v803, align 8, !noalias !285
+  %v2341 = load double, ptr %v811, align 8, !noalias !285
+  br i1 %v305, label %v2342, label %v2343
 
 v2344:
-  %v2394 = icmp eq i64 %v2342, 8
-  %v2395 = select i1 %v2394, i64 17, i64 16
-  %v2396 = mul i64 %v2342, %v777
-  %v2397 = load i64, ptr %v778, align 8, !noalias !300
-  %v2398 = mul nsw i64 %v2395, %v10
-  %v2399 = getelementptr double, ptr %v158, i64 %v2398
-  %v2400 = getelementptr double, ptr %v186, i64 %v2396
-  %v2401 = inttoptr i64 %v2397 to ptr
-  tail call void %v2401(ptr nonnull %v773, ptr %v2399, ptr %v165, ptr %v172, ptr %v179, ptr %v2400), !noalias !300
-  %v2402 = icmp eq i64 %v2343, 9
-  br i1 %v2402, label %v2348, label %v2341
+  %v2345 = phi i64 [ %v2346, %v2347 ], [ 0, %v2348 ]
+  %v2346 = add nsw i64 %v2345, 1
+  %v2349 = icmp ult i64 %v2345, 9
+  br i1 %v2349, label %v2350, label %v2351
 
-v2348:
-  %v2403 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2341 ], [ %v2404, %v2344 ]
-  %v2405 = phi i32 [ 1, %v2341 ], [ 0, %v2344 ]
-  br i1 %v2346, label %v2406, label %v2407, !prof !131
+v2350:
+  %v2352 = getelementptr inbounds double, ptr @switch.table.advance_of_many.2, i64 %v2345
+  %v2353 = load double, ptr %v2352, align 8
+  %v2354 = load double, ptr %v133, align 8, !noalias !289
+  %v2355 = load double, ptr %v773, align 8, !noalias !289
+  %v2356 = fmul double %v2353, %v2355
+  %v2357 = fadd double %v2354, %v2356
+  store double %v2357, ptr %v775, align 8, !noalias !289
+  br i1 %v817, label %v2358, label %v2347
 
-v2408:
-  %v2409 = load double, ptr %v851, align 8, !noalias !285
-  %v2410 = fcmp ogt double %v2409, 5.000000e-01
-  br i1 %v2410, label %v2411, label %v2412
+v2358:
+  %v2359 = fsub double 1.000000e+00, %v2353
+  br label %v2360
+
+v2360:
+  %v2361 = phi i64 [ 0, %v2358 ], [ %v2362, %v2360 ]
+  %v2363 = mul i64 %v2361, %v196
+  %v2364 = getelementptr double, ptr %v193, i64 %v2363
+  %v2365 = getelementptr i8, ptr %v2364, i64 %v781
+  %v2366 = load double, ptr %v2365, align 8, !noalias !296
+  %v2367 = fadd double %v2366, 0.000000e+00
+  %v2368 = fmul double %v2353, %v2367
+  %v2369 = getelementptr i8, ptr %v2364, i64 %v782
+  %v2370 = load double, ptr %v2369, align 8, !noalias !296
+  %v2371 = fadd double %v2370, %v2368
+  %v2372 = fmul double %v2359, %v2371
+  %v2373 = getelementptr i8, ptr %v2364, i64 %v783
+  %v2374 = load double, ptr %v2373, align 8, !noalias !296
+  %v2375 = fadd double %v2374, %v2372
+  %v2376 = fmul double %v2353, %v2375
+  %v2377 = getelementptr i8, ptr %v2364, i64 %v784
+  %v2378 = load double, ptr %v2377, align 8, !noalias !296
+  %v2379 = fadd double %v2378, %v2376
+  %v2380 = fmul double %v2359, %v2379
+  %v2381 = getelementptr i8, ptr %v2364, i64 %v785
+  %v2382 = load double, ptr %v2381, align 8, !noalias !296
+  %v2383 = fadd double %v2382, %v2380
+  %v2384 = fmul double %v2353, %v2383
+  %v2385 = getelementptr i8, ptr %v2364, i64 %v786
+  %v2386 = load double, ptr %v2385, align 8, !noalias !296
+  %v2387 = fadd double %v2386, %v2384
+  %v2388 = fmul double %v2359, %v2387
+  %v2389 = getelementptr i8, ptr %v2364, i64 %v787
+  %v2390 = load double, ptr %v2389, align 8, !noalias !296
+  %v2391 = fadd double %v2390, %v2388
+  %v2392 = fmul double %v2353, %v2391
+  %v2362 = add nsw i64 %v2361, 1
+  %v2393 = load double, ptr %v2364, align 8, !noalias !296
+  %v2394 = fadd double %v2393, %v2392
+  %v2395 = getelementptr double, ptr %v778, i64 %v2363
+  store double %v2394, ptr %v2395, align 8, !noalias !289
+  %v2396 = icmp eq i64 %v10, %v2362
+  br i1 %v2396, label %v2347, label %v2360
+
+v2347:
+  %v2397 = icmp eq i64 %v2345, 8
+  %v2398 = select i1 %v2397, i64 17, i64 16
+  %v2399 = mul i64 %v2345, %v779
+  %v2400 = load i64, ptr %v780, align 8, !noalias !300
+  %v2401 = mul nsw i64 %v2398, %v10
+  %v2402 = getelementptr double, ptr %v158, i64 %v2401
+  %v2403 = getelementptr double, ptr %v186, i64 %v2399
+  %v2404 = inttoptr i64 %v2400 to ptr
+  tail call void %v2404(ptr nonnull %v775, ptr %v2402, ptr %v165, ptr %v172, ptr %v179, ptr %v2403), !noalias !300
+  %v2405 = icmp eq i64 %v2346, 9
+  br i1 %v2405, label %v2351, label %v2344
+
+v2351:
+  %v2406 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2344 ], [ %v2407, %v2347 ]
+  %v2408 = phi i32 [ 1, %v2344 ], [ 0, %v2347 ]
+  br i1 %v2349, label %v2409, label %v2410, !prof !131
 
 v2411:
-  %v2413 = load i64, ptr %v6, align 8, !noalias !303
-  %v2414 = inttoptr i64 %v2413 to ptr
-  tail call void %v2414(ptr nonnull %v805, ptr %v856, ptr %v165, ptr %v172, ptr %v179, ptr %v858), !noalias !303
-  %v2415 = load double, ptr %v805, align 8, !noalias !285
-  store double %v2415, ptr %v807, align 8, !noalias !285
-  br label %v2416
+  %v2412 = load double, ptr %v853, align 8, !noalias !285
+  %v2413 = fcmp ogt double %v2412, 5.000000e-01
+  br i1 %v2413, label %v2414, label %v2415
 
-v2417:
-  %v2418 = sub nsw i64 45, %v2419
-  %v2420 = load double, ptr %v812, align 8, !noalias !306
-  %v2421 = load double, ptr %v814, align 8, !noalias !306
-  br label %v2422
+v2414:
+  %v2416 = load i64, ptr %v6, align 8, !noalias !303
+  %v2417 = inttoptr i64 %v2416 to ptr
+  tail call void %v2417(ptr nonnull %v807, ptr %v858, ptr %v165, ptr %v172, ptr %v179, ptr %v860), !noalias !303
+  %v2418 = load double, ptr %v807, align 8, !noalias !285
+  store double %v2418, ptr %v809, align 8, !noalias !285
+  br label %v2419
 
-v2422:
-  %v2423 = phi double [ %v2424, %v2422 ], [ 1.000000e+00, %v2417 ]
-  %v2425 = phi double [ %v2426, %v2422 ], [ 2.000000e+00, %v2417 ]
-  %v2427 = phi i64 [ %v2428, %v2422 ], [ %v2418, %v2417 ]
-  %v2429 = and i64 %v2427, 1
-  %v2430 = icmp eq i64 %v2429, 0
-  %v2431 = fmul double %v2423, %v2425
-  %v2424 = select i1 %v2430, double %v2423, double %v2431
-  %v2428 = lshr i64 %v2427, 1
-  %v2426 = fmul double %v2425, %v2425
-  %v2432 = icmp eq i64 %v2428, 0
-  br i1 %v2432, label %v2433, label %v2422
+v2420:
+  %v2421 = sub nsw i64 45, %v2422
+  %v2423 = load double, ptr %v814, align 8, !noalias !306
+  %v2424 = load double, ptr %v816, align 8, !noalias !306
+  br label %v2425
 
-v2434:
-  %v2435 = fcmp olt double %v2436, 0.000000e+00
-  %v2437 = select i1 %v2435, double 0.000000e+00, double %v2436
-  %v2438 = fmul double %v2439, %v2437
-  %v2440 = fsub double %v2441, %v2438
-  br label %v2442
+v2425:
+  %v2426 = phi double [ %v2427, %v2425 ], [ 1.000000e+00, %v2420 ]
+  %v2428 = phi double [ %v2429, %v2425 ], [ 2.000000e+00, %v2420 ]
+  %v2430 = phi i64 [ %v2431, %v2425 ], [ %v2421, %v2420 ]
+  %v2432 = and i64 %v2430, 1
+  %v2433 = icmp eq i64 %v2432, 0
+  %v2434 = fmul double %v2426, %v2428
+  %v2427 = select i1 %v2433, double %v2426, double %v2434
+  %v2431 = lshr i64 %v2430, 1
+  %v2429 = fmul double %v2428, %v2428
+  %v2435 = icmp eq i64 %v2431, 0
+  br i1 %v2435, label %v2436, label %v2425
 
-v2433:
-  %v2443 = fadd double %v2444, %v2445
-  %v2441 = fmul double %v2443, 5.000000e-01
-  %v2446 = fmul double %v2424, 1.000000e-13
-  %v2447 = fsub double %v2446, %v2448
-  %v2436 = fmul double %v2447, 5.000000e-01
-  %v2449 = fmul double %v2445, %v2421
-  %v2450 = fmul double %v2444, %v2420
-  %v2451 = fsub double %v2449, %v2450
-  %v2452 = fsub double %v2421, %v2420
-  %v2453 = fdiv double %v2451, %v2452
-  %v2454 = fcmp olt double %v2445, %v2453
-  %v2455 = fcmp olt double %v2453, %v2444
-  %v2456 = and i1 %v2454, %v2455
-  %v2457 = select i1 %v2456, double %v2453, double %v2441
-  %v2458 = fsub double %v2441, %v2457
-  %v2439 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2458)
-  %v2459 = fmul double %v2448, %v2448
-  %v2460 = tail call double @llvm.fabs.f64(double %v2458)
-  %v2461 = fcmp olt double %v2460, %v2459
-  %v2462 = select i1 %v2461, double %v2460, double %v2459
-  %v2463 = fmul double %v2439, %v2462
-  %v2464 = fadd double %v2457, %v2463
-  %v2465 = fsub double %v2464, %v2441
-  %v2466 = tail call double @llvm.fabs.f64(double %v2465)
-  %v2467 = fcmp ugt double %v2466, %v2436
-  br i1 %v2467, label %v2434, label %v2442
+v2437:
+  %v2438 = fcmp olt double %v2439, 0.000000e+00
+  %v2440 = select i1 %v2438, double 0.000000e+00, double %v2439
+  %v2441 = fmul double %v2442, %v2440
+  %v2443 = fsub double %v2444, %v2441
+  br label %v2445
 
-v2468:
-  store double %v2469, ptr %v809, align 8, !noalias !312
-  store double %v2470, ptr %v814, align 8, !noalias !312
-  br label %v2471
-
-v2472:
-  store double %v2469, ptr %v801, align 8, !noalias !312
-  store double %v2470, ptr %v812, align 8, !noalias !312
-  br label %v2471
+v2436:
+  %v2446 = fadd double %v2447, %v2448
+  %v2444 = fmul double %v2446, 5.000000e-01
+  %v2449 = fmul double %v2427, 1.000000e-13
+  %v2450 = fsub double %v2449, %v2451
+  %v2439 = fmul double %v2450, 5.000000e-01
+  %v2452 = fmul double %v2448, %v2424
+  %v2453 = fmul double %v2447, %v2423
+  %v2454 = fsub double %v2452, %v2453
+  %v2455 = fsub double %v2424, %v2423
+  %v2456 = fdiv double %v2454, %v2455
+  %v2457 = fcmp olt double %v2448, %v2456
+  %v2458 = fcmp olt double %v2456, %v2447
+  %v2459 = and i1 %v2457, %v2458
+  %v2460 = select i1 %v2459, double %v2456, double %v2444
+  %v2461 = fsub double %v2444, %v2460
+  %v2442 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2461)
+  %v2462 = fmul double %v2451, %v2451
+  %v2463 = tail call double @llvm.fabs.f64(double %v2461)
+  %v2464 = fcmp olt double %v2463, %v2462
+  %v2465 = select i1 %v2464, double %v2463, double %v2462
+  %v2466 = fmul double %v2442, %v2465
+  %v2467 = fadd double %v2460, %v2466
+  %v2468 = fsub double %v2467, %v2444
+  %v2469 = tail call double @llvm.fabs.f64(double %v2468)
+  %v2470 = fcmp ugt double %v2469, %v2439
+  br i1 %v2470, label %v2437, label %v2445
 
 v2471:
-  %v2473 = icmp eq i64 %v2474, 45
-  br i1 %v2473, label %v2475, label %v2476
-
-v2476:
-  %v2419 = phi i64 [ %v2474, %v2471 ], [ 0, %v2477 ]
-  %v2474 = add nsw i64 %v2419, 1
-  %v2444 = load double, ptr %v809, align 8, !noalias !312
-  %v2445 = load double, ptr %v801, align 8, !noalias !312
-  %v2448 = fsub double %v2444, %v2445
-  %v2478 = fcmp ugt double %v2448, 1.000000e-13
-  br i1 %v2478, label %v2417, label %v2475
-
-v2442:
-  %v2469 = phi double [ %v2464, %v2433 ], [ %v2440, %v2434 ]
-  %v2479 = load double, ptr %v133, align 8, !noalias !313
-  %v2480 = load double, ptr %v771, align 8, !noalias !313
-  %v2481 = fmul double %v2469, %v2480
-  %v2482 = fadd double %v2479, %v2481
-  store double %v2482, ptr %v773, align 8, !noalias !313
-  br i1 %v815, label %v2483, label %v2484
-
-v2483:
-  %v2485 = fsub double 1.000000e+00, %v2469
-  br label %v2486
-
-v2486:
-  %v2487 = phi i64 [ 0, %v2483 ], [ %v2488, %v2486 ]
-  %v2489 = mul i64 %v2487, %v196
-  %v2490 = getelementptr double, ptr %v193, i64 %v2489
-  %v2491 = getelementptr i8, ptr %v2490, i64 %v779
-  %v2492 = load double, ptr %v2491, align 8, !noalias !320
-  %v2493 = fadd double %v2492, 0.000000e+00
-  %v2494 = fmul double %v2469, %v2493
-  %v2495 = getelementptr i8, ptr %v2490, i64 %v780
-  %v2496 = load double, ptr %v2495, align 8, !noalias !320
-  %v2497 = fadd double %v2496, %v2494
-  %v2498 = fmul double %v2485, %v2497
-  %v2499 = getelementptr i8, ptr %v2490, i64 %v781
-  %v2500 = load double, ptr %v2499, align 8, !noalias !320
-  %v2501 = fadd double %v2500, %v2498
-  %v2502 = fmul double %v2469, %v2501
-  %v2503 = getelementptr i8, ptr %v2490, i64 %v782
-  %v2504 = load double, ptr %v2503, align 8, !noalias !320
-  %v2505 = fadd double %v2504, %v2502
-  %v2506 = fmul double %v2485, %v2505
-  %v2507 = getelementptr i8, ptr %v2490, i64 %v783
-  %v2508 = load double, ptr %v2507, align 8, !noalias !320
-  %v2509 = fadd double %v2508, %v2506
-  %v2510 = fmul double %v2469, %v2509
-  %v2511 = getelementptr i8, ptr %v2490, i64 %v784
-  %v2512 = load double, ptr %v2511, align 8, !noalias !320
-  %v2513 = fadd double %v2512, %v2510
-  %v2514 = fmul double %v2485, %v2513
-  %v2515 = getelementptr i8, ptr %v2490, i64 %v785
-  %v2516 = load double, ptr %v2515, align 8, !noalias !320
-  %v2517 = fadd double %v2516, %v2514
-  %v2518 = fmul double %v2469, %v2517
-  %v2488 = add nsw i64 %v2487, 1
-  %v2519 = load double, ptr %v2490, align 8, !noalias !320
-  %v2520 = fadd double %v2519, %v2518
-  %v2521 = getelementptr double, ptr %v776, i64 %v2489
-  store double %v2520, ptr %v2521, align 8, !noalias !313
-  %v2522 = icmp eq i64 %v10, %v2488
-  br i1 %v2522, label %v2484, label %v2486
-
-v2484:
-  %v2523 = load i64, ptr %v778, align 8, !noalias !324
-  %v2524 = inttoptr i64 %v2523 to ptr
-  tail call void %v2524(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !324
-  br i1 %v822, label %v2525, label %v2526
-
-v2525:
-  %v2527 = phi i64 [ %v2528, %v2525 ], [ %v821, %v2484 ]
-  %v2529 = phi i64 [ %v2530, %v2525 ], [ %v18, %v2484 ]
-  %v2528 = add nsw i64 %v2527, -1
-  %v2530 = add i64 %v2529, 1
-  %v2531 = icmp slt i64 %v2529, 0
-  %v2532 = select i1 %v2531, i64 %v207, i64 0
-  %v2533 = add i64 %v2532, %v2529
-  %v2534 = getelementptr double, ptr %v826, i64 %v2533
-  %v2535 = load double, ptr %v2534, align 8, !noalias !327
-  %v2536 = getelementptr double, ptr %v829, i64 %v2533
-  store double %v2535, ptr %v2536, align 8, !noalias !327
-  %v2537 = icmp sgt i64 %v2527, 1
-  br i1 %v2537, label %v2525, label %v2526
-
-v2526:
-  br i1 %v830, label %v2538, label %v2539
-
-v2539:
-  %v2540 = phi double [ %v2541, %v2539 ], [ 0x7FF0000000000000, %v2526 ]
-  %v2542 = phi i64 [ %v2543, %v2539 ], [ 0, %v2526 ]
-  %v2543 = add nsw i64 %v2542, 1
-  %v2544 = getelementptr double, ptr %v831, i64 %v2542
-  %v2545 = load double, ptr %v2544, align 8, !noalias !328
-  %v2546 = getelementptr double, ptr %v829, i64 %v2542
-  %v2547 = load double, ptr %v2546, align 8, !noalias !328
-  %v2548 = fadd double %v2545, %v2547
-  %v2549 = fcmp olt double %v2548, %v2540
-  %v2541 = select i1 %v2549, double %v2548, double %v2540
-  %v2550 = icmp eq i64 %v207, %v2543
-  br i1 %v2550, label %v2538, label %v2539
-
-v2538:
-  %v2470 = phi double [ 0x7FF0000000000000, %v2526 ], [ %v2541, %v2539 ]
-  %v2551 = fcmp olt double %v2470, 0.000000e+00
-  br i1 %v2551, label %v2468, label %v2472
+  store double %v2472, ptr %v811, align 8, !noalias !312
+  store double %v2473, ptr %v816, align 8, !noalias !312
+  br label %v2474
 
 v2475:
-  %v2552 = icmp ugt i64 %v2553, 1
-  br i1 %v2552, label %v2554, label %v2412
+  store double %v2472, ptr %v803, align 8, !noalias !312
+  store double %v2473, ptr %v814, align 8, !noalias !312
+  br label %v2474
 
-v2412:
-  br i1 %v852, label %v2555, label %v2556
+v2474:
+  %v2476 = icmp eq i64 %v2477, 45
+  br i1 %v2476, label %v2478, label %v2479
 
-v2555:
-  %v2557 = load i64, ptr %v842, align 8, !noalias !332
-  %v2558 = inttoptr i64 %v2557 to ptr
-  tail call void %v2558(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !332
-  store double %v2337, ptr %v801, align 8, !noalias !285
-  store double %v2338, ptr %v809, align 8, !noalias !285
-  br label %v2416
+v2479:
+  %v2422 = phi i64 [ %v2477, %v2474 ], [ 0, %v2480 ]
+  %v2477 = add nsw i64 %v2422, 1
+  %v2447 = load double, ptr %v811, align 8, !noalias !312
+  %v2448 = load double, ptr %v803, align 8, !noalias !312
+  %v2451 = fsub double %v2447, %v2448
+  %v2481 = fcmp ugt double %v2451, 1.000000e-13
+  br i1 %v2481, label %v2420, label %v2478
 
-v2556:
-  %v2559 = phi i64 [ %v2560, %v2556 ], [ 0, %v2412 ]
-  %v2560 = add nsw i64 %v2559, 1
-  %v2561 = add nsw i64 %v2559, %v17
-  %v2562 = icmp slt i64 %v2561, 0
-  %v2563 = select i1 %v2562, i64 %v166, i64 0
-  %v2564 = getelementptr double, ptr %v165, i64 %v2561
-  %v2565 = getelementptr double, ptr %v2564, i64 %v2563
-  %v2566 = load double, ptr %v2565, align 8, !noalias !338
-  %v2567 = getelementptr double, ptr %v854, i64 %v2559
-  %v2568 = load double, ptr %v2567, align 8, !noalias !338
-  store double %v2568, ptr %v2565, align 8, !noalias !338
-  store double %v2566, ptr %v2567, align 8, !noalias !338
-  %v2569 = icmp eq i64 %v18, %v2560
-  br i1 %v2569, label %v2555, label %v2556
+v2445:
+  %v2472 = phi double [ %v2467, %v2436 ], [ %v2443, %v2437 ]
+  %v2482 = load double, ptr %v133, align 8, !noalias !313
+  %v2483 = load double, ptr %v773, align 8, !noalias !313
+  %v2484 = fmul double %v2472, %v2483
+  %v2485 = fadd double %v2482, %v2484
+  store double %v2485, ptr %v775, align 8, !noalias !313
+  br i1 %v817, label %v2486, label %v2487
 
-v2339:
-  %v2570 = phi i64 [ %v2571, %v2339 ], [ 0, %v2336 ]
-  %v2571 = add nsw i64 %v2570, 1
-  %v2572 = add nsw i64 %v2570, %v17
-  %v2573 = icmp slt i64 %v2572, 0
-  %v2574 = select i1 %v2573, i64 %v166, i64 0
-  %v2575 = getelementptr double, ptr %v165, i64 %v2572
-  %v2576 = getelementptr double, ptr %v2575, i64 %v2574
-  %v2577 = load double, ptr %v2576, align 8, !noalias !285
-  %v2578 = getelementptr double, ptr %v833, i64 %v2570
-  store double %v2577, ptr %v2578, align 8, !noalias !285
-  %v2579 = icmp eq i64 %v18, %v2571
-  br i1 %v2579, label %v2340, label %v2339
+v2486:
+  %v2488 = fsub double 1.000000e+00, %v2472
+  br label %v2489
 
-v2340:
-  br label %v2554
+v2489:
+  %v2490 = phi i64 [ 0, %v2486 ], [ %v2491, %v2489 ]
+  %v2492 = mul i64 %v2490, %v196
+  %v2493 = getelementptr double, ptr %v193, i64 %v2492
+  %v2494 = getelementptr i8, ptr %v2493, i64 %v781
+  %v2495 = load double, ptr %v2494, align 8, !noalias !320
+  %v2496 = fadd double %v2495, 0.000000e+00
+  %v2497 = fmul double %v2472, %v2496
+  %v2498 = getelementptr i8, ptr %v2493, i64 %v782
+  %v2499 = load double, ptr %v2498, align 8, !noalias !320
+  %v2500 = fadd double %v2499, %v2497
+  %v2501 = fmul double %v2488, %v2500
+  %v2502 = getelementptr i8, ptr %v2493, i64 %v783
+  %v2503 = load double, ptr %v2502, align 8, !noalias !320
+  %v2504 = fadd double %v2503, %v2501
+  %v2505 = fmul double %v2472, %v2504
+  %v2506 = getelementptr i8, ptr %v2493, i64 %v784
+  %v2507 = load double, ptr %v2506, align 8, !noalias !320
+  %v2508 = fadd double %v2507, %v2505
+  %v2509 = fmul double %v2488, %v2508
+  %v2510 = getelementptr i8, ptr %v2493, i64 %v785
+  %v2511 = load double, ptr %v2510, align 8, !noalias !320
+  %v2512 = fadd double %v2511, %v2509
+  %v2513 = fmul double %v2472, %v2512
+  %v2514 = getelementptr i8, ptr %v2493, i64 %v786
+  %v2515 = load double, ptr %v2514, align 8, !noalias !320
+  %v2516 = fadd double %v2515, %v2513
+  %v2517 = fmul double %v2488, %v2516
+  %v2518 = getelementptr i8, ptr %v2493, i64 %v787
+  %v2519 = load double, ptr %v2518, align 8, !noalias !320
+  %v2520 = fadd double %v2519, %v2517
+  %v2521 = fmul double %v2472, %v2520
+  %v2491 = add nsw i64 %v2490, 1
+  %v2522 = load double, ptr %v2493, align 8, !noalias !320
+  %v2523 = fadd double %v2522, %v2521
+  %v2524 = getelementptr double, ptr %v778, i64 %v2492
+  store double %v2523, ptr %v2524, align 8, !noalias !313
+  %v2525 = icmp eq i64 %v10, %v2491
+  br i1 %v2525, label %v2487, label %v2489
 
-v2554:
-  %v2404 = phi ptr [ %v2403, %v2475 ], [ null, %v2340 ]
-  %v2580 = phi ptr [ %v2581, %v2475 ], [ null, %v2340 ]
-  %v2553 = phi i64 [ %v2582, %v2475 ], [ 32, %v2340 ]
-  %v2582 = add nsw i64 %v2553, -1
-  %v2583 = load double, ptr %v809, align 8, !noalias !339
-  %v2584 = load double, ptr %v133, align 8, !noalias !343
-  %v2585 = load double, ptr %v771, align 8, !noalias !343
-  %v2586 = fmul double %v2583, %v2585
-  %v2587 = fadd double %v2584, %v2586
-  store double %v2587, ptr %v773, align 8, !noalias !343
-  br i1 %v815, label %v2588, label %v2589
+v2487:
+  %v2526 = load i64, ptr %v780, align 8, !noalias !324
+  %v2527 = inttoptr i64 %v2526 to ptr
+  tail call void %v2527(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !324
+  br i1 %v824, label %v2528, label %v2529
 
-v2588:
-  %v2590 = fsub double 1.000000e+00, %v2583
-  br label %v2591
+v2528:
+  %v2530 = phi i64 [ %v2531, %v2528 ], [ %v823, %v2487 ]
+  %v2532 = phi i64 [ %v2533, %v2528 ], [ %v18, %v2487 ]
+  %v2531 = add nsw i64 %v2530, -1
+  %v2533 = add i64 %v2532, 1
+  %v2534 = icmp slt i64 %v2532, 0
+  %v2535 = select i1 %v2534, i64 %v207, i64 0
+  %v2536 = add i64 %v2535, %v2532
+  %v2537 = getelementptr double, ptr %v828, i64 %v2536
+  %v2538 = load double, ptr %v2537, align 8, !noalias !327
+  %v2539 = getelementptr double, ptr %v831, i64 %v2536
+  store double %v2538, ptr %v2539, align 8, !noalias !327
+  %v2540 = icmp sgt i64 %v2530, 1
+  br i1 %v2540, label %v2528, label %v2529
+
+v2529:
+  br i1 %v832, label %v2541, label %v2542
+
+v2542:
+  %v2543 = phi double [ %v2544, %v2542 ], [ 0x7FF0000000000000, %v2529 ]
+  %v2545 = phi i64 [ %v2546, %v2542 ], [ 0, %v2529 ]
+  %v2546 = add nsw i64 %v2545, 1
+  %v2547 = getelementptr double, ptr %v833, i64 %v2545
+  %v2548 = load double, ptr %v2547, align 8, !noalias !328
+  %v2549 = getelementptr double, ptr %v831, i64 %v2545
+  %v2550 = load double, ptr %v2549, align 8, !noalias !328
+  %v2551 = fadd double %v2548, %v2550
+  %v2552 = fcmp olt double %v2551, %v2543
+  %v2544 = select i1 %v2552, double %v2551, double %v2543
+  %v2553 = icmp eq i64 %v207, %v2546
+  br i1 %v2553, label %v2541, label %v2542
+
+v2541:
+  %v2473 = phi double [ 0x7FF0000000000000, %v2529 ], [ %v2544, %v2542 ]
+  %v2554 = fcmp olt double %v2473, 0.000000e+00
+  br i1 %v2554, label %v2471, label %v2475
+
+v2478:
+  %v2555 = icmp ugt i64 %v2556, 1
+  br i1 %v2555, label %v2557, label %v2415
+
+v2415:
+  br i1 %v854, label %v2558, label %v2559
+
+v2558:
+  %v2560 = load i64, ptr %v844, align 8, !noalias !332
+  %v2561 = inttoptr i64 %v2560 to ptr
+  tail call void %v2561(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !332
+  store double %v2340, ptr %v803, align 8, !noalias !285
+  store double %v2341, ptr %v811, align 8, !noalias !285
+  br label %v2419
+
+v2559:
+  %v2562 = phi i64 [ %v2563, %v2559 ], [ 0, %v2415 ]
+  %v2563 = add nsw i64 %v2562, 1
+  %v2564 = add nsw i64 %v2562, %v17
+  %v2565 = icmp slt i64 %v2564, 0
+  %v2566 = select i1 %v2565, i64 %v166, i64 0
+  %v2567 = getelementptr double, ptr %v165, i64 %v2564
+  %v2568 = getelementptr double, ptr %v2567, i64 %v2566
+  %v2569 = load double, ptr %v2568, align 8, !noalias !338
+  %v2570 = getelementptr double, ptr %v856, i64 %v2562
+  %v2571 = load double, ptr %v2570, align 8, !noalias !338
+  store double %v2571, ptr %v2568, align 8, !noalias !338
+  store double %v2569, ptr %v2570, align 8, !noalias !338
+  %v2572 = icmp eq i64 %v18, %v2563
+  br i1 %v2572, label %v2558, label %v2559
+
+v2342:
+  %v2573 = phi i64 [ %v2574, %v2342 ], [ 0, %v2339 ]
+  %v2574 = add nsw i64 %v2573, 1
+  %v2575 = add nsw i64 %v2573, %v17
+  %v2576 = icmp slt i64 %v2575, 0
+  %v2577 = select i1 %v2576, i64 %v166, i64 0
+  %v2578 = getelementptr double, ptr %v165, i64 %v2575
+  %v2579 = getelementptr double, ptr %v2578, i64 %v2577
+  %v2580 = load double, ptr %v2579, align 8, !noalias !285
+  %v2581 = getelementptr double, ptr %v835, i64 %v2573
+  store double %v2580, ptr %v2581, align 8, !noalias !285
+  %v2582 = icmp eq i64 %v18, %v2574
+  br i1 %v2582, label %v2343, label %v2342
+
+v2343:
+  br label %v2557
+
+v2557:
+  %v2407 = phi ptr [ %v2406, %v2478 ], [ null, %v2343 ]
+  %v2583 = phi ptr [ %v2584, %v2478 ], [ null, %v2343 ]
+  %v2556 = phi i64 [ %v2585, %v2478 ], [ 32, %v2343 ]
+  %v2585 = add nsw i64 %v2556, -1
+  %v2586 = load double, ptr %v811, align 8, !noalias !339
+  %v2587 = load double, ptr %v133, align 8, !noalias !343
+  %v2588 = load double, ptr %v773, align 8, !noalias !343
+  %v2589 = fmul double %v2586, %v2588
+  %v2590 = fadd double %v2587, %v2589
+  store double %v2590, ptr %v775, align 8, !noalias !343
+  br i1 %v817, label %v2591, label %v2592
 
 v2591:
-  %v2592 = phi i64 [ 0, %v2588 ], [ %v2593, %v2591 ]
-  %v2594 = mul i64 %v2592, %v196
-  %v2595 = getelementptr double, ptr %v193, i64 %v2594
-  %v2596 = getelementptr i8, ptr %v2595, i64 %v779
-  %v2597 = load double, ptr %v2596, align 8, !noalias !350
-  %v2598 = fadd double %v2597, 0.000000e+00
-  %v2599 = fmul double %v2583, %v2598
-  %v2600 = getelementptr i8, ptr %v2595, i64 %v780
-  %v2601 = load double, ptr %v2600, align 8, !noalias !350
-  %v2602 = fadd double %v2601, %v2599
-  %v2603 = fmul double %v2590, %v2602
-  %v2604 = getelementptr i8, ptr %v2595, i64 %v781
-  %v2605 = load double, ptr %v2604, align 8, !noalias !350
-  %v2606 = fadd double %v2605, %v2603
-  %v2607 = fmul double %v2583, %v2606
-  %v2608 = getelementptr i8, ptr %v2595, i64 %v782
-  %v2609 = load double, ptr %v2608, align 8, !noalias !350
-  %v2610 = fadd double %v2609, %v2607
-  %v2611 = fmul double %v2590, %v2610
-  %v2612 = getelementptr i8, ptr %v2595, i64 %v783
-  %v2613 = load double, ptr %v2612, align 8, !noalias !350
-  %v2614 = fadd double %v2613, %v2611
-  %v2615 = fmul double %v2583, %v2614
-  %v2616 = getelementptr i8, ptr %v2595, i64 %v784
-  %v2617 = load double, ptr %v2616, align 8, !noalias !350
-  %v2618 = fadd double %v2617, %v2615
-  %v2619 = fmul double %v2590, %v2618
-  %v2620 = getelementptr i8, ptr %v2595, i64 %v785
-  %v2621 = load double, ptr %v2620, align 8, !noalias !350
-  %v2622 = fadd double %v2621, %v2619
-  %v2623 = fmul double %v2583, %v2622
-  %v2593 = add nsw i64 %v2592, 1
-  %v2624 = load double, ptr %v2595, align 8, !noalias !350
-  %v2625 = fadd double %v2624, %v2623
-  %v2626 = getelementptr double, ptr %v836, i64 %v2594
-  store double %v2625, ptr %v2626, align 8, !noalias !343
-  %v2627 = icmp eq i64 %v10, %v2593
-  br i1 %v2627, label %v2589, label %v2591
+  %v2593 = fsub double 1.000000e+00, %v2586
+  br label %v2594
 
-v2589:
-  %v2628 = load i64, ptr %v778, align 8, !noalias !354
-  %v2629 = inttoptr i64 %v2628 to ptr
-  tail call void %v2629(ptr nonnull %v773, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !354
-  br i1 %v822, label %v2630, label %v2631
+v2594:
+  %v2595 = phi i64 [ 0, %v2591 ], [ %v2596, %v2594 ]
+  %v2597 = mul i64 %v2595, %v196
+  %v2598 = getelementptr double, ptr %v193, i64 %v2597
+  %v2599 = getelementptr i8, ptr %v2598, i64 %v781
+  %v2600 = load double, ptr %v2599, align 8, !noalias !350
+  %v2601 = fadd double %v2600, 0.000000e+00
+  %v2602 = fmul double %v2586, %v2601
+  %v2603 = getelementptr i8, ptr %v2598, i64 %v782
+  %v2604 = load double, ptr %v2603, align 8, !noalias !350
+  %v2605 = fadd double %v2604, %v2602
+  %v2606 = fmul double %v2593, %v2605
+  %v2607 = getelementptr i8, ptr %v2598, i64 %v783
+  %v2608 = load double, ptr %v2607, align 8, !noalias !350
+  %v2609 = fadd double %v2608, %v2606
+  %v2610 = fmul double %v2586, %v2609
+  %v2611 = getelementptr i8, ptr %v2598, i64 %v784
+  %v2612 = load double, ptr %v2611, align 8, !noalias !350
+  %v2613 = fadd double %v2612, %v2610
+  %v2614 = fmul double %v2593, %v2613
+  %v2615 = getelementptr i8, ptr %v2598, i64 %v785
+  %v2616 = load double, ptr %v2615, align 8, !noalias !350
+  %v2617 = fadd double %v2616, %v2614
+  %v2618 = fmul double %v2586, %v2617
+  %v2619 = getelementptr i8, ptr %v2598, i64 %v786
+  %v2620 = load double, ptr %v2619, align 8, !noalias !350
+  %v2621 = fadd double %v2620, %v2618
+  %v2622 = fmul double %v2593, %v2621
+  %v2623 = getelementptr i8, ptr %v2598, i64 %v787
+  %v2624 = load double, ptr %v2623, align 8, !noalias !350
+  %v2625 = fadd double %v2624, %v2622
+  %v2626 = fmul double %v2586, %v2625
+  %v2596 = add nsw i64 %v2595, 1
+  %v2627 = load double, ptr %v2598, align 8, !noalias !350
+  %v2628 = fadd double %v2627, %v2626
+  %v2629 = getelementptr double, ptr %v838, i64 %v2597
+  store double %v2628, ptr %v2629, align 8, !noalias !343
+  %v2630 = icmp eq i64 %v10, %v2596
+  br i1 %v2630, label %v2592, label %v2594
 
-v2630:
-  %v2632 = phi i64 [ %v2633, %v2630 ], [ %v820, %v2589 ]
-  %v2634 = phi i64 [ %v2635, %v2630 ], [ %v18, %v2589 ]
-  %v2633 = add nsw i64 %v2632, -1
-  %v2635 = add i64 %v2634, 1
-  %v2636 = icmp slt i64 %v2634, 0
-  %v2637 = select i1 %v2636, i64 %v207, i64 0
-  %v2638 = add i64 %v2637, %v2634
-  %v2639 = getelementptr double, ptr %v826, i64 %v2638
-  %v2640 = load double, ptr %v2639, align 8, !noalias !357
-  %v2641 = getelementptr double, ptr %v829, i64 %v2638
-  store double %v2640, ptr %v2641, align 8, !noalias !357
-  %v2642 = icmp sgt i64 %v2632, 1
-  br i1 %v2642, label %v2630, label %v2631
+v2592:
+  %v2631 = load i64, ptr %v780, align 8, !noalias !354
+  %v2632 = inttoptr i64 %v2631 to ptr
+  tail call void %v2632(ptr nonnull %v775, ptr %v819, ptr %v165, ptr %v172, ptr %v179, ptr %v821), !noalias !354
+  br i1 %v824, label %v2633, label %v2634
 
-v2631:
-  br label %v2643
+v2633:
+  %v2635 = phi i64 [ %v2636, %v2633 ], [ %v822, %v2592 ]
+  %v2637 = phi i64 [ %v2638, %v2633 ], [ %v18, %v2592 ]
+  %v2636 = add nsw i64 %v2635, -1
+  %v2638 = add i64 %v2637, 1
+  %v2639 = icmp slt i64 %v2637, 0
+  %v2640 = select i1 %v2639, i64 %v207, i64 0
+  %v2641 = add i64 %v2640, %v2637
+  %v2642 = getelementptr double, ptr %v828, i64 %v2641
+  %v2643 = load double, ptr %v2642, align 8, !noalias !357
+  %v2644 = getelementptr double, ptr %v831, i64 %v2641
+  store double %v2643, ptr %v2644, align 8, !noalias !357
+  %v2645 = icmp sgt i64 %v2635, 1
+  br i1 %v2645, label %v2633, label %v2634
 
-v2644:
-  br label %v2645
-
-v2645:
-  %v2646 = phi double [ %v2583, %v2643 ], [ 1.000000e+00, %v2647 ], [ 8.889000e-01, %v2648 ], [ 2.500000e-01, %v2649 ], [ 3.333000e-01, %v2650 ], [ 5.000000e-01, %v2651 ], [ 0x3FE50A3D70A3D70A, %v2652 ], [ 7.500000e-01, %v2653 ], [ 0x3FB48E8A71DE69AD, %v2644 ]
-  %v2654 = fcmp ult double %v2646, %v2583
-  br i1 %v2654, label %v2655, label %v2656
-
-v2656:
-  %v2657 = load double, ptr %v133, align 8, !noalias !358
-  %v2658 = load double, ptr %v771, align 8, !noalias !358
-  %v2659 = fmul double %v2646, %v2658
-  %v2660 = fadd double %v2657, %v2659
-  store double %v2660, ptr %v773, align 8, !noalias !358
-  br i1 %v815, label %v2661, label %v2662
-
-v2661:
-  %v2663 = fsub double 1.000000e+00, %v2646
-  br label %v2664
-
-v2664:
-  %v2665 = phi i64 [ 0, %v2661 ], [ %v2666, %v2664 ]
-  %v2667 = mul i64 %v2665, %v196
-  %v2668 = getelementptr double, ptr %v193, i64 %v2667
-  %v2669 = getelementptr i8, ptr %v2668, i64 %v779
-  %v2670 = load double, ptr %v2669, align 8, !noalias !362
-  %v2671 = fadd double %v2670, 0.000000e+00
-  %v2672 = fmul double %v2646, %v2671
-  %v2673 = getelementptr i8, ptr %v2668, i64 %v780
-  %v2674 = load double, ptr %v2673, align 8, !noalias !362
-  %v2675 = fadd double %v2674, %v2672
-  %v2676 = fmul double %v2663, %v2675
-  %v2677 = getelementptr i8, ptr %v2668, i64 %v781
-  %v2678 = load double, ptr %v2677, align 8, !noalias !362
-  %v2679 = fadd double %v2678, %v2676
-  %v2680 = fmul double %v2646, %v2679
-  %v2681 = getelementptr i8, ptr %v2668, i64 %v782
-  %v2682 = load double, ptr %v2681, align 8, !noalias !362
-  %v2683 = fadd double %v2682, %v2680
-  %v2684 = fmul double %v2663, %v2683
-  %v2685 = getelementptr i8, ptr %v2668, i64 %v783
-  %v2686 = load double, ptr %v2685, align 8, !noalias !362
-  %v2687 = fadd double %v2686, %v2684
-  %v2688 = fmul double %v2646, %v2687
-  %v2689 = getelementptr i8, ptr %v2668, i64 %v784
-  %v2690 = load double, ptr %v2689, align 8, !noalias !362
-  %v2691 = fadd double %v2690, %v2688
-  %v2692 = fmul double %v2663, %v2691
-  %v2693 = getelementptr i8, ptr %v2668, i64 %v785
-  %v2694 = load double, ptr %v2693, align 8, !noalias !362
-  %v2695 = fadd double %v2694, %v2692
-  %v2696 = fmul double %v2646, %v2695
-  %v2666 = add nsw i64 %v2665, 1
-  %v2697 = load double, ptr %v2668, align 8, !noalias !362
-  %v2698 = fadd double %v2697, %v2696
-  %v2699 = getelementptr double, ptr %v776, i64 %v2667
-  store double %v2698, ptr %v2699, align 8, !noalias !358
-  %v2700 = icmp eq i64 %v10, %v2666
-  br i1 %v2700, label %v2662, label %v2664
-
-v2701:
-  %v2702 = load i64, ptr %v842, align 8, !noalias !366
-  %v2703 = inttoptr i64 %v2702 to ptr
-  tail call void %v2703(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !366
-  br label %v2655
-
-v2704:
-  %v2705 = phi i64 [ %v2706, %v2704 ], [ 0, %v2707 ]
-  %v2706 = add nsw i64 %v2705, 1
-  %v2708 = add nsw i64 %v2705, %v17
-  %v2709 = icmp slt i64 %v2708, 0
-  %v2710 = select i1 %v2709, i64 %v166, i64 0
-  %v2711 = getelementptr double, ptr %v165, i64 %v2708
-  %v2712 = getelementptr double, ptr %v2711, i64 %v2710
-  %v2713 = load double, ptr %v2712, align 8, !noalias !372
-  %v2714 = getelementptr double, ptr %v828, i64 %v2705
-  %v2715 = load double, ptr %v2714, align 8, !noalias !372
-  store double %v2715, ptr %v2712, align 8, !noalias !372
-  store double %v2713, ptr %v2714, align 8, !noalias !372
-  %v2716 = icmp eq i64 %v18, %v2706
-  br i1 %v2716, label %v2701, label %v2704
-
-v2655:
-  %v2717 = icmp ugt i64 %v2718, 1
-  br i1 %v2717, label %v2643, label %v2719
-
-v2719:
-  br i1 %v305, label %v2720, label %v2721
-
-v2721:
-  %v2722 = load i64, ptr %v842, align 8, !noalias !373
-  %v2723 = inttoptr i64 %v2722 to ptr
-  tail call void %v2723(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !373
-  br label %v2724
-
-v2720:
-  %v2725 = phi i64 [ %v2726, %v2720 ], [ 0, %v2719 ]
-  %v2726 = add nsw i64 %v2725, 1
-  %v2727 = add nsw i64 %v2725, %v17
-  %v2728 = icmp slt i64 %v2727, 0
-  %v2729 = select i1 %v2728, i64 %v166, i64 0
-  %v2730 = getelementptr double, ptr %v165, i64 %v2727
-  %v2731 = getelementptr double, ptr %v2730, i64 %v2729
-  %v2732 = load double, ptr %v2731, align 8, !noalias !379
-  %v2733 = getelementptr double, ptr %v828, i64 %v2725
-  %v2734 = load double, ptr %v2733, align 8, !noalias !379
-  store double %v2734, ptr %v2731, align 8, !noalias !379
-  store double %v2732, ptr %v2733, align 8, !noalias !379
-  %v2735 = icmp eq i64 %v2726, %v18
-  br i1 %v2735, label %v2721, label %v2720
-
-v2643:
-  %v2718 = phi i64 [ %v2736, %v2655 ], [ 9, %v2631 ]
-  %v2737 = phi i64 [ %v2738, %v2655 ], [ 8, %v2631 ]
-  %v2736 = add nsw i64 %v2718, -1
-  %v2738 = add nsw i64 %v2737, -1
-  switch i64 %v2737, label %v2724 [
-    i64 0, label %v2645
-    i64 -1, label %v2647
-    i64 8, label %v2647
-    i64 1, label %v2644
-    i64 -8, label %v2644
-    i64 2, label %v2649
-    i64 -7, label %v2649
-    i64 3, label %v2650
-    i64 -6, label %v2650
-    i64 4, label %v2651
-    i64 -5, label %v2651
-    i64 5, label %v2652
-    i64 -4, label %v2652
-    i64 6, label %v2653
-    i64 -3, label %v2653
-    i64 7, label %v2648
-    i64 -2, label %v2648
-  ]
-
-v2649:
-  br label %v2645
-
-v2650:
-  br label %v2645
-
-v2651:
-  br label %v2645
-
-v2652:
-  br label %v2645
-
-v2653:
-  br label %v2645
-
-v2648:
-  br label %v2645
+v2634:
+  br label %v2646
 
 v2647:
-  br label %v2645
+  br label %v2648
 
-v2662:
-  %v2739 = load i64, ptr %v6, align 8, !noalias !380
-  %v2740 = inttoptr i64 %v2739 to ptr
-  tail call void %v2740(ptr nonnull %v773, ptr %v839, ptr %v165, ptr %v172, ptr %v179, ptr %v841), !noalias !380
-  br i1 %v305, label %v2741, label %v2742
+v2648:
+  %v2649 = phi double [ %v2586, %v2646 ], [ 1.000000e+00, %v2650 ], [ 8.889000e-01, %v2651 ], [ 2.500000e-01, %v2652 ], [ 3.333000e-01, %v2653 ], [ 5.000000e-01, %v2654 ], [ 0x3FE50A3D70A3D70A, %v2655 ], [ 7.500000e-01, %v2656 ], [ 0x3FB48E8A71DE69AD, %v2647 ]
+  %v2657 = fcmp ult double %v2649, %v2586
+  br i1 %v2657, label %v2658, label %v2659
 
-v2742:
-  %v2743 = load i64, ptr %v842, align 8, !noalias !383
-  %v2744 = inttoptr i64 %v2743 to ptr
-  tail call void %v2744(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !383
-  %v2745 = load i64, ptr %v6, align 8, !noalias !389
-  %v2746 = inttoptr i64 %v2745 to ptr
-  tail call void %v2746(ptr nonnull %v773, ptr %v839, ptr %v165, ptr %v172, ptr %v179, ptr %v844), !noalias !389
-  %v2747 = load double, ptr %v23, align 8, !noalias !392
-  %v2748 = load double, ptr %v845, align 8, !noalias !392
-  br label %v2749
+v2659:
+  %v2660 = load double, ptr %v133, align 8, !noalias !358
+  %v2661 = load double, ptr %v773, align 8, !noalias !358
+  %v2662 = fmul double %v2649, %v2661
+  %v2663 = fadd double %v2660, %v2662
+  store double %v2663, ptr %v775, align 8, !noalias !358
+  br i1 %v817, label %v2664, label %v2665
 
-v2741:
-  %v2750 = phi i64 [ %v2751, %v2741 ], [ 0, %v2662 ]
-  %v2751 = add nsw i64 %v2750, 1
-  %v2752 = add nsw i64 %v2750, %v17
-  %v2753 = icmp slt i64 %v2752, 0
-  %v2754 = select i1 %v2753, i64 %v166, i64 0
-  %v2755 = getelementptr double, ptr %v165, i64 %v2752
-  %v2756 = getelementptr double, ptr %v2755, i64 %v2754
-  %v2757 = load double, ptr %v2756, align 8, !noalias !396
-  %v2758 = getelementptr double, ptr %v828, i64 %v2750
-  %v2759 = load double, ptr %v2758, align 8, !noalias !396
-  store double %v2759, ptr %v2756, align 8, !noalias !396
-  store double %v2757, ptr %v2758, align 8, !noalias !396
-  %v2760 = icmp eq i64 %v18, %v2751
-  br i1 %v2760, label %v2742, label %v2741
+v2664:
+  %v2666 = fsub double 1.000000e+00, %v2649
+  br label %v2667
 
-v2749:
-  %v2761 = phi i64 [ 0, %v2742 ], [ %v2762, %v2763 ]
-  %v2764 = icmp eq i64 %v2761, %v834
-  br i1 %v2764, label %v2707, label %v2763
+v2667:
+  %v2668 = phi i64 [ 0, %v2664 ], [ %v2669, %v2667 ]
+  %v2670 = mul i64 %v2668, %v196
+  %v2671 = getelementptr double, ptr %v193, i64 %v2670
+  %v2672 = getelementptr i8, ptr %v2671, i64 %v781
+  %v2673 = load double, ptr %v2672, align 8, !noalias !362
+  %v2674 = fadd double %v2673, 0.000000e+00
+  %v2675 = fmul double %v2649, %v2674
+  %v2676 = getelementptr i8, ptr %v2671, i64 %v782
+  %v2677 = load double, ptr %v2676, align 8, !noalias !362
+  %v2678 = fadd double %v2677, %v2675
+  %v2679 = fmul double %v2666, %v2678
+  %v2680 = getelementptr i8, ptr %v2671, i64 %v783
+  %v2681 = load double, ptr %v2680, align 8, !noalias !362
+  %v2682 = fadd double %v2681, %v2679
+  %v2683 = fmul double %v2649, %v2682
+  %v2684 = getelementptr i8, ptr %v2671, i64 %v784
+  %v2685 = load double, ptr %v2684, align 8, !noalias !362
+  %v2686 = fadd double %v2685, %v2683
+  %v2687 = fmul double %v2666, %v2686
+  %v2688 = getelementptr i8, ptr %v2671, i64 %v785
+  %v2689 = load double, ptr %v2688, align 8, !noalias !362
+  %v2690 = fadd double %v2689, %v2687
+  %v2691 = fmul double %v2649, %v2690
+  %v2692 = getelementptr i8, ptr %v2671, i64 %v786
+  %v2693 = load double, ptr %v2692, align 8, !noalias !362
+  %v2694 = fadd double %v2693, %v2691
+  %v2695 = fmul double %v2666, %v2694
+  %v2696 = getelementptr i8, ptr %v2671, i64 %v787
+  %v2697 = load double, ptr %v2696, align 8, !noalias !362
+  %v2698 = fadd double %v2697, %v2695
+  %v2699 = fmul double %v2649, %v2698
+  %v2669 = add nsw i64 %v2668, 1
+  %v2700 = load double, ptr %v2671, align 8, !noalias !362
+  %v2701 = fadd double %v2700, %v2699
+  %v2702 = getelementptr double, ptr %v778, i64 %v2670
+  store double %v2701, ptr %v2702, align 8, !noalias !358
+  %v2703 = icmp eq i64 %v10, %v2669
+  br i1 %v2703, label %v2665, label %v2667
+
+v2704:
+  %v2705 = load i64, ptr %v844, align 8, !noalias !366
+  %v2706 = inttoptr i64 %v2705 to ptr
+  tail call void %v2706(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !366
+  br label %v2658
 
 v2707:
-  br i1 %v305, label %v2704, label %v2701
+  %v2708 = phi i64 [ %v2709, %v2707 ], [ 0, %v2710 ]
+  %v2709 = add nsw i64 %v2708, 1
+  %v2711 = add nsw i64 %v2708, %v17
+  %v2712 = icmp slt i64 %v2711, 0
+  %v2713 = select i1 %v2712, i64 %v166, i64 0
+  %v2714 = getelementptr double, ptr %v165, i64 %v2711
+  %v2715 = getelementptr double, ptr %v2714, i64 %v2713
+  %v2716 = load double, ptr %v2715, align 8, !noalias !372
+  %v2717 = getelementptr double, ptr %v830, i64 %v2708
+  %v2718 = load double, ptr %v2717, align 8, !noalias !372
+  store double %v2718, ptr %v2715, align 8, !noalias !372
+  store double %v2716, ptr %v2717, align 8, !noalias !372
+  %v2719 = icmp eq i64 %v18, %v2709
+  br i1 %v2719, label %v2704, label %v2707
 
-v2763:
-  %v2762 = add i64 %v2761, 1
-  %v2765 = mul i64 %v2761, %v196
-  %v2766 = getelementptr double, ptr %v847, i64 %v2765
-  %v2767 = load double, ptr %v2766, align 8, !noalias !392
-  %v2768 = getelementptr double, ptr %v849, i64 %v2765
-  %v2769 = load double, ptr %v2768, align 8, !noalias !392
-  %v2770 = fsub double %v2767, %v2769
-  %v2771 = tail call double @llvm.fabs.f64(double %v2770)
-  %v2772 = getelementptr double, ptr %v193, i64 %v2765
-  %v2773 = load double, ptr %v2772, align 8, !noalias !392
-  %v2774 = tail call double @llvm.fabs.f64(double %v2773)
-  %v2775 = fmul double %v2747, %v2774
-  %v2776 = fadd double %v2748, %v2775
-  %v2777 = load double, ptr %v771, align 8, !noalias !392
-  %v2778 = fmul double %v2777, %v2771
-  %v2779 = fmul double %v2776, 1.000000e-01
-  %v2780 = fcmp ugt double %v2778, %v2779
-  br i1 %v2780, label %v2724, label %v2749
+v2658:
+  %v2720 = icmp ugt i64 %v2721, 1
+  br i1 %v2720, label %v2646, label %v2722
+
+v2722:
+  br i1 %v305, label %v2723, label %v2724
 
 v2724:
-  %v2781 = phi i1 [ false, %v2763 ], [ true, %v2721 ], [ true, %v2643 ]
-  %v2581 = phi ptr [ %v2580, %v2763 ], [ %v2580, %v2721 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2643 ]
-  %v2782 = phi i1 [ true, %v2763 ], [ true, %v2721 ], [ false, %v2643 ]
-  %v2783 = phi i32 [ 0, %v2763 ], [ 0, %v2721 ], [ 1, %v2643 ]
-  br i1 %v2782, label %v2345, label %v2407, !prof !131
+  %v2725 = load i64, ptr %v844, align 8, !noalias !373
+  %v2726 = inttoptr i64 %v2725 to ptr
+  tail call void %v2726(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !373
+  br label %v2727
 
-v2345:
-  br i1 %v2781, label %v2341, label %v2412
+v2723:
+  %v2728 = phi i64 [ %v2729, %v2723 ], [ 0, %v2722 ]
+  %v2729 = add nsw i64 %v2728, 1
+  %v2730 = add nsw i64 %v2728, %v17
+  %v2731 = icmp slt i64 %v2730, 0
+  %v2732 = select i1 %v2731, i64 %v166, i64 0
+  %v2733 = getelementptr double, ptr %v165, i64 %v2730
+  %v2734 = getelementptr double, ptr %v2733, i64 %v2732
+  %v2735 = load double, ptr %v2734, align 8, !noalias !379
+  %v2736 = getelementptr double, ptr %v830, i64 %v2728
+  %v2737 = load double, ptr %v2736, align 8, !noalias !379
+  store double %v2737, ptr %v2734, align 8, !noalias !379
+  store double %v2735, ptr %v2736, align 8, !noalias !379
+  %v2738 = icmp eq i64 %v2729, %v18
+  br i1 %v2738, label %v2724, label %v2723
 
-v2406:
-  %v2784 = load double, ptr %v809, align 8, !noalias !285
+v2646:
+  %v2721 = phi i64 [ %v2739, %v2658 ], [ 9, %v2634 ]
+  %v2740 = phi i64 [ %v2741, %v2658 ], [ 8, %v2634 ]
+  %v2739 = add nsw i64 %v2721, -1
+  %v2741 = add nsw i64 %v2740, -1
+  switch i64 %v2740, label %v2727 [
+    i64 0, label %v2648
+    i64 -1, label %v2650
+    i64 8, label %v2650
+    i64 1, label %v2647
+    i64 -8, label %v2647
+    i64 2, label %v2652
+    i64 -7, label %v2652
+    i64 3, label %v2653
+    i64 -6, label %v2653
+    i64 4, label %v2654
+    i64 -5, label %v2654
+    i64 5, label %v2655
+    i64 -4, label %v2655
+    i64 6, label %v2656
+    i64 -3, label %v2656
+    i64 7, label %v2651
+    i64 -2, label %v2651
+  ]
+
+v2652:
+  br label %v2648
+
+v2653:
+  br label %v2648
+
+v2654:
+  br label %v2648
+
+v2655:
+  br label %v2648
+
+v2656:
+  br label %v2648
+
+v2651:
+  br label %v2648
+
+v2650:
+  br label %v2648
+
+v2665:
+  %v2742 = load i64, ptr %v6, align 8, !noalias !380
+  %v2743 = inttoptr i64 %v2742 to ptr
+  tail call void %v2743(ptr nonnull %v775, ptr %v841, ptr %v165, ptr %v172, ptr %v179, ptr %v843), !noalias !380
+  br i1 %v305, label %v2744, label %v2745
+
+v2745:
+  %v2746 = load i64, ptr %v844, align 8, !noalias !383
+  %v2747 = inttoptr i64 %v2746 to ptr
+  tail call void %v2747(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !383
+  %v2748 = load i64, ptr %v6, align 8, !noalias !389
+  %v2749 = inttoptr i64 %v2748 to ptr
+  tail call void %v2749(ptr nonnull %v775, ptr %v841, ptr %v165, ptr %v172, ptr %v179, ptr %v846), !noalias !389
+  %v2750 = load double, ptr %v23, align 8, !noalias !392
+  %v2751 = load double, ptr %v847, align 8, !noalias !392
+  br label %v2752
+
+v2744:
+  %v2753 = phi i64 [ %v2754, %v2744 ], [ 0, %v2665 ]
+  %v2754 = add nsw i64 %v2753, 1
+  %v2755 = add nsw i64 %v2753, %v17
+  %v2756 = icmp slt i64 %v2755, 0
+  %v2757 = select i1 %v2756, i64 %v166, i64 0
+  %v2758 = getelementptr double, ptr %v165, i64 %v2755
+  %v2759 = getelementptr double, ptr %v2758, i64 %v2757
+  %v2760 = load double, ptr %v2759, align 8, !noalias !396
+  %v2761 = getelementptr double, ptr %v830, i64 %v2753
+  %v2762 = load double, ptr %v2761, align 8, !noalias !396
+  store double %v2762, ptr %v2759, align 8, !noalias !396
+  store double %v2760, ptr %v2761, align 8, !noalias !396
+  %v2763 = icmp eq i64 %v18, %v2754
+  br i1 %v2763, label %v2745, label %v2744
+
+v2752:
+  %v2764 = phi i64 [ 0, %v2745 ], [ %v2765, %v2766 ]
+  %v2767 = icmp eq i64 %v2764, %v836
+  br i1 %v2767, label %v2710, label %v2766
+
+v2710:
+  br i1 %v305, label %v2707, label %v2704
+
+v2766:
+  %v2765 = add i64 %v2764, 1
+  %v2768 = mul i64 %v2764, %v196
+  %v2769 = getelementptr double, ptr %v849, i64 %v2768
+  %v2770 = load double, ptr %v2769, align 8, !noalias !392
+  %v2771 = getelementptr double, ptr %v851, i64 %v2768
+  %v2772 = load double, ptr %v2771, align 8, !noalias !392
+  %v2773 = fsub double %v2770, %v2772
+  %v2774 = tail call double @llvm.fabs.f64(double %v2773)
+  %v2775 = getelementptr double, ptr %v193, i64 %v2768
+  %v2776 = load double, ptr %v2775, align 8, !noalias !392
+  %v2777 = tail call double @llvm.fabs.f64(double %v2776)
+  %v2778 = fmul double %v2750, %v2777
+  %v2779 = fadd double %v2751, %v2778
+  %v2780 = load double, ptr %v773, align 8, !noalias !392
+  %v2781 = fmul double %v2780, %v2774
+  %v2782 = fmul double %v2779, 1.000000e-01
+  %v2783 = fcmp ugt double %v2781, %v2782
+  br i1 %v2783, label %v2727, label %v2752
+
+v2727:
+  %v2784 = phi i1 [ false, %v2766 ], [ true, %v2724 ], [ true, %v2646 ]
+  %v2584 = phi ptr [ %v2583, %v2766 ], [ %v2583, %v2724 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.30, %v2646 ]
+  %v2785 = phi i1 [ true, %v2766 ], [ true, %v2724 ], [ false, %v2646 ]
+  %v2786 = phi i32 [ 0, %v2766 ], [ 0, %v2724 ], [ 1, %v2646 ]
+  br i1 %v2785, label %v2348, label %v2410, !prof !131
+
+v2348:
+  br i1 %v2784, label %v2344, label %v2415
+
+v2409:
+  %v2787 = load double, ptr %v811, align 8, !noalias !285
   store i8 0, ptr %v300, align 1, !noalias !285
-  %v2785 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v2784)
-  %v2786 = icmp eq i32 %v2785, 0
-  br i1 %v2786, label %v2477, label %v2787, !prof !131
+  %v2788 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v2787)
+  %v2789 = icmp eq i32 %v2788, 0
+  br i1 %v2789, label %v2480, label %v2790, !prof !131
 
-v2787:
-  %v2788 = load ptr, ptr %v301, align 8, !noalias !285
-  br label %v2416
+v2790:
+  %v2791 = load ptr, ptr %v301, align 8, !noalias !285
+  br label %v2419
 
-v2477:
-  %v2789 = load i8, ptr %v300, align 1, !noalias !285
-  %v2790 = icmp eq i8 %v2789, 0
-  br i1 %v2790, label %v2408, label %v2476
+v2480:
+  %v2792 = load i8, ptr %v300, align 1, !noalias !285
+  %v2793 = icmp eq i8 %v2792, 0
+  br i1 %v2793, label %v2411, label %v2479
 
-v2407:
-  %v2791 = phi ptr [ %v2403, %v2348 ], [ %v2581, %v2724 ]
-  %v2792 = phi i32 [ %v2405, %v2348 ], [ %v2783, %v2724 ]
-  %v2793 = icmp ne i32 %v2792, 0
-  br label %v2416
+v2410:
+  %v2794 = phi ptr [ %v2406, %v2351 ], [ %v2584, %v2727 ]
+  %v2795 = phi i32 [ %v2408, %v2351 ], [ %v2786, %v2727 ]
+  %v2796 = icmp ne i32 %v2795, 0
+  br label %v2419
 
-v2416:
-  %v2794 = phi i1 [ true, %v2411 ], [ false, %v2555 ], [ true, %v2787 ], [ %v2793, %v2407 ]
-  %v2795 = phi ptr [ null, %v2411 ], [ null, %v2555 ], [ %v2788, %v2787 ], [ %v2791, %v2407 ]
-  %v2796 = phi i1 [ false, %v2411 ], [ false, %v2555 ], [ true, %v2787 ], [ %v2793, %v2407 ]
+v2419:
+  %v2797 = phi i1 [ true, %v2414 ], [ false, %v2558 ], [ true, %v2790 ], [ %v2796, %v2410 ]
+  %v2798 = phi ptr [ null, %v2414 ], [ null, %v2558 ], [ %v2791, %v2790 ], [ %v2794, %v2410 ]
+  %v2799 = phi i1 [ false, %v2414 ], [ false, %v2558 ], [ true, %v2790 ], [ %v2796, %v2410 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v300), !noalias !180
   call void @llvm.lifetime.end.p0(ptr nonnull %v301), !noalias !180
-  %v2797 = select i1 %v2796, ptr %v2795, ptr null, !prof !397
-  %v2798 = xor i1 %v2796, true
-  br i1 %v2794, label %v2334, label %v2799, !prof !398
+  %v2800 = select i1 %v2799, ptr %v2798, ptr null, !prof !397
+  %v2801 = xor i1 %v2799, true
+  br i1 %v2797, label %v2337, label %v2802, !prof !398
 
-v2799:
-  %v2800 = load double, ptr %v860, align 8, !noalias !180
-  %v2801 = fcmp olt double %v2800, 5.000000e-01
-  br i1 %v2801, label %v2334, label %v2322
+v2802:
+  %v2803 = load double, ptr %v862, align 8, !noalias !180
+  %v2804 = fcmp olt double %v2803, 5.000000e-01
+  br i1 %v2804, label %v2337, label %v2325
 
-v2322:
-  store double 1.000000e+00, ptr %v876, align 8, !noalias !180
-  %v2802 = load double, ptr %v803, align 8, !noalias !399
-  %v2803 = load double, ptr %v92, align 8, !noalias !399
-  %v2804 = fsub double %v2802, %v2803
-  %v2805 = fmul double %v2804, 1.000000e-13
-  %v2806 = load double, ptr %v133, align 8, !noalias !399
-  %v2807 = tail call double @llvm.fabs.f64(double %v2806)
-  %v2808 = fmul double %v2807, 4.000000e-15
-  %v2809 = fcmp ogt double %v2808, %v2805
-  %v2810 = select i1 %v2809, double %v2808, double %v2805
-  %v2811 = load double, ptr %v809, align 8, !noalias !180
-  %v2812 = fdiv double %v2810, %v1793
-  %v2813 = fcmp ogt double %v2812, %v2811
-  %v2814 = select i1 %v2813, double %v2812, double %v2811
-  %v2815 = fcmp ult double %v2814, 1.000000e+00
-  br i1 %v2815, label %v2816, label %v2334
-
-v2816:
-  %v2817 = fsub double 1.000000e+00, %v2814
-  br i1 %v741, label %v2818, label %v2819
-
-v2818:
-  %v2820 = load double, ptr %v878, align 8, !noalias !180
-  %v2821 = fmul double %v2814, 4.000000e+00
-  %v2822 = fmul double %v2821, %v2817
-  %v2823 = fmul double %v2822, %v2820
-  %v2824 = fmul double %v2822, %v2823
-  %v2825 = fcmp olt double %v2824, 5.000000e-04
-  br i1 %v2825, label %v2826, label %v2819
-
-v2826:
-  %v2827 = load double, ptr %v771, align 8, !noalias !403
-  %v2828 = fmul double %v2814, %v2827
-  %v2829 = fadd double %v2806, %v2828
-  store double %v2829, ptr %v773, align 8, !noalias !403
-  br i1 %v775, label %v2830, label %v2831
-
-v2831:
-  %v2832 = phi i64 [ %v2833, %v2831 ], [ 0, %v2826 ]
-  %v2834 = mul i64 %v2832, %v196
-  %v2835 = getelementptr double, ptr %v193, i64 %v2834
-  %v2836 = getelementptr i8, ptr %v2835, i64 %v779
-  %v2837 = load double, ptr %v2836, align 8, !noalias !410
-  %v2838 = fadd double %v2837, 0.000000e+00
-  %v2839 = fmul double %v2814, %v2838
-  %v2840 = getelementptr i8, ptr %v2835, i64 %v780
-  %v2841 = load double, ptr %v2840, align 8, !noalias !410
-  %v2842 = fadd double %v2841, %v2839
-  %v2843 = fmul double %v2817, %v2842
-  %v2844 = getelementptr i8, ptr %v2835, i64 %v781
-  %v2845 = load double, ptr %v2844, align 8, !noalias !410
-  %v2846 = fadd double %v2845, %v2843
-  %v2847 = fmul double %v2814, %v2846
-  %v2848 = getelementptr i8, ptr %v2835, i64 %v782
-  %v2849 = load double, ptr %v2848, align 8, !noalias !410
-  %v2850 = fadd double %v2849, %v2847
-  %v2851 = fmul double %v2817, %v2850
-  %v2852 = getelementptr i8, ptr %v2835, i64 %v783
-  %v2853 = load double, ptr %v2852, align 8, !noalias !410
-  %v2854 = fadd double %v2853, %v2851
-  %v2855 = fmul double %v2814, %v2854
-  %v2856 = getelementptr i8, ptr %v2835, i64 %v784
-  %v2857 = load double, ptr %v2856, align 8, !noalias !410
-  %v2858 = fadd double %v2857, %v2855
-  %v2859 = fmul double %v2817, %v2858
-  %v2860 = getelementptr i8, ptr %v2835, i64 %v785
-  %v2861 = load double, ptr %v2860, align 8, !noalias !410
-  %v2862 = fadd double %v2861, %v2859
-  %v2863 = fmul double %v2814, %v2862
-  %v2833 = add nsw i64 %v2832, 1
-  %v2864 = load double, ptr %v2835, align 8, !noalias !410
-  %v2865 = fadd double %v2864, %v2863
-  %v2866 = getelementptr double, ptr %v776, i64 %v2834
-  store double %v2865, ptr %v2866, align 8, !noalias !403
-  %v2867 = icmp eq i64 %v10, %v2833
-  br i1 %v2867, label %v2868, label %v2831
-
-v2830:
-  %v2869 = load double, ptr %v773, align 8, !noalias !414
-  store double %v2869, ptr %v805, align 8, !noalias !414
-  br label %v2870
-
-v2870:
-  %v2871 = load i64, ptr %v6, align 8, !noalias !415
-  %v2872 = inttoptr i64 %v2871 to ptr
-  tail call void %v2872(ptr nonnull %v773, ptr %v888, ptr %v165, ptr %v172, ptr %v179, ptr %v890), !noalias !415
-  %v2873 = load i64, ptr %v778, align 8, !noalias !418
-  %v2874 = inttoptr i64 %v2873 to ptr
-  tail call void %v2874(ptr nonnull %v773, ptr %v892, ptr %v165, ptr %v172, ptr %v179, ptr %v894), !noalias !418
-  br label %v2334
-
-v2868:
-  %v2875 = load double, ptr %v773, align 8, !noalias !414
-  store double %v2875, ptr %v805, align 8, !noalias !414
-  br label %v2876
-
-v2876:
-  %v2877 = phi i64 [ 0, %v2868 ], [ %v2878, %v2876 ]
-  %v2878 = add nsw i64 %v2877, 1
-  %v2879 = mul i64 %v2877, %v196
-  %v2880 = getelementptr double, ptr %v776, i64 %v2879
-  %v2881 = load double, ptr %v2880, align 8, !noalias !414
-  %v2882 = getelementptr double, ptr %v885, i64 %v2879
-  store double %v2881, ptr %v2882, align 8, !noalias !414
-  %v2883 = icmp eq i64 %v10, %v2878
-  br i1 %v2883, label %v2870, label %v2876
+v2325:
+  store double 1.000000e+00, ptr %v878, align 8, !noalias !180
+  %v2805 = load double, ptr %v805, align 8, !noalias !399
+  %v2806 = load double, ptr %v92, align 8, !noalias !399
+  %v2807 = fsub double %v2805, %v2806
+  %v2808 = fmul double %v2807, 1.000000e-13
+  %v2809 = load double, ptr %v133, align 8, !noalias !399
+  %v2810 = tail call double @llvm.fabs.f64(double %v2809)
+  %v2811 = fmul double %v2810, 4.000000e-15
+  %v2812 = fcmp ogt double %v2811, %v2808
+  %v2813 = select i1 %v2812, double %v2811, double %v2808
+  %v2814 = load double, ptr %v811, align 8, !noalias !180
+  %v2815 = fdiv double %v2813, %v1796
+  %v2816 = fcmp ogt double %v2815, %v2814
+  %v2817 = select i1 %v2816, double %v2815, double %v2814
+  %v2818 = fcmp ult double %v2817, 1.000000e+00
+  br i1 %v2818, label %v2819, label %v2337
 
 v2819:
-  %v2884 = fmul double %v2810, 2.000000e+00
-  %v2885 = fcmp ogt double %v1793, %v2884
-  br i1 %v2885, label %v2886, label %v2334
+  %v2820 = fsub double 1.000000e+00, %v2817
+  br i1 %v743, label %v2821, label %v2822
 
-v2886:
-  %v2887 = load double, ptr %v805, align 8, !noalias !180
-  %v2888 = tail call double @llvm.fabs.f64(double %v2887)
-  %v2889 = fmul double %v2888, 4.000000e-15
-  %v2890 = fmul double %v1793, 0x3D719799812DEA11
-  %v2891 = fcmp ogt double %v2889, %v2890
-  %v2892 = select i1 %v2891, double %v2889, double %v2890
-  %v2893 = load double, ptr %v801, align 8, !noalias !180
-  %v2894 = fsub double 1.000000e+00, %v2893
-  %v2895 = fmul double %v1793, %v2894
-  %v2896 = fcmp ogt double %v2895, %v2892
-  br i1 %v2896, label %v2897, label %v2334
+v2821:
+  %v2823 = load double, ptr %v880, align 8, !noalias !180
+  %v2824 = fmul double %v2817, 4.000000e+00
+  %v2825 = fmul double %v2824, %v2820
+  %v2826 = fmul double %v2825, %v2823
+  %v2827 = fmul double %v2825, %v2826
+  %v2828 = fcmp olt double %v2827, 5.000000e-04
+  br i1 %v2828, label %v2829, label %v2822
 
-v2897:
-  %v2898 = fmul double %v1793, %v2814
-  store double 0.000000e+00, ptr %v880, align 8, !noalias !421
+v2829:
+  %v2830 = load double, ptr %v773, align 8, !noalias !403
+  %v2831 = fmul double %v2817, %v2830
+  %v2832 = fadd double %v2809, %v2831
+  store double %v2832, ptr %v775, align 8, !noalias !403
+  br i1 %v777, label %v2833, label %v2834
+
+v2834:
+  %v2835 = phi i64 [ %v2836, %v2834 ], [ 0, %v2829 ]
+  %v2837 = mul i64 %v2835, %v196
+  %v2838 = getelementptr double, ptr %v193, i64 %v2837
+  %v2839 = getelementptr i8, ptr %v2838, i64 %v781
+  %v2840 = load double, ptr %v2839, align 8, !noalias !410
+  %v2841 = fadd double %v2840, 0.000000e+00
+  %v2842 = fmul double %v2817, %v2841
+  %v2843 = getelementptr i8, ptr %v2838, i64 %v782
+  %v2844 = load double, ptr %v2843, align 8, !noalias !410
+  %v2845 = fadd double %v2844, %v2842
+  %v2846 = fmul double %v2820, %v2845
+  %v2847 = getelementptr i8, ptr %v2838, i64 %v783
+  %v2848 = load double, ptr %v2847, align 8, !noalias !410
+  %v2849 = fadd double %v2848, %v2846
+  %v2850 = fmul double %v2817, %v2849
+  %v2851 = getelementptr i8, ptr %v2838, i64 %v784
+  %v2852 = load double, ptr %v2851, align 8, !noalias !410
+  %v2853 = fadd double %v2852, %v2850
+  %v2854 = fmul double %v2820, %v2853
+  %v2855 = getelementptr i8, ptr %v2838, i64 %v785
+  %v2856 = load double, ptr %v2855, align 8, !noalias !410
+  %v2857 = fadd double %v2856, %v2854
+  %v2858 = fmul double %v2817, %v2857
+  %v2859 = getelementptr i8, ptr %v2838, i64 %v786
+  %v2860 = load double, ptr %v2859, align 8, !noalias !410
+  %v2861 = fadd double %v2860, %v2858
+  %v2862 = fmul double %v2820, %v2861
+  %v2863 = getelementptr i8, ptr %v2838, i64 %v787
+  %v2864 = load double, ptr %v2863, align 8, !noalias !410
+  %v2865 = fadd double %v2864, %v2862
+  %v2866 = fmul double %v2817, %v2865
+  %v2836 = add nsw i64 %v2835, 1
+  %v2867 = load double, ptr %v2838, align 8, !noalias !410
+  %v2868 = fadd double %v2867, %v2866
+  %v2869 = getelementptr double, ptr %v778, i64 %v2837
+  store double %v2868, ptr %v2869, align 8, !noalias !403
+  %v2870 = icmp eq i64 %v10, %v2836
+  br i1 %v2870, label %v2871, label %v2834
+
+v2833:
+  %v2872 = load double, ptr %v775, align 8, !noalias !414
+  store double %v2872, ptr %v807, align 8, !noalias !414
+  br label %v2873
+
+v2873:
+  %v2874 = load i64, ptr %v6, align 8, !noalias !415
+  %v2875 = inttoptr i64 %v2874 to ptr
+  tail call void %v2875(ptr nonnull %v775, ptr %v890, ptr %v165, ptr %v172, ptr %v179, ptr %v892), !noalias !415
+  %v2876 = load i64, ptr %v780, align 8, !noalias !418
+  %v2877 = inttoptr i64 %v2876 to ptr
+  tail call void %v2877(ptr nonnull %v775, ptr %v894, ptr %v165, ptr %v172, ptr %v179, ptr %v896), !noalias !418
+  br label %v2337
+
+v2871:
+  %v2878 = load double, ptr %v775, align 8, !noalias !414
+  store double %v2878, ptr %v807, align 8, !noalias !414
+  br label %v2879
+
+v2879:
+  %v2880 = phi i64 [ 0, %v2871 ], [ %v2881, %v2879 ]
+  %v2881 = add nsw i64 %v2880, 1
+  %v2882 = mul i64 %v2880, %v196
+  %v2883 = getelementptr double, ptr %v778, i64 %v2882
+  %v2884 = load double, ptr %v2883, align 8, !noalias !414
+  %v2885 = getelementptr double, ptr %v887, i64 %v2882
+  store double %v2884, ptr %v2885, align 8, !noalias !414
+  %v2886 = icmp eq i64 %v10, %v2881
+  br i1 %v2886, label %v2873, label %v2879
+
+v2822:
+  %v2887 = fmul double %v2813, 2.000000e+00
+  %v2888 = fcmp ogt double %v1796, %v2887
+  br i1 %v2888, label %v2889, label %v2337
+
+v2889:
+  %v2890 = load double, ptr %v807, align 8, !noalias !180
+  %v2891 = tail call double @llvm.fabs.f64(double %v2890)
+  %v2892 = fmul double %v2891, 4.000000e-15
+  %v2893 = fmul double %v1796, 0x3D719799812DEA11
+  %v2894 = fcmp ogt double %v2892, %v2893
+  %v2895 = select i1 %v2894, double %v2892, double %v2893
+  %v2896 = load double, ptr %v803, align 8, !noalias !180
+  %v2897 = fsub double 1.000000e+00, %v2896
+  %v2898 = fmul double %v1796, %v2897
+  %v2899 = fcmp ogt double %v2898, %v2895
+  br i1 %v2899, label %v2900, label %v2337
+
+v2900:
+  %v2901 = fmul double %v1796, %v2817
   store double 0.000000e+00, ptr %v882, align 8, !noalias !421
-  store double %v2898, ptr %v883, align 8, !noalias !421
-  %v2899 = load i64, ptr %v142, align 8, !noalias !421
-  %v2900 = icmp slt i64 %v2899, 0
-  %v2901 = select i1 %v2900, i64 %v125, i64 0
-  %v2902 = add i64 %v2901, %v2899
-  %v2903 = mul i64 %v2902, %v126
-  %v2904 = getelementptr i64, ptr %v124, i64 %v2903
-  %v2905 = load i64, ptr %v2904, align 8, !noalias !421
-  %v2906 = add nsw i64 %v2905, -1
-  store i64 %v2906, ptr %v2904, align 8, !noalias !421
-  %v2907 = load i64, ptr %v142, align 8, !noalias !421
-  %v2908 = icmp slt i64 %v2907, 0
-  %v2909 = select i1 %v2908, i64 %v125, i64 0
-  %v2910 = add i64 %v2909, %v2907
-  %v2911 = mul i64 %v2910, %v126
-  %v2912 = getelementptr i64, ptr %v124, i64 %v2911
-  %v2913 = getelementptr i8, ptr %v2912, i64 24
-  %v2914 = load i64, ptr %v2913, align 8, !noalias !421
-  %v2915 = add nsw i64 %v2914, 1
-  store i64 %v2915, ptr %v2913, align 8, !noalias !421
-  br label %v2334
+  store double 0.000000e+00, ptr %v884, align 8, !noalias !421
+  store double %v2901, ptr %v885, align 8, !noalias !421
+  %v2902 = load i64, ptr %v142, align 8, !noalias !421
+  %v2903 = icmp slt i64 %v2902, 0
+  %v2904 = select i1 %v2903, i64 %v125, i64 0
+  %v2905 = add i64 %v2904, %v2902
+  %v2906 = mul i64 %v2905, %v126
+  %v2907 = getelementptr i64, ptr %v124, i64 %v2906
+  %v2908 = load i64, ptr %v2907, align 8, !noalias !421
+  %v2909 = add nsw i64 %v2908, -1
+  store i64 %v2909, ptr %v2907, align 8, !noalias !421
+  %v2910 = load i64, ptr %v142, align 8, !noalias !421
+  %v2911 = icmp slt i64 %v2910, 0
+  %v2912 = select i1 %v2911, i64 %v125, i64 0
+  %v2913 = add i64 %v2912, %v2910
+  %v2914 = mul i64 %v2913, %v126
+  %v2915 = getelementptr i64, ptr %v124, i64 %v2914
+  %v2916 = getelementptr i8, ptr %v2915, i64 24
+  %v2917 = load i64, ptr %v2916, align 8, !noalias !421
+  %v2918 = add nsw i64 %v2917, 1
+  store i64 %v2918, ptr %v2916, align 8, !noalias !421
+  br label %v2337
 
-v1861:
-  br i1 %v304, label %v1936, label %v2335
+v1864:
+  br i1 %v304, label %v1939, label %v2338
 
-v2334:
-  %v2916 = phi ptr [ null, %v2870 ], [ null, %v2897 ], [ null, %v2819 ], [ null, %v2322 ], [ null, %v2799 ], [ null, %v2267 ], [ null, %v2886 ], [ %v2797, %v2416 ]
-  %v2917 = phi i1 [ true, %v2870 ], [ true, %v2897 ], [ true, %v2819 ], [ true, %v2322 ], [ true, %v2799 ], [ true, %v2267 ], [ true, %v2886 ], [ %v2798, %v2416 ]
-  br i1 %v2917, label %v1633, label %v1546, !prof !131
+v2337:
+  %v2919 = phi ptr [ null, %v2873 ], [ null, %v2900 ], [ null, %v2822 ], [ null, %v2325 ], [ null, %v2802 ], [ null, %v2270 ], [ null, %v2889 ], [ %v2800, %v2419 ]
+  %v2920 = phi i1 [ true, %v2873 ], [ true, %v2900 ], [ true, %v2822 ], [ true, %v2325 ], [ true, %v2802 ], [ true, %v2270 ], [ true, %v2889 ], [ %v2801, %v2419 ]
+  br i1 %v2920, label %v1636, label %v1549, !prof !131
 
-v1633:
-  %v2918 = select i1 %v1453, i1 true, i1 %v704
-  %v2919 = select i1 %v2918, i64 0, i64 %v12
-  br label %v1546
-
-v2920:
-  %v2921 = phi i64 [ 0, %v1539 ], [ %v2922, %v2923 ]
-  %v2924 = phi i64 [ %v733, %v1539 ], [ %v2925, %v2923 ]
-  %v2926 = icmp sgt i64 %v2924, 0
-  br i1 %v2926, label %v2923, label %v1540
-
-v1539:
-  %v2927 = load double, ptr %v732, align 8, !noalias !424
-  store double %v2927, ptr %v718, align 8, !noalias !424
-  br label %v2920
+v1636:
+  %v2921 = select i1 %v1456, i1 true, i1 %v706
+  %v2922 = select i1 %v2921, i64 0, i64 %v12
+  br label %v1549
 
 v2923:
-  %v2925 = add nsw i64 %v2924, -1
-  %v2922 = add i64 %v2921, 1
-  %v2928 = getelementptr double, ptr %v735, i64 %v2921
-  %v2929 = icmp slt i64 %v2921, 0
-  %v2930 = select i1 %v2929, i64 %v207, i64 0
-  %v2931 = getelementptr double, ptr %v2928, i64 %v2930
-  %v2932 = load double, ptr %v2931, align 8, !noalias !424
-  %v2933 = fcmp olt double %v2932, 0x7FF0000000000000
-  %v2934 = select i1 %v2933, double %v2932, double 0x7FF0000000000000
-  %v2935 = fcmp ogt double %v2932, 0xFFF0000000000000
-  %v2936 = select i1 %v2935, double %v2932, double 0xFFF0000000000000
-  %v2937 = getelementptr double, ptr %v2931, i64 %v734
-  %v2938 = load double, ptr %v2937, align 8, !noalias !424
-  %v2939 = fcmp olt double %v2938, %v2934
-  %v2940 = select i1 %v2939, double %v2938, double %v2934
-  %v2941 = fcmp ogt double %v2938, %v2936
-  %v2942 = select i1 %v2941, double %v2938, double %v2936
-  %v2943 = getelementptr i8, ptr %v2931, i64 %v1094
-  %v2944 = load double, ptr %v2943, align 8, !noalias !424
-  %v2945 = fcmp olt double %v2944, %v2940
-  %v2946 = select i1 %v2945, double %v2944, double %v2940
-  %v2947 = fcmp ogt double %v2944, %v2942
-  %v2948 = select i1 %v2947, double %v2944, double %v2942
-  %v2949 = getelementptr i8, ptr %v2931, i64 %v1095
-  %v2950 = load double, ptr %v2949, align 8, !noalias !424
-  %v2951 = fcmp olt double %v2950, %v2946
-  %v2952 = select i1 %v2951, double %v2950, double %v2946
-  %v2953 = fcmp ogt double %v2950, %v2948
-  %v2954 = select i1 %v2953, double %v2950, double %v2948
-  %v2955 = getelementptr i8, ptr %v2931, i64 %v1096
-  %v2956 = load double, ptr %v2955, align 8, !noalias !424
-  %v2957 = fcmp olt double %v2956, %v2952
-  %v2958 = select i1 %v2957, double %v2956, double %v2952
-  %v2959 = fcmp ogt double %v2956, %v2954
-  %v2960 = select i1 %v2959, double %v2956, double %v2954
-  %v2961 = getelementptr i8, ptr %v2931, i64 %v1097
-  %v2962 = load double, ptr %v2961, align 8, !noalias !424
-  %v2963 = fcmp olt double %v2962, %v2958
-  %v2964 = select i1 %v2963, double %v2962, double %v2958
-  %v2965 = fcmp ogt double %v2962, %v2960
-  %v2966 = select i1 %v2965, double %v2962, double %v2960
-  %v2967 = getelementptr i8, ptr %v2931, i64 %v1098
-  %v2968 = load double, ptr %v2967, align 8, !noalias !424
-  %v2969 = fcmp olt double %v2968, %v2964
-  %v2970 = select i1 %v2969, double %v2968, double %v2964
-  %v2971 = fcmp ogt double %v2968, %v2966
-  %v2972 = select i1 %v2971, double %v2968, double %v2966
-  %v2973 = getelementptr i8, ptr %v2931, i64 %v1099
-  %v2974 = load double, ptr %v2973, align 8, !noalias !424
-  %v2975 = fcmp olt double %v2974, %v2970
-  %v2976 = select i1 %v2975, double %v2974, double %v2970
-  %v2977 = fcmp ogt double %v2974, %v2972
-  %v2978 = select i1 %v2977, double %v2974, double %v2972
-  %v2979 = getelementptr i8, ptr %v2931, i64 %v1100
-  %v2980 = load double, ptr %v2979, align 8, !noalias !424
-  %v2981 = fcmp olt double %v2980, %v2976
-  %v2982 = select i1 %v2981, double %v2980, double %v2976
-  %v2983 = fcmp ogt double %v2980, %v2978
-  %v2984 = select i1 %v2983, double %v2980, double %v2978
-  %v2985 = fsub double %v2984, %v2982
-  %v2986 = fmul double %v2985, 2.500000e-01
-  %v2987 = icmp slt i64 %v2921, 0
-  %v2988 = select i1 %v2987, i64 %v207, i64 0
-  %v2989 = add i64 %v2988, %v2921
-  %v2990 = getelementptr double, ptr %v737, i64 %v2989
-  %v2991 = getelementptr double, ptr %v738, i64 %v2989
-  %v2992 = getelementptr double, ptr %v2990, i64 %v736
-  %v2993 = load double, ptr %v2992, align 8, !noalias !425
-  %v2994 = load double, ptr %v2991, align 8, !noalias !425
-  %v2995 = fmul double %v2994, 0x3FDDF27AAAADCB3A
-  %v2996 = fsub double %v2993, %v2995
-  %v2997 = getelementptr i8, ptr %v2991, i64 %v1101
-  %v2998 = load double, ptr %v2997, align 8, !noalias !425
-  %v2999 = fmul double %v2998, 0x3FEC575F1EBC4F2F
-  %v3000 = fsub double %v2996, %v2999
-  %v3001 = getelementptr i8, ptr %v2991, i64 %v1102
-  %v3002 = load double, ptr %v3001, align 8, !noalias !425
-  %v3003 = fmul double %v3002, 0xBFE1306AA3D795F4
-  %v3004 = fsub double %v3000, %v3003
-  %v3005 = getelementptr i8, ptr %v2991, i64 %v1103
-  %v3006 = load double, ptr %v3005, align 8, !noalias !425
-  %v3007 = fmul double %v3006, 0x3FCCB9F574BDCC3A
-  %v3008 = fsub double %v3004, %v3007
-  %v3009 = getelementptr i8, ptr %v2991, i64 %v1104
-  %v3010 = load double, ptr %v3009, align 8, !noalias !425
-  %v3011 = fmul double %v3010, 0xBFA4EAF2D6B11E79
-  %v3012 = fsub double %v3008, %v3011
-  %v3013 = tail call double @llvm.fabs.f64(double %v3012)
-  %v3014 = fcmp ogt double %v3013, 0.000000e+00
-  %v3015 = select i1 %v3014, double %v3013, double 0.000000e+00
-  %v3016 = getelementptr i8, ptr %v2990, i64 %v1105
-  %v3017 = load double, ptr %v3016, align 8, !noalias !425
-  %v3018 = load double, ptr %v2991, align 8, !noalias !425
-  %v3019 = fmul double %v3018, 0xBFA5118805F8B876
-  %v3020 = fsub double %v3017, %v3019
-  %v3021 = getelementptr i8, ptr %v2991, i64 %v1106
-  %v3022 = load double, ptr %v3021, align 8, !noalias !425
-  %v3023 = fmul double %v3022, 0x3FE51326698BC5BD
-  %v3024 = fsub double %v3020, %v3023
-  %v3025 = getelementptr i8, ptr %v2991, i64 %v1107
-  %v3026 = load double, ptr %v3025, align 8, !noalias !425
-  %v3027 = fmul double %v3026, 0x3FDF97DED30D4572
-  %v3028 = fsub double %v3024, %v3027
-  %v3029 = getelementptr i8, ptr %v2991, i64 %v1108
-  %v3030 = load double, ptr %v3029, align 8, !noalias !425
-  %v3031 = fmul double %v3030, 0xBFC0DA0C684D1D67
-  %v3032 = fsub double %v3028, %v3031
-  %v3033 = getelementptr i8, ptr %v2991, i64 %v1109
-  %v3034 = load double, ptr %v3033, align 8, !noalias !425
-  %v3035 = fmul double %v3034, 0x3F9510B8EC0D4D92
-  %v3036 = fsub double %v3032, %v3035
-  %v3037 = tail call double @llvm.fabs.f64(double %v3036)
-  %v3038 = fcmp ogt double %v3037, %v3015
-  %v3039 = select i1 %v3038, double %v3037, double %v3015
-  %v3040 = getelementptr i8, ptr %v2990, i64 %v1110
-  %v3041 = load double, ptr %v3040, align 8, !noalias !425
-  %v3042 = load double, ptr %v2991, align 8, !noalias !425
-  %v3043 = fmul double %v3042, 0x3F9635A30F8F142F
-  %v3044 = fsub double %v3041, %v3043
-  %v3045 = getelementptr i8, ptr %v2991, i64 %v1111
-  %v3046 = load double, ptr %v3045, align 8, !noalias !425
-  %v3047 = fmul double %v3046, 0xBFC1EAE0FF33D241
-  %v3048 = fsub double %v3044, %v3047
-  %v3049 = getelementptr i8, ptr %v2991, i64 %v1112
-  %v3050 = load double, ptr %v3049, align 8, !noalias !425
-  %v3051 = fmul double %v3050, 0x3FE1625D59218460
-  %v3052 = fsub double %v3048, %v3051
-  %v3053 = getelementptr i8, ptr %v2991, i64 %v1113
-  %v3054 = load double, ptr %v3053, align 8, !noalias !425
-  %v3055 = fmul double %v3054, 0x3FE3BBC3E8A29641
-  %v3056 = fsub double %v3052, %v3055
-  %v3057 = getelementptr i8, ptr %v2991, i64 %v1114
-  %v3058 = load double, ptr %v3057, align 8, !noalias !425
-  %v3059 = fmul double %v3058, 0xBFA55161A739EB34
-  %v3060 = fsub double %v3056, %v3059
-  %v3061 = tail call double @llvm.fabs.f64(double %v3060)
-  %v3062 = fcmp ogt double %v3061, %v3039
-  %v3063 = select i1 %v3062, double %v3061, double %v3039
-  %v3064 = getelementptr i8, ptr %v2990, i64 %v1115
-  %v3065 = load double, ptr %v3064, align 8, !noalias !425
-  %v3066 = load double, ptr %v2991, align 8, !noalias !425
-  %v3067 = fmul double %v3066, 0xBFA4F0C0BB579409
-  %v3068 = fsub double %v3065, %v3067
-  %v3069 = getelementptr i8, ptr %v2991, i64 %v1116
-  %v3070 = load double, ptr %v3069, align 8, !noalias !425
-  %v3071 = fmul double %v3070, 0x3FCD2266FBC0D976
-  %v3072 = fsub double %v3068, %v3071
-  %v3073 = getelementptr i8, ptr %v2991, i64 %v1117
-  %v3074 = load double, ptr %v3073, align 8, !noalias !425
-  %v3075 = fmul double %v3074, 0xBFE1F2DB6FEE3151
-  %v3076 = fsub double %v3072, %v3075
-  %v3077 = getelementptr i8, ptr %v2991, i64 %v1118
-  %v3078 = load double, ptr %v3077, align 8, !noalias !425
-  %v3079 = fmul double %v3078, 0x3FF0C05015964CBE
-  %v3080 = fsub double %v3076, %v3079
-  %v3081 = getelementptr i8, ptr %v2991, i64 %v1119
-  %v3082 = load double, ptr %v3081, align 8, !noalias !425
-  %v3083 = fmul double %v3082, 0x3FD4F15B230DB570
-  %v3084 = fsub double %v3080, %v3083
-  %v3085 = tail call double @llvm.fabs.f64(double %v3084)
-  %v3086 = fcmp ogt double %v3085, %v3063
-  %v3087 = select i1 %v3086, double %v3085, double %v3063
-  %v3088 = fmul double %v3087, 1.000000e+01
-  %v3089 = fadd double %v2986, %v3088
-  %v3090 = icmp slt i64 %v2921, 0
-  %v3091 = select i1 %v3090, i64 %v207, i64 0
-  %v3092 = getelementptr double, ptr %v740, i64 %v2921
-  %v3093 = getelementptr double, ptr %v3092, i64 %v3091
-  %v3094 = load double, ptr %v3093, align 8, !noalias !424
-  %v3095 = fcmp ogt double %v3089, %v3094
-  %v3096 = fneg double %v3094
-  %v3097 = select i1 %v3095, double %v3089, double %v3096
-  %v3098 = fcmp olt double %v2982, %v3097
-  br i1 %v3098, label %v1540, label %v2920
+  %v2924 = phi i64 [ 0, %v1542 ], [ %v2925, %v2926 ]
+  %v2927 = phi i64 [ %v735, %v1542 ], [ %v2928, %v2926 ]
+  %v2929 = icmp sgt i64 %v2927, 0
+  br i1 %v2929, label %v2926, label %v1543
 
-v1540:
-  %v1542 = phi i1 [ false, %v1482 ], [ %v2926, %v2923 ], [ %v2926, %v2920 ]
-  %v3099 = phi ptr [ %v1537, %v1482 ], [ null, %v2923 ], [ null, %v2920 ]
-  %v3100 = phi i32 [ %v1538, %v1482 ], [ 0, %v2923 ], [ 0, %v2920 ]
-  %v3101 = icmp eq i32 %v3100, 0
-  br i1 %v3101, label %v1472, label %v1546, !prof !131
+v1542:
+  %v2930 = load double, ptr %v734, align 8, !noalias !424
+  store double %v2930, ptr %v720, align 8, !noalias !424
+  br label %v2923
 
-v1790:
-  br i1 %v1785, label %v1633, label %v1791
+v2926:
+  %v2928 = add nsw i64 %v2927, -1
+  %v2925 = add i64 %v2924, 1
+  %v2931 = getelementptr double, ptr %v737, i64 %v2924
+  %v2932 = icmp slt i64 %v2924, 0
+  %v2933 = select i1 %v2932, i64 %v207, i64 0
+  %v2934 = getelementptr double, ptr %v2931, i64 %v2933
+  %v2935 = load double, ptr %v2934, align 8, !noalias !424
+  %v2936 = fcmp olt double %v2935, 0x7FF0000000000000
+  %v2937 = select i1 %v2936, double %v2935, double 0x7FF0000000000000
+  %v2938 = fcmp ogt double %v2935, 0xFFF0000000000000
+  %v2939 = select i1 %v2938, double %v2935, double 0xFFF0000000000000
+  %v2940 = getelementptr double, ptr %v2934, i64 %v736
+  %v2941 = load double, ptr %v2940, align 8, !noalias !424
+  %v2942 = fcmp olt double %v2941, %v2937
+  %v2943 = select i1 %v2942, double %v2941, double %v2937
+  %v2944 = fcmp ogt double %v2941, %v2939
+  %v2945 = select i1 %v2944, double %v2941, double %v2939
+  %v2946 = getelementptr i8, ptr %v2934, i64 %v1097
+  %v2947 = load double, ptr %v2946, align 8, !noalias !424
+  %v2948 = fcmp olt double %v2947, %v2943
+  %v2949 = select i1 %v2948, double %v2947, double %v2943
+  %v2950 = fcmp ogt double %v2947, %v2945
+  %v2951 = select i1 %v2950, double %v2947, double %v2945
+  %v2952 = getelementptr i8, ptr %v2934, i64 %v1098
+  %v2953 = load double, ptr %v2952, align 8, !noalias !424
+  %v2954 = fcmp olt double %v2953, %v2949
+  %v2955 = select i1 %v2954, double %v2953, double %v2949
+  %v2956 = fcmp ogt double %v2953, %v2951
+  %v2957 = select i1 %v2956, double %v2953, double %v2951
+  %v2958 = getelementptr i8, ptr %v2934, i64 %v1099
+  %v2959 = load double, ptr %v2958, align 8, !noalias !424
+  %v2960 = fcmp olt double %v2959, %v2955
+  %v2961 = select i1 %v2960, double %v2959, double %v2955
+  %v2962 = fcmp ogt double %v2959, %v2957
+  %v2963 = select i1 %v2962, double %v2959, double %v2957
+  %v2964 = getelementptr i8, ptr %v2934, i64 %v1100
+  %v2965 = load double, ptr %v2964, align 8, !noalias !424
+  %v2966 = fcmp olt double %v2965, %v2961
+  %v2967 = select i1 %v2966, double %v2965, double %v2961
+  %v2968 = fcmp ogt double %v2965, %v2963
+  %v2969 = select i1 %v2968, double %v2965, double %v2963
+  %v2970 = getelementptr i8, ptr %v2934, i64 %v1101
+  %v2971 = load double, ptr %v2970, align 8, !noalias !424
+  %v2972 = fcmp olt double %v2971, %v2967
+  %v2973 = select i1 %v2972, double %v2971, double %v2967
+  %v2974 = fcmp ogt double %v2971, %v2969
+  %v2975 = select i1 %v2974, double %v2971, double %v2969
+  %v2976 = getelementptr i8, ptr %v2934, i64 %v1102
+  %v2977 = load double, ptr %v2976, align 8, !noalias !424
+  %v2978 = fcmp olt double %v2977, %v2973
+  %v2979 = select i1 %v2978, double %v2977, double %v2973
+  %v2980 = fcmp ogt double %v2977, %v2975
+  %v2981 = select i1 %v2980, double %v2977, double %v2975
+  %v2982 = getelementptr i8, ptr %v2934, i64 %v1103
+  %v2983 = load double, ptr %v2982, align 8, !noalias !424
+  %v2984 = fcmp olt double %v2983, %v2979
+  %v2985 = select i1 %v2984, double %v2983, double %v2979
+  %v2986 = fcmp ogt double %v2983, %v2981
+  %v2987 = select i1 %v2986, double %v2983, double %v2981
+  %v2988 = fsub double %v2987, %v2985
+  %v2989 = fmul double %v2988, 2.500000e-01
+  %v2990 = icmp slt i64 %v2924, 0
+  %v2991 = select i1 %v2990, i64 %v207, i64 0
+  %v2992 = add i64 %v2991, %v2924
+  %v2993 = getelementptr double, ptr %v739, i64 %v2992
+  %v2994 = getelementptr double, ptr %v740, i64 %v2992
+  %v2995 = getelementptr double, ptr %v2993, i64 %v738
+  %v2996 = load double, ptr %v2995, align 8, !noalias !425
+  %v2997 = load double, ptr %v2994, align 8, !noalias !425
+  %v2998 = fmul double %v2997, 0x3FDDF27AAAADCB3A
+  %v2999 = fsub double %v2996, %v2998
+  %v3000 = getelementptr i8, ptr %v2994, i64 %v1104
+  %v3001 = load double, ptr %v3000, align 8, !noalias !425
+  %v3002 = fmul double %v3001, 0x3FEC575F1EBC4F2F
+  %v3003 = fsub double %v2999, %v3002
+  %v3004 = getelementptr i8, ptr %v2994, i64 %v1105
+  %v3005 = load double, ptr %v3004, align 8, !noalias !425
+  %v3006 = fmul double %v3005, 0xBFE1306AA3D795F4
+  %v3007 = fsub double %v3003, %v3006
+  %v3008 = getelementptr i8, ptr %v2994, i64 %v1106
+  %v3009 = load double, ptr %v3008, align 8, !noalias !425
+  %v3010 = fmul double %v3009, 0x3FCCB9F574BDCC3A
+  %v3011 = fsub double %v3007, %v3010
+  %v3012 = getelementptr i8, ptr %v2994, i64 %v1107
+  %v3013 = load double, ptr %v3012, align 8, !noalias !425
+  %v3014 = fmul double %v3013, 0xBFA4EAF2D6B11E79
+  %v3015 = fsub double %v3011, %v3014
+  %v3016 = tail call double @llvm.fabs.f64(double %v3015)
+  %v3017 = fcmp ogt double %v3016, 0.000000e+00
+  %v3018 = select i1 %v3017, double %v3016, double 0.000000e+00
+  %v3019 = getelementptr i8, ptr %v2993, i64 %v1108
+  %v3020 = load double, ptr %v3019, align 8, !noalias !425
+  %v3021 = load double, ptr %v2994, align 8, !noalias !425
+  %v3022 = fmul double %v3021, 0xBFA5118805F8B876
+  %v3023 = fsub double %v3020, %v3022
+  %v3024 = getelementptr i8, ptr %v2994, i64 %v1109
+  %v3025 = load double, ptr %v3024, align 8, !noalias !425
+  %v3026 = fmul double %v3025, 0x3FE51326698BC5BD
+  %v3027 = fsub double %v3023, %v3026
+  %v3028 = getelementptr i8, ptr %v2994, i64 %v1110
+  %v3029 = load double, ptr %v3028, align 8, !noalias !425
+  %v3030 = fmul double %v3029, 0x3FDF97DED30D4572
+  %v3031 = fsub double %v3027, %v3030
+  %v3032 = getelementptr i8, ptr %v2994, i64 %v1111
+  %v3033 = load double, ptr %v3032, align 8, !noalias !425
+  %v3034 = fmul double %v3033, 0xBFC0DA0C684D1D67
+  %v3035 = fsub double %v3031, %v3034
+  %v3036 = getelementptr i8, ptr %v2994, i64 %v1112
+  %v3037 = load double, ptr %v3036, align 8, !noalias !425
+  %v3038 = fmul double %v3037, 0x3F9510B8EC0D4D92
+  %v3039 = fsub double %v3035, %v3038
+  %v3040 = tail call double @llvm.fabs.f64(double %v3039)
+  %v3041 = fcmp ogt double %v3040, %v3018
+  %v3042 = select i1 %v3041, double %v3040, double %v3018
+  %v3043 = getelementptr i8, ptr %v2993, i64 %v1113
+  %v3044 = load double, ptr %v3043, align 8, !noalias !425
+  %v3045 = load double, ptr %v2994, align 8, !noalias !425
+  %v3046 = fmul double %v3045, 0x3F9635A30F8F142F
+  %v3047 = fsub double %v3044, %v3046
+  %v3048 = getelementptr i8, ptr %v2994, i64 %v1114
+  %v3049 = load double, ptr %v3048, align 8, !noalias !425
+  %v3050 = fmul double %v3049, 0xBFC1EAE0FF33D241
+  %v3051 = fsub double %v3047, %v3050
+  %v3052 = getelementptr i8, ptr %v2994, i64 %v1115
+  %v3053 = load double, ptr %v3052, align 8, !noalias !425
+  %v3054 = fmul double %v3053, 0x3FE1625D59218460
+  %v3055 = fsub double %v3051, %v3054
+  %v3056 = getelementptr i8, ptr %v2994, i64 %v1116
+  %v3057 = load double, ptr %v3056, align 8, !noalias !425
+  %v3058 = fmul double %v3057, 0x3FE3BBC3E8A29641
+  %v3059 = fsub double %v3055, %v3058
+  %v3060 = getelementptr i8, ptr %v2994, i64 %v1117
+  %v3061 = load double, ptr %v3060, align 8, !noalias !425
+  %v3062 = fmul double %v3061, 0xBFA55161A739EB34
+  %v3063 = fsub double %v3059, %v3062
+  %v3064 = tail call double @llvm.fabs.f64(double %v3063)
+  %v3065 = fcmp ogt double %v3064, %v3042
+  %v3066 = select i1 %v3065, double %v3064, double %v3042
+  %v3067 = getelementptr i8, ptr %v2993, i64 %v1118
+  %v3068 = load double, ptr %v3067, align 8, !noalias !425
+  %v3069 = load double, ptr %v2994, align 8, !noalias !425
+  %v3070 = fmul double %v3069, 0xBFA4F0C0BB579409
+  %v3071 = fsub double %v3068, %v3070
+  %v3072 = getelementptr i8, ptr %v2994, i64 %v1119
+  %v3073 = load double, ptr %v3072, align 8, !noalias !425
+  %v3074 = fmul double %v3073, 0x3FCD2266FBC0D976
+  %v3075 = fsub double %v3071, %v3074
+  %v3076 = getelementptr i8, ptr %v2994, i64 %v1120
+  %v3077 = load double, ptr %v3076, align 8, !noalias !425
+  %v3078 = fmul double %v3077, 0xBFE1F2DB6FEE3151
+  %v3079 = fsub double %v3075, %v3078
+  %v3080 = getelementptr i8, ptr %v2994, i64 %v1121
+  %v3081 = load double, ptr %v3080, align 8, !noalias !425
+  %v3082 = fmul double %v3081, 0x3FF0C05015964CBE
+  %v3083 = fsub double %v3079, %v3082
+  %v3084 = getelementptr i8, ptr %v2994, i64 %v1122
+  %v3085 = load double, ptr %v3084, align 8, !noalias !425
+  %v3086 = fmul double %v3085, 0x3FD4F15B230DB570
+  %v3087 = fsub double %v3083, %v3086
+  %v3088 = tail call double @llvm.fabs.f64(double %v3087)
+  %v3089 = fcmp ogt double %v3088, %v3066
+  %v3090 = select i1 %v3089, double %v3088, double %v3066
+  %v3091 = fmul double %v3090, 1.000000e+01
+  %v3092 = fadd double %v2989, %v3091
+  %v3093 = icmp slt i64 %v2924, 0
+  %v3094 = select i1 %v3093, i64 %v207, i64 0
+  %v3095 = getelementptr double, ptr %v742, i64 %v2924
+  %v3096 = getelementptr double, ptr %v3095, i64 %v3094
+  %v3097 = load double, ptr %v3096, align 8, !noalias !424
+  %v3098 = fcmp ogt double %v3092, %v3097
+  %v3099 = fneg double %v3097
+  %v3100 = select i1 %v3098, double %v3092, double %v3099
+  %v3101 = fcmp olt double %v2985, %v3100
+  br i1 %v3101, label %v1543, label %v2923
 
-v1546:
-  %v3102 = phi i64 [ 0, %v1472 ], [ %v2919, %v1633 ], [ 0, %v1540 ], [ 0, %v1698 ], [ 0, %v2334 ]
-  %v3103 = phi i1 [ true, %v1472 ], [ true, %v1633 ], [ false, %v1540 ], [ false, %v1698 ], [ false, %v2334 ]
-  %v3104 = phi ptr [ undef, %v1472 ], [ undef, %v1633 ], [ %v3099, %v1540 ], [ %v1789, %v1698 ], [ %v2916, %v2334 ]
-  %v3105 = phi i32 [ 0, %v1472 ], [ 0, %v1633 ], [ 1, %v1540 ], [ 1, %v1698 ], [ 1, %v2334 ]
-  br i1 %v3103, label %v3106, label %v3107, !prof !131
+v1543:
+  %v1545 = phi i1 [ false, %v1485 ], [ %v2929, %v2926 ], [ %v2929, %v2923 ]
+  %v3102 = phi ptr [ %v1540, %v1485 ], [ null, %v2926 ], [ null, %v2923 ]
+  %v3103 = phi i32 [ %v1541, %v1485 ], [ 0, %v2926 ], [ 0, %v2923 ]
+  %v3104 = icmp eq i32 %v3103, 0
+  br i1 %v3104, label %v1475, label %v1549, !prof !131
 
-v3108:
-  %v3109 = getelementptr double, ptr %v897, i64 %v3110
-  %v3111 = load double, ptr %v3109, align 8, !noalias !429
-  %v3112 = fcmp olt double %v3111, 5.000000e-01
-  br i1 %v3112, label %v3113, label %v3114
+v1793:
+  br i1 %v1788, label %v1636, label %v1794
 
-v3114:
-  %v3115 = getelementptr i64, ptr %v110, i64 %v3116
-  %v3117 = load i64, ptr %v3115, align 8, !noalias !429
-  %v3118 = icmp eq i64 %v3117, 0
-  br i1 %v3118, label %v3119, label %v3113
+v1549:
+  %v3105 = phi i64 [ 0, %v1475 ], [ %v2922, %v1636 ], [ 0, %v1543 ], [ 0, %v1701 ], [ 0, %v2337 ]
+  %v3106 = phi i1 [ true, %v1475 ], [ true, %v1636 ], [ false, %v1543 ], [ false, %v1701 ], [ false, %v2337 ]
+  %v3107 = phi ptr [ undef, %v1475 ], [ undef, %v1636 ], [ %v3102, %v1543 ], [ %v1792, %v1701 ], [ %v2919, %v2337 ]
+  %v3108 = phi i32 [ 0, %v1475 ], [ 0, %v1636 ], [ 1, %v1543 ], [ 1, %v1701 ], [ 1, %v2337 ]
+  br i1 %v3106, label %v3109, label %v3110, !prof !131
 
-v3119:
-  %v3120 = mul i64 %v3116, %v126
-  %v3121 = getelementptr i64, ptr %v124, i64 %v3120
-  %v3122 = getelementptr i8, ptr %v3121, i64 8
-  %v3123 = load i64, ptr %v3122, align 8, !noalias !429
-  %v3124 = add nsw i64 %v3123, %v3102
-  store i64 %v3124, ptr %v3122, align 8, !noalias !429
-  %v3125 = getelementptr double, ptr %v899, i64 %v3110
-  %v3126 = load double, ptr %v3125, align 8, !noalias !429
-  %v3127 = load i64, ptr %v3128, align 8, !noalias !432
-  %v3129 = getelementptr i64, ptr %v901, i64 %v3110
-  %v3130 = load i64, ptr %v3129, align 8, !noalias !432
-  %v3131 = icmp slt i64 %v3130, %v93
-  br i1 %v3131, label %v3132, label %v3133
+v3111:
+  %v3112 = getelementptr double, ptr %v899, i64 %v3113
+  %v3114 = load double, ptr %v3112, align 8, !noalias !429
+  %v3115 = fcmp olt double %v3114, 5.000000e-01
+  br i1 %v3115, label %v3116, label %v3117
 
-v3132:
-  %v3134 = icmp slt i64 %v3130, 0
-  %v3135 = select i1 %v3134, i64 %v93, i64 0
-  %v3136 = getelementptr double, ptr %v92, i64 %v3130
-  %v3137 = getelementptr double, ptr %v3136, i64 %v3135
-  %v3138 = load double, ptr %v3137, align 8, !noalias !432
-  %v3139 = fcmp ugt double %v3138, %v3126
-  br i1 %v3139, label %v3133, label %v3140
+v3117:
+  %v3118 = getelementptr i64, ptr %v110, i64 %v3119
+  %v3120 = load i64, ptr %v3118, align 8, !noalias !429
+  %v3121 = icmp eq i64 %v3120, 0
+  br i1 %v3121, label %v3122, label %v3116
 
-v3140:
-  %v3141 = getelementptr double, ptr %v133, i64 %v3110
-  %v3142 = getelementptr double, ptr %v903, i64 %v3110
-  %v3143 = getelementptr double, ptr %v193, i64 %v3110
-  %v3144 = getelementptr double, ptr %v907, i64 %v3110
-  %v3145 = icmp slt i64 %v3127, 0
-  %v3146 = select i1 %v3145, i64 %v100, i64 0
-  %v3147 = add i64 %v3146, %v3127
-  %v3148 = mul i64 %v908, %v3147
-  %v3149 = getelementptr double, ptr %v99, i64 %v3148
-  %v3150 = getelementptr double, ptr %v909, i64 %v3110
-  br label %v3151
+v3122:
+  %v3123 = mul i64 %v3119, %v126
+  %v3124 = getelementptr i64, ptr %v124, i64 %v3123
+  %v3125 = getelementptr i8, ptr %v3124, i64 8
+  %v3126 = load i64, ptr %v3125, align 8, !noalias !429
+  %v3127 = add nsw i64 %v3126, %v3105
+  store i64 %v3127, ptr %v3125, align 8, !noalias !429
+  %v3128 = getelementptr double, ptr %v901, i64 %v3113
+  %v3129 = load double, ptr %v3128, align 8, !noalias !429
+  %v3130 = load i64, ptr %v3131, align 8, !noalias !432
+  %v3132 = getelementptr i64, ptr %v903, i64 %v3113
+  %v3133 = load i64, ptr %v3132, align 8, !noalias !432
+  %v3134 = icmp slt i64 %v3133, %v93
+  br i1 %v3134, label %v3135, label %v3136
 
-v3151:
-  %v3152 = phi i64 [ %v3153, %v3154 ], [ %v3130, %v3140 ]
-  %v3155 = icmp slt i64 %v3152, 0
-  %v3156 = select i1 %v3155, i64 %v93, i64 0
-  %v3157 = getelementptr double, ptr %v92, i64 %v3152
-  %v3158 = getelementptr double, ptr %v3157, i64 %v3156
-  %v3159 = load double, ptr %v3158, align 8, !noalias !432
-  %v3160 = load double, ptr %v3141, align 8, !noalias !432
-  %v3161 = fsub double %v3159, %v3160
-  %v3162 = load double, ptr %v3142, align 8, !noalias !432
-  %v3163 = fdiv double %v3161, %v3162
-  br i1 %v905, label %v3164, label %v3165
+v3135:
+  %v3137 = icmp slt i64 %v3133, 0
+  %v3138 = select i1 %v3137, i64 %v93, i64 0
+  %v3139 = getelementptr double, ptr %v92, i64 %v3133
+  %v3140 = getelementptr double, ptr %v3139, i64 %v3138
+  %v3141 = load double, ptr %v3140, align 8, !noalias !432
+  %v3142 = fcmp ugt double %v3141, %v3129
+  br i1 %v3142, label %v3136, label %v3143
 
-v3165:
-  %v3166 = fsub double 1.000000e+00, %v3163
-  %v3167 = select i1 %v3155, i64 %v101, i64 0
-  %v3168 = add i64 %v3167, %v3152
-  %v3169 = mul i64 %v3168, %v102
-  %v3170 = getelementptr double, ptr %v3149, i64 %v3169
-  br label %v3171
-
-v3172:
-  %v3173 = getelementptr double, ptr %v3150, i64 %v3174
-  %v3175 = load double, ptr %v3173, align 8, !noalias !432
-  br label %v3176
-
-v3164:
-  store double 0x7FF0000000000000, ptr %v3144, align 8, !noalias !432
-  %v3177 = icmp eq i64 %v3152, %v910
-  br i1 %v3177, label %v3133, label %v3154
+v3143:
+  %v3144 = getelementptr double, ptr %v133, i64 %v3113
+  %v3145 = getelementptr double, ptr %v905, i64 %v3113
+  %v3146 = getelementptr double, ptr %v193, i64 %v3113
+  %v3147 = getelementptr double, ptr %v909, i64 %v3113
+  %v3148 = icmp slt i64 %v3130, 0
+  %v3149 = select i1 %v3148, i64 %v100, i64 0
+  %v3150 = add i64 %v3149, %v3130
+  %v3151 = mul i64 %v910, %v3150
+  %v3152 = getelementptr double, ptr %v99, i64 %v3151
+  %v3153 = getelementptr double, ptr %v911, i64 %v3113
+  br label %v3154
 
 v3154:
-  %v3153 = add i64 %v3152, 1
-  %v3178 = icmp slt i64 %v3152, -1
-  %v3179 = select i1 %v3178, i64 %v93, i64 0
-  %v3180 = getelementptr double, ptr %v92, i64 %v3153
-  %v3181 = getelementptr double, ptr %v3180, i64 %v3179
-  %v3182 = load double, ptr %v3181, align 8, !noalias !432
-  %v3183 = fcmp ugt double %v3182, %v3126
-  br i1 %v3183, label %v3133, label %v3151
+  %v3155 = phi i64 [ %v3156, %v3157 ], [ %v3133, %v3143 ]
+  %v3158 = icmp slt i64 %v3155, 0
+  %v3159 = select i1 %v3158, i64 %v93, i64 0
+  %v3160 = getelementptr double, ptr %v92, i64 %v3155
+  %v3161 = getelementptr double, ptr %v3160, i64 %v3159
+  %v3162 = load double, ptr %v3161, align 8, !noalias !432
+  %v3163 = load double, ptr %v3144, align 8, !noalias !432
+  %v3164 = fsub double %v3162, %v3163
+  %v3165 = load double, ptr %v3145, align 8, !noalias !432
+  %v3166 = fdiv double %v3164, %v3165
+  br i1 %v907, label %v3167, label %v3168
 
-v3133:
-  %v3184 = phi i64 [ %v3130, %v3132 ], [ %v3130, %v3119 ], [ %v93, %v3164 ], [ %v3153, %v3154 ]
-  store i64 %v3184, ptr %v3129, align 8, !noalias !432
-  br label %v3113
+v3168:
+  %v3169 = fsub double 1.000000e+00, %v3166
+  %v3170 = select i1 %v3158, i64 %v101, i64 0
+  %v3171 = add i64 %v3170, %v3155
+  %v3172 = mul i64 %v3171, %v102
+  %v3173 = getelementptr double, ptr %v3152, i64 %v3172
+  br label %v3174
 
-v3176:
-  %v3185 = phi double [ %v3186, %v3187 ], [ %v3175, %v3172 ]
-  %v3188 = getelementptr double, ptr %v3170, i64 %v3189
-  store double %v3185, ptr %v3188, align 8, !noalias !432
-  %v3190 = icmp eq i64 %v10, %v3191
-  br i1 %v3190, label %v3164, label %v3171
+v3175:
+  %v3176 = getelementptr double, ptr %v3153, i64 %v3177
+  %v3178 = load double, ptr %v3176, align 8, !noalias !432
+  br label %v3179
 
-v3171:
-  %v3189 = phi i64 [ 0, %v3165 ], [ %v3191, %v3176 ]
-  %v3191 = add nsw i64 %v3189, 1
-  %v3192 = load double, ptr %v3158, align 8, !noalias !432
-  %v3193 = load double, ptr %v3125, align 8, !noalias !432
-  %v3194 = fcmp oeq double %v3192, %v3193
-  %v3174 = mul i64 %v3189, %v196
-  br i1 %v3194, label %v3172, label %v3187
+v3167:
+  store double 0x7FF0000000000000, ptr %v3147, align 8, !noalias !432
+  %v3180 = icmp eq i64 %v3155, %v912
+  br i1 %v3180, label %v3136, label %v3157
 
-v3187:
-  %v3195 = getelementptr double, ptr %v3143, i64 %v3174
-  %v3196 = getelementptr i8, ptr %v3195, i64 %v911
-  %v3197 = load double, ptr %v3196, align 8, !noalias !436
-  %v3198 = fadd double %v3197, 0.000000e+00
-  %v3199 = fmul double %v3163, %v3198
-  %v3200 = getelementptr i8, ptr %v3195, i64 %v912
-  %v3201 = load double, ptr %v3200, align 8, !noalias !436
-  %v3202 = fadd double %v3201, %v3199
-  %v3203 = fmul double %v3166, %v3202
-  %v3204 = getelementptr i8, ptr %v3195, i64 %v913
-  %v3205 = load double, ptr %v3204, align 8, !noalias !436
-  %v3206 = fadd double %v3205, %v3203
-  %v3207 = fmul double %v3163, %v3206
-  %v3208 = getelementptr i8, ptr %v3195, i64 %v914
-  %v3209 = load double, ptr %v3208, align 8, !noalias !436
-  %v3210 = fadd double %v3209, %v3207
-  %v3211 = fmul double %v3166, %v3210
-  %v3212 = getelementptr i8, ptr %v3195, i64 %v915
-  %v3213 = load double, ptr %v3212, align 8, !noalias !436
-  %v3214 = fadd double %v3213, %v3211
-  %v3215 = fmul double %v3163, %v3214
-  %v3216 = getelementptr i8, ptr %v3195, i64 %v916
-  %v3217 = load double, ptr %v3216, align 8, !noalias !436
-  %v3218 = fadd double %v3217, %v3215
-  %v3219 = fmul double %v3166, %v3218
-  %v3220 = getelementptr i8, ptr %v3195, i64 %v917
-  %v3221 = load double, ptr %v3220, align 8, !noalias !436
-  %v3222 = fadd double %v3221, %v3219
-  %v3223 = fmul double %v3163, %v3222
-  %v3224 = load double, ptr %v3195, align 8, !noalias !436
-  %v3186 = fadd double %v3224, %v3223
-  br label %v3176
+v3157:
+  %v3156 = add i64 %v3155, 1
+  %v3181 = icmp slt i64 %v3155, -1
+  %v3182 = select i1 %v3181, i64 %v93, i64 0
+  %v3183 = getelementptr double, ptr %v92, i64 %v3156
+  %v3184 = getelementptr double, ptr %v3183, i64 %v3182
+  %v3185 = load double, ptr %v3184, align 8, !noalias !432
+  %v3186 = fcmp ugt double %v3185, %v3129
+  br i1 %v3186, label %v3136, label %v3154
 
-v3113:
-  %v3225 = icmp eq i64 %v3226, %v9
-  br i1 %v3225, label %v3227, label %v3228
+v3136:
+  %v3187 = phi i64 [ %v3133, %v3135 ], [ %v3133, %v3122 ], [ %v93, %v3167 ], [ %v3156, %v3157 ]
+  store i64 %v3187, ptr %v3132, align 8, !noalias !432
+  br label %v3116
 
-v3228:
-  %v3110 = phi i64 [ %v3226, %v3113 ], [ 0, %v3106 ]
-  %v3226 = add nsw i64 %v3110, 1
-  %v3128 = getelementptr i64, ptr %v142, i64 %v3110
-  %v3116 = load i64, ptr %v3128, align 8, !noalias !429
-  %v3229 = icmp slt i64 %v3116, 0
-  br i1 %v3229, label %v3113, label %v3108
+v3179:
+  %v3188 = phi double [ %v3189, %v3190 ], [ %v3178, %v3175 ]
+  %v3191 = getelementptr double, ptr %v3173, i64 %v3192
+  store double %v3188, ptr %v3191, align 8, !noalias !432
+  %v3193 = icmp eq i64 %v10, %v3194
+  br i1 %v3193, label %v3167, label %v3174
 
-v3227:
-  br i1 %v918, label %v3230, label %v3231
+v3174:
+  %v3192 = phi i64 [ 0, %v3168 ], [ %v3194, %v3179 ]
+  %v3194 = add nsw i64 %v3192, 1
+  %v3195 = load double, ptr %v3161, align 8, !noalias !432
+  %v3196 = load double, ptr %v3128, align 8, !noalias !432
+  %v3197 = fcmp oeq double %v3195, %v3196
+  %v3177 = mul i64 %v3192, %v196
+  br i1 %v3197, label %v3175, label %v3190
+
+v3190:
+  %v3198 = getelementptr double, ptr %v3146, i64 %v3177
+  %v3199 = getelementptr i8, ptr %v3198, i64 %v913
+  %v3200 = load double, ptr %v3199, align 8, !noalias !436
+  %v3201 = fadd double %v3200, 0.000000e+00
+  %v3202 = fmul double %v3166, %v3201
+  %v3203 = getelementptr i8, ptr %v3198, i64 %v914
+  %v3204 = load double, ptr %v3203, align 8, !noalias !436
+  %v3205 = fadd double %v3204, %v3202
+  %v3206 = fmul double %v3169, %v3205
+  %v3207 = getelementptr i8, ptr %v3198, i64 %v915
+  %v3208 = load double, ptr %v3207, align 8, !noalias !436
+  %v3209 = fadd double %v3208, %v3206
+  %v3210 = fmul double %v3166, %v3209
+  %v3211 = getelementptr i8, ptr %v3198, i64 %v916
+  %v3212 = load double, ptr %v3211, align 8, !noalias !436
+  %v3213 = fadd double %v3212, %v3210
+  %v3214 = fmul double %v3169, %v3213
+  %v3215 = getelementptr i8, ptr %v3198, i64 %v917
+  %v3216 = load double, ptr %v3215, align 8, !noalias !436
+  %v3217 = fadd double %v3216, %v3214
+  %v3218 = fmul double %v3166, %v3217
+  %v3219 = getelementptr i8, ptr %v3198, i64 %v918
+  %v3220 = load double, ptr %v3219, align 8, !noalias !436
+  %v3221 = fadd double %v3220, %v3218
+  %v3222 = fmul double %v3169, %v3221
+  %v3223 = getelementptr i8, ptr %v3198, i64 %v919
+  %v3224 = load double, ptr %v3223, align 8, !noalias !436
+  %v3225 = fadd double %v3224, %v3222
+  %v3226 = fmul double %v3166, %v3225
+  %v3227 = load double, ptr %v3198, align 8, !noalias !436
+  %v3189 = fadd double %v3227, %v3226
+  br label %v3179
+
+v3116:
+  %v3228 = icmp eq i64 %v3229, %v9
+  br i1 %v3228, label %v3230, label %v3231
 
 v3231:
-  %v3232 = load double, ptr %v920, align 8
-  %v3233 = fcmp ogt double %v3232, 5.000000e-01
-  br i1 %v3233, label %v3230, label %v3234
+  %v3113 = phi i64 [ %v3229, %v3116 ], [ 0, %v3109 ]
+  %v3229 = add nsw i64 %v3113, 1
+  %v3131 = getelementptr i64, ptr %v142, i64 %v3113
+  %v3119 = load i64, ptr %v3131, align 8, !noalias !429
+  %v3232 = icmp slt i64 %v3119, 0
+  br i1 %v3232, label %v3116, label %v3111
 
 v3230:
-  %v3235 = load i64, ptr %v921, align 8, !noalias !440
-  %v3236 = inttoptr i64 %v3235 to ptr
-  tail call void %v3236(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !440
-  br label %v3234
+  br i1 %v920, label %v3233, label %v3234
 
 v3234:
-  br i1 %v1468, label %v3237, label %v3238
+  %v3235 = load double, ptr %v922, align 8
+  %v3236 = fcmp ogt double %v3235, 5.000000e-01
+  br i1 %v3236, label %v3233, label %v3237
+
+v3233:
+  %v3238 = load i64, ptr %v923, align 8, !noalias !440
+  %v3239 = inttoptr i64 %v3238 to ptr
+  tail call void %v3239(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !440
+  br label %v3237
 
 v3237:
-  %v3239 = load double, ptr %v923, align 8, !noalias !443
-  %v3240 = fcmp olt double %v3239, 5.000000e-01
-  br i1 %v3240, label %v3238, label %v3241
+  br i1 %v1471, label %v3240, label %v3241
 
-v3241:
-  br i1 %v925, label %v3242, label %v3243
+v3240:
+  %v3242 = load double, ptr %v925, align 8, !noalias !443
+  %v3243 = fcmp olt double %v3242, 5.000000e-01
+  br i1 %v3243, label %v3241, label %v3244
 
 v3244:
-  %v3245 = getelementptr double, ptr %v926, i64 %v3246
-  %v3247 = load double, ptr %v3245, align 8, !noalias !443
-  %v3248 = add nsw i64 %v3246, %v17
-  %v3249 = icmp slt i64 %v3248, 0
-  %v3250 = select i1 %v3249, i64 %v166, i64 0
-  %v3251 = getelementptr double, ptr %v165, i64 %v3248
-  %v3252 = getelementptr double, ptr %v3251, i64 %v3250
-  %v3253 = load double, ptr %v3252, align 8, !noalias !443
-  %v3254 = fcmp une double %v3247, %v3253
-  br label %v3255
+  br i1 %v927, label %v3245, label %v3246
 
-v3255:
-  %v3256 = phi i1 [ true, %v3242 ], [ %v3254, %v3244 ]
-  %v3257 = icmp eq i64 %v3258, %v18
-  br i1 %v3257, label %v3243, label %v3242
+v3247:
+  %v3248 = getelementptr double, ptr %v928, i64 %v3249
+  %v3250 = load double, ptr %v3248, align 8, !noalias !443
+  %v3251 = add nsw i64 %v3249, %v17
+  %v3252 = icmp slt i64 %v3251, 0
+  %v3253 = select i1 %v3252, i64 %v166, i64 0
+  %v3254 = getelementptr double, ptr %v165, i64 %v3251
+  %v3255 = getelementptr double, ptr %v3254, i64 %v3253
+  %v3256 = load double, ptr %v3255, align 8, !noalias !443
+  %v3257 = fcmp une double %v3250, %v3256
+  br label %v3258
 
-v3243:
-  %v3259 = phi i1 [ false, %v3241 ], [ %v3256, %v3255 ]
-  %v3260 = load double, ptr %v928, align 8, !noalias !443
-  %v3261 = fcmp oeq double %v3260, 1.000000e+00
-  %v3262 = select i1 %v3261, i1 %v3259, i1 false
-  br i1 %v3262, label %v3263, label %v3264
+v3258:
+  %v3259 = phi i1 [ true, %v3245 ], [ %v3257, %v3247 ]
+  %v3260 = icmp eq i64 %v3261, %v18
+  br i1 %v3260, label %v3246, label %v3245
 
-v3263:
-  %v3265 = load double, ptr %v133, align 8, !noalias !443
-  %v3266 = load double, ptr %v930, align 8, !noalias !443
-  %v3267 = fsub double %v3265, %v3266
-  br i1 %v931, label %v3268, label %v3269
+v3246:
+  %v3262 = phi i1 [ false, %v3244 ], [ %v3259, %v3258 ]
+  %v3263 = load double, ptr %v930, align 8, !noalias !443
+  %v3264 = fcmp oeq double %v3263, 1.000000e+00
+  %v3265 = select i1 %v3264, i1 %v3262, i1 false
+  br i1 %v3265, label %v3266, label %v3267
 
-v3270:
-  %v3271 = load double, ptr %v932, align 8, !noalias !443
-  %v3272 = load double, ptr %v23, align 8, !noalias !443
-  %v3273 = mul i64 %v3274, %v196
-  %v3275 = getelementptr double, ptr %v193, i64 %v3273
-  %v3276 = load double, ptr %v3275, align 8, !noalias !443
-  %v3277 = tail call double @llvm.fabs.f64(double %v3276)
-  %v3278 = fmul double %v3272, %v3277
-  %v3279 = fadd double %v3271, %v3278
-  %v3280 = add i64 %v3274, %v195
-  %v3281 = mul i64 %v3280, %v196
-  %v3282 = getelementptr double, ptr %v193, i64 %v3281
-  %v3283 = load double, ptr %v3282, align 8, !noalias !443
-  %v3284 = tail call double @llvm.fabs.f64(double %v3283)
-  %v3285 = fmul double %v3267, %v3284
-  %v3286 = fcmp ogt double %v3285, %v3279
-  br label %v3287
+v3266:
+  %v3268 = load double, ptr %v133, align 8, !noalias !443
+  %v3269 = load double, ptr %v932, align 8, !noalias !443
+  %v3270 = fsub double %v3268, %v3269
+  br i1 %v933, label %v3271, label %v3272
 
-v3287:
-  %v3288 = phi i1 [ true, %v3269 ], [ %v3286, %v3270 ]
-  %v3289 = icmp eq i64 %v10, %v3290
-  br i1 %v3289, label %v3291, label %v3269
+v3273:
+  %v3274 = load double, ptr %v934, align 8, !noalias !443
+  %v3275 = load double, ptr %v23, align 8, !noalias !443
+  %v3276 = mul i64 %v3277, %v196
+  %v3278 = getelementptr double, ptr %v193, i64 %v3276
+  %v3279 = load double, ptr %v3278, align 8, !noalias !443
+  %v3280 = tail call double @llvm.fabs.f64(double %v3279)
+  %v3281 = fmul double %v3275, %v3280
+  %v3282 = fadd double %v3274, %v3281
+  %v3283 = add i64 %v3277, %v195
+  %v3284 = mul i64 %v3283, %v196
+  %v3285 = getelementptr double, ptr %v193, i64 %v3284
+  %v3286 = load double, ptr %v3285, align 8, !noalias !443
+  %v3287 = tail call double @llvm.fabs.f64(double %v3286)
+  %v3288 = fmul double %v3270, %v3287
+  %v3289 = fcmp ogt double %v3288, %v3282
+  br label %v3290
 
-v3291:
-  %v3292 = select i1 %v3288, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v3268
+v3290:
+  %v3291 = phi i1 [ true, %v3272 ], [ %v3289, %v3273 ]
+  %v3292 = icmp eq i64 %v10, %v3293
+  br i1 %v3292, label %v3294, label %v3272
 
-v3268:
-  %v3293 = phi double [ 5.000000e-06, %v3263 ], [ %v3292, %v3291 ]
-  %v3294 = load double, ptr %v934, align 8, !noalias !443
-  %v3295 = load double, ptr %v92, align 8, !noalias !443
-  %v3296 = fsub double %v3294, %v3295
-  %v3297 = fmul double %v3293, %v3296
-  %v3298 = fcmp olt double %v3267, %v3297
-  br i1 %v3298, label %v3299, label %v3300
+v3294:
+  %v3295 = select i1 %v3291, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3271
 
-v3299:
-  %v3301 = load i64, ptr %v936, align 8, !noalias !443
-  %v3302 = add nsw i64 %v3301, 1
-  br label %v3300
+v3271:
+  %v3296 = phi double [ 5.000000e-06, %v3266 ], [ %v3295, %v3294 ]
+  %v3297 = load double, ptr %v936, align 8, !noalias !443
+  %v3298 = load double, ptr %v92, align 8, !noalias !443
+  %v3299 = fsub double %v3297, %v3298
+  %v3300 = fmul double %v3296, %v3299
+  %v3301 = fcmp olt double %v3270, %v3300
+  br i1 %v3301, label %v3302, label %v3303
 
-v3300:
-  %v3303 = phi i64 [ %v3302, %v3299 ], [ 0, %v3268 ]
-  store i64 %v3303, ptr %v938, align 8, !noalias !443
-  %v3304 = load double, ptr %v133, align 8, !noalias !443
-  store double %v3304, ptr %v930, align 8, !noalias !443
-  store double 1.000000e+00, ptr %v940, align 8, !noalias !443
-  store i64 2, ptr %v514, align 8, !noalias !443
-  %v3305 = load i64, ptr %v938, align 8, !noalias !443
-  %v3306 = icmp sgt i64 %v3305, 1000
-  br i1 %v3306, label %v3307, label %v3264
+v3302:
+  %v3304 = load i64, ptr %v938, align 8, !noalias !443
+  %v3305 = add nsw i64 %v3304, 1
+  br label %v3303
 
-v3307:
-  %v3308 = load i64, ptr %v142, align 8, !noalias !447
-  %v3309 = icmp sgt i64 %v3308, -1
-  br i1 %v3309, label %v3310, label %v3264
+v3303:
+  %v3306 = phi i64 [ %v3305, %v3302 ], [ 0, %v3271 ]
+  store i64 %v3306, ptr %v940, align 8, !noalias !443
+  %v3307 = load double, ptr %v133, align 8, !noalias !443
+  store double %v3307, ptr %v932, align 8, !noalias !443
+  store double 1.000000e+00, ptr %v942, align 8, !noalias !443
+  store i64 2, ptr %v516, align 8, !noalias !443
+  %v3308 = load i64, ptr %v940, align 8, !noalias !443
+  %v3309 = icmp sgt i64 %v3308, 1000
+  br i1 %v3309, label %v3310, label %v3267
 
 v3310:
-  %v3311 = getelementptr i64, ptr %v110, i64 %v3308
-  %v3312 = load i64, ptr %v3311, align 8, !noalias !447
-  %v3313 = icmp eq i64 %v3312, 0
-  br i1 %v3313, label %v3314, label %v3264
+  %v3311 = load i64, ptr %v142, align 8, !noalias !447
+  %v3312 = icmp sgt i64 %v3311, -1
+  br i1 %v3312, label %v3313, label %v3267
 
-v3314:
-  store i64 6, ptr %v3311, align 8, !noalias !447
-  br label %v3264
+v3313:
+  %v3314 = getelementptr i64, ptr %v110, i64 %v3311
+  %v3315 = load i64, ptr %v3314, align 8, !noalias !447
+  %v3316 = icmp eq i64 %v3315, 0
+  br i1 %v3316, label %v3317, label %v3267
 
-v3264:
-  store double 0.000000e+00, ptr %v928, align 8, !noalias !443
-  br label %v3238
+v3317:
+  store i64 6, ptr %v3314, align 8, !noalias !447
+  br label %v3267
 
-v3242:
-  %v3315 = phi i1 [ %v3256, %v3255 ], [ false, %v3241 ]
-  %v3246 = phi i64 [ %v3258, %v3255 ], [ 0, %v3241 ]
-  %v3258 = add nsw i64 %v3246, 1
-  br i1 %v3315, label %v3255, label %v3244
+v3267:
+  store double 0.000000e+00, ptr %v930, align 8, !noalias !443
+  br label %v3241
 
-v3269:
-  %v3316 = phi i1 [ %v3288, %v3287 ], [ false, %v3263 ]
-  %v3274 = phi i64 [ %v3290, %v3287 ], [ 0, %v3263 ]
-  %v3290 = add nsw i64 %v3274, 1
-  br i1 %v3316, label %v3287, label %v3270
+v3245:
+  %v3318 = phi i1 [ %v3259, %v3258 ], [ false, %v3244 ]
+  %v3249 = phi i64 [ %v3261, %v3258 ], [ 0, %v3244 ]
+  %v3261 = add nsw i64 %v3249, 1
+  br i1 %v3318, label %v3258, label %v3247
 
-v3238:
-  %v3317 = and i1 %v941, %v1354
-  %v3318 = xor i1 %v3317, true
-  %v3319 = or i1 %v307, %v3318
-  br i1 %v3319, label %v3320, label %v3321
+v3272:
+  %v3319 = phi i1 [ %v3291, %v3290 ], [ false, %v3266 ]
+  %v3277 = phi i64 [ %v3293, %v3290 ], [ 0, %v3266 ]
+  %v3293 = add nsw i64 %v3277, 1
+  br i1 %v3319, label %v3290, label %v3273
 
-v3322:
-  %v3323 = getelementptr i64, ptr %v110, i64 %v3324
-  %v3325 = load i64, ptr %v3323, align 8, !noalias !450
-  %v3326 = icmp eq i64 %v3325, 0
-  br i1 %v3326, label %v3327, label %v3328
+v3241:
+  %v3320 = and i1 %v943, %v1357
+  %v3321 = xor i1 %v3320, true
+  %v3322 = or i1 %v307, %v3321
+  br i1 %v3322, label %v3323, label %v3324
 
-v3327:
-  %v3329 = getelementptr double, ptr %v944, i64 %v3330
-  %v3331 = load double, ptr %v3329, align 8, !noalias !450
-  %v3332 = fcmp olt double %v3331, 5.000000e-01
-  br i1 %v3332, label %v3328, label %v3333
+v3325:
+  %v3326 = getelementptr i64, ptr %v110, i64 %v3327
+  %v3328 = load i64, ptr %v3326, align 8, !noalias !450
+  %v3329 = icmp eq i64 %v3328, 0
+  br i1 %v3329, label %v3330, label %v3331
 
-v3333:
-  %v3334 = getelementptr double, ptr %v133, i64 %v3330
-  %v3335 = load double, ptr %v3334, align 8, !noalias !450
-  %v3336 = getelementptr double, ptr %v946, i64 %v3330
-  %v3337 = load double, ptr %v3336, align 8, !noalias !450
-  %v3338 = fcmp une double %v3335, %v3337
-  %v3339 = select i1 %v3338, i1 true, i1 %v948
-  %v3340 = xor i1 %v3338, true
-  %v3341 = select i1 %v3340, i1 true, i1 %v3342
-  br i1 %v3339, label %v3328, label %v3343
+v3330:
+  %v3332 = getelementptr double, ptr %v946, i64 %v3333
+  %v3334 = load double, ptr %v3332, align 8, !noalias !450
+  %v3335 = fcmp olt double %v3334, 5.000000e-01
+  br i1 %v3335, label %v3331, label %v3336
 
-v3343:
-  %v3344 = getelementptr i64, ptr %v947, i64 %v3330
-  %v3345 = load i64, ptr %v3344, align 8, !noalias !455
-  %v3346 = add nsw i64 %v3345, 1
-  %v3347 = icmp slt i64 %v3345, -1
-  %v3348 = select i1 %v3347, i64 %v77, i64 0
-  %v3349 = add i64 %v3346, %v3348
-  %v3350 = mul i64 %v3349, %v78
-  %v3351 = getelementptr double, ptr %v76, i64 %v3350
-  br label %v3352
+v3336:
+  %v3337 = getelementptr double, ptr %v133, i64 %v3333
+  %v3338 = load double, ptr %v3337, align 8, !noalias !450
+  %v3339 = getelementptr double, ptr %v948, i64 %v3333
+  %v3340 = load double, ptr %v3339, align 8, !noalias !450
+  %v3341 = fcmp une double %v3338, %v3340
+  %v3342 = select i1 %v3341, i1 true, i1 %v950
+  %v3343 = xor i1 %v3341, true
+  %v3344 = select i1 %v3343, i1 true, i1 %v3345
+  br i1 %v3342, label %v3331, label %v3346
 
-v3352:
-  %v3353 = phi i64 [ 0, %v3343 ], [ %v3354, %v3352 ]
-  %v3354 = add nsw i64 %v3353, 1
-  %v3355 = getelementptr double, ptr %v3351, i64 %v3353
-  %v3356 = load double, ptr %v3355, align 8, !noalias !456
-  %v3357 = getelementptr i64, ptr %v62, i64 %v3353
-  %v3358 = load i64, ptr %v3357, align 8, !noalias !456
-  %v3359 = mul nsw i64 %v3358, %v9
-  %v3360 = add nsw i64 %v3359, %v3330
-  %v3361 = icmp slt i64 %v3360, 0
-  %v3362 = select i1 %v3361, i64 %v166, i64 0
-  %v3363 = getelementptr double, ptr %v165, i64 %v3360
-  %v3364 = getelementptr double, ptr %v3363, i64 %v3362
-  store double %v3356, ptr %v3364, align 8, !noalias !456
-  %v3365 = icmp eq i64 %v63, %v3354
-  br i1 %v3365, label %v3328, label %v3352
+v3346:
+  %v3347 = getelementptr i64, ptr %v949, i64 %v3333
+  %v3348 = load i64, ptr %v3347, align 8, !noalias !455
+  %v3349 = add nsw i64 %v3348, 1
+  %v3350 = icmp slt i64 %v3348, -1
+  %v3351 = select i1 %v3350, i64 %v77, i64 0
+  %v3352 = add i64 %v3349, %v3351
+  %v3353 = mul i64 %v3352, %v78
+  %v3354 = getelementptr double, ptr %v76, i64 %v3353
+  br label %v3355
 
-v3328:
-  %v3366 = phi i1 [ %v3341, %v3333 ], [ %v3342, %v3327 ], [ %v3342, %v3321 ], [ %v3342, %v3322 ], [ true, %v3352 ]
-  %v3367 = icmp eq i64 %v9, %v3368
-  br i1 %v3367, label %v3369, label %v3321
+v3355:
+  %v3356 = phi i64 [ 0, %v3346 ], [ %v3357, %v3355 ]
+  %v3357 = add nsw i64 %v3356, 1
+  %v3358 = getelementptr double, ptr %v3354, i64 %v3356
+  %v3359 = load double, ptr %v3358, align 8, !noalias !456
+  %v3360 = getelementptr i64, ptr %v62, i64 %v3356
+  %v3361 = load i64, ptr %v3360, align 8, !noalias !456
+  %v3362 = mul nsw i64 %v3361, %v9
+  %v3363 = add nsw i64 %v3362, %v3333
+  %v3364 = icmp slt i64 %v3363, 0
+  %v3365 = select i1 %v3364, i64 %v166, i64 0
+  %v3366 = getelementptr double, ptr %v165, i64 %v3363
+  %v3367 = getelementptr double, ptr %v3366, i64 %v3365
+  store double %v3359, ptr %v3367, align 8, !noalias !456
+  %v3368 = icmp eq i64 %v63, %v3357
+  br i1 %v3368, label %v3331, label %v3355
 
-v3369:
-  br i1 %v3366, label %v3370, label %v3320
+v3331:
+  %v3369 = phi i1 [ %v3344, %v3336 ], [ %v3345, %v3330 ], [ %v3345, %v3324 ], [ %v3345, %v3325 ], [ true, %v3355 ]
+  %v3370 = icmp eq i64 %v9, %v3371
+  br i1 %v3370, label %v3372, label %v3324
 
-v3370:
-  %v3371 = load i64, ptr %v949, align 8, !noalias !460
-  %v3372 = inttoptr i64 %v3371 to ptr
-  tail call void %v3372(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !460
-  %v3373 = load i64, ptr %v951, align 8, !noalias !455
-  %v3374 = inttoptr i64 %v3373 to ptr
-  tail call void %v3374(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v953), !noalias !455
-  br label %v3375
+v3372:
+  br i1 %v3369, label %v3373, label %v3323
 
-v3375:
-  %v3376 = phi i64 [ 0, %v3370 ], [ %v3377, %v3378 ]
-  %v3379 = phi i64 [ %v955, %v3370 ], [ %v3380, %v3378 ]
-  %v3381 = phi i64 [ 1, %v3370 ], [ %v3382, %v3378 ]
-  %v3383 = icmp slt i64 %v3376, 0
-  %v3384 = select i1 %v3383, i64 %v144, i64 0
-  %v3385 = add i64 %v3384, %v3376
-  %v3386 = getelementptr i64, ptr %v142, i64 %v3385
-  %v3387 = load i64, ptr %v3386, align 8, !noalias !463
-  %v3388 = icmp slt i64 %v3387, 0
-  br i1 %v3388, label %v3378, label %v3389
-
-v3389:
-  %v3390 = getelementptr i64, ptr %v110, i64 %v3387
-  %v3391 = load i64, ptr %v3390, align 8, !noalias !463
-  %v3392 = icmp eq i64 %v3391, 0
-  br i1 %v3392, label %v3393, label %v3378
-
-v3393:
-  %v3394 = select i1 %v3383, i64 %v135, i64 0
-  %v3395 = add i64 %v3394, %v3376
-  %v3396 = getelementptr double, ptr %v944, i64 %v3395
-  %v3397 = load double, ptr %v3396, align 8, !noalias !463
-  %v3398 = fcmp olt double %v3397, 5.000000e-01
-  br i1 %v3398, label %v3378, label %v3399
-
-v3399:
-  %v3400 = getelementptr double, ptr %v133, i64 %v3395
-  %v3401 = load double, ptr %v3400, align 8, !noalias !463
-  %v3402 = getelementptr double, ptr %v946, i64 %v3395
-  %v3403 = load double, ptr %v3402, align 8, !noalias !463
-  %v3404 = fcmp une double %v3401, %v3403
-  br i1 %v3404, label %v3378, label %v3405
-
-v3405:
-  %v3406 = getelementptr i64, ptr %v958, i64 %v3385
-  %v3407 = load i64, ptr %v3406, align 8, !noalias !466
-  %v3408 = icmp sgt i64 %v3407, 0
-  br i1 %v3408, label %v3409, label %v3410
-
-v3409:
-  %v3411 = getelementptr double, ptr %v92, i64 %v3407
-  %v3412 = getelementptr i8, ptr %v3411, i64 -8
-  %v3413 = load double, ptr %v3412, align 8, !noalias !466
-  %v3414 = getelementptr double, ptr %v133, i64 %v3376
-  %v3415 = getelementptr double, ptr %v3414, i64 %v3394
-  %v3416 = load double, ptr %v3415, align 8, !noalias !466
-  %v3417 = fcmp oeq double %v3413, %v3416
-  br label %v3410
-
-v3410:
-  %v3418 = phi i1 [ %v3417, %v3409 ], [ false, %v3405 ]
-  br i1 %v960, label %v3419, label %v3420
-
-v3420:
-  %v3421 = mul i64 %v954, %v3387
-  %v3422 = select i1 %v3383, i64 %v196, i64 0
-  %v3423 = add i64 %v3422, %v3376
-  %v3424 = getelementptr double, ptr %v961, i64 %v3423
-  %v3425 = getelementptr double, ptr %v193, i64 %v3423
-  %v3426 = add nsw i64 %v3407, -1
-  %v3427 = select i1 %v3408, i64 0, i64 %v101
-  %v3428 = add i64 %v3426, %v3427
-  %v3429 = mul i64 %v3428, %v102
-  %v3430 = getelementptr double, ptr %v99, i64 %v3421
-  %v3431 = getelementptr double, ptr %v3430, i64 %v3429
-  br label %v3432
-
-v3433:
-  %v3434 = getelementptr double, ptr %v3431, i64 %v3435
-  store double %v3436, ptr %v3434, align 8, !noalias !466
-  br label %v3437
-
-v3437:
-  %v3438 = icmp eq i64 %v10, %v3439
-  br i1 %v3438, label %v3440, label %v3432
-
-v3440:
-  %v3441 = fcmp une double %v3442, 0.000000e+00
-  br i1 %v3441, label %v3443, label %v3419
-
-v3443:
-  %v3444 = load i64, ptr %v3386, align 8, !noalias !470
-  %v3445 = icmp sgt i64 %v3444, -1
-  br i1 %v3445, label %v3446, label %v3419
-
-v3446:
-  %v3447 = getelementptr i64, ptr %v110, i64 %v3444
-  %v3448 = load i64, ptr %v3447, align 8, !noalias !470
-  %v3449 = icmp eq i64 %v3448, 0
-  br i1 %v3449, label %v3450, label %v3419
-
-v3450:
-  store i64 3, ptr %v3447, align 8, !noalias !470
-  br label %v3419
-
-v3419:
-  br i1 %v304, label %v3451, label %v3378
-
-v3451:
-  %v3452 = load double, ptr %v963, align 8, !noalias !473
-  %v3453 = load double, ptr %v92, align 8, !noalias !473
-  %v3454 = fsub double %v3452, %v3453
-  %v3455 = fmul double %v3454, 1.000000e-13
-  %v3456 = load double, ptr %v133, align 8, !noalias !473
-  %v3457 = tail call double @llvm.fabs.f64(double %v3456)
-  %v3458 = fmul double %v3457, 4.000000e-15
-  %v3459 = fcmp ogt double %v3458, %v3455
-  %v3460 = select i1 %v3459, double %v3458, double %v3455
-  %v3461 = fadd double %v3456, %v3460
-  store double %v3461, ptr %v965, align 8, !noalias !483
-  %v3462 = load i64, ptr %v6, align 8, !noalias !484
-  %v3463 = inttoptr i64 %v3462 to ptr
-  tail call void %v3463(ptr nonnull %v133, ptr %v953, ptr %v165, ptr %v172, ptr %v179, ptr %v967), !noalias !484
-  br i1 %v960, label %v3464, label %v3465
-
-v3464:
-  %v3466 = load i64, ptr %v972, align 8, !noalias !487
-  %v3467 = inttoptr i64 %v3466 to ptr
-  tail call void %v3467(ptr nonnull %v133, ptr %v974, ptr %v165, ptr %v172, ptr %v179, ptr %v976), !noalias !487
-  %v3468 = load i64, ptr %v972, align 8, !noalias !490
-  %v3469 = inttoptr i64 %v3468 to ptr
-  tail call void %v3469(ptr nonnull %v965, ptr %v978, ptr %v165, ptr %v172, ptr %v179, ptr %v980), !noalias !490
-  br label %v3470
-
-v3470:
-  %v3471 = phi i64 [ %v18, %v3464 ], [ %v3472, %v3473 ]
-  %v3474 = phi i64 [ %v982, %v3464 ], [ %v3475, %v3473 ]
-  %v3476 = icmp sgt i64 %v3474, 0
-  br i1 %v3476, label %v3473, label %v3477
-
-v3473:
-  %v3475 = add nsw i64 %v3474, -1
-  %v3472 = add i64 %v3471, 1
-  %v3478 = icmp slt i64 %v3471, 0
-  %v3479 = select i1 %v3478, i64 %v207, i64 0
-  %v3480 = add i64 %v3479, %v3471
-  %v3481 = getelementptr double, ptr %v986, i64 %v3480
-  %v3482 = load double, ptr %v3481, align 8, !noalias !483
-  %v3483 = getelementptr double, ptr %v989, i64 %v3480
-  %v3484 = load double, ptr %v3483, align 8, !noalias !483
-  %v3485 = fsub double %v3482, %v3484
-  %v3486 = tail call double @llvm.fabs.f64(double %v3485)
-  %v3487 = getelementptr double, ptr %v991, i64 %v3480
-  %v3488 = load double, ptr %v3487, align 8, !noalias !483
-  %v3489 = tail call i1 @llvm.is.fpclass.f64(double %v3488, i32 543)
-  %v3490 = select i1 %v3489, double 0.000000e+00, double %v3488
-  %v3491 = fcmp ueq double %v3486, 0x7FF0000000000000
-  %v3492 = select i1 %v3491, double -0.000000e+00, double %v3486
-  %v3493 = fadd double %v3490, %v3492
-  %v3494 = getelementptr double, ptr %v988, i64 %v3480
-  %v3495 = load double, ptr %v3494, align 8, !noalias !483
-  %v3496 = fneg double %v3493
-  %v3497 = fcmp olt double %v3495, %v3496
-  br i1 %v3497, label %v3477, label %v3470
-
-v3465:
-  %v3498 = phi i64 [ %v3499, %v3465 ], [ 0, %v3451 ]
-  %v3499 = add nsw i64 %v3498, 1
-  %v3500 = mul i64 %v3498, %v196
-  %v3501 = getelementptr double, ptr %v961, i64 %v3500
-  %v3502 = load double, ptr %v3501, align 8, !noalias !483
-  %v3503 = getelementptr double, ptr %v969, i64 %v3500
-  %v3504 = load double, ptr %v3503, align 8, !noalias !483
-  %v3505 = fmul double %v3460, %v3504
-  %v3506 = fadd double %v3502, %v3505
-  %v3507 = getelementptr double, ptr %v971, i64 %v3500
-  store double %v3506, ptr %v3507, align 8, !noalias !483
-  %v3508 = icmp eq i64 %v10, %v3499
-  br i1 %v3508, label %v3464, label %v3465
-
-v3509:
-  %v3510 = getelementptr i64, ptr %v993, i64 %v3385
-  store i64 %v3511, ptr %v3510, align 8, !noalias !493
-  %v3512 = load i64, ptr %v3386, align 8, !noalias !494
-  %v3513 = icmp sgt i64 %v3512, -1
-  br i1 %v3513, label %v3514, label %v3515
-
-v3514:
-  %v3516 = getelementptr i64, ptr %v110, i64 %v3512
-  %v3517 = load i64, ptr %v3516, align 8, !noalias !494
-  %v3518 = icmp eq i64 %v3517, 0
-  br i1 %v3518, label %v3519, label %v3515
-
-v3519:
-  store i64 4, ptr %v3516, align 8, !noalias !494
-  br label %v3515
-
-v3515:
-  %v3520 = load double, ptr %v3400, align 8, !noalias !493
-  store double %v3520, ptr %v3402, align 8, !noalias !493
-  %v3521 = getelementptr double, ptr %v995, i64 %v3395
-  store double 0.000000e+00, ptr %v3521, align 8, !noalias !493
+v3373:
+  %v3374 = load i64, ptr %v951, align 8, !noalias !460
+  %v3375 = inttoptr i64 %v3374 to ptr
+  tail call void %v3375(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !460
+  %v3376 = load i64, ptr %v953, align 8, !noalias !455
+  %v3377 = inttoptr i64 %v3376 to ptr
+  tail call void %v3377(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v955), !noalias !455
   br label %v3378
 
-v3477:
-  %v3511 = phi i64 [ %v3471, %v3473 ], [ -1, %v3470 ]
-  %v3522 = icmp sgt i64 %v3511, -1
-  br i1 %v3522, label %v3509, label %v3378
-
-v3432:
-  %v3523 = phi double [ 0.000000e+00, %v3420 ], [ %v3442, %v3437 ]
-  %v3435 = phi i64 [ 0, %v3420 ], [ %v3439, %v3437 ]
-  %v3439 = add nsw i64 %v3435, 1
-  %v3524 = mul i64 %v3435, %v196
-  %v3525 = getelementptr double, ptr %v3424, i64 %v3524
-  %v3436 = load double, ptr %v3525, align 8, !noalias !466
-  %v3526 = fmul double %v3436, 0.000000e+00
-  %v3442 = fadd double %v3523, %v3526
-  %v3527 = getelementptr double, ptr %v3425, i64 %v3524
-  store double %v3436, ptr %v3527, align 8, !noalias !466
-  br i1 %v3418, label %v3433, label %v3437
-
 v3378:
-  %v3528 = icmp sgt i64 %v3379, 0
-  %v3529 = zext i1 %v3528 to i64
-  %v3382 = add i64 %v3381, %v3529
-  %v3530 = sext i1 %v3528 to i64
-  %v3380 = add nsw i64 %v3379, %v3530
-  %v3377 = select i1 %v3528, i64 %v3381, i64 0
-  br i1 %v3528, label %v3375, label %v3320
+  %v3379 = phi i64 [ 0, %v3373 ], [ %v3380, %v3381 ]
+  %v3382 = phi i64 [ %v957, %v3373 ], [ %v3383, %v3381 ]
+  %v3384 = phi i64 [ 1, %v3373 ], [ %v3385, %v3381 ]
+  %v3386 = icmp slt i64 %v3379, 0
+  %v3387 = select i1 %v3386, i64 %v144, i64 0
+  %v3388 = add i64 %v3387, %v3379
+  %v3389 = getelementptr i64, ptr %v142, i64 %v3388
+  %v3390 = load i64, ptr %v3389, align 8, !noalias !463
+  %v3391 = icmp slt i64 %v3390, 0
+  br i1 %v3391, label %v3381, label %v3392
 
-v3321:
-  %v3342 = phi i1 [ %v3366, %v3328 ], [ false, %v3238 ]
-  %v3330 = phi i64 [ %v3368, %v3328 ], [ 0, %v3238 ]
-  %v3368 = add nsw i64 %v3330, 1
-  %v3531 = getelementptr i64, ptr %v142, i64 %v3330
-  %v3324 = load i64, ptr %v3531, align 8, !noalias !450
-  %v3532 = icmp slt i64 %v3324, 0
-  br i1 %v3532, label %v3328, label %v3322
+v3392:
+  %v3393 = getelementptr i64, ptr %v110, i64 %v3390
+  %v3394 = load i64, ptr %v3393, align 8, !noalias !463
+  %v3395 = icmp eq i64 %v3394, 0
+  br i1 %v3395, label %v3396, label %v3381
 
-v3320:
-  %v3533 = xor i1 %v1354, true
-  %v3534 = or i1 %v307, %v3533
-  %v3535 = select i1 %v1354, i64 0, i64 %v1124
-  br i1 %v3534, label %v1123, label %v3536
+v3396:
+  %v3397 = select i1 %v3386, i64 %v135, i64 0
+  %v3398 = add i64 %v3397, %v3379
+  %v3399 = getelementptr double, ptr %v946, i64 %v3398
+  %v3400 = load double, ptr %v3399, align 8, !noalias !463
+  %v3401 = fcmp olt double %v3400, 5.000000e-01
+  br i1 %v3401, label %v3381, label %v3402
 
-v3536:
-  %v3537 = phi i64 [ %v3538, %v3539 ], [ 0, %v3320 ]
-  %v3540 = phi i64 [ %v3541, %v3539 ], [ %v999, %v3320 ]
-  %v3542 = phi i64 [ %v3543, %v3539 ], [ %v998, %v3320 ]
-  %v3544 = phi i1 [ %v3545, %v3539 ], [ false, %v3320 ]
-  %v3546 = phi i64 [ %v3547, %v3539 ], [ 0, %v3320 ]
-  %v3548 = icmp slt i64 %v3537, 0
-  %v3549 = select i1 %v3548, i64 %v144, i64 0
-  %v3550 = add i64 %v3549, %v3537
-  %v3551 = getelementptr i64, ptr %v142, i64 %v3550
-  %v3552 = load i64, ptr %v3551, align 8, !noalias !497
-  %v3553 = icmp slt i64 %v3552, 0
-  br i1 %v3553, label %v3539, label %v3554
+v3402:
+  %v3403 = getelementptr double, ptr %v133, i64 %v3398
+  %v3404 = load double, ptr %v3403, align 8, !noalias !463
+  %v3405 = getelementptr double, ptr %v948, i64 %v3398
+  %v3406 = load double, ptr %v3405, align 8, !noalias !463
+  %v3407 = fcmp une double %v3404, %v3406
+  br i1 %v3407, label %v3381, label %v3408
 
-v3554:
-  %v3555 = mul i64 %v3552, %v126
-  %v3556 = getelementptr i64, ptr %v124, i64 %v3555
-  %v3557 = load i64, ptr %v3556, align 8, !noalias !497
-  %v3558 = getelementptr i8, ptr %v3556, i64 24
-  %v3559 = load i64, ptr %v3558, align 8, !noalias !497
-  %v3560 = add nsw i64 %v3559, %v3557
-  %v3561 = icmp slt i64 %v3560, %v298
-  br i1 %v3561, label %v3562, label %v3563
+v3408:
+  %v3409 = getelementptr i64, ptr %v960, i64 %v3388
+  %v3410 = load i64, ptr %v3409, align 8, !noalias !466
+  %v3411 = icmp sgt i64 %v3410, 0
+  br i1 %v3411, label %v3412, label %v3413
 
-v3563:
-  %v3564 = getelementptr i64, ptr %v110, i64 %v3552
-  %v3565 = load i64, ptr %v3564, align 8, !noalias !501
-  %v3566 = icmp eq i64 %v3565, 0
-  br i1 %v3566, label %v3567, label %v3568
+v3412:
+  %v3414 = getelementptr double, ptr %v92, i64 %v3410
+  %v3415 = getelementptr i8, ptr %v3414, i64 -8
+  %v3416 = load double, ptr %v3415, align 8, !noalias !466
+  %v3417 = getelementptr double, ptr %v133, i64 %v3379
+  %v3418 = getelementptr double, ptr %v3417, i64 %v3397
+  %v3419 = load double, ptr %v3418, align 8, !noalias !466
+  %v3420 = fcmp oeq double %v3416, %v3419
+  br label %v3413
 
-v3567:
-  store i64 5, ptr %v3564, align 8, !noalias !501
-  br label %v3568
+v3413:
+  %v3421 = phi i1 [ %v3420, %v3412 ], [ false, %v3408 ]
+  br i1 %v962, label %v3422, label %v3423
 
-v3562:
-  %v3569 = select i1 %v3548, i64 %v135, i64 0
-  %v3570 = add i64 %v3569, %v3537
-  %v3571 = getelementptr double, ptr %v1001, i64 %v3570
-  %v3572 = load double, ptr %v3571, align 8, !noalias !504
-  %v3573 = sitofp i64 %v3560 to double
-  %v3574 = fcmp ogt double %v3572, %v3573
-  br i1 %v3574, label %v3568, label %v3575
+v3423:
+  %v3424 = mul i64 %v956, %v3390
+  %v3425 = select i1 %v3386, i64 %v196, i64 0
+  %v3426 = add i64 %v3425, %v3379
+  %v3427 = getelementptr double, ptr %v963, i64 %v3426
+  %v3428 = getelementptr double, ptr %v193, i64 %v3426
+  %v3429 = add nsw i64 %v3410, -1
+  %v3430 = select i1 %v3411, i64 0, i64 %v101
+  %v3431 = add i64 %v3429, %v3430
+  %v3432 = mul i64 %v3431, %v102
+  %v3433 = getelementptr double, ptr %v99, i64 %v3424
+  %v3434 = getelementptr double, ptr %v3433, i64 %v3432
+  br label %v3435
 
-v3575:
-  br i1 %v1002, label %v3576, label %v3577
+v3436:
+  %v3437 = getelementptr double, ptr %v3434, i64 %v3438
+  store double %v3439, ptr %v3437, align 8, !noalias !466
+  br label %v3440
 
-v3577:
-  %v3578 = getelementptr double, ptr %v193, i64 %v3537
-  %v3579 = select i1 %v3548, i64 %v196, i64 0
-  %v3580 = getelementptr double, ptr %v3578, i64 %v3579
-  br label %v3581
+v3440:
+  %v3441 = icmp eq i64 %v10, %v3442
+  br i1 %v3441, label %v3443, label %v3435
 
-v3576:
-  %v3582 = phi double [ 0.000000e+00, %v3575 ], [ %v3583, %v3581 ]
-  %v3584 = getelementptr double, ptr %v133, i64 %v3570
-  %v3585 = load double, ptr %v3584, align 8, !noalias !504
-  %v3586 = getelementptr double, ptr %v1004, i64 %v3570
-  %v3587 = load double, ptr %v3586, align 8, !noalias !504
-  %v3588 = fsub double %v3585, %v3587
-  %v3589 = getelementptr double, ptr %v1006, i64 %v3570
-  %v3590 = load double, ptr %v3589, align 8, !noalias !504
-  %v3591 = fadd double %v3590, 1.000000e+00
-  store double %v3591, ptr %v3589, align 8, !noalias !504
-  %v3592 = getelementptr double, ptr %v1008, i64 %v3570
-  %v3593 = load double, ptr %v3592, align 8, !noalias !504
-  %v3594 = fmul double %v3593, 1.050000e+00
-  %v3595 = fcmp ogt double %v3588, %v3594
-  br i1 %v3595, label %v3596, label %v3597
+v3443:
+  %v3444 = fcmp une double %v3445, 0.000000e+00
+  br i1 %v3444, label %v3446, label %v3422
 
-v3596:
-  store double 0.000000e+00, ptr %v3589, align 8, !noalias !504
-  %v3598 = getelementptr double, ptr %v1010, i64 %v3570
-  store double %v3582, ptr %v3598, align 8, !noalias !504
-  br label %v3597
+v3446:
+  %v3447 = load i64, ptr %v3389, align 8, !noalias !470
+  %v3448 = icmp sgt i64 %v3447, -1
+  br i1 %v3448, label %v3449, label %v3422
 
-v3597:
-  %v3599 = load double, ptr %v3584, align 8, !noalias !504
-  store double %v3599, ptr %v3586, align 8, !noalias !504
-  store double %v3588, ptr %v3592, align 8, !noalias !504
-  %v3600 = fmul double %v3573, 2.000000e+00
-  store double %v3600, ptr %v3571, align 8, !noalias !504
-  %v3601 = getelementptr double, ptr %v1012, i64 %v3570
-  %v3602 = load double, ptr %v3601, align 8, !noalias !504
-  %v3603 = load double, ptr %v3584, align 8, !noalias !504
-  %v3604 = fsub double %v3602, %v3603
-  %v3605 = fmul double %v3588, 2.000000e+00
-  %v3606 = sub nsw i64 %v298, %v3560
-  %v3607 = sitofp i64 %v3606 to double
-  %v3608 = fmul double %v3605, %v3607
-  %v3609 = fmul double %v3604, %v3573
-  %v3610 = fcmp olt double %v3608, %v3609
-  br i1 %v3610, label %v3611, label %v3568
+v3449:
+  %v3450 = getelementptr i64, ptr %v110, i64 %v3447
+  %v3451 = load i64, ptr %v3450, align 8, !noalias !470
+  %v3452 = icmp eq i64 %v3451, 0
+  br i1 %v3452, label %v3453, label %v3422
 
-v3611:
-  %v3612 = getelementptr double, ptr %v1014, i64 %v3570
-  %v3613 = load double, ptr %v3612, align 8, !noalias !504
-  %v3614 = fmul double %v3613, 2.000000e+00
-  %v3615 = fcmp ogt double %v3582, %v3614
-  br i1 %v3615, label %v3616, label %v3568
+v3453:
+  store i64 3, ptr %v3450, align 8, !noalias !470
+  br label %v3422
 
-v3616:
-  %v3617 = load double, ptr %v3589, align 8, !noalias !504
-  %v3618 = fcmp ult double %v3617, 5.000000e+00
-  br i1 %v3618, label %v3568, label %v3619
+v3422:
+  br i1 %v304, label %v3454, label %v3381
 
-v3581:
-  %v3620 = phi double [ 0.000000e+00, %v3577 ], [ %v3583, %v3581 ]
-  %v3621 = phi i64 [ 0, %v3577 ], [ %v3622, %v3581 ]
-  %v3622 = add nsw i64 %v3621, 1
-  %v3623 = mul i64 %v3621, %v196
-  %v3624 = getelementptr double, ptr %v3580, i64 %v3623
-  %v3625 = load double, ptr %v3624, align 8, !noalias !504
-  %v3626 = tail call double @llvm.fabs.f64(double %v3625)
-  %v3627 = fcmp ogt double %v3626, %v3620
-  %v3583 = select i1 %v3627, double %v3626, double %v3620
-  %v3628 = icmp eq i64 %v10, %v3622
-  br i1 %v3628, label %v3576, label %v3581
+v3454:
+  %v3455 = load double, ptr %v965, align 8, !noalias !473
+  %v3456 = load double, ptr %v92, align 8, !noalias !473
+  %v3457 = fsub double %v3455, %v3456
+  %v3458 = fmul double %v3457, 1.000000e-13
+  %v3459 = load double, ptr %v133, align 8, !noalias !473
+  %v3460 = tail call double @llvm.fabs.f64(double %v3459)
+  %v3461 = fmul double %v3460, 4.000000e-15
+  %v3462 = fcmp ogt double %v3461, %v3458
+  %v3463 = select i1 %v3462, double %v3461, double %v3458
+  %v3464 = fadd double %v3459, %v3463
+  store double %v3464, ptr %v967, align 8, !noalias !483
+  %v3465 = load i64, ptr %v6, align 8, !noalias !484
+  %v3466 = inttoptr i64 %v3465 to ptr
+  tail call void %v3466(ptr nonnull %v133, ptr %v955, ptr %v165, ptr %v172, ptr %v179, ptr %v969), !noalias !484
+  br i1 %v962, label %v3467, label %v3468
 
-v3619:
-  %v3629 = load i64, ptr %v3551, align 8, !noalias !508
-  %v3630 = icmp sgt i64 %v3629, -1
-  br i1 %v3630, label %v3631, label %v3568
+v3467:
+  %v3469 = load i64, ptr %v974, align 8, !noalias !487
+  %v3470 = inttoptr i64 %v3469 to ptr
+  tail call void %v3470(ptr nonnull %v133, ptr %v976, ptr %v165, ptr %v172, ptr %v179, ptr %v978), !noalias !487
+  %v3471 = load i64, ptr %v974, align 8, !noalias !490
+  %v3472 = inttoptr i64 %v3471 to ptr
+  tail call void %v3472(ptr nonnull %v967, ptr %v980, ptr %v165, ptr %v172, ptr %v179, ptr %v982), !noalias !490
+  br label %v3473
 
-v3631:
-  %v3632 = getelementptr i64, ptr %v110, i64 %v3629
-  %v3633 = load i64, ptr %v3632, align 8, !noalias !508
-  %v3634 = icmp eq i64 %v3633, 0
-  br i1 %v3634, label %v3635, label %v3568
+v3473:
+  %v3474 = phi i64 [ %v18, %v3467 ], [ %v3475, %v3476 ]
+  %v3477 = phi i64 [ %v984, %v3467 ], [ %v3478, %v3476 ]
+  %v3479 = icmp sgt i64 %v3477, 0
+  br i1 %v3479, label %v3476, label %v3480
 
-v3635:
-  store i64 8, ptr %v3632, align 8, !noalias !508
-  br label %v3568
+v3476:
+  %v3478 = add nsw i64 %v3477, -1
+  %v3475 = add i64 %v3474, 1
+  %v3481 = icmp slt i64 %v3474, 0
+  %v3482 = select i1 %v3481, i64 %v207, i64 0
+  %v3483 = add i64 %v3482, %v3474
+  %v3484 = getelementptr double, ptr %v988, i64 %v3483
+  %v3485 = load double, ptr %v3484, align 8, !noalias !483
+  %v3486 = getelementptr double, ptr %v991, i64 %v3483
+  %v3487 = load double, ptr %v3486, align 8, !noalias !483
+  %v3488 = fsub double %v3485, %v3487
+  %v3489 = tail call double @llvm.fabs.f64(double %v3488)
+  %v3490 = getelementptr double, ptr %v993, i64 %v3483
+  %v3491 = load double, ptr %v3490, align 8, !noalias !483
+  %v3492 = tail call i1 @llvm.is.fpclass.f64(double %v3491, i32 543)
+  %v3493 = select i1 %v3492, double 0.000000e+00, double %v3491
+  %v3494 = fcmp ueq double %v3489, 0x7FF0000000000000
+  %v3495 = select i1 %v3494, double -0.000000e+00, double %v3489
+  %v3496 = fadd double %v3493, %v3495
+  %v3497 = getelementptr double, ptr %v990, i64 %v3483
+  %v3498 = load double, ptr %v3497, align 8, !noalias !483
+  %v3499 = fneg double %v3496
+  %v3500 = fcmp olt double %v3498, %v3499
+  br i1 %v3500, label %v3480, label %v3473
 
-v3568:
-  %v3636 = select i1 %v3548, i64 %v135, i64 0
-  %v3637 = add i64 %v3636, %v3537
-  %v3638 = getelementptr double, ptr %v1016, i64 %v3637
-  %v3639 = load double, ptr %v3638, align 8, !noalias !497
-  %v3640 = fcmp ogt double %v3639, 5.000000e-01
-  br i1 %v3640, label %v3641, label %v3642
+v3468:
+  %v3501 = phi i64 [ %v3502, %v3468 ], [ 0, %v3454 ]
+  %v3502 = add nsw i64 %v3501, 1
+  %v3503 = mul i64 %v3501, %v196
+  %v3504 = getelementptr double, ptr %v963, i64 %v3503
+  %v3505 = load double, ptr %v3504, align 8, !noalias !483
+  %v3506 = getelementptr double, ptr %v971, i64 %v3503
+  %v3507 = load double, ptr %v3506, align 8, !noalias !483
+  %v3508 = fmul double %v3463, %v3507
+  %v3509 = fadd double %v3505, %v3508
+  %v3510 = getelementptr double, ptr %v973, i64 %v3503
+  store double %v3509, ptr %v3510, align 8, !noalias !483
+  %v3511 = icmp eq i64 %v10, %v3502
+  br i1 %v3511, label %v3467, label %v3468
 
-v3641:
-  %v3643 = getelementptr double, ptr %v133, i64 %v3637
-  %v3644 = load double, ptr %v3643, align 8, !noalias !497
-  %v3645 = getelementptr double, ptr %v1018, i64 %v3637
-  %v3646 = load double, ptr %v3645, align 8, !noalias !497
-  %v3647 = fcmp oeq double %v3644, %v3646
-  br i1 %v3647, label %v3648, label %v3642
+v3512:
+  %v3513 = getelementptr i64, ptr %v995, i64 %v3388
+  store i64 %v3514, ptr %v3513, align 8, !noalias !493
+  %v3515 = load i64, ptr %v3389, align 8, !noalias !494
+  %v3516 = icmp sgt i64 %v3515, -1
+  br i1 %v3516, label %v3517, label %v3518
 
-v3648:
-  %v3649 = getelementptr i64, ptr %v1019, i64 %v3550
-  %v3650 = load i64, ptr %v3649, align 8, !noalias !511
-  %v3651 = add nsw i64 %v3650, 1
-  store i64 %v3651, ptr %v3649, align 8, !noalias !511
-  %v3652 = icmp slt i64 %v3650, -1
-  %v3653 = select i1 %v3652, i64 %v70, i64 0
-  %v3654 = getelementptr double, ptr %v69, i64 %v3651
-  %v3655 = getelementptr double, ptr %v3654, i64 %v3653
-  %v3656 = load double, ptr %v3655, align 8, !noalias !511
-  %v3657 = fcmp oeq double %v3656, 0x7FF0000000000000
-  br i1 %v3657, label %v3658, label %v3659
+v3517:
+  %v3519 = getelementptr i64, ptr %v110, i64 %v3515
+  %v3520 = load i64, ptr %v3519, align 8, !noalias !494
+  %v3521 = icmp eq i64 %v3520, 0
+  br i1 %v3521, label %v3522, label %v3518
 
-v3658:
-  %v3660 = load i64, ptr %v3551, align 8, !noalias !511
-  %v3661 = icmp slt i64 %v3660, 0
-  %v3662 = select i1 %v3661, i64 %v111, i64 0
-  %v3663 = getelementptr i64, ptr %v110, i64 %v3660
-  %v3664 = getelementptr i64, ptr %v3663, i64 %v3662
-  %v3665 = load i64, ptr %v3664, align 8, !noalias !511
-  %v3666 = icmp eq i64 %v3665, 0
-  br i1 %v3666, label %v3667, label %v3642
+v3522:
+  store i64 4, ptr %v3519, align 8, !noalias !494
+  br label %v3518
 
-v3667:
-  store i64 1, ptr %v3664, align 8, !noalias !511
-  br label %v3642
+v3518:
+  %v3523 = load double, ptr %v3403, align 8, !noalias !493
+  store double %v3523, ptr %v3405, align 8, !noalias !493
+  %v3524 = getelementptr double, ptr %v997, i64 %v3398
+  store double 0.000000e+00, ptr %v3524, align 8, !noalias !493
+  br label %v3381
 
-v3659:
-  store double %v3656, ptr %v3645, align 8, !noalias !511
-  %v3668 = select i1 %v3652, i64 %v86, i64 0
-  %v3669 = getelementptr i64, ptr %v85, i64 %v3651
-  %v3670 = getelementptr i64, ptr %v3669, i64 %v3668
-  %v3671 = load i64, ptr %v3670, align 8, !noalias !511
-  %v3672 = icmp eq i64 %v3671, 0
-  br i1 %v3672, label %v3673, label %v3674
+v3480:
+  %v3514 = phi i64 [ %v3474, %v3476 ], [ -1, %v3473 ]
+  %v3525 = icmp sgt i64 %v3514, -1
+  br i1 %v3525, label %v3512, label %v3381
 
-v3673:
-  %v3675 = getelementptr double, ptr %v1023, i64 %v3637
-  store double 1.000000e+00, ptr %v3675, align 8, !noalias !511
-  br label %v3676
+v3435:
+  %v3526 = phi double [ 0.000000e+00, %v3423 ], [ %v3445, %v3440 ]
+  %v3438 = phi i64 [ 0, %v3423 ], [ %v3442, %v3440 ]
+  %v3442 = add nsw i64 %v3438, 1
+  %v3527 = mul i64 %v3438, %v196
+  %v3528 = getelementptr double, ptr %v3427, i64 %v3527
+  %v3439 = load double, ptr %v3528, align 8, !noalias !466
+  %v3529 = fmul double %v3439, 0.000000e+00
+  %v3445 = fadd double %v3526, %v3529
+  %v3530 = getelementptr double, ptr %v3428, i64 %v3527
+  store double %v3439, ptr %v3530, align 8, !noalias !466
+  br i1 %v3421, label %v3436, label %v3440
 
-v3674:
-  %v3677 = getelementptr double, ptr %v1021, i64 %v3637
-  %v3678 = load double, ptr %v3677, align 8, !noalias !511
-  %v3679 = fcmp olt double %v3678, 2.500000e-01
-  %v3680 = select i1 %v3679, double 2.500000e-01, double %v3678
-  store double %v3680, ptr %v3677, align 8, !noalias !511
-  %v3681 = load i64, ptr %v514, align 8, !noalias !511
-  %v3682 = tail call i64 @llvm.smax.i64(i64 %v3681, i64 1)
-  br label %v3676
+v3381:
+  %v3531 = icmp sgt i64 %v3382, 0
+  %v3532 = zext i1 %v3531 to i64
+  %v3385 = add i64 %v3384, %v3532
+  %v3533 = sext i1 %v3531 to i64
+  %v3383 = add nsw i64 %v3382, %v3533
+  %v3380 = select i1 %v3531, i64 %v3384, i64 0
+  br i1 %v3531, label %v3378, label %v3323
 
-v3676:
-  %v3683 = phi i64 [ %v3682, %v3674 ], [ 2, %v3673 ]
-  store i64 %v3683, ptr %v514, align 8, !noalias !511
-  br i1 %v1024, label %v3642, label %v3684
+v3324:
+  %v3345 = phi i1 [ %v3369, %v3331 ], [ false, %v3241 ]
+  %v3333 = phi i64 [ %v3371, %v3331 ], [ 0, %v3241 ]
+  %v3371 = add nsw i64 %v3333, 1
+  %v3534 = getelementptr i64, ptr %v142, i64 %v3333
+  %v3327 = load i64, ptr %v3534, align 8, !noalias !450
+  %v3535 = icmp slt i64 %v3327, 0
+  br i1 %v3535, label %v3331, label %v3325
 
-v3684:
-  %v3685 = select i1 %v3652, i64 %v77, i64 0
-  %v3686 = add i64 %v3685, %v3651
-  %v3687 = mul i64 %v3686, %v78
-  %v3688 = getelementptr double, ptr %v76, i64 %v3687
-  br label %v3689
-
-v3689:
-  %v3690 = phi i64 [ 0, %v3684 ], [ %v3691, %v3689 ]
-  %v3691 = add nsw i64 %v3690, 1
-  %v3692 = getelementptr double, ptr %v3688, i64 %v3690
-  %v3693 = load double, ptr %v3692, align 8, !noalias !515
-  %v3694 = getelementptr i64, ptr %v62, i64 %v3690
-  %v3695 = load i64, ptr %v3694, align 8, !noalias !515
-  %v3696 = mul nsw i64 %v3695, %v9
-  %v3697 = add nsw i64 %v3696, %v3537
-  %v3698 = icmp slt i64 %v3697, 0
-  %v3699 = select i1 %v3698, i64 %v166, i64 0
-  %v3700 = getelementptr double, ptr %v165, i64 %v3697
-  %v3701 = getelementptr double, ptr %v3700, i64 %v3699
-  store double %v3693, ptr %v3701, align 8, !noalias !515
-  %v3702 = icmp eq i64 %v63, %v3691
-  br i1 %v3702, label %v3642, label %v3689
-
-v3642:
-  %v3703 = getelementptr i64, ptr %v110, i64 %v3552
-  %v3704 = load i64, ptr %v3703, align 8, !noalias !497
-  %v3705 = icmp eq i64 %v3704, 0
-  br i1 %v3705, label %v3706, label %v3707
-
-v3707:
-  %v3708 = getelementptr i64, ptr %v1026, i64 %v3550
-  %v3709 = load i64, ptr %v3708, align 8, !noalias !497
-  %v3710 = getelementptr i64, ptr %v117, i64 %v3552
-  store i64 %v3709, ptr %v3710, align 8, !noalias !497
-  store i64 -1, ptr %v3551, align 8, !noalias !497
-  %v3711 = getelementptr double, ptr %v1028, i64 %v3637
-  store double 0.000000e+00, ptr %v3711, align 8, !noalias !519
-  %v3712 = load i64, ptr %v151, align 8, !noalias !519
-  %v3713 = load i64, ptr %v1029, align 8, !noalias !519
-  %v3714 = icmp eq i64 %v3712, %v3713
-  br i1 %v3714, label %v3715, label %v3716
-
-v3716:
-  %v3717 = add nsw i64 %v3712, 1
-  store i64 %v3717, ptr %v151, align 8, !noalias !519
-  store i64 2, ptr %v514, align 8, !noalias !519
-  store i64 %v3712, ptr %v3551, align 8, !noalias !519
-  %v3718 = icmp slt i64 %v3712, 0
-  %v3719 = select i1 %v3718, i64 %v49, i64 0
-  %v3720 = getelementptr i64, ptr %v48, i64 %v3712
-  %v3721 = getelementptr i64, ptr %v3720, i64 %v3719
-  %v3722 = load i64, ptr %v3721, align 8, !noalias !519
-  %v3723 = icmp slt i64 %v3722, 0
-  %v3724 = select i1 %v3723, i64 %v56, i64 0
-  %v3725 = getelementptr i64, ptr %v55, i64 %v3722
-  %v3726 = getelementptr i64, ptr %v3725, i64 %v3724
-  %v3727 = load i64, ptr %v3726, align 8, !noalias !519
-  %v3728 = getelementptr i64, ptr %v1030, i64 %v3550
-  store i64 %v3727, ptr %v3728, align 8, !noalias !519
-  store i64 1, ptr %v3708, align 8, !noalias !519
-  %v3729 = getelementptr i64, ptr %v1032, i64 %v3550
-  store i64 0, ptr %v3729, align 8, !noalias !519
-  br i1 %v1033, label %v3730, label %v3731
-
-v3731:
-  %v3732 = select i1 %v3718, i64 %v40, i64 0
-  %v3733 = add i64 %v3732, %v3712
-  %v3734 = mul i64 %v3733, %v41
-  %v3735 = getelementptr double, ptr %v39, i64 %v3734
-  br label %v3736
-
-v3730:
-  br i1 %v1034, label %v3737, label %v3738
-
-v3738:
-  %v3739 = load i64, ptr %v3728, align 8, !noalias !519
-  %v3740 = icmp slt i64 %v3739, 0
-  %v3741 = select i1 %v3740, i64 %v77, i64 0
-  %v3742 = add i64 %v3741, %v3739
-  %v3743 = mul i64 %v3742, %v78
-  %v3744 = getelementptr double, ptr %v76, i64 %v3743
-  br label %v3745
-
-v3745:
-  %v3746 = phi i64 [ 0, %v3738 ], [ %v3747, %v3745 ]
-  %v3747 = add nsw i64 %v3746, 1
-  %v3748 = getelementptr double, ptr %v3744, i64 %v3746
-  %v3749 = load double, ptr %v3748, align 8, !noalias !522
-  %v3750 = getelementptr i64, ptr %v62, i64 %v3746
-  %v3751 = load i64, ptr %v3750, align 8, !noalias !522
-  %v3752 = mul nsw i64 %v3751, %v9
-  %v3753 = add nsw i64 %v3752, %v3537
-  %v3754 = icmp slt i64 %v3753, 0
-  %v3755 = select i1 %v3754, i64 %v166, i64 0
-  %v3756 = getelementptr double, ptr %v165, i64 %v3753
-  %v3757 = getelementptr double, ptr %v3756, i64 %v3755
-  store double %v3749, ptr %v3757, align 8, !noalias !522
-  %v3758 = icmp eq i64 %v3747, %v63
-  br i1 %v3758, label %v3737, label %v3745
-
-v3759:
-  %v3760 = getelementptr double, ptr %v133, i64 %v3637
-  %v3761 = getelementptr double, ptr %v1037, i64 %v3637
-  %v3762 = load double, ptr %v3761, align 8, !noalias !526
-  %v3763 = getelementptr double, ptr %v1039, i64 %v3637
-  %v3764 = load double, ptr %v3763, align 8, !noalias !526
-  %v3765 = getelementptr double, ptr %v1041, i64 %v3637
-  %v3766 = load double, ptr %v3765, align 8, !noalias !526
-  %v3767 = getelementptr double, ptr %v1043, i64 %v3637
-  %v3768 = load double, ptr %v3767, align 8, !noalias !526
-  store double 0.000000e+00, ptr %v3760, align 8, !noalias !526
-  %v3769 = getelementptr double, ptr %v3760, i64 %v135
-  store double 0.000000e+00, ptr %v3769, align 8, !noalias !526
-  %v3770 = getelementptr i8, ptr %v3760, i64 %v1044
-  store double 0.000000e+00, ptr %v3770, align 8, !noalias !526
-  %v3771 = getelementptr i8, ptr %v3760, i64 %v1027
-  store double 0.000000e+00, ptr %v3771, align 8, !noalias !526
-  %v3772 = getelementptr i8, ptr %v3760, i64 %v1045
-  store double 0.000000e+00, ptr %v3772, align 8, !noalias !526
-  %v3773 = getelementptr i8, ptr %v3760, i64 %v1015
-  store double 0.000000e+00, ptr %v3773, align 8, !noalias !526
-  %v3774 = getelementptr i8, ptr %v3760, i64 %v1046
-  store double 0.000000e+00, ptr %v3774, align 8, !noalias !526
-  %v3775 = getelementptr i8, ptr %v3760, i64 %v1047
-  store double 0.000000e+00, ptr %v3775, align 8, !noalias !526
-  %v3776 = getelementptr i8, ptr %v3760, i64 %v1048
-  store double 0.000000e+00, ptr %v3776, align 8, !noalias !526
-  %v3777 = getelementptr i8, ptr %v3760, i64 %v1049
-  store double 0.000000e+00, ptr %v3777, align 8, !noalias !526
-  %v3778 = getelementptr i8, ptr %v3760, i64 %v1050
-  store double 0.000000e+00, ptr %v3778, align 8, !noalias !526
-  %v3779 = getelementptr i8, ptr %v3760, i64 %v1051
-  store double 0.000000e+00, ptr %v3779, align 8, !noalias !526
-  %v3780 = getelementptr i8, ptr %v3760, i64 %v1052
-  store double 0.000000e+00, ptr %v3780, align 8, !noalias !526
-  %v3781 = getelementptr i8, ptr %v3760, i64 %v1053
-  store double 0.000000e+00, ptr %v3781, align 8, !noalias !526
-  %v3782 = getelementptr i8, ptr %v3760, i64 %v1054
-  store double 0.000000e+00, ptr %v3782, align 8, !noalias !526
-  %v3783 = getelementptr i8, ptr %v3760, i64 %v1055
-  store double 0.000000e+00, ptr %v3783, align 8, !noalias !526
-  %v3784 = getelementptr i8, ptr %v3760, i64 %v1056
-  store double 0.000000e+00, ptr %v3784, align 8, !noalias !526
-  %v3785 = getelementptr i8, ptr %v3760, i64 %v1057
-  store double 0.000000e+00, ptr %v3785, align 8, !noalias !526
-  %v3786 = getelementptr i8, ptr %v3760, i64 %v1038
-  store double 0.000000e+00, ptr %v3786, align 8, !noalias !526
-  %v3787 = getelementptr i8, ptr %v3760, i64 %v1058
-  store double 0.000000e+00, ptr %v3787, align 8, !noalias !526
-  %v3788 = getelementptr i8, ptr %v3760, i64 %v1059
-  store double 0.000000e+00, ptr %v3788, align 8, !noalias !526
-  %v3789 = getelementptr i8, ptr %v3760, i64 %v1060
-  store double 0.000000e+00, ptr %v3789, align 8, !noalias !526
-  %v3790 = getelementptr i8, ptr %v3760, i64 %v1061
-  store double 0.000000e+00, ptr %v3790, align 8, !noalias !526
-  %v3791 = getelementptr i8, ptr %v3760, i64 %v1062
-  store double 0.000000e+00, ptr %v3791, align 8, !noalias !526
-  %v3792 = getelementptr i8, ptr %v3760, i64 %v1063
-  store double 0.000000e+00, ptr %v3792, align 8, !noalias !526
-  %v3793 = getelementptr i8, ptr %v3760, i64 %v1064
-  store double 0.000000e+00, ptr %v3793, align 8, !noalias !526
-  %v3794 = getelementptr i8, ptr %v3760, i64 %v1065
-  store double 0.000000e+00, ptr %v3794, align 8, !noalias !526
-  %v3795 = getelementptr i8, ptr %v3760, i64 %v1066
-  store double 0.000000e+00, ptr %v3795, align 8, !noalias !526
-  %v3796 = getelementptr i8, ptr %v3760, i64 %v1067
-  store double 0.000000e+00, ptr %v3796, align 8, !noalias !526
-  %v3797 = getelementptr i8, ptr %v3760, i64 %v1042
-  store double 0.000000e+00, ptr %v3797, align 8, !noalias !526
-  %v3798 = getelementptr i8, ptr %v3760, i64 %v1040
-  store double 0.000000e+00, ptr %v3798, align 8, !noalias !526
-  %v3799 = getelementptr i8, ptr %v3760, i64 %v1036
-  store double 0.000000e+00, ptr %v3799, align 8, !noalias !526
-  %v3800 = getelementptr i8, ptr %v3760, i64 %v1068
-  store double 0.000000e+00, ptr %v3800, align 8, !noalias !526
-  %v3801 = getelementptr i8, ptr %v3760, i64 %v1069
-  store double 0.000000e+00, ptr %v3801, align 8, !noalias !526
-  %v3802 = getelementptr i8, ptr %v3760, i64 %v1070
-  store double 0.000000e+00, ptr %v3802, align 8, !noalias !526
-  %v3803 = getelementptr i8, ptr %v3760, i64 %v1071
-  store double 0.000000e+00, ptr %v3803, align 8, !noalias !526
-  %v3804 = fcmp ueq double %v3762, 0x7FF0000000000000
-  %v3805 = fcmp oeq double %v3768, 0xFFF0000000000000
-  %v3806 = select i1 %v3805, double 0xFFF0000000000000, double 0.000000e+00
-  store double %v3806, ptr %v3767, align 8, !noalias !526
-  store double %v3766, ptr %v3765, align 8, !noalias !526
-  store double %v3764, ptr %v3763, align 8, !noalias !526
-  %v3807 = select i1 %v3804, double 0x7FF0000000000000, double 5.000000e+03
-  store double %v3807, ptr %v3761, align 8, !noalias !526
-  store double 1.000000e+00, ptr %v3711, align 8, !noalias !526
-  %v3808 = getelementptr double, ptr %v1072, i64 %v3637
-  store double 0xFFF0000000000000, ptr %v3808, align 8, !noalias !526
-  %v3809 = getelementptr double, ptr %v1073, i64 %v3637
-  store double 0x7FF0000000000000, ptr %v3809, align 8, !noalias !526
-  %v3810 = load double, ptr %v92, align 8, !noalias !519
-  store double %v3810, ptr %v3760, align 8, !noalias !519
-  %v3811 = load double, ptr %v92, align 8, !noalias !519
-  %v3812 = getelementptr double, ptr %v1074, i64 %v3637
-  store double %v3811, ptr %v3812, align 8, !noalias !519
-  %v3813 = load i64, ptr %v3728, align 8, !noalias !519
-  %v3814 = icmp slt i64 %v3813, 0
-  %v3815 = select i1 %v3814, i64 %v70, i64 0
-  %v3816 = getelementptr double, ptr %v69, i64 %v3813
-  %v3817 = getelementptr double, ptr %v3816, i64 %v3815
-  %v3818 = load double, ptr %v3817, align 8, !noalias !519
-  %v3819 = getelementptr double, ptr %v1075, i64 %v3637
-  store double %v3818, ptr %v3819, align 8, !noalias !519
-  br label %v3715
-
-v3736:
-  %v3820 = phi i64 [ 0, %v3731 ], [ %v3821, %v3736 ]
-  %v3821 = add nsw i64 %v3820, 1
-  %v3822 = getelementptr double, ptr %v3735, i64 %v3820
-  %v3823 = load double, ptr %v3822, align 8, !noalias !519
-  %v3824 = mul nsw i64 %v3820, %v9
-  %v3825 = add nsw i64 %v3824, %v3537
-  %v3826 = icmp slt i64 %v3825, 0
-  %v3827 = select i1 %v3826, i64 %v166, i64 0
-  %v3828 = getelementptr double, ptr %v165, i64 %v3825
-  %v3829 = getelementptr double, ptr %v3828, i64 %v3827
-  store double %v3823, ptr %v3829, align 8, !noalias !519
-  %v3830 = icmp eq i64 %v3821, %v41
-  br i1 %v3830, label %v3730, label %v3736
-
-v3737:
-  br i1 %v1035, label %v3759, label %v3831
-
-v3831:
-  %v3832 = getelementptr double, ptr %v193, i64 %v3537
-  %v3833 = select i1 %v3718, i64 %v31, i64 0
-  %v3834 = add i64 %v3833, %v3712
-  %v3835 = mul i64 %v3834, %v32
-  %v3836 = getelementptr double, ptr %v30, i64 %v3835
-  %v3837 = select i1 %v3548, i64 %v196, i64 0
-  %v3838 = getelementptr double, ptr %v3832, i64 %v3837
-  br label %v3839
-
-v3839:
-  %v3840 = phi i64 [ 0, %v3831 ], [ %v3841, %v3839 ]
-  %v3841 = add nsw i64 %v3840, 1
-  %v3842 = getelementptr double, ptr %v3836, i64 %v3840
-  %v3843 = load double, ptr %v3842, align 8, !noalias !519
-  %v3844 = mul i64 %v3840, %v196
-  %v3845 = getelementptr double, ptr %v3838, i64 %v3844
-  store double %v3843, ptr %v3845, align 8, !noalias !519
-  %v3846 = icmp eq i64 %v3841, %v10
-  br i1 %v3846, label %v3759, label %v3839
-
-v3706:
-  %v3847 = getelementptr double, ptr %v1077, i64 %v3637
-  %v3848 = load double, ptr %v3847, align 8, !noalias !497
-  %v3849 = fcmp ult double %v3848, 1.500000e+01
-  br i1 %v3849, label %v3715, label %v3850
-
-v3850:
-  %v3851 = load double, ptr %v1079, align 8, !noalias !497
-  %v3852 = getelementptr double, ptr %v133, i64 %v3637
-  %v3853 = load double, ptr %v3852, align 8, !noalias !497
-  %v3854 = fsub double %v3851, %v3853
-  %v3855 = getelementptr double, ptr %v1080, i64 %v3637
-  %v3856 = load double, ptr %v3855, align 8, !noalias !497
-  %v3857 = fmul double %v3856, 2.500000e+02
-  %v3858 = fcmp ogt double %v3854, %v3857
-  br i1 %v3858, label %v3715, label %v3859
-
-v3859:
-  store double 0.000000e+00, ptr %v3847, align 8, !noalias !497
-  br label %v3715
-
-v3715:
-  %v3860 = phi i1 [ %v3544, %v3706 ], [ true, %v3850 ], [ %v3544, %v3859 ], [ %v3544, %v3707 ], [ %v3544, %v3759 ]
-  %v3861 = load i64, ptr %v3551, align 8, !noalias !497
-  %v3862 = icmp sgt i64 %v3861, -1
-  br i1 %v3862, label %v3863, label %v3539
-
-v3863:
-  %v3864 = add nsw i64 %v3546, 1
-  %v3865 = getelementptr double, ptr %v1082, i64 %v3637
-  %v3866 = load double, ptr %v3865, align 8, !noalias !497
-  %v3867 = fcmp ogt double %v3866, 0.000000e+00
-  br i1 %v3867, label %v3868, label %v3869
-
-v3869:
-  %v3870 = mul i64 %v3861, %v126
-  %v3871 = getelementptr i64, ptr %v124, i64 %v3870
-  %v3872 = load i64, ptr %v3871, align 8, !noalias !497
-  %v3873 = and i64 %v3872, 127
-  %v3874 = getelementptr double, ptr %v1084, i64 %v3637
-  %v3875 = load double, ptr %v3874, align 8, !noalias !497
-  %v3876 = fcmp olt double %v3875, %v1085
-  %v3877 = select i1 %v3876, double %v3875, double %v1085
-  %v3878 = sitofp i64 %v3560 to double
-  %v3879 = fsub double %v3877, %v3878
-  %v3880 = sub nsw i64 128, %v3873
-  %v3881 = uitofp i64 %v3880 to double
-  %v3882 = fcmp ogt double %v3879, %v3881
-  %v3883 = select i1 %v3882, double %v3881, double %v3879
-  br label %v3868
-
-v3868:
-  %v3884 = phi double [ %v3883, %v3869 ], [ 1.000000e+00, %v3863 ]
-  %v3885 = getelementptr double, ptr %v1087, i64 %v3637
-  store double %v3884, ptr %v3885, align 8, !noalias !497
-  %v3886 = getelementptr double, ptr %v1089, i64 %v3637
-  %v3887 = load double, ptr %v3886, align 8, !noalias !530
-  %v3888 = getelementptr double, ptr %v1091, i64 %v3637
-  store double %v3887, ptr %v3888, align 8, !noalias !530
-  %v3889 = getelementptr i64, ptr %v1093, i64 %v3550
-  %v3890 = load i64, ptr %v3889, align 8, !noalias !530
-  %v3891 = icmp slt i64 %v3890, %v93
-  br i1 %v3891, label %v3892, label %v3539
-
-v3892:
-  %v3893 = icmp slt i64 %v3890, 0
-  %v3894 = select i1 %v3893, i64 %v93, i64 0
-  %v3895 = getelementptr double, ptr %v92, i64 %v3890
-  %v3896 = getelementptr double, ptr %v3895, i64 %v3894
-  %v3897 = load double, ptr %v3896, align 8, !noalias !530
-  %v3898 = load double, ptr %v3886, align 8, !noalias !530
-  %v3899 = fcmp olt double %v3898, %v3897
-  %v3900 = select i1 %v3899, double %v3898, double %v3897
-  store double %v3900, ptr %v3888, align 8, !noalias !530
-  br label %v3539
+v3323:
+  %v3536 = xor i1 %v1357, true
+  %v3537 = or i1 %v307, %v3536
+  %v3538 = select i1 %v1357, i64 0, i64 %v1127
+  br i1 %v3537, label %v1126, label %v3539
 
 v3539:
-  %v3547 = phi i64 [ %v3546, %v3536 ], [ %v3546, %v3715 ], [ %v3864, %v3868 ], [ %v3864, %v3892 ]
-  %v3545 = phi i1 [ %v3544, %v3536 ], [ %v3860, %v3715 ], [ %v3860, %v3868 ], [ %v3860, %v3892 ]
-  %v3901 = icmp sgt i64 %v3542, 0
-  %v3902 = sext i1 %v3901 to i64
-  %v3543 = add nsw i64 %v3542, %v3902
-  %v3903 = zext i1 %v3901 to i64
-  %v3541 = add i64 %v3540, %v3903
-  %v3538 = select i1 %v3901, i64 %v3540, i64 0
-  br i1 %v3901, label %v3536, label %v3904
+  %v3540 = phi i64 [ %v3541, %v3542 ], [ 0, %v3323 ]
+  %v3543 = phi i64 [ %v3544, %v3542 ], [ %v1001, %v3323 ]
+  %v3545 = phi i64 [ %v3546, %v3542 ], [ %v1000, %v3323 ]
+  %v3547 = phi i1 [ %v3548, %v3542 ], [ false, %v3323 ]
+  %v3549 = phi i64 [ %v3550, %v3542 ], [ 0, %v3323 ]
+  %v3551 = icmp slt i64 %v3540, 0
+  %v3552 = select i1 %v3551, i64 %v144, i64 0
+  %v3553 = add i64 %v3552, %v3540
+  %v3554 = getelementptr i64, ptr %v142, i64 %v3553
+  %v3555 = load i64, ptr %v3554, align 8, !noalias !497
+  %v3556 = icmp slt i64 %v3555, 0
+  br i1 %v3556, label %v3542, label %v3557
 
-v1123:
-  %v1122 = phi i64 [ %v1126, %v3320 ], [ %v3905, %v3904 ]
-  %v1125 = phi i64 [ %v3535, %v3320 ], [ %v3547, %v3904 ]
-  %v3906 = icmp sgt i64 %v1125, 0
-  %v3907 = icmp sgt i64 %v1122, 0
-  %v3908 = select i1 %v3906, i1 %v3907, i1 false
-  br i1 %v3908, label %v1120, label %v513
+v3557:
+  %v3558 = mul i64 %v3555, %v126
+  %v3559 = getelementptr i64, ptr %v124, i64 %v3558
+  %v3560 = load i64, ptr %v3559, align 8, !noalias !497
+  %v3561 = getelementptr i8, ptr %v3559, i64 24
+  %v3562 = load i64, ptr %v3561, align 8, !noalias !497
+  %v3563 = add nsw i64 %v3562, %v3560
+  %v3564 = icmp slt i64 %v3563, %v298
+  br i1 %v3564, label %v3565, label %v3566
 
-v513:
-  %v3909 = phi i64 [ %v508, %v309 ], [ %v1125, %v1123 ]
-  br i1 %v307, label %v3910, label %v3911
+v3566:
+  %v3567 = getelementptr i64, ptr %v110, i64 %v3555
+  %v3568 = load i64, ptr %v3567, align 8, !noalias !501
+  %v3569 = icmp eq i64 %v3568, 0
+  br i1 %v3569, label %v3570, label %v3571
 
-v3911:
-  %v3912 = mul i64 %v135, 192
-  %v3913 = getelementptr i8, ptr %v133, i64 %v3912
-  %v3914 = mul i64 %v135, 200
-  %v3915 = getelementptr i8, ptr %v133, i64 %v3914
-  %v3916 = add nsw i64 %v11, -1
-  %v3917 = mul i64 %v135, 176
-  %v3918 = getelementptr i8, ptr %v133, i64 %v3917
-  br label %v3919
+v3570:
+  store i64 5, ptr %v3567, align 8, !noalias !501
+  br label %v3571
 
-v3920:
-  %v3921 = getelementptr double, ptr %v3913, i64 %v3922
-  %v3923 = load double, ptr %v3921, align 8, !noalias !534
-  %v3924 = fptosi double %v3923 to i64
-  %v3925 = getelementptr double, ptr %v3915, i64 %v3922
-  %v3926 = load double, ptr %v3925, align 8, !noalias !534
-  %v3927 = fptosi double %v3926 to i64
-  %v3928 = mul i64 %v3929, %v126
-  %v3930 = getelementptr i64, ptr %v124, i64 %v3928
-  %v3931 = load i64, ptr %v3930, align 8, !noalias !534
-  %v3932 = add nsw i64 %v3931, %v3924
-  store i64 %v3932, ptr %v3930, align 8, !noalias !534
-  %v3933 = getelementptr i8, ptr %v3930, i64 24
-  %v3934 = load i64, ptr %v3933, align 8, !noalias !534
-  %v3935 = add nsw i64 %v3934, %v3927
-  store i64 %v3935, ptr %v3933, align 8, !noalias !534
-  %v3936 = getelementptr i8, ptr %v3930, i64 8
-  %v3937 = load i64, ptr %v3936, align 8, !noalias !534
-  %v3938 = add nsw i64 %v3927, %v3924
-  %v3939 = mul nsw i64 %v3938, %v3916
-  %v3940 = add nsw i64 %v3939, %v3924
-  %v3941 = add nsw i64 %v3940, %v3937
-  store i64 %v3941, ptr %v3936, align 8, !noalias !534
-  store double 0.000000e+00, ptr %v3921, align 8, !noalias !534
-  store double 0.000000e+00, ptr %v3925, align 8, !noalias !534
-  %v3942 = getelementptr double, ptr %v3918, i64 %v3922
-  %v3943 = load double, ptr %v3942, align 8, !noalias !534
-  %v3944 = sitofp i64 %v3938 to double
-  %v3945 = fsub double %v3943, %v3944
-  store double %v3945, ptr %v3942, align 8, !noalias !534
-  br label %v3946
+v3565:
+  %v3572 = select i1 %v3551, i64 %v135, i64 0
+  %v3573 = add i64 %v3572, %v3540
+  %v3574 = getelementptr double, ptr %v1003, i64 %v3573
+  %v3575 = load double, ptr %v3574, align 8, !noalias !497
+  %v3576 = sitofp i64 %v3563 to double
+  %v3577 = fcmp ugt double %v3575, %v3576
+  br i1 %v3577, label %v3571, label %v3578
 
-v3946:
-  %v3947 = icmp sgt i64 %v3948, 1
-  br i1 %v3947, label %v3919, label %v3910
+v3578:
+  br i1 %v1004, label %v3579, label %v3580
 
-v3919:
-  %v3922 = phi i64 [ 0, %v3911 ], [ %v3949, %v3946 ]
-  %v3948 = phi i64 [ %v308, %v3911 ], [ %v3950, %v3946 ]
-  %v3950 = add nsw i64 %v3948, -1
-  %v3949 = add nsw i64 %v3922, 1
-  %v3951 = getelementptr i64, ptr %v142, i64 %v3922
-  %v3929 = load i64, ptr %v3951, align 8, !noalias !534
-  %v3952 = icmp sgt i64 %v3929, -1
-  br i1 %v3952, label %v3920, label %v3946
+v3580:
+  %v3581 = getelementptr double, ptr %v193, i64 %v3540
+  %v3582 = select i1 %v3551, i64 %v196, i64 0
+  %v3583 = getelementptr double, ptr %v3581, i64 %v3582
+  br label %v3584
 
-v3953:
-  %v3954 = phi i32 [ 0, %v3910 ], [ %v3105, %v3107 ]
-  ret i32 %v3954
+v3579:
+  %v3585 = phi double [ 0.000000e+00, %v3578 ], [ %v3586, %v3584 ]
+  %v3587 = getelementptr double, ptr %v133, i64 %v3573
+  %v3588 = load double, ptr %v3587, align 8, !noalias !504
+  %v3589 = getelementptr double, ptr %v1006, i64 %v3573
+  %v3590 = load double, ptr %v3589, align 8, !noalias !504
+  %v3591 = fsub double %v3588, %v3590
+  %v3592 = getelementptr double, ptr %v1008, i64 %v3573
+  %v3593 = load double, ptr %v3592, align 8, !noalias !504
+  %v3594 = fadd double %v3593, 1.000000e+00
+  store double %v3594, ptr %v3592, align 8, !noalias !504
+  %v3595 = getelementptr double, ptr %v1010, i64 %v3573
+  %v3596 = load double, ptr %v3595, align 8, !noalias !504
+  %v3597 = fmul double %v3596, 1.050000e+00
+  %v3598 = fcmp ogt double %v3591, %v3597
+  br i1 %v3598, label %v3599, label %v3600
 
-v364:
-  %v505 = phi i64 [ 0, %v310 ], [ %v504, %v371 ]
-  %v507 = phi i64 [ %v308, %v310 ], [ %v3955, %v371 ]
-  %v367 = phi i64 [ 0, %v310 ], [ %v3956, %v371 ]
-  %v3955 = add nsw i64 %v507, -1
-  %v3956 = add nsw i64 %v367, 1
-  %v501 = getelementptr i64, ptr %v142, i64 %v367
-  %v3957 = load i64, ptr %v501, align 8
-  %v3958 = icmp slt i64 %v3957, 0
-  br i1 %v3958, label %v365, label %v371
+v3599:
+  %v3601 = fcmp ogt double %v3594, 0.000000e+00
+  %v3602 = select i1 %v3601, double 0.000000e+00, double %v3594
+  store double %v3602, ptr %v3592, align 8, !noalias !504
+  %v3603 = getelementptr double, ptr %v1012, i64 %v3573
+  store double %v3585, ptr %v3603, align 8, !noalias !504
+  br label %v3600
 
-v1332:
-  %v3959 = load i64, ptr %v6, align 8, !noalias !538
-  %v3960 = inttoptr i64 %v3959 to ptr
-  tail call void %v3960(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v597), !noalias !538
-  br label %v1333
+v3600:
+  %v3604 = load double, ptr %v3587, align 8, !noalias !504
+  store double %v3604, ptr %v3589, align 8, !noalias !504
+  store double %v3591, ptr %v3595, align 8, !noalias !504
+  %v3605 = fmul double %v3576, 2.000000e+00
+  store double %v3605, ptr %v3574, align 8, !noalias !504
+  %v3606 = getelementptr double, ptr %v1014, i64 %v3573
+  %v3607 = load double, ptr %v3606, align 8, !noalias !504
+  %v3608 = load double, ptr %v3587, align 8, !noalias !504
+  %v3609 = fsub double %v3607, %v3608
+  %v3610 = fmul double %v3576, 5.000000e-01
+  %v3611 = fmul double %v3610, %v3609
+  %v3612 = fdiv double %v3611, %v3591
+  %v3613 = load double, ptr %v3592, align 8, !noalias !504
+  %v3614 = fcmp olt double %v3613, 0.000000e+00
+  %v3615 = select i1 %v3614, double 1.000000e+15, double 1.000000e+11
+  %v3616 = icmp sgt i64 %v3563, 499999
+  %v3617 = fcmp ogt double %v3612, %v3615
+  %v3618 = select i1 %v3616, i1 %v3617, i1 false
+  br i1 %v3618, label %v3619, label %v3620
 
-v1333:
-  br i1 %v598, label %v3961, label %v3962
+v3619:
+  %v3621 = load i64, ptr %v3554, align 8, !noalias !508
+  %v3622 = icmp sgt i64 %v3621, -1
+  br i1 %v3622, label %v3623, label %v3620
 
-v3961:
-  %v3963 = load double, ptr %v600, align 8, !noalias !541
-  %v3964 = fcmp olt double %v3963, 5.000000e-01
-  br i1 %v3964, label %v3965, label %v3966
+v3623:
+  %v3624 = getelementptr i64, ptr %v110, i64 %v3621
+  %v3625 = load i64, ptr %v3624, align 8, !noalias !508
+  %v3626 = icmp eq i64 %v3625, 0
+  br i1 %v3626, label %v3627, label %v3620
 
-v3965:
-  br i1 %v601, label %v3967, label %v3968
+v3627:
+  store i64 5, ptr %v3624, align 8, !noalias !508
+  br label %v3620
 
-v3967:
-  br i1 %v613, label %v3969, label %v3970, !prof !397
+v3620:
+  %v3628 = load double, ptr %v3592, align 8, !noalias !504
+  %v3629 = fcmp ult double %v3628, 5.000000e+00
+  br i1 %v3629, label %v3571, label %v3630
 
-v3971:
-  %v3972 = icmp eq i64 %v3973, %v646
-  br i1 %v3972, label %v3966, label %v3974
+v3630:
+  %v3631 = getelementptr double, ptr %v1016, i64 %v3573
+  %v3632 = load double, ptr %v3631, align 8, !noalias !504
+  %v3633 = fmul double %v3632, 2.000000e+00
+  %v3634 = fcmp ogt double %v3585, %v3633
+  br i1 %v3634, label %v3635, label %v3571
 
-v3975:
-  %v3976 = load i64, ptr %v623, align 8, !noalias !545
-  %v3977 = icmp eq i64 %v3976, %v3973
-  br i1 %v3977, label %v3978, label %v3979
+v3635:
+  %v3636 = sub nsw i64 %v298, %v3563
+  %v3637 = sitofp i64 %v3636 to double
+  %v3638 = fmul double %v3637, 2.000000e+00
+  %v3639 = fcmp ogt double %v3612, %v3638
+  br i1 %v3639, label %v3640, label %v3571
 
-v3978:
-  %v3980 = load double, ptr %v625, align 8, !noalias !545
-  %v3981 = fmul double %v3980, 1.000000e-03
-  br label %v3979
+v3640:
+  %v3641 = load i64, ptr %v3554, align 8, !noalias !511
+  %v3642 = icmp sgt i64 %v3641, -1
+  br i1 %v3642, label %v3643, label %v3571
 
-v3979:
-  %v3982 = phi double [ %v3981, %v3978 ], [ 0.000000e+00, %v3975 ]
-  store double %v3982, ptr %v3983, align 8, !noalias !545
-  br i1 %v601, label %v3984, label %v3985
+v3643:
+  %v3644 = getelementptr i64, ptr %v110, i64 %v3641
+  %v3645 = load i64, ptr %v3644, align 8, !noalias !511
+  %v3646 = icmp eq i64 %v3645, 0
+  br i1 %v3646, label %v3647, label %v3571
 
-v3986:
-  %v3987 = phi i64 [ %v3988, %v3986 ], [ 0, %v3974 ]
-  %v3988 = add nsw i64 %v3987, 1
-  %v3989 = mul i64 %v3987, %v196
-  %v3990 = getelementptr double, ptr %v193, i64 %v3989
-  %v3991 = load double, ptr %v3990, align 8, !noalias !545
-  %v3992 = tail call double @llvm.fabs.f64(double %v3991)
-  %v3993 = fcmp ogt double %v3994, %v3992
-  %v3995 = select i1 %v3993, double %v3994, double %v3992
-  %v3996 = fcmp ogt double %v3995, 0.000000e+00
-  %v3997 = fmul double %v3995, 1.200000e-05
-  %v3998 = select i1 %v3996, double %v3997, double 1.200000e-05
-  %v3999 = getelementptr i64, ptr %v266, i64 %v3987
-  %v4000 = load i64, ptr %v3999, align 8, !noalias !545
-  %v4001 = icmp eq i64 %v4000, %v3973
-  %v4002 = select i1 %v4001, double %v3998, double 0.000000e+00
-  %v4003 = getelementptr double, ptr %v4004, i64 %v3987
-  store double %v4002, ptr %v4003, align 8, !noalias !545
-  %v4005 = icmp eq i64 %v10, %v3988
-  br i1 %v4005, label %v3975, label %v3986
+v3647:
+  store i64 8, ptr %v3644, align 8, !noalias !511
+  br label %v3571
 
-v4006:
-  %v4007 = getelementptr double, ptr %v639, i64 %v4008
-  store double %v4009, ptr %v4007, align 8, !noalias !551
-  br label %v4010
+v3584:
+  %v3648 = phi double [ 0.000000e+00, %v3580 ], [ %v3586, %v3584 ]
+  %v3649 = phi i64 [ 0, %v3580 ], [ %v3650, %v3584 ]
+  %v3650 = add nsw i64 %v3649, 1
+  %v3651 = mul i64 %v3649, %v196
+  %v3652 = getelementptr double, ptr %v3583, i64 %v3651
+  %v3653 = load double, ptr %v3652, align 8, !noalias !504
+  %v3654 = tail call double @llvm.fabs.f64(double %v3653)
+  %v3655 = fcmp ogt double %v3654, %v3648
+  %v3586 = select i1 %v3655, double %v3654, double %v3648
+  %v3656 = icmp eq i64 %v10, %v3650
+  br i1 %v3656, label %v3579, label %v3584
 
-v4011:
-  %v4012 = select i1 %v4013, i64 %v295, i64 0
-  %v4014 = getelementptr i64, ptr %v294, i64 %v4015
-  %v4016 = getelementptr i64, ptr %v4014, i64 %v4012
-  %v4017 = load i64, ptr %v4016, align 8, !noalias !551
-  %v4018 = icmp slt i64 %v4017, 0
-  %v4019 = select i1 %v4018, i64 %v223, i64 0
-  %v4020 = getelementptr double, ptr %v222, i64 %v4017
-  %v4021 = getelementptr double, ptr %v4020, i64 %v4019
-  store double %v4009, ptr %v4021, align 8, !noalias !551
-  br label %v4010
+v3571:
+  %v3657 = select i1 %v3551, i64 %v135, i64 0
+  %v3658 = add i64 %v3657, %v3540
+  %v3659 = getelementptr double, ptr %v1018, i64 %v3658
+  %v3660 = load double, ptr %v3659, align 8, !noalias !497
+  %v3661 = fcmp ogt double %v3660, 5.000000e-01
+  br i1 %v3661, label %v3662, label %v3663
 
-v4010:
-  %v4022 = icmp sgt i64 %v4023, 1
-  br i1 %v4022, label %v4024, label %v3971
+v3662:
+  %v3664 = getelementptr double, ptr %v133, i64 %v3658
+  %v3665 = load double, ptr %v3664, align 8, !noalias !497
+  %v3666 = getelementptr double, ptr %v1020, i64 %v3658
+  %v3667 = load double, ptr %v3666, align 8, !noalias !497
+  %v3668 = fcmp oeq double %v3665, %v3667
+  br i1 %v3668, label %v3669, label %v3663
+
+v3669:
+  %v3670 = getelementptr i64, ptr %v1021, i64 %v3553
+  %v3671 = load i64, ptr %v3670, align 8, !noalias !514
+  %v3672 = add nsw i64 %v3671, 1
+  store i64 %v3672, ptr %v3670, align 8, !noalias !514
+  %v3673 = icmp slt i64 %v3671, -1
+  %v3674 = select i1 %v3673, i64 %v70, i64 0
+  %v3675 = getelementptr double, ptr %v69, i64 %v3672
+  %v3676 = getelementptr double, ptr %v3675, i64 %v3674
+  %v3677 = load double, ptr %v3676, align 8, !noalias !514
+  %v3678 = fcmp oeq double %v3677, 0x7FF0000000000000
+  br i1 %v3678, label %v3679, label %v3680
+
+v3679:
+  %v3681 = load i64, ptr %v3554, align 8, !noalias !514
+  %v3682 = icmp slt i64 %v3681, 0
+  %v3683 = select i1 %v3682, i64 %v111, i64 0
+  %v3684 = getelementptr i64, ptr %v110, i64 %v3681
+  %v3685 = getelementptr i64, ptr %v3684, i64 %v3683
+  %v3686 = load i64, ptr %v3685, align 8, !noalias !514
+  %v3687 = icmp eq i64 %v3686, 0
+  br i1 %v3687, label %v3688, label %v3663
+
+v3688:
+  store i64 1, ptr %v3685, align 8, !noalias !514
+  br label %v3663
+
+v3680:
+  store double %v3677, ptr %v3666, align 8, !noalias !514
+  %v3689 = select i1 %v3673, i64 %v86, i64 0
+  %v3690 = getelementptr i64, ptr %v85, i64 %v3672
+  %v3691 = getelementptr i64, ptr %v3690, i64 %v3689
+  %v3692 = load i64, ptr %v3691, align 8, !noalias !514
+  %v3693 = icmp eq i64 %v3692, 0
+  br i1 %v3693, label %v3694, label %v3695
+
+v3694:
+  %v3696 = getelementptr double, ptr %v1025, i64 %v3658
+  store double 1.000000e+00, ptr %v3696, align 8, !noalias !514
+  br label %v3697
+
+v3695:
+  %v3698 = getelementptr double, ptr %v1023, i64 %v3658
+  %v3699 = load double, ptr %v3698, align 8, !noalias !514
+  %v3700 = fcmp olt double %v3699, 2.500000e-01
+  %v3701 = select i1 %v3700, double 2.500000e-01, double %v3699
+  store double %v3701, ptr %v3698, align 8, !noalias !514
+  %v3702 = load i64, ptr %v516, align 8, !noalias !514
+  %v3703 = tail call i64 @llvm.smax.i64(i64 %v3702, i64 1)
+  br label %v3697
+
+v3697:
+  %v3704 = phi i64 [ %v3703, %v3695 ], [ 2, %v3694 ]
+  store i64 %v3704, ptr %v516, align 8, !noalias !514
+  br i1 %v1026, label %v3663, label %v3705
+
+v3705:
+  %v3706 = select i1 %v3673, i64 %v77, i64 0
+  %v3707 = add i64 %v3706, %v3672
+  %v3708 = mul i64 %v3707, %v78
+  %v3709 = getelementptr double, ptr %v76, i64 %v3708
+  br label %v3710
+
+v3710:
+  %v3711 = phi i64 [ 0, %v3705 ], [ %v3712, %v3710 ]
+  %v3712 = add nsw i64 %v3711, 1
+  %v3713 = getelementptr double, ptr %v3709, i64 %v3711
+  %v3714 = load double, ptr %v3713, align 8, !noalias !518
+  %v3715 = getelementptr i64, ptr %v62, i64 %v3711
+  %v3716 = load i64, ptr %v3715, align 8, !noalias !518
+  %v3717 = mul nsw i64 %v3716, %v9
+  %v3718 = add nsw i64 %v3717, %v3540
+  %v3719 = icmp slt i64 %v3718, 0
+  %v3720 = select i1 %v3719, i64 %v166, i64 0
+  %v3721 = getelementptr double, ptr %v165, i64 %v3718
+  %v3722 = getelementptr double, ptr %v3721, i64 %v3720
+  store double %v3714, ptr %v3722, align 8, !noalias !518
+  %v3723 = icmp eq i64 %v63, %v3712
+  br i1 %v3723, label %v3663, label %v3710
+
+v3663:
+  %v3724 = getelementptr i64, ptr %v110, i64 %v3555
+  %v3725 = load i64, ptr %v3724, align 8, !noalias !497
+  %v3726 = icmp eq i64 %v3725, 0
+  br i1 %v3726, label %v3727, label %v3728
+
+v3728:
+  %v3729 = getelementptr i64, ptr %v1028, i64 %v3553
+  %v3730 = load i64, ptr %v3729, align 8, !noalias !497
+  %v3731 = getelementptr i64, ptr %v117, i64 %v3555
+  store i64 %v3730, ptr %v3731, align 8, !noalias !497
+  store i64 -1, ptr %v3554, align 8, !noalias !497
+  %v3732 = getelementptr double, ptr %v1030, i64 %v3658
+  store double 0.000000e+00, ptr %v3732, align 8, !noalias !522
+  %v3733 = load i64, ptr %v151, align 8, !noalias !522
+  %v3734 = load i64, ptr %v1031, align 8, !noalias !522
+  %v3735 = icmp eq i64 %v3733, %v3734
+  br i1 %v3735, label %v3736, label %v3737
+
+v3737:
+  %v3738 = add nsw i64 %v3733, 1
+  store i64 %v3738, ptr %v151, align 8, !noalias !522
+  store i64 2, ptr %v516, align 8, !noalias !522
+  store i64 %v3733, ptr %v3554, align 8, !noalias !522
+  %v3739 = icmp slt i64 %v3733, 0
+  %v3740 = select i1 %v3739, i64 %v49, i64 0
+  %v3741 = getelementptr i64, ptr %v48, i64 %v3733
+  %v3742 = getelementptr i64, ptr %v3741, i64 %v3740
+  %v3743 = load i64, ptr %v3742, align 8, !noalias !522
+  %v3744 = icmp slt i64 %v3743, 0
+  %v3745 = select i1 %v3744, i64 %v56, i64 0
+  %v3746 = getelementptr i64, ptr %v55, i64 %v3743
+  %v3747 = getelementptr i64, ptr %v3746, i64 %v3745
+  %v3748 = load i64, ptr %v3747, align 8, !noalias !522
+  %v3749 = getelementptr i64, ptr %v1032, i64 %v3553
+  store i64 %v3748, ptr %v3749, align 8, !noalias !522
+  store i64 1, ptr %v3729, align 8, !noalias !522
+  %v3750 = getelementptr i64, ptr %v1034, i64 %v3553
+  store i64 0, ptr %v3750, align 8, !noalias !522
+  br i1 %v1035, label %v3751, label %v3752
+
+v3752:
+  %v3753 = select i1 %v3739, i64 %v40, i64 0
+  %v3754 = add i64 %v3753, %v3733
+  %v3755 = mul i64 %v3754, %v41
+  %v3756 = getelementptr double, ptr %v39, i64 %v3755
+  br label %v3757
+
+v3751:
+  br i1 %v1036, label %v3758, label %v3759
+
+v3759:
+  %v3760 = load i64, ptr %v3749, align 8, !noalias !522
+  %v3761 = icmp slt i64 %v3760, 0
+  %v3762 = select i1 %v3761, i64 %v77, i64 0
+  %v3763 = add i64 %v3762, %v3760
+  %v3764 = mul i64 %v3763, %v78
+  %v3765 = getelementptr double, ptr %v76, i64 %v3764
+  br label %v3766
+
+v3766:
+  %v3767 = phi i64 [ 0, %v3759 ], [ %v3768, %v3766 ]
+  %v3768 = add nsw i64 %v3767, 1
+  %v3769 = getelementptr double, ptr %v3765, i64 %v3767
+  %v3770 = load double, ptr %v3769, align 8, !noalias !525
+  %v3771 = getelementptr i64, ptr %v62, i64 %v3767
+  %v3772 = load i64, ptr %v3771, align 8, !noalias !525
+  %v3773 = mul nsw i64 %v3772, %v9
+  %v3774 = add nsw i64 %v3773, %v3540
+  %v3775 = icmp slt i64 %v3774, 0
+  %v3776 = select i1 %v3775, i64 %v166, i64 0
+  %v3777 = getelementptr double, ptr %v165, i64 %v3774
+  %v3778 = getelementptr double, ptr %v3777, i64 %v3776
+  store double %v3770, ptr %v3778, align 8, !noalias !525
+  %v3779 = icmp eq i64 %v3768, %v63
+  br i1 %v3779, label %v3758, label %v3766
+
+v3780:
+  %v3781 = getelementptr double, ptr %v133, i64 %v3658
+  %v3782 = getelementptr double, ptr %v1039, i64 %v3658
+  %v3783 = load double, ptr %v3782, align 8, !noalias !529
+  %v3784 = getelementptr double, ptr %v1041, i64 %v3658
+  %v3785 = load double, ptr %v3784, align 8, !noalias !529
+  %v3786 = getelementptr double, ptr %v1043, i64 %v3658
+  %v3787 = load double, ptr %v3786, align 8, !noalias !529
+  %v3788 = getelementptr double, ptr %v1045, i64 %v3658
+  %v3789 = load double, ptr %v3788, align 8, !noalias !529
+  store double 0.000000e+00, ptr %v3781, align 8, !noalias !529
+  %v3790 = getelementptr double, ptr %v3781, i64 %v135
+  store double 0.000000e+00, ptr %v3790, align 8, !noalias !529
+  %v3791 = getelementptr i8, ptr %v3781, i64 %v1046
+  store double 0.000000e+00, ptr %v3791, align 8, !noalias !529
+  %v3792 = getelementptr i8, ptr %v3781, i64 %v1029
+  store double 0.000000e+00, ptr %v3792, align 8, !noalias !529
+  %v3793 = getelementptr i8, ptr %v3781, i64 %v1047
+  store double 0.000000e+00, ptr %v3793, align 8, !noalias !529
+  %v3794 = getelementptr i8, ptr %v3781, i64 %v1017
+  store double 0.000000e+00, ptr %v3794, align 8, !noalias !529
+  %v3795 = getelementptr i8, ptr %v3781, i64 %v1048
+  store double 0.000000e+00, ptr %v3795, align 8, !noalias !529
+  %v3796 = getelementptr i8, ptr %v3781, i64 %v1049
+  store double 0.000000e+00, ptr %v3796, align 8, !noalias !529
+  %v3797 = getelementptr i8, ptr %v3781, i64 %v1050
+  store double 0.000000e+00, ptr %v3797, align 8, !noalias !529
+  %v3798 = getelementptr i8, ptr %v3781, i64 %v1051
+  store double 0.000000e+00, ptr %v3798, align 8, !noalias !529
+  %v3799 = getelementptr i8, ptr %v3781, i64 %v1052
+  store double 0.000000e+00, ptr %v3799, align 8, !noalias !529
+  %v3800 = getelementptr i8, ptr %v3781, i64 %v1053
+  store double 0.000000e+00, ptr %v3800, align 8, !noalias !529
+  %v3801 = getelementptr i8, ptr %v3781, i64 %v1054
+  store double 0.000000e+00, ptr %v3801, align 8, !noalias !529
+  %v3802 = getelementptr i8, ptr %v3781, i64 %v1055
+  store double 0.000000e+00, ptr %v3802, align 8, !noalias !529
+  %v3803 = getelementptr i8, ptr %v3781, i64 %v1056
+  store double 0.000000e+00, ptr %v3803, align 8, !noalias !529
+  %v3804 = getelementptr i8, ptr %v3781, i64 %v1057
+  store double 0.000000e+00, ptr %v3804, align 8, !noalias !529
+  %v3805 = getelementptr i8, ptr %v3781, i64 %v1058
+  store double 0.000000e+00, ptr %v3805, align 8, !noalias !529
+  %v3806 = getelementptr i8, ptr %v3781, i64 %v1059
+  store double 0.000000e+00, ptr %v3806, align 8, !noalias !529
+  %v3807 = getelementptr i8, ptr %v3781, i64 %v1040
+  store double 0.000000e+00, ptr %v3807, align 8, !noalias !529
+  %v3808 = getelementptr i8, ptr %v3781, i64 %v1060
+  store double 0.000000e+00, ptr %v3808, align 8, !noalias !529
+  %v3809 = getelementptr i8, ptr %v3781, i64 %v1061
+  store double 0.000000e+00, ptr %v3809, align 8, !noalias !529
+  %v3810 = getelementptr i8, ptr %v3781, i64 %v1062
+  store double 0.000000e+00, ptr %v3810, align 8, !noalias !529
+  %v3811 = getelementptr i8, ptr %v3781, i64 %v1063
+  store double 0.000000e+00, ptr %v3811, align 8, !noalias !529
+  %v3812 = getelementptr i8, ptr %v3781, i64 %v1064
+  store double 0.000000e+00, ptr %v3812, align 8, !noalias !529
+  %v3813 = getelementptr i8, ptr %v3781, i64 %v1065
+  store double 0.000000e+00, ptr %v3813, align 8, !noalias !529
+  %v3814 = getelementptr i8, ptr %v3781, i64 %v1066
+  store double 0.000000e+00, ptr %v3814, align 8, !noalias !529
+  %v3815 = getelementptr i8, ptr %v3781, i64 %v1067
+  store double 0.000000e+00, ptr %v3815, align 8, !noalias !529
+  %v3816 = getelementptr i8, ptr %v3781, i64 %v1068
+  store double 0.000000e+00, ptr %v3816, align 8, !noalias !529
+  %v3817 = getelementptr i8, ptr %v3781, i64 %v1069
+  store double 0.000000e+00, ptr %v3817, align 8, !noalias !529
+  %v3818 = getelementptr i8, ptr %v3781, i64 %v1044
+  store double 0.000000e+00, ptr %v3818, align 8, !noalias !529
+  %v3819 = getelementptr i8, ptr %v3781, i64 %v1042
+  store double 0.000000e+00, ptr %v3819, align 8, !noalias !529
+  %v3820 = getelementptr i8, ptr %v3781, i64 %v1070
+  store double 0.000000e+00, ptr %v3820, align 8, !noalias !529
+  %v3821 = getelementptr i8, ptr %v3781, i64 %v1071
+  store double 0.000000e+00, ptr %v3821, align 8, !noalias !529
+  %v3822 = getelementptr i8, ptr %v3781, i64 %v1072
+  store double 0.000000e+00, ptr %v3822, align 8, !noalias !529
+  %v3823 = getelementptr i8, ptr %v3781, i64 %v1073
+  store double 0.000000e+00, ptr %v3823, align 8, !noalias !529
+  %v3824 = getelementptr i8, ptr %v3781, i64 %v1038
+  store double 0.000000e+00, ptr %v3824, align 8, !noalias !529
+  %v3825 = fcmp oeq double %v3789, 0xFFF0000000000000
+  %v3826 = select i1 %v3825, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v3826, ptr %v3788, align 8, !noalias !529
+  store double %v3787, ptr %v3786, align 8, !noalias !529
+  store double %v3785, ptr %v3784, align 8, !noalias !529
+  %v3827 = fcmp oeq double %v3783, 0xFFF0000000000000
+  %v3828 = select i1 %v3827, double 0xFFF0000000000000, double 0.000000e+00
+  store double %v3828, ptr %v3782, align 8, !noalias !529
+  %v3829 = getelementptr double, ptr %v1074, i64 %v3658
+  store double 5.000000e+03, ptr %v3829, align 8, !noalias !529
+  store double 1.000000e+00, ptr %v3732, align 8, !noalias !529
+  %v3830 = getelementptr double, ptr %v1075, i64 %v3658
+  store double 0xFFF0000000000000, ptr %v3830, align 8, !noalias !529
+  %v3831 = getelementptr double, ptr %v1076, i64 %v3658
+  store double 0x7FF0000000000000, ptr %v3831, align 8, !noalias !529
+  %v3832 = load double, ptr %v92, align 8, !noalias !522
+  store double %v3832, ptr %v3781, align 8, !noalias !522
+  %v3833 = load double, ptr %v92, align 8, !noalias !522
+  %v3834 = getelementptr double, ptr %v1077, i64 %v3658
+  store double %v3833, ptr %v3834, align 8, !noalias !522
+  %v3835 = load i64, ptr %v3749, align 8, !noalias !522
+  %v3836 = icmp slt i64 %v3835, 0
+  %v3837 = select i1 %v3836, i64 %v70, i64 0
+  %v3838 = getelementptr double, ptr %v69, i64 %v3835
+  %v3839 = getelementptr double, ptr %v3838, i64 %v3837
+  %v3840 = load double, ptr %v3839, align 8, !noalias !522
+  %v3841 = getelementptr double, ptr %v1078, i64 %v3658
+  store double %v3840, ptr %v3841, align 8, !noalias !522
+  br label %v3736
+
+v3757:
+  %v3842 = phi i64 [ 0, %v3752 ], [ %v3843, %v3757 ]
+  %v3843 = add nsw i64 %v3842, 1
+  %v3844 = getelementptr double, ptr %v3756, i64 %v3842
+  %v3845 = load double, ptr %v3844, align 8, !noalias !522
+  %v3846 = mul nsw i64 %v3842, %v9
+  %v3847 = add nsw i64 %v3846, %v3540
+  %v3848 = icmp slt i64 %v3847, 0
+  %v3849 = select i1 %v3848, i64 %v166, i64 0
+  %v3850 = getelementptr double, ptr %v165, i64 %v3847
+  %v3851 = getelementptr double, ptr %v3850, i64 %v3849
+  store double %v3845, ptr %v3851, align 8, !noalias !522
+  %v3852 = icmp eq i64 %v3843, %v41
+  br i1 %v3852, label %v3751, label %v3757
+
+v3758:
+  br i1 %v1037, label %v3780, label %v3853
+
+v3853:
+  %v3854 = getelementptr double, ptr %v193, i64 %v3540
+  %v3855 = select i1 %v3739, i64 %v31, i64 0
+  %v3856 = add i64 %v3855, %v3733
+  %v3857 = mul i64 %v3856, %v32
+  %v3858 = getelementptr double, ptr %v30, i64 %v3857
+  %v3859 = select i1 %v3551, i64 %v196, i64 0
+  %v3860 = getelementptr double, ptr %v3854, i64 %v3859
+  br label %v3861
+
+v3861:
+  %v3862 = phi i64 [ 0, %v3853 ], [ %v3863, %v3861 ]
+  %v3863 = add nsw i64 %v3862, 1
+  %v3864 = getelementptr double, ptr %v3858, i64 %v3862
+  %v3865 = load double, ptr %v3864, align 8, !noalias !522
+  %v3866 = mul i64 %v3862, %v196
+  %v3867 = getelementptr double, ptr %v3860, i64 %v3866
+  store double %v3865, ptr %v3867, align 8, !noalias !522
+  %v3868 = icmp eq i64 %v3863, %v10
+  br i1 %v3868, label %v3780, label %v3861
+
+v3727:
+  %v3869 = getelementptr double, ptr %v1080, i64 %v3658
+  %v3870 = load double, ptr %v3869, align 8, !noalias !497
+  %v3871 = fcmp ult double %v3870, 1.500000e+01
+  br i1 %v3871, label %v3736, label %v3872
+
+v3872:
+  %v3873 = load double, ptr %v1082, align 8, !noalias !497
+  %v3874 = getelementptr double, ptr %v133, i64 %v3658
+  %v3875 = load double, ptr %v3874, align 8, !noalias !497
+  %v3876 = fsub double %v3873, %v3875
+  %v3877 = getelementptr double, ptr %v1083, i64 %v3658
+  %v3878 = load double, ptr %v3877, align 8, !noalias !497
+  %v3879 = fmul double %v3878, 2.500000e+02
+  %v3880 = fcmp ogt double %v3876, %v3879
+  br i1 %v3880, label %v3736, label %v3881
+
+v3881:
+  store double 0.000000e+00, ptr %v3869, align 8, !noalias !497
+  br label %v3736
+
+v3736:
+  %v3882 = phi i1 [ %v3547, %v3727 ], [ true, %v3872 ], [ %v3547, %v3881 ], [ %v3547, %v3728 ], [ %v3547, %v3780 ]
+  %v3883 = load i64, ptr %v3554, align 8, !noalias !497
+  %v3884 = icmp sgt i64 %v3883, -1
+  br i1 %v3884, label %v3885, label %v3542
+
+v3885:
+  %v3886 = add nsw i64 %v3549, 1
+  %v3887 = getelementptr double, ptr %v1085, i64 %v3658
+  %v3888 = load double, ptr %v3887, align 8, !noalias !497
+  %v3889 = fcmp ogt double %v3888, 0.000000e+00
+  br i1 %v3889, label %v3890, label %v3891
+
+v3891:
+  %v3892 = mul i64 %v3883, %v126
+  %v3893 = getelementptr i64, ptr %v124, i64 %v3892
+  %v3894 = load i64, ptr %v3893, align 8, !noalias !497
+  %v3895 = and i64 %v3894, 127
+  %v3896 = getelementptr double, ptr %v1087, i64 %v3658
+  %v3897 = load double, ptr %v3896, align 8, !noalias !497
+  %v3898 = fcmp olt double %v3897, %v1088
+  %v3899 = select i1 %v3898, double %v3897, double %v1088
+  %v3900 = sitofp i64 %v3563 to double
+  %v3901 = fsub double %v3899, %v3900
+  %v3902 = sub nsw i64 128, %v3895
+  %v3903 = uitofp i64 %v3902 to double
+  %v3904 = fcmp ogt double %v3901, %v3903
+  %v3905 = select i1 %v3904, double %v3903, double %v3901
+  br label %v3890
+
+v3890:
+  %v3906 = phi double [ %v3905, %v3891 ], [ 1.000000e+00, %v3885 ]
+  %v3907 = getelementptr double, ptr %v1090, i64 %v3658
+  store double %v3906, ptr %v3907, align 8, !noalias !497
+  %v3908 = getelementptr double, ptr %v1092, i64 %v3658
+  %v3909 = load double, ptr %v3908, align 8, !noalias !533
+  %v3910 = getelementptr double, ptr %v1094, i64 %v3658
+  store double %v3909, ptr %v3910, align 8, !noalias !533
+  %v3911 = getelementptr i64, ptr %v1096, i64 %v3553
+  %v3912 = load i64, ptr %v3911, align 8, !noalias !533
+  %v3913 = icmp slt i64 %v3912, %v93
+  br i1 %v3913, label %v3914, label %v3542
+
+v3914:
+  %v3915 = icmp slt i64 %v3912, 0
+  %v3916 = select i1 %v3915, i64 %v93, i64 0
+  %v3917 = getelementptr double, ptr %v92, i64 %v3912
+  %v3918 = getelementptr double, ptr %v3917, i64 %v3916
+  %v3919 = load double, ptr %v3918, align 8, !noalias !533
+  %v3920 = load double, ptr %v3908, align 8, !noalias !533
+  %v3921 = fcmp olt double %v3920, %v3919
+  %v3922 = select i1 %v3921, double %v3920, double %v3919
+  store double %v3922, ptr %v3910, align 8, !noalias !533
+  br label %v3542
+
+v3542:
+  %v3550 = phi i64 [ %v3549, %v3539 ], [ %v3549, %v3736 ], [ %v3886, %v3890 ], [ %v3886, %v3914 ]
+  %v3548 = phi i1 [ %v3547, %v3539 ], [ %v3882, %v3736 ], [ %v3882, %v3890 ], [ %v3882, %v3914 ]
+  %v3923 = icmp sgt i64 %v3545, 0
+  %v3924 = sext i1 %v3923 to i64
+  %v3546 = add nsw i64 %v3545, %v3924
+  %v3925 = zext i1 %v3923 to i64
+  %v3544 = add i64 %v3543, %v3925
+  %v3541 = select i1 %v3923, i64 %v3543, i64 0
+  br i1 %v3923, label %v3539, label %v3926
+
+v1126:
+  %v1125 = phi i64 [ %v1129, %v3323 ], [ %v3927, %v3926 ]
+  %v1128 = phi i64 [ %v3538, %v3323 ], [ %v3550, %v3926 ]
+  %v3928 = icmp sgt i64 %v1128, 0
+  %v3929 = icmp sgt i64 %v1125, 0
+  %v3930 = select i1 %v3928, i1 %v3929, i1 false
+  br i1 %v3930, label %v1123, label %v515
+
+v515:
+  %v3931 = phi i64 [ %v510, %v309 ], [ %v1128, %v1126 ]
+  br i1 %v307, label %v3932, label %v3933
+
+v3933:
+  %v3934 = mul i64 %v135, 192
+  %v3935 = getelementptr i8, ptr %v133, i64 %v3934
+  %v3936 = mul i64 %v135, 200
+  %v3937 = getelementptr i8, ptr %v133, i64 %v3936
+  %v3938 = add nsw i64 %v11, -1
+  %v3939 = mul i64 %v135, 176
+  %v3940 = getelementptr i8, ptr %v133, i64 %v3939
+  br label %v3941
+
+v3942:
+  %v3943 = getelementptr double, ptr %v3935, i64 %v3944
+  %v3945 = load double, ptr %v3943, align 8, !noalias !537
+  %v3946 = fptosi double %v3945 to i64
+  %v3947 = getelementptr double, ptr %v3937, i64 %v3944
+  %v3948 = load double, ptr %v3947, align 8, !noalias !537
+  %v3949 = fptosi double %v3948 to i64
+  %v3950 = mul i64 %v3951, %v126
+  %v3952 = getelementptr i64, ptr %v124, i64 %v3950
+  %v3953 = load i64, ptr %v3952, align 8, !noalias !537
+  %v3954 = add nsw i64 %v3953, %v3946
+  store i64 %v3954, ptr %v3952, align 8, !noalias !537
+  %v3955 = getelementptr i8, ptr %v3952, i64 24
+  %v3956 = load i64, ptr %v3955, align 8, !noalias !537
+  %v3957 = add nsw i64 %v3956, %v3949
+  store i64 %v3957, ptr %v3955, align 8, !noalias !537
+  %v3958 = getelementptr i8, ptr %v3952, i64 8
+  %v3959 = load i64, ptr %v3958, align 8, !noalias !537
+  %v3960 = add nsw i64 %v3949, %v3946
+  %v3961 = mul nsw i64 %v3960, %v3938
+  %v3962 = add nsw i64 %v3961, %v3946
+  %v3963 = add nsw i64 %v3962, %v3959
+  store i64 %v3963, ptr %v3958, align 8, !noalias !537
+  store double 0.000000e+00, ptr %v3943, align 8, !noalias !537
+  store double 0.000000e+00, ptr %v3947, align 8, !noalias !537
+  %v3964 = getelementptr double, ptr %v3940, i64 %v3944
+  %v3965 = load double, ptr %v3964, align 8, !noalias !537
+  %v3966 = sitofp i64 %v3960 to double
+  %v3967 = fsub double %v3965, %v3966
+  store double %v3967, ptr %v3964, align 8, !noalias !537
+  br label %v3968
 
 v3968:
-  %v4025 = phi i64 [ %v4026, %v3968 ], [ 0, %v3965 ]
-  %v4026 = add nsw i64 %v4025, 1
-  %v4027 = mul i64 %v4025, %v196
-  %v4028 = getelementptr double, ptr %v193, i64 %v4027
-  %v4029 = load double, ptr %v4028, align 8, !noalias !551
-  %v4030 = getelementptr double, ptr %v604, i64 %v4027
-  store double %v4029, ptr %v4030, align 8, !noalias !551
-  %v4031 = getelementptr double, ptr %v606, i64 %v4027
-  store double 0.000000e+00, ptr %v4031, align 8, !noalias !551
-  %v4032 = icmp eq i64 %v10, %v4026
-  br i1 %v4032, label %v3967, label %v3968
+  %v3969 = icmp sgt i64 %v3970, 1
+  br i1 %v3969, label %v3941, label %v3932
+
+v3941:
+  %v3944 = phi i64 [ 0, %v3933 ], [ %v3971, %v3968 ]
+  %v3970 = phi i64 [ %v308, %v3933 ], [ %v3972, %v3968 ]
+  %v3972 = add nsw i64 %v3970, -1
+  %v3971 = add nsw i64 %v3944, 1
+  %v3973 = getelementptr i64, ptr %v142, i64 %v3944
+  %v3951 = load i64, ptr %v3973, align 8, !noalias !537
+  %v3974 = icmp sgt i64 %v3951, -1
+  br i1 %v3974, label %v3942, label %v3968
+
+v3975:
+  %v3976 = phi i32 [ 0, %v3932 ], [ %v3108, %v3110 ]
+  ret i32 %v3976
+
+v365:
+  %v507 = phi i64 [ 0, %v310 ], [ %v506, %v372 ]
+  %v509 = phi i64 [ %v308, %v310 ], [ %v3977, %v372 ]
+  %v368 = phi i64 [ 0, %v310 ], [ %v3978, %v372 ]
+  %v3977 = add nsw i64 %v509, -1
+  %v3978 = add nsw i64 %v368, 1
+  %v503 = getelementptr i64, ptr %v142, i64 %v368
+  %v3979 = load i64, ptr %v503, align 8
+  %v3980 = icmp slt i64 %v3979, 0
+  br i1 %v3980, label %v366, label %v372
+
+v1335:
+  %v3981 = load i64, ptr %v6, align 8, !noalias !541
+  %v3982 = inttoptr i64 %v3981 to ptr
+  tail call void %v3982(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v599), !noalias !541
+  br label %v1336
+
+v1336:
+  br i1 %v600, label %v3983, label %v3984
+
+v3983:
+  %v3985 = load double, ptr %v602, align 8, !noalias !544
+  %v3986 = fcmp olt double %v3985, 5.000000e-01
+  br i1 %v3986, label %v3987, label %v3988
+
+v3987:
+  br i1 %v603, label %v3989, label %v3990
+
+v3989:
+  br i1 %v615, label %v3991, label %v3992, !prof !397
+
+v3993:
+  %v3994 = icmp eq i64 %v3995, %v648
+  br i1 %v3994, label %v3988, label %v3996
+
+v3997:
+  %v3998 = load i64, ptr %v625, align 8, !noalias !548
+  %v3999 = icmp eq i64 %v3998, %v3995
+  br i1 %v3999, label %v4000, label %v4001
+
+v4000:
+  %v4002 = load double, ptr %v627, align 8, !noalias !548
+  %v4003 = fmul double %v4002, 1.000000e-03
+  br label %v4001
+
+v4001:
+  %v4004 = phi double [ %v4003, %v4000 ], [ 0.000000e+00, %v3997 ]
+  store double %v4004, ptr %v4005, align 8, !noalias !548
+  br i1 %v603, label %v4006, label %v4007
+
+v4008:
+  %v4009 = phi i64 [ %v4010, %v4008 ], [ 0, %v3996 ]
+  %v4010 = add nsw i64 %v4009, 1
+  %v4011 = mul i64 %v4009, %v196
+  %v4012 = getelementptr double, ptr %v193, i64 %v4011
+  %v4013 = load double, ptr %v4012, align 8, !noalias !548
+  %v4014 = tail call double @llvm.fabs.f64(double %v4013)
+  %v4015 = fcmp ogt double %v4016, %v4014
+  %v4017 = select i1 %v4015, double %v4016, double %v4014
+  %v4018 = fcmp ogt double %v4017, 0.000000e+00
+  %v4019 = fmul double %v4017, 1.200000e-05
+  %v4020 = select i1 %v4018, double %v4019, double 1.200000e-05
+  %v4021 = getelementptr i64, ptr %v266, i64 %v4009
+  %v4022 = load i64, ptr %v4021, align 8, !noalias !548
+  %v4023 = icmp eq i64 %v4022, %v3995
+  %v4024 = select i1 %v4023, double %v4020, double 0.000000e+00
+  %v4025 = getelementptr double, ptr %v4026, i64 %v4009
+  store double %v4024, ptr %v4025, align 8, !noalias !548
+  %v4027 = icmp eq i64 %v10, %v4010
+  br i1 %v4027, label %v3997, label %v4008
+
+v4028:
+  %v4029 = getelementptr double, ptr %v641, i64 %v4030
+  store double %v4031, ptr %v4029, align 8, !noalias !554
+  br label %v4032
 
 v4033:
-  %v4034 = phi i64 [ %v159, %v4035 ], [ %v4036, %v4037 ]
-  %v4038 = sub i64 %v4034, %v4039
-  %v4040 = tail call i64 @llvm.smax.i64(i64 %v4038, i64 0)
-  %v4004 = getelementptr double, ptr %v158, i64 %v4039
-  br i1 %v618, label %v4041, label %v3966
+  %v4034 = select i1 %v4035, i64 %v295, i64 0
+  %v4036 = getelementptr i64, ptr %v294, i64 %v4037
+  %v4038 = getelementptr i64, ptr %v4036, i64 %v4034
+  %v4039 = load i64, ptr %v4038, align 8, !noalias !554
+  %v4040 = icmp slt i64 %v4039, 0
+  %v4041 = select i1 %v4040, i64 %v223, i64 0
+  %v4042 = getelementptr double, ptr %v222, i64 %v4039
+  %v4043 = getelementptr double, ptr %v4042, i64 %v4041
+  store double %v4031, ptr %v4043, align 8, !noalias !554
+  br label %v4032
 
-v4041:
-  %v4042 = select i1 %v610, i64 %v4040, i64 0
-  %v4043 = getelementptr double, ptr %v4004, i64 %v10
-  %v3983 = getelementptr double, ptr %v4043, i64 %v4042
-  br label %v3974
+v4032:
+  %v4044 = icmp sgt i64 %v4045, 1
+  br i1 %v4044, label %v4046, label %v3993
 
-v3969:
-  br label %v3970
+v3990:
+  %v4047 = phi i64 [ %v4048, %v3990 ], [ 0, %v3987 ]
+  %v4048 = add nsw i64 %v4047, 1
+  %v4049 = mul i64 %v4047, %v196
+  %v4050 = getelementptr double, ptr %v193, i64 %v4049
+  %v4051 = load double, ptr %v4050, align 8, !noalias !554
+  %v4052 = getelementptr double, ptr %v606, i64 %v4049
+  store double %v4051, ptr %v4052, align 8, !noalias !554
+  %v4053 = getelementptr double, ptr %v608, i64 %v4049
+  store double 0.000000e+00, ptr %v4053, align 8, !noalias !554
+  %v4054 = icmp eq i64 %v10, %v4048
+  br i1 %v4054, label %v3989, label %v3990
 
-v3970:
-  %v4044 = phi i64 [ 0, %v3969 ], [ %v612, %v3967 ]
-  br i1 %v614, label %v4045, label %v4046, !prof !131
+v4055:
+  %v4056 = phi i64 [ %v159, %v4057 ], [ %v4058, %v4059 ]
+  %v4060 = sub i64 %v4056, %v4061
+  %v4062 = tail call i64 @llvm.smax.i64(i64 %v4060, i64 0)
+  %v4026 = getelementptr double, ptr %v158, i64 %v4061
+  br i1 %v620, label %v4063, label %v3988
+
+v4063:
+  %v4064 = select i1 %v612, i64 %v4062, i64 0
+  %v4065 = getelementptr double, ptr %v4026, i64 %v10
+  %v4005 = getelementptr double, ptr %v4065, i64 %v4064
+  br label %v3996
+
+v3991:
+  br label %v3992
+
+v3992:
+  %v4066 = phi i64 [ 0, %v3991 ], [ %v614, %v3989 ]
+  br i1 %v616, label %v4067, label %v4068, !prof !131
+
+v4068:
+  br label %v4067
+
+v4067:
+  %v4061 = phi i64 [ %v159, %v4068 ], [ %v4066, %v3992 ]
+  br i1 %v618, label %v4069, label %v4059, !prof !397
+
+v4069:
+  br label %v4059
+
+v4059:
+  %v4058 = phi i64 [ 0, %v4069 ], [ %v617, %v4067 ]
+  br i1 %v619, label %v4055, label %v4057, !prof !131
+
+v4057:
+  br label %v4055
+
+v3996:
+  %v3995 = phi i64 [ 0, %v4063 ], [ %v4070, %v3993 ]
+  %v4070 = add nsw i64 %v3995, 1
+  %v4071 = load double, ptr %v622, align 8, !noalias !548
+  %v4072 = load double, ptr %v23, align 8, !noalias !548
+  %v4016 = fdiv double %v4071, %v4072
+  br i1 %v603, label %v3997, label %v4008
+
+v4073:
+  %v4074 = load double, ptr %v133, align 8, !noalias !555
+  %v4075 = load double, ptr %v4005, align 8, !noalias !555
+  %v4076 = fmul double %v4075, 5.000000e-01
+  %v4077 = fadd double %v4074, %v4076
+  store double %v4077, ptr %v630, align 8, !noalias !555
+  %v4078 = load i64, ptr %v6, align 8, !noalias !559
+  %v4079 = inttoptr i64 %v4078 to ptr
+  tail call void %v4079(ptr nonnull %v630, ptr %v633, ptr %v165, ptr %v172, ptr %v179, ptr %v643), !noalias !559
+  br label %v4080
+
+v4080:
+  %v4081 = phi i64 [ %v4082, %v4080 ], [ 0, %v4073 ]
+  %v4082 = add nsw i64 %v4081, 1
+  %v4083 = mul i64 %v4081, %v196
+  %v4084 = getelementptr double, ptr %v193, i64 %v4083
+  %v4085 = load double, ptr %v4084, align 8, !noalias !555
+  %v4086 = getelementptr double, ptr %v4026, i64 %v4081
+  %v4087 = load double, ptr %v4086, align 8, !noalias !555
+  %v4088 = fmul double %v4087, 5.000000e-01
+  %v4089 = fsub double %v4085, %v4088
+  %v4090 = getelementptr double, ptr %v634, i64 %v4083
+  store double %v4089, ptr %v4090, align 8, !noalias !555
+  %v4091 = icmp eq i64 %v10, %v4082
+  br i1 %v4091, label %v4092, label %v4080
+
+v4006:
+  %v4093 = load double, ptr %v133, align 8, !noalias !555
+  %v4094 = fmul double %v4004, 5.000000e-01
+  %v4095 = fadd double %v4094, %v4093
+  store double %v4095, ptr %v630, align 8, !noalias !555
+  %v4096 = load i64, ptr %v6, align 8, !noalias !559
+  %v4097 = inttoptr i64 %v4096 to ptr
+  tail call void %v4097(ptr nonnull %v630, ptr %v633, ptr %v165, ptr %v172, ptr %v179, ptr %v645), !noalias !559
+  br label %v4092
+
+v4092:
+  %v4098 = load double, ptr %v133, align 8, !noalias !555
+  %v4099 = load double, ptr %v4005, align 8, !noalias !555
+  %v4100 = fmul double %v4099, 5.000000e-01
+  %v4101 = fsub double %v4098, %v4100
+  store double %v4101, ptr %v630, align 8, !noalias !555
+  %v4102 = load i64, ptr %v6, align 8, !noalias !559
+  %v4103 = inttoptr i64 %v4102 to ptr
+  tail call void %v4103(ptr nonnull %v630, ptr %v633, ptr %v165, ptr %v172, ptr %v179, ptr %v647), !noalias !559
+  br i1 %v603, label %v4104, label %v4105
+
+v4106:
+  %v4107 = fsub double %v4108, %v4109
+  br label %v4110
+
+v4111:
+  %v4112 = getelementptr double, ptr %v639, i64 %v4113
+  %v4114 = load double, ptr %v4112, align 8, !noalias !555
+  %v4115 = fsub double %v4108, %v4114
+  %v4116 = fmul double %v4115, 2.000000e+00
+  br label %v4110
+
+v4110:
+  %v4117 = phi double [ %v4116, %v4111 ], [ %v4107, %v4106 ]
+  store double %v4117, ptr %v4118, align 8, !noalias !555
+  %v4119 = icmp eq i64 %v10, %v4120
+  br i1 %v4119, label %v4104, label %v4105
+
+v4007:
+  %v4121 = phi i64 [ %v4122, %v4007 ], [ 0, %v4001 ]
+  %v4122 = add nsw i64 %v4121, 1
+  %v4123 = mul i64 %v4121, %v196
+  %v4124 = getelementptr double, ptr %v193, i64 %v4123
+  %v4125 = load double, ptr %v4124, align 8, !noalias !555
+  %v4126 = getelementptr double, ptr %v4026, i64 %v4121
+  %v4127 = load double, ptr %v4126, align 8, !noalias !555
+  %v4128 = fmul double %v4127, 5.000000e-01
+  %v4129 = fadd double %v4125, %v4128
+  %v4130 = getelementptr double, ptr %v634, i64 %v4123
+  store double %v4129, ptr %v4130, align 8, !noalias !555
+  %v4131 = icmp eq i64 %v10, %v4122
+  br i1 %v4131, label %v4073, label %v4007
+
+v4105:
+  %v4132 = phi i64 [ %v4120, %v4110 ], [ 0, %v4092 ]
+  %v4120 = add nsw i64 %v4132, 1
+  %v4113 = mul i64 %v4132, %v196
+  %v4133 = getelementptr double, ptr %v193, i64 %v4113
+  %v4134 = load double, ptr %v4133, align 8, !noalias !555
+  %v4135 = getelementptr double, ptr %v634, i64 %v4113
+  store double %v4134, ptr %v4135, align 8, !noalias !555
+  %v4118 = getelementptr double, ptr %v636, i64 %v4113
+  %v4108 = load double, ptr %v4118, align 8, !noalias !555
+  %v4136 = getelementptr double, ptr %v638, i64 %v4113
+  %v4109 = load double, ptr %v4136, align 8, !noalias !555
+  %v4137 = fsub double %v4109, %v4109
+  %v4138 = fcmp oeq double %v4137, 0.000000e+00
+  br i1 %v4138, label %v4106, label %v4111
+
+v4104:
+  %v4139 = getelementptr i64, ptr %v273, i64 %v3995
+  %v4140 = load i64, ptr %v4139, align 8, !noalias !554
+  %v4141 = getelementptr i8, ptr %v4139, i64 8
+  %v4142 = load i64, ptr %v4141, align 8, !noalias !554
+  %v4143 = sub i64 %v4142, %v4140
+  %v4144 = icmp slt i64 %v4143, 1
+  br i1 %v4144, label %v3993, label %v4046
 
 v4046:
-  br label %v4045
+  %v4045 = phi i64 [ %v4145, %v4032 ], [ %v4143, %v4104 ]
+  %v4037 = phi i64 [ %v4146, %v4032 ], [ %v4140, %v4104 ]
+  %v4145 = add nsw i64 %v4045, -1
+  %v4146 = add i64 %v4037, 1
+  %v4035 = icmp slt i64 %v4037, 0
+  %v4147 = select i1 %v4035, i64 %v281, i64 0
+  %v4148 = getelementptr i64, ptr %v280, i64 %v4037
+  %v4149 = getelementptr i64, ptr %v4148, i64 %v4147
+  %v4150 = load i64, ptr %v4149, align 8, !noalias !554
+  %v4151 = select i1 %v4035, i64 %v288, i64 0
+  %v4152 = getelementptr i64, ptr %v287, i64 %v4037
+  %v4153 = getelementptr i64, ptr %v4152, i64 %v4151
+  %v4154 = load i64, ptr %v4153, align 8, !noalias !554
+  %v4155 = icmp slt i64 %v4150, 0
+  %v4156 = select i1 %v4155, i64 %v195, i64 0
+  %v4157 = add i64 %v4156, %v4150
+  %v4030 = mul i64 %v4157, %v196
+  %v4158 = getelementptr double, ptr %v636, i64 %v4030
+  %v4159 = load double, ptr %v4158, align 8, !noalias !554
+  %v4160 = icmp slt i64 %v4154, 0
+  %v4161 = select i1 %v4160, i64 %v4062, i64 0
+  %v4162 = getelementptr double, ptr %v4026, i64 %v4154
+  %v4163 = getelementptr double, ptr %v4162, i64 %v4161
+  %v4164 = load double, ptr %v4163, align 8, !noalias !554
+  %v4165 = fdiv double %v4159, %v4164
+  %v4166 = fsub double %v4165, %v4165
+  %v4167 = fcmp oeq double %v4166, 0.000000e+00
+  %v4031 = select i1 %v4167, double %v4165, double 0.000000e+00
+  %v4168 = icmp eq i64 %v4154, %v10
+  br i1 %v4168, label %v4028, label %v4033
 
-v4045:
-  %v4039 = phi i64 [ %v159, %v4046 ], [ %v4044, %v3970 ]
-  br i1 %v616, label %v4047, label %v4037, !prof !397
+v3988:
+  br i1 %v649, label %v4169, label %v3984
 
-v4047:
-  br label %v4037
+v4170:
+  %v4171 = mul i64 %v4172, %v652
+  %v4173 = icmp slt i64 %v4171, 0
+  %v4174 = select i1 %v4173, i64 %v230, i64 0
+  %v4175 = getelementptr double, ptr %v229, i64 %v4171
+  %v4176 = getelementptr double, ptr %v4175, i64 %v4174
+  %v4177 = load double, ptr %v4176, align 8, !noalias !544
+  %v4178 = load double, ptr %v654, align 8, !noalias !544
+  %v4179 = fadd double %v4177, %v4178
+  store double %v4179, ptr %v4176, align 8, !noalias !544
+  %v4180 = icmp eq i64 %v10, %v4181
+  br i1 %v4180, label %v4182, label %v4169
 
-v4037:
-  %v4036 = phi i64 [ 0, %v4047 ], [ %v615, %v4045 ]
-  br i1 %v617, label %v4033, label %v4035, !prof !131
-
-v4035:
-  br label %v4033
-
-v3974:
-  %v3973 = phi i64 [ 0, %v4041 ], [ %v4048, %v3971 ]
-  %v4048 = add nsw i64 %v3973, 1
-  %v4049 = load double, ptr %v620, align 8, !noalias !545
-  %v4050 = load double, ptr %v23, align 8, !noalias !545
-  %v3994 = fdiv double %v4049, %v4050
-  br i1 %v601, label %v3975, label %v3986
-
-v4051:
-  %v4052 = load double, ptr %v133, align 8, !noalias !552
-  %v4053 = load double, ptr %v3983, align 8, !noalias !552
-  %v4054 = fmul double %v4053, 5.000000e-01
-  %v4055 = fadd double %v4052, %v4054
-  store double %v4055, ptr %v628, align 8, !noalias !552
-  %v4056 = load i64, ptr %v6, align 8, !noalias !556
-  %v4057 = inttoptr i64 %v4056 to ptr
-  tail call void %v4057(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v641), !noalias !556
-  br label %v4058
-
-v4058:
-  %v4059 = phi i64 [ %v4060, %v4058 ], [ 0, %v4051 ]
-  %v4060 = add nsw i64 %v4059, 1
-  %v4061 = mul i64 %v4059, %v196
-  %v4062 = getelementptr double, ptr %v193, i64 %v4061
-  %v4063 = load double, ptr %v4062, align 8, !noalias !552
-  %v4064 = getelementptr double, ptr %v4004, i64 %v4059
-  %v4065 = load double, ptr %v4064, align 8, !noalias !552
-  %v4066 = fmul double %v4065, 5.000000e-01
-  %v4067 = fsub double %v4063, %v4066
-  %v4068 = getelementptr double, ptr %v632, i64 %v4061
-  store double %v4067, ptr %v4068, align 8, !noalias !552
-  %v4069 = icmp eq i64 %v10, %v4060
-  br i1 %v4069, label %v4070, label %v4058
-
-v3984:
-  %v4071 = load double, ptr %v133, align 8, !noalias !552
-  %v4072 = fmul double %v3982, 5.000000e-01
-  %v4073 = fadd double %v4072, %v4071
-  store double %v4073, ptr %v628, align 8, !noalias !552
-  %v4074 = load i64, ptr %v6, align 8, !noalias !556
-  %v4075 = inttoptr i64 %v4074 to ptr
-  tail call void %v4075(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v643), !noalias !556
-  br label %v4070
-
-v4070:
-  %v4076 = load double, ptr %v133, align 8, !noalias !552
-  %v4077 = load double, ptr %v3983, align 8, !noalias !552
-  %v4078 = fmul double %v4077, 5.000000e-01
-  %v4079 = fsub double %v4076, %v4078
-  store double %v4079, ptr %v628, align 8, !noalias !552
-  %v4080 = load i64, ptr %v6, align 8, !noalias !556
-  %v4081 = inttoptr i64 %v4080 to ptr
-  tail call void %v4081(ptr nonnull %v628, ptr %v631, ptr %v165, ptr %v172, ptr %v179, ptr %v645), !noalias !556
-  br i1 %v601, label %v4082, label %v4083
-
-v4084:
-  %v4085 = fsub double %v4086, %v4087
-  br label %v4088
-
-v4089:
-  %v4090 = getelementptr double, ptr %v637, i64 %v4091
-  %v4092 = load double, ptr %v4090, align 8, !noalias !552
-  %v4093 = fsub double %v4086, %v4092
-  %v4094 = fmul double %v4093, 2.000000e+00
-  br label %v4088
-
-v4088:
-  %v4095 = phi double [ %v4094, %v4089 ], [ %v4085, %v4084 ]
-  store double %v4095, ptr %v4096, align 8, !noalias !552
-  %v4097 = icmp eq i64 %v10, %v4098
-  br i1 %v4097, label %v4082, label %v4083
-
-v3985:
-  %v4099 = phi i64 [ %v4100, %v3985 ], [ 0, %v3979 ]
-  %v4100 = add nsw i64 %v4099, 1
-  %v4101 = mul i64 %v4099, %v196
-  %v4102 = getelementptr double, ptr %v193, i64 %v4101
-  %v4103 = load double, ptr %v4102, align 8, !noalias !552
-  %v4104 = getelementptr double, ptr %v4004, i64 %v4099
-  %v4105 = load double, ptr %v4104, align 8, !noalias !552
-  %v4106 = fmul double %v4105, 5.000000e-01
-  %v4107 = fadd double %v4103, %v4106
-  %v4108 = getelementptr double, ptr %v632, i64 %v4101
-  store double %v4107, ptr %v4108, align 8, !noalias !552
-  %v4109 = icmp eq i64 %v10, %v4100
-  br i1 %v4109, label %v4051, label %v3985
-
-v4083:
-  %v4110 = phi i64 [ %v4098, %v4088 ], [ 0, %v4070 ]
-  %v4098 = add nsw i64 %v4110, 1
-  %v4091 = mul i64 %v4110, %v196
-  %v4111 = getelementptr double, ptr %v193, i64 %v4091
-  %v4112 = load double, ptr %v4111, align 8, !noalias !552
-  %v4113 = getelementptr double, ptr %v632, i64 %v4091
-  store double %v4112, ptr %v4113, align 8, !noalias !552
-  %v4096 = getelementptr double, ptr %v634, i64 %v4091
-  %v4086 = load double, ptr %v4096, align 8, !noalias !552
-  %v4114 = getelementptr double, ptr %v636, i64 %v4091
-  %v4087 = load double, ptr %v4114, align 8, !noalias !552
-  %v4115 = fsub double %v4087, %v4087
-  %v4116 = fcmp oeq double %v4115, 0.000000e+00
-  br i1 %v4116, label %v4084, label %v4089
-
-v4082:
-  %v4117 = getelementptr i64, ptr %v273, i64 %v3973
-  %v4118 = load i64, ptr %v4117, align 8, !noalias !551
-  %v4119 = getelementptr i8, ptr %v4117, i64 8
-  %v4120 = load i64, ptr %v4119, align 8, !noalias !551
-  %v4121 = sub i64 %v4120, %v4118
-  %v4122 = icmp slt i64 %v4121, 1
-  br i1 %v4122, label %v3971, label %v4024
-
-v4024:
-  %v4023 = phi i64 [ %v4123, %v4010 ], [ %v4121, %v4082 ]
-  %v4015 = phi i64 [ %v4124, %v4010 ], [ %v4118, %v4082 ]
-  %v4123 = add nsw i64 %v4023, -1
-  %v4124 = add i64 %v4015, 1
-  %v4013 = icmp slt i64 %v4015, 0
-  %v4125 = select i1 %v4013, i64 %v281, i64 0
-  %v4126 = getelementptr i64, ptr %v280, i64 %v4015
-  %v4127 = getelementptr i64, ptr %v4126, i64 %v4125
-  %v4128 = load i64, ptr %v4127, align 8, !noalias !551
-  %v4129 = select i1 %v4013, i64 %v288, i64 0
-  %v4130 = getelementptr i64, ptr %v287, i64 %v4015
-  %v4131 = getelementptr i64, ptr %v4130, i64 %v4129
-  %v4132 = load i64, ptr %v4131, align 8, !noalias !551
-  %v4133 = icmp slt i64 %v4128, 0
-  %v4134 = select i1 %v4133, i64 %v195, i64 0
-  %v4135 = add i64 %v4134, %v4128
-  %v4008 = mul i64 %v4135, %v196
-  %v4136 = getelementptr double, ptr %v634, i64 %v4008
-  %v4137 = load double, ptr %v4136, align 8, !noalias !551
-  %v4138 = icmp slt i64 %v4132, 0
-  %v4139 = select i1 %v4138, i64 %v4040, i64 0
-  %v4140 = getelementptr double, ptr %v4004, i64 %v4132
-  %v4141 = getelementptr double, ptr %v4140, i64 %v4139
-  %v4142 = load double, ptr %v4141, align 8, !noalias !551
-  %v4143 = fdiv double %v4137, %v4142
-  %v4144 = fsub double %v4143, %v4143
-  %v4145 = fcmp oeq double %v4144, 0.000000e+00
-  %v4009 = select i1 %v4145, double %v4143, double 0.000000e+00
-  %v4146 = icmp eq i64 %v4132, %v10
-  br i1 %v4146, label %v4006, label %v4011
-
-v3966:
-  br i1 %v647, label %v4147, label %v3962
-
-v4148:
-  %v4149 = mul i64 %v4150, %v650
-  %v4151 = icmp slt i64 %v4149, 0
-  %v4152 = select i1 %v4151, i64 %v230, i64 0
-  %v4153 = getelementptr double, ptr %v229, i64 %v4149
-  %v4154 = getelementptr double, ptr %v4153, i64 %v4152
-  %v4155 = load double, ptr %v4154, align 8, !noalias !541
-  %v4156 = load double, ptr %v652, align 8, !noalias !541
-  %v4157 = fadd double %v4155, %v4156
-  store double %v4157, ptr %v4154, align 8, !noalias !541
-  %v4158 = icmp eq i64 %v10, %v4159
-  br i1 %v4158, label %v4160, label %v4147
-
-v4161:
-  %v4162 = icmp eq i64 %v4163, %v10
-  br i1 %v4162, label %v3962, label %v4160
-
-v4164:
-  %v4165 = phi i64 [ %v4166, %v4160 ], [ %v4167, %v4168 ]
-  %v4169 = getelementptr i64, ptr %v236, i64 %v4166
-  store i64 %v4165, ptr %v4169, align 8, !noalias !559
-  %v4170 = add nsw i64 %v4165, %v4171
-  %v4172 = icmp slt i64 %v4170, 0
-  %v4173 = select i1 %v4172, i64 %v230, i64 0
-  %v4174 = getelementptr double, ptr %v229, i64 %v4170
-  %v4175 = getelementptr double, ptr %v4174, i64 %v4173
-  %v4176 = load double, ptr %v4175, align 8, !noalias !559
-  %v4177 = load double, ptr %v4178, align 8, !noalias !559
-  store double %v4176, ptr %v4178, align 8, !noalias !559
-  store double %v4177, ptr %v4175, align 8, !noalias !559
-  br i1 %v4179, label %v4180, label %v4181
-
-v4180:
-  %v4182 = sub i64 %v4183, %v4163
-  %v4184 = icmp slt i64 %v4182, 1
-  br i1 %v4184, label %v4161, label %v4185
+v4183:
+  %v4184 = icmp eq i64 %v4185, %v10
+  br i1 %v4184, label %v3984, label %v4182
 
 v4186:
-  %v4187 = icmp sgt i64 %v4188, 1
-  br i1 %v4187, label %v4185, label %v4161
+  %v4187 = phi i64 [ %v4188, %v4182 ], [ %v4189, %v4190 ]
+  %v4191 = getelementptr i64, ptr %v236, i64 %v4188
+  store i64 %v4187, ptr %v4191, align 8, !noalias !562
+  %v4192 = add nsw i64 %v4187, %v4193
+  %v4194 = icmp slt i64 %v4192, 0
+  %v4195 = select i1 %v4194, i64 %v230, i64 0
+  %v4196 = getelementptr double, ptr %v229, i64 %v4192
+  %v4197 = getelementptr double, ptr %v4196, i64 %v4195
+  %v4198 = load double, ptr %v4197, align 8, !noalias !562
+  %v4199 = load double, ptr %v4200, align 8, !noalias !562
+  store double %v4198, ptr %v4200, align 8, !noalias !562
+  store double %v4199, ptr %v4197, align 8, !noalias !562
+  br i1 %v4201, label %v4202, label %v4203
 
-v4160:
-  %v4166 = phi i64 [ %v4163, %v4161 ], [ 0, %v4148 ]
-  %v4163 = add nsw i64 %v4166, 1
-  %v4171 = mul nsw i64 %v4166, %v10
-  %v4189 = add nsw i64 %v4166, %v253
-  %v4190 = add nsw i64 %v4189, 1
-  %v4191 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4190, i64 %v10)
-  %v4192 = add i64 %v653, %v4189
-  %v4183 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4192, i64 %v10)
-  %v4193 = getelementptr double, ptr %v229, i64 %v4171
-  %v4178 = getelementptr double, ptr %v4193, i64 %v4166
-  %v4194 = sub i64 %v4191, %v4163
-  %v4195 = tail call i64 @llvm.smax.i64(i64 %v4194, i64 0)
-  %v4179 = icmp slt i64 %v4194, 1
-  br i1 %v4179, label %v4164, label %v4196
+v4202:
+  %v4204 = sub i64 %v4205, %v4185
+  %v4206 = icmp slt i64 %v4204, 1
+  br i1 %v4206, label %v4183, label %v4207
 
-v4196:
-  %v4197 = load double, ptr %v4178, align 8, !noalias !559
-  %v4198 = tail call double @llvm.fabs.f64(double %v4197)
-  br label %v4168
+v4208:
+  %v4209 = icmp sgt i64 %v4210, 1
+  br i1 %v4209, label %v4207, label %v4183
 
-v4168:
-  %v4199 = phi i64 [ %v4167, %v4168 ], [ %v4166, %v4196 ]
-  %v4200 = phi double [ %v4201, %v4168 ], [ %v4198, %v4196 ]
-  %v4202 = phi i64 [ %v4203, %v4168 ], [ %v4195, %v4196 ]
-  %v4204 = phi i64 [ %v4205, %v4168 ], [ %v4163, %v4196 ]
-  %v4203 = add nsw i64 %v4202, -1
-  %v4205 = add i64 %v4204, 1
-  %v4206 = add nsw i64 %v4204, %v4171
-  %v4207 = icmp slt i64 %v4206, 0
-  %v4208 = select i1 %v4207, i64 %v230, i64 0
-  %v4209 = getelementptr double, ptr %v229, i64 %v4206
-  %v4210 = getelementptr double, ptr %v4209, i64 %v4208
-  %v4211 = load double, ptr %v4210, align 8, !noalias !559
-  %v4212 = tail call double @llvm.fabs.f64(double %v4211)
-  %v4213 = fcmp ogt double %v4212, %v4200
-  %v4201 = select i1 %v4213, double %v4212, double %v4200
-  %v4167 = select i1 %v4213, i64 %v4204, i64 %v4199
-  %v4214 = icmp sgt i64 %v4202, 1
-  br i1 %v4214, label %v4168, label %v4164
+v4182:
+  %v4188 = phi i64 [ %v4185, %v4183 ], [ 0, %v4170 ]
+  %v4185 = add nsw i64 %v4188, 1
+  %v4193 = mul nsw i64 %v4188, %v10
+  %v4211 = add nsw i64 %v4188, %v253
+  %v4212 = add nsw i64 %v4211, 1
+  %v4213 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4212, i64 %v10)
+  %v4214 = add i64 %v655, %v4211
+  %v4205 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4214, i64 %v10)
+  %v4215 = getelementptr double, ptr %v229, i64 %v4193
+  %v4200 = getelementptr double, ptr %v4215, i64 %v4188
+  %v4216 = sub i64 %v4213, %v4185
+  %v4217 = tail call i64 @llvm.smax.i64(i64 %v4216, i64 0)
+  %v4201 = icmp slt i64 %v4216, 1
+  br i1 %v4201, label %v4186, label %v4218
 
-v4181:
-  %v4215 = phi i64 [ %v4216, %v4181 ], [ %v4195, %v4164 ]
-  %v4217 = phi i64 [ %v4218, %v4181 ], [ %v4163, %v4164 ]
-  %v4216 = add nsw i64 %v4215, -1
-  %v4218 = add i64 %v4217, 1
-  %v4219 = add nsw i64 %v4217, %v4171
-  %v4220 = icmp slt i64 %v4219, 0
-  %v4221 = select i1 %v4220, i64 %v230, i64 0
-  %v4222 = getelementptr double, ptr %v229, i64 %v4219
-  %v4223 = getelementptr double, ptr %v4222, i64 %v4221
-  %v4224 = load double, ptr %v4223, align 8, !noalias !559
-  %v4225 = load double, ptr %v4178, align 8, !noalias !559
-  %v4226 = fdiv double %v4224, %v4225
-  store double %v4226, ptr %v4223, align 8, !noalias !559
-  %v4227 = icmp sgt i64 %v4215, 1
-  br i1 %v4227, label %v4181, label %v4180
+v4218:
+  %v4219 = load double, ptr %v4200, align 8, !noalias !562
+  %v4220 = tail call double @llvm.fabs.f64(double %v4219)
+  br label %v4190
 
-v4185:
-  %v4188 = phi i64 [ %v4228, %v4186 ], [ %v4182, %v4180 ]
-  %v4229 = phi i64 [ %v4230, %v4186 ], [ %v4163, %v4180 ]
-  %v4228 = add nsw i64 %v4188, -1
-  %v4230 = add i64 %v4229, 1
-  %v4231 = mul nsw i64 %v4229, %v10
-  %v4232 = add nsw i64 %v4231, %v4165
-  %v4233 = icmp slt i64 %v4232, 0
-  %v4234 = select i1 %v4233, i64 %v230, i64 0
-  %v4235 = getelementptr double, ptr %v229, i64 %v4232
-  %v4236 = getelementptr double, ptr %v4235, i64 %v4234
-  %v4237 = load double, ptr %v4236, align 8, !noalias !559
-  %v4238 = add nsw i64 %v4231, %v4166
-  %v4239 = icmp slt i64 %v4238, 0
-  %v4240 = select i1 %v4239, i64 %v230, i64 0
-  %v4241 = getelementptr double, ptr %v229, i64 %v4238
-  %v4242 = getelementptr double, ptr %v4241, i64 %v4240
-  %v4243 = load double, ptr %v4242, align 8, !noalias !559
-  store double %v4243, ptr %v4236, align 8, !noalias !559
-  store double %v4237, ptr %v4242, align 8, !noalias !559
-  %v4244 = fcmp oeq double %v4237, 0.000000e+00
-  %v4245 = or i1 %v4179, %v4244
-  br i1 %v4245, label %v4186, label %v4246
+v4190:
+  %v4221 = phi i64 [ %v4189, %v4190 ], [ %v4188, %v4218 ]
+  %v4222 = phi double [ %v4223, %v4190 ], [ %v4220, %v4218 ]
+  %v4224 = phi i64 [ %v4225, %v4190 ], [ %v4217, %v4218 ]
+  %v4226 = phi i64 [ %v4227, %v4190 ], [ %v4185, %v4218 ]
+  %v4225 = add nsw i64 %v4224, -1
+  %v4227 = add i64 %v4226, 1
+  %v4228 = add nsw i64 %v4226, %v4193
+  %v4229 = icmp slt i64 %v4228, 0
+  %v4230 = select i1 %v4229, i64 %v230, i64 0
+  %v4231 = getelementptr double, ptr %v229, i64 %v4228
+  %v4232 = getelementptr double, ptr %v4231, i64 %v4230
+  %v4233 = load double, ptr %v4232, align 8, !noalias !562
+  %v4234 = tail call double @llvm.fabs.f64(double %v4233)
+  %v4235 = fcmp ogt double %v4234, %v4222
+  %v4223 = select i1 %v4235, double %v4234, double %v4222
+  %v4189 = select i1 %v4235, i64 %v4226, i64 %v4221
+  %v4236 = icmp sgt i64 %v4224, 1
+  br i1 %v4236, label %v4190, label %v4186
 
-v4246:
-  %v4247 = phi i64 [ %v4248, %v4246 ], [ %v4195, %v4185 ]
-  %v4249 = phi i64 [ %v4250, %v4246 ], [ %v4163, %v4185 ]
-  %v4248 = add nsw i64 %v4247, -1
-  %v4250 = add i64 %v4249, 1
-  %v4251 = add nsw i64 %v4249, %v4231
-  %v4252 = icmp slt i64 %v4251, 0
-  %v4253 = select i1 %v4252, i64 %v230, i64 0
-  %v4254 = getelementptr double, ptr %v229, i64 %v4251
-  %v4255 = getelementptr double, ptr %v4254, i64 %v4253
-  %v4256 = load double, ptr %v4255, align 8, !noalias !559
-  %v4257 = add nsw i64 %v4249, %v4171
-  %v4258 = icmp slt i64 %v4257, 0
-  %v4259 = select i1 %v4258, i64 %v230, i64 0
-  %v4260 = getelementptr double, ptr %v229, i64 %v4257
-  %v4261 = getelementptr double, ptr %v4260, i64 %v4259
-  %v4262 = load double, ptr %v4261, align 8, !noalias !559
-  %v4263 = fmul double %v4237, %v4262
-  %v4264 = fsub double %v4256, %v4263
-  store double %v4264, ptr %v4255, align 8, !noalias !559
-  %v4265 = icmp sgt i64 %v4247, 1
-  br i1 %v4265, label %v4246, label %v4186
+v4203:
+  %v4237 = phi i64 [ %v4238, %v4203 ], [ %v4217, %v4186 ]
+  %v4239 = phi i64 [ %v4240, %v4203 ], [ %v4185, %v4186 ]
+  %v4238 = add nsw i64 %v4237, -1
+  %v4240 = add i64 %v4239, 1
+  %v4241 = add nsw i64 %v4239, %v4193
+  %v4242 = icmp slt i64 %v4241, 0
+  %v4243 = select i1 %v4242, i64 %v230, i64 0
+  %v4244 = getelementptr double, ptr %v229, i64 %v4241
+  %v4245 = getelementptr double, ptr %v4244, i64 %v4243
+  %v4246 = load double, ptr %v4245, align 8, !noalias !562
+  %v4247 = load double, ptr %v4200, align 8, !noalias !562
+  %v4248 = fdiv double %v4246, %v4247
+  store double %v4248, ptr %v4245, align 8, !noalias !562
+  %v4249 = icmp sgt i64 %v4237, 1
+  br i1 %v4249, label %v4203, label %v4202
 
-v4147:
-  %v4150 = phi i64 [ %v4159, %v4148 ], [ 0, %v3966 ]
-  %v4159 = add nsw i64 %v4150, 1
-  %v4266 = sub i64 %v4150, %v648
-  %v4267 = tail call i64 @llvm.smax.i64(i64 %v4266, i64 0)
-  %v4268 = add i64 %v649, %v4150
-  %v4269 = tail call i64 @llvm.smin.i64(i64 %v4268, i64 %v10)
-  %v4270 = sub i64 %v4269, %v4267
-  %v4271 = icmp slt i64 %v4270, 1
-  br i1 %v4271, label %v4148, label %v4272
+v4207:
+  %v4210 = phi i64 [ %v4250, %v4208 ], [ %v4204, %v4202 ]
+  %v4251 = phi i64 [ %v4252, %v4208 ], [ %v4185, %v4202 ]
+  %v4250 = add nsw i64 %v4210, -1
+  %v4252 = add i64 %v4251, 1
+  %v4253 = mul nsw i64 %v4251, %v10
+  %v4254 = add nsw i64 %v4253, %v4187
+  %v4255 = icmp slt i64 %v4254, 0
+  %v4256 = select i1 %v4255, i64 %v230, i64 0
+  %v4257 = getelementptr double, ptr %v229, i64 %v4254
+  %v4258 = getelementptr double, ptr %v4257, i64 %v4256
+  %v4259 = load double, ptr %v4258, align 8, !noalias !562
+  %v4260 = add nsw i64 %v4253, %v4188
+  %v4261 = icmp slt i64 %v4260, 0
+  %v4262 = select i1 %v4261, i64 %v230, i64 0
+  %v4263 = getelementptr double, ptr %v229, i64 %v4260
+  %v4264 = getelementptr double, ptr %v4263, i64 %v4262
+  %v4265 = load double, ptr %v4264, align 8, !noalias !562
+  store double %v4265, ptr %v4258, align 8, !noalias !562
+  store double %v4259, ptr %v4264, align 8, !noalias !562
+  %v4266 = fcmp oeq double %v4259, 0.000000e+00
+  %v4267 = or i1 %v4201, %v4266
+  br i1 %v4267, label %v4208, label %v4268
 
-v4272:
-  %v4273 = mul nsw i64 %v4150, %v10
-  br label %v4274
-
-v4274:
-  %v4275 = phi i64 [ %v4270, %v4272 ], [ %v4276, %v4274 ]
-  %v4277 = phi i64 [ %v4267, %v4272 ], [ %v4278, %v4274 ]
-  %v4276 = add nsw i64 %v4275, -1
-  %v4278 = add i64 %v4277, 1
-  %v4279 = add nsw i64 %v4277, %v4273
+v4268:
+  %v4269 = phi i64 [ %v4270, %v4268 ], [ %v4217, %v4207 ]
+  %v4271 = phi i64 [ %v4272, %v4268 ], [ %v4185, %v4207 ]
+  %v4270 = add nsw i64 %v4269, -1
+  %v4272 = add i64 %v4271, 1
+  %v4273 = add nsw i64 %v4271, %v4253
+  %v4274 = icmp slt i64 %v4273, 0
+  %v4275 = select i1 %v4274, i64 %v230, i64 0
+  %v4276 = getelementptr double, ptr %v229, i64 %v4273
+  %v4277 = getelementptr double, ptr %v4276, i64 %v4275
+  %v4278 = load double, ptr %v4277, align 8, !noalias !562
+  %v4279 = add nsw i64 %v4271, %v4193
   %v4280 = icmp slt i64 %v4279, 0
-  %v4281 = select i1 %v4280, i64 %v223, i64 0
-  %v4282 = getelementptr double, ptr %v222, i64 %v4279
+  %v4281 = select i1 %v4280, i64 %v230, i64 0
+  %v4282 = getelementptr double, ptr %v229, i64 %v4279
   %v4283 = getelementptr double, ptr %v4282, i64 %v4281
-  %v4284 = load double, ptr %v4283, align 8, !noalias !541
-  %v4285 = fneg double %v4284
-  %v4286 = select i1 %v4280, i64 %v230, i64 0
-  %v4287 = getelementptr double, ptr %v229, i64 %v4279
-  %v4288 = getelementptr double, ptr %v4287, i64 %v4286
-  store double %v4285, ptr %v4288, align 8, !noalias !541
-  %v4289 = icmp sgt i64 %v4275, 1
-  br i1 %v4289, label %v4274, label %v4148
+  %v4284 = load double, ptr %v4283, align 8, !noalias !562
+  %v4285 = fmul double %v4259, %v4284
+  %v4286 = fsub double %v4278, %v4285
+  store double %v4286, ptr %v4277, align 8, !noalias !562
+  %v4287 = icmp sgt i64 %v4269, 1
+  br i1 %v4287, label %v4268, label %v4208
 
-v3962:
-  br i1 %v657, label %v1353, label %v4290
+v4169:
+  %v4172 = phi i64 [ %v4181, %v4170 ], [ 0, %v3988 ]
+  %v4181 = add nsw i64 %v4172, 1
+  %v4288 = sub i64 %v4172, %v650
+  %v4289 = tail call i64 @llvm.smax.i64(i64 %v4288, i64 0)
+  %v4290 = add i64 %v651, %v4172
+  %v4291 = tail call i64 @llvm.smin.i64(i64 %v4290, i64 %v10)
+  %v4292 = sub i64 %v4291, %v4289
+  %v4293 = icmp slt i64 %v4292, 1
+  br i1 %v4293, label %v4170, label %v4294
 
-v4291:
-  br i1 %v663, label %v4292, label %v4293
+v4294:
+  %v4295 = mul nsw i64 %v4172, %v10
+  br label %v4296
 
-v4293:
-  %v4294 = mul i64 %v4295, %v664
-  %v4296 = getelementptr double, ptr %v193, i64 %v4294
-  br label %v4297
+v4296:
+  %v4297 = phi i64 [ %v4292, %v4294 ], [ %v4298, %v4296 ]
+  %v4299 = phi i64 [ %v4289, %v4294 ], [ %v4300, %v4296 ]
+  %v4298 = add nsw i64 %v4297, -1
+  %v4300 = add i64 %v4299, 1
+  %v4301 = add nsw i64 %v4299, %v4295
+  %v4302 = icmp slt i64 %v4301, 0
+  %v4303 = select i1 %v4302, i64 %v223, i64 0
+  %v4304 = getelementptr double, ptr %v222, i64 %v4301
+  %v4305 = getelementptr double, ptr %v4304, i64 %v4303
+  %v4306 = load double, ptr %v4305, align 8, !noalias !544
+  %v4307 = fneg double %v4306
+  %v4308 = select i1 %v4302, i64 %v230, i64 0
+  %v4309 = getelementptr double, ptr %v229, i64 %v4301
+  %v4310 = getelementptr double, ptr %v4309, i64 %v4308
+  store double %v4307, ptr %v4310, align 8, !noalias !544
+  %v4311 = icmp sgt i64 %v4297, 1
+  br i1 %v4311, label %v4296, label %v4170
 
-v4298:
-  %v4299 = icmp slt i64 %v4300, 0
-  %v4301 = select i1 %v4299, i64 %v251, i64 0
-  %v4302 = getelementptr i64, ptr %v250, i64 %v4300
-  %v4303 = getelementptr i64, ptr %v4302, i64 %v4301
-  store i64 %v4304, ptr %v4303, align 8, !noalias !562
-  %v4305 = add nsw i64 %v4300, 1
-  br label %v4306
+v3984:
+  br i1 %v659, label %v1356, label %v4312
 
-v4306:
-  %v4307 = phi i64 [ %v4305, %v4298 ], [ %v4300, %v4308 ]
-  %v4309 = icmp eq i64 %v10, %v4310
-  br i1 %v4309, label %v4292, label %v4308
-
-v4292:
-  %v4311 = phi i64 [ 0, %v4291 ], [ %v4307, %v4306 ]
-  %v4312 = icmp sgt i64 %v4311, 0
-  %v4313 = icmp slt i64 %v4311, %v10
-  %v4314 = and i1 %v4312, %v4313
-  br i1 %v4314, label %v4315, label %v4316
+v4313:
+  br i1 %v665, label %v4314, label %v4315
 
 v4315:
-  %v4317 = phi i64 [ %v4318, %v4319 ], [ %v4311, %v4292 ]
-  %v4320 = phi i64 [ %v4321, %v4319 ], [ 0, %v4292 ]
-  %v4322 = getelementptr i64, ptr %v250, i64 %v4320
-  %v4323 = load i64, ptr %v4322, align 8, !noalias !562
-  %v4321 = add nsw i64 %v4320, 1
-  %v4324 = sub nsw i64 %v4323, %v254
-  %v4325 = tail call i64 @llvm.smax.i64(i64 %v4324, i64 0)
-  %v4326 = add i64 %v671, %v4323
-  %v4327 = tail call i64 @llvm.smin.i64(i64 %v4326, i64 %v10)
-  %v4328 = sub i64 %v4327, %v4325
-  %v4329 = icmp slt i64 %v4328, 1
-  br i1 %v4329, label %v4319, label %v4330
+  %v4316 = mul i64 %v4317, %v666
+  %v4318 = getelementptr double, ptr %v193, i64 %v4316
+  br label %v4319
 
-v4330:
-  %v4331 = mul nsw i64 %v4323, %v10
-  br label %v4332
+v4320:
+  %v4321 = icmp slt i64 %v4322, 0
+  %v4323 = select i1 %v4321, i64 %v251, i64 0
+  %v4324 = getelementptr i64, ptr %v250, i64 %v4322
+  %v4325 = getelementptr i64, ptr %v4324, i64 %v4323
+  store i64 %v4326, ptr %v4325, align 8, !noalias !565
+  %v4327 = add nsw i64 %v4322, 1
+  br label %v4328
 
-v4333:
-  %v4334 = icmp slt i64 %v4335, 0
-  %v4336 = select i1 %v4334, i64 %v244, i64 0
-  %v4337 = getelementptr i64, ptr %v243, i64 %v4335
-  %v4338 = getelementptr i64, ptr %v4337, i64 %v4336
-  %v4339 = load i64, ptr %v4338, align 8, !noalias !562
-  %v4340 = icmp eq i64 %v4339, 0
-  br i1 %v4340, label %v4341, label %v4342
+v4328:
+  %v4329 = phi i64 [ %v4327, %v4320 ], [ %v4322, %v4330 ]
+  %v4331 = icmp eq i64 %v10, %v4332
+  br i1 %v4331, label %v4314, label %v4330
+
+v4314:
+  %v4333 = phi i64 [ 0, %v4313 ], [ %v4329, %v4328 ]
+  %v4334 = icmp sgt i64 %v4333, 0
+  %v4335 = icmp slt i64 %v4333, %v10
+  %v4336 = and i1 %v4334, %v4335
+  br i1 %v4336, label %v4337, label %v4338
+
+v4337:
+  %v4339 = phi i64 [ %v4340, %v4341 ], [ %v4333, %v4314 ]
+  %v4342 = phi i64 [ %v4343, %v4341 ], [ 0, %v4314 ]
+  %v4344 = getelementptr i64, ptr %v250, i64 %v4342
+  %v4345 = load i64, ptr %v4344, align 8, !noalias !565
+  %v4343 = add nsw i64 %v4342, 1
+  %v4346 = sub nsw i64 %v4345, %v254
+  %v4347 = tail call i64 @llvm.smax.i64(i64 %v4346, i64 0)
+  %v4348 = add i64 %v673, %v4345
+  %v4349 = tail call i64 @llvm.smin.i64(i64 %v4348, i64 %v10)
+  %v4350 = sub i64 %v4349, %v4347
+  %v4351 = icmp slt i64 %v4350, 1
+  br i1 %v4351, label %v4341, label %v4352
+
+v4352:
+  %v4353 = mul nsw i64 %v4345, %v10
+  br label %v4354
+
+v4355:
+  %v4356 = icmp slt i64 %v4357, 0
+  %v4358 = select i1 %v4356, i64 %v244, i64 0
+  %v4359 = getelementptr i64, ptr %v243, i64 %v4357
+  %v4360 = getelementptr i64, ptr %v4359, i64 %v4358
+  %v4361 = load i64, ptr %v4360, align 8, !noalias !565
+  %v4362 = icmp eq i64 %v4361, 0
+  br i1 %v4362, label %v4363, label %v4364
+
+v4363:
+  store i64 1, ptr %v4360, align 8, !noalias !565
+  %v4365 = getelementptr i64, ptr %v250, i64 %v4366
+  store i64 %v4357, ptr %v4365, align 8, !noalias !565
+  %v4367 = add nsw i64 %v4366, 1
+  br label %v4364
+
+v4364:
+  %v4368 = phi i64 [ %v4366, %v4355 ], [ %v4367, %v4363 ], [ %v4366, %v4354 ]
+  %v4369 = icmp sgt i64 %v4370, 1
+  br i1 %v4369, label %v4354, label %v4341
 
 v4341:
-  store i64 1, ptr %v4338, align 8, !noalias !562
-  %v4343 = getelementptr i64, ptr %v250, i64 %v4344
-  store i64 %v4335, ptr %v4343, align 8, !noalias !562
-  %v4345 = add nsw i64 %v4344, 1
-  br label %v4342
+  %v4340 = phi i64 [ %v4339, %v4337 ], [ %v4368, %v4364 ]
+  %v4371 = icmp slt i64 %v4343, %v4340
+  %v4372 = icmp slt i64 %v4340, %v10
+  %v4373 = and i1 %v4371, %v4372
+  br i1 %v4373, label %v4337, label %v4338
 
-v4342:
-  %v4346 = phi i64 [ %v4344, %v4333 ], [ %v4345, %v4341 ], [ %v4344, %v4332 ]
-  %v4347 = icmp sgt i64 %v4348, 1
-  br i1 %v4347, label %v4332, label %v4319
+v4330:
+  %v4322 = phi i64 [ %v4329, %v4328 ], [ 0, %v4319 ]
+  %v4326 = phi i64 [ %v4332, %v4328 ], [ 0, %v4319 ]
+  %v4332 = add nsw i64 %v4326, 1
+  %v4374 = getelementptr double, ptr %v672, i64 %v4326
+  %v4375 = load double, ptr %v4374, align 8, !noalias !565
+  %v4376 = fcmp une double %v4375, 0.000000e+00
+  %v4377 = getelementptr i64, ptr %v243, i64 %v4326
+  %v4378 = zext i1 %v4376 to i64
+  store i64 %v4378, ptr %v4377, align 8, !noalias !565
+  br i1 %v4376, label %v4320, label %v4328
+
+v4354:
+  %v4366 = phi i64 [ %v4339, %v4352 ], [ %v4368, %v4364 ]
+  %v4370 = phi i64 [ %v4350, %v4352 ], [ %v4379, %v4364 ]
+  %v4357 = phi i64 [ %v4347, %v4352 ], [ %v4380, %v4364 ]
+  %v4379 = add nsw i64 %v4370, -1
+  %v4380 = add i64 %v4357, 1
+  %v4381 = add nsw i64 %v4357, %v4353
+  %v4382 = icmp slt i64 %v4381, 0
+  %v4383 = select i1 %v4382, i64 %v223, i64 0
+  %v4384 = getelementptr double, ptr %v222, i64 %v4381
+  %v4385 = getelementptr double, ptr %v4384, i64 %v4383
+  %v4386 = load double, ptr %v4385, align 8, !noalias !565
+  %v4387 = fcmp une double %v4386, 0.000000e+00
+  br i1 %v4387, label %v4355, label %v4364
+
+v4388:
+  %v4389 = select i1 %v4390, i64 %v195, i64 0
+  %v4391 = add i64 %v4389, %v4392
+  %v4393 = mul i64 %v4391, %v196
+  %v4394 = getelementptr double, ptr %v677, i64 %v4393
+  %v4395 = load double, ptr %v4394, align 8, !noalias !571
+  br label %v4396
+
+v4396:
+  %v4397 = phi double [ %v4395, %v4388 ], [ 0.000000e+00, %v4398 ]
+  %v4399 = mul i64 %v4400, %v196
+  %v4401 = getelementptr double, ptr %v4402, i64 %v4399
+  store double %v4397, ptr %v4401, align 8, !noalias !571
+  %v4403 = icmp eq i64 %v10, %v4404
+  br i1 %v4403, label %v4405, label %v4398
 
 v4319:
-  %v4318 = phi i64 [ %v4317, %v4315 ], [ %v4346, %v4342 ]
-  %v4349 = icmp slt i64 %v4321, %v4318
-  %v4350 = icmp slt i64 %v4318, %v10
-  %v4351 = and i1 %v4349, %v4350
-  br i1 %v4351, label %v4315, label %v4316
+  %v4406 = phi i64 [ 0, %v4315 ], [ %v4407, %v4319 ]
+  %v4407 = add nsw i64 %v4406, 1
+  %v4408 = mul i64 %v4406, %v196
+  %v4409 = getelementptr double, ptr %v4318, i64 %v4408
+  %v4410 = load double, ptr %v4409, align 8, !noalias !571
+  %v4411 = getelementptr double, ptr %v668, i64 %v4408
+  %v4412 = load double, ptr %v4411, align 8, !noalias !571
+  %v4413 = fadd double %v4410, %v4412
+  %v4414 = getelementptr i64, ptr %v259, i64 %v4406
+  %v4415 = load i64, ptr %v4414, align 8, !noalias !571
+  %v4416 = icmp slt i64 %v4415, 0
+  %v4417 = select i1 %v4416, i64 %v195, i64 0
+  %v4418 = add i64 %v4417, %v4415
+  %v4419 = mul i64 %v4418, %v196
+  %v4420 = getelementptr double, ptr %v670, i64 %v4419
+  store double %v4413, ptr %v4420, align 8, !noalias !571
+  %v4421 = icmp eq i64 %v10, %v4407
+  br i1 %v4421, label %v4330, label %v4319
 
-v4308:
-  %v4300 = phi i64 [ %v4307, %v4306 ], [ 0, %v4297 ]
-  %v4304 = phi i64 [ %v4310, %v4306 ], [ 0, %v4297 ]
-  %v4310 = add nsw i64 %v4304, 1
-  %v4352 = getelementptr double, ptr %v670, i64 %v4304
-  %v4353 = load double, ptr %v4352, align 8, !noalias !562
-  %v4354 = fcmp une double %v4353, 0.000000e+00
-  %v4355 = getelementptr i64, ptr %v243, i64 %v4304
-  %v4356 = zext i1 %v4354 to i64
-  store i64 %v4356, ptr %v4355, align 8, !noalias !562
-  br i1 %v4354, label %v4298, label %v4306
+v4338:
+  br i1 %v665, label %v4405, label %v4422
 
-v4332:
-  %v4344 = phi i64 [ %v4317, %v4330 ], [ %v4346, %v4342 ]
-  %v4348 = phi i64 [ %v4328, %v4330 ], [ %v4357, %v4342 ]
-  %v4335 = phi i64 [ %v4325, %v4330 ], [ %v4358, %v4342 ]
-  %v4357 = add nsw i64 %v4348, -1
-  %v4358 = add i64 %v4335, 1
-  %v4359 = add nsw i64 %v4335, %v4331
-  %v4360 = icmp slt i64 %v4359, 0
-  %v4361 = select i1 %v4360, i64 %v223, i64 0
-  %v4362 = getelementptr double, ptr %v222, i64 %v4359
-  %v4363 = getelementptr double, ptr %v4362, i64 %v4361
-  %v4364 = load double, ptr %v4363, align 8, !noalias !562
-  %v4365 = fcmp une double %v4364, 0.000000e+00
-  br i1 %v4365, label %v4333, label %v4342
-
-v4366:
-  %v4367 = select i1 %v4368, i64 %v195, i64 0
-  %v4369 = add i64 %v4367, %v4370
-  %v4371 = mul i64 %v4369, %v196
-  %v4372 = getelementptr double, ptr %v675, i64 %v4371
-  %v4373 = load double, ptr %v4372, align 8, !noalias !568
-  br label %v4374
-
-v4374:
-  %v4375 = phi double [ %v4373, %v4366 ], [ 0.000000e+00, %v4376 ]
-  %v4377 = mul i64 %v4378, %v196
-  %v4379 = getelementptr double, ptr %v4380, i64 %v4377
-  store double %v4375, ptr %v4379, align 8, !noalias !568
-  %v4381 = icmp eq i64 %v10, %v4382
-  br i1 %v4381, label %v4383, label %v4376
-
-v4297:
-  %v4384 = phi i64 [ 0, %v4293 ], [ %v4385, %v4297 ]
-  %v4385 = add nsw i64 %v4384, 1
-  %v4386 = mul i64 %v4384, %v196
-  %v4387 = getelementptr double, ptr %v4296, i64 %v4386
-  %v4388 = load double, ptr %v4387, align 8, !noalias !568
-  %v4389 = getelementptr double, ptr %v666, i64 %v4386
-  %v4390 = load double, ptr %v4389, align 8, !noalias !568
-  %v4391 = fadd double %v4388, %v4390
-  %v4392 = getelementptr i64, ptr %v259, i64 %v4384
-  %v4393 = load i64, ptr %v4392, align 8, !noalias !568
-  %v4394 = icmp slt i64 %v4393, 0
-  %v4395 = select i1 %v4394, i64 %v195, i64 0
-  %v4396 = add i64 %v4395, %v4393
-  %v4397 = mul i64 %v4396, %v196
-  %v4398 = getelementptr double, ptr %v668, i64 %v4397
-  store double %v4391, ptr %v4398, align 8, !noalias !568
-  %v4399 = icmp eq i64 %v10, %v4385
-  br i1 %v4399, label %v4308, label %v4297
-
-v4316:
-  br i1 %v663, label %v4383, label %v4400
-
-v4401:
-  %v4402 = icmp eq i64 %v10, %v4403
-  br i1 %v4402, label %v4404, label %v4400
-
-v4405:
-  %v4406 = icmp sgt i64 %v4407, 1
-  br i1 %v4406, label %v4404, label %v4408
-
-v4408:
-  %v4409 = mul i64 %v676, %v4295
-  %v4380 = getelementptr double, ptr %v193, i64 %v4409
-  br label %v4376
-
-v4400:
-  %v4410 = phi i64 [ %v4403, %v4401 ], [ 0, %v4316 ]
-  %v4403 = add nsw i64 %v4410, 1
-  %v4411 = getelementptr i64, ptr %v236, i64 %v4410
-  %v4412 = load i64, ptr %v4411, align 8, !noalias !569
-  %v4413 = add nsw i64 %v4412, %v669
-  %v4414 = icmp slt i64 %v4413, 0
-  %v4415 = select i1 %v4414, i64 %v159, i64 0
-  %v4416 = getelementptr double, ptr %v158, i64 %v4413
-  %v4417 = getelementptr double, ptr %v4416, i64 %v4415
-  %v4418 = load double, ptr %v4417, align 8, !noalias !569
-  %v4419 = getelementptr double, ptr %v673, i64 %v4410
-  %v4420 = load double, ptr %v4419, align 8, !noalias !569
-  store double %v4420, ptr %v4417, align 8, !noalias !569
-  store double %v4418, ptr %v4419, align 8, !noalias !569
-  %v4421 = add i64 %v672, %v4410
-  %v4422 = tail call i64 @llvm.smin.i64(i64 %v4421, i64 %v10)
-  %v4423 = sub i64 %v4422, %v4403
-  %v4424 = icmp slt i64 %v4423, 1
-  br i1 %v4424, label %v4401, label %v4425
-
-v4425:
-  %v4426 = mul nsw i64 %v4410, %v10
-  br label %v4427
+v4423:
+  %v4424 = icmp eq i64 %v10, %v4425
+  br i1 %v4424, label %v4426, label %v4422
 
 v4427:
-  %v4428 = phi i64 [ %v4423, %v4425 ], [ %v4429, %v4427 ]
-  %v4430 = phi i64 [ %v4403, %v4425 ], [ %v4431, %v4427 ]
-  %v4429 = add nsw i64 %v4428, -1
-  %v4431 = add i64 %v4430, 1
-  %v4432 = add nsw i64 %v4430, %v669
-  %v4433 = icmp slt i64 %v4432, 0
-  %v4434 = select i1 %v4433, i64 %v159, i64 0
-  %v4435 = getelementptr double, ptr %v158, i64 %v4432
-  %v4436 = getelementptr double, ptr %v4435, i64 %v4434
-  %v4437 = load double, ptr %v4436, align 8, !noalias !569
-  %v4438 = add nsw i64 %v4430, %v4426
-  %v4439 = icmp slt i64 %v4438, 0
-  %v4440 = select i1 %v4439, i64 %v230, i64 0
-  %v4441 = getelementptr double, ptr %v229, i64 %v4438
-  %v4442 = getelementptr double, ptr %v4441, i64 %v4440
-  %v4443 = load double, ptr %v4442, align 8, !noalias !569
-  %v4444 = fmul double %v4418, %v4443
-  %v4445 = fsub double %v4437, %v4444
-  store double %v4445, ptr %v4436, align 8, !noalias !569
-  %v4446 = icmp sgt i64 %v4428, 1
-  br i1 %v4446, label %v4427, label %v4401
+  %v4428 = icmp sgt i64 %v4429, 1
+  br i1 %v4428, label %v4426, label %v4430
 
-v4404:
-  %v4407 = phi i64 [ %v4447, %v4405 ], [ %v10, %v4401 ]
-  %v4447 = add nsw i64 %v4407, -1
-  %v4448 = add nsw i64 %v4447, %v669
-  %v4449 = icmp slt i64 %v4448, 0
-  %v4450 = select i1 %v4449, i64 %v159, i64 0
-  %v4451 = getelementptr double, ptr %v158, i64 %v4448
-  %v4452 = getelementptr double, ptr %v4451, i64 %v4450
-  %v4453 = load double, ptr %v4452, align 8, !noalias !569
-  %v4454 = mul nsw i64 %v4447, %v10
-  %v4455 = add nsw i64 %v4454, %v4447
-  %v4456 = icmp slt i64 %v4455, 0
-  %v4457 = select i1 %v4456, i64 %v230, i64 0
-  %v4458 = getelementptr double, ptr %v229, i64 %v4455
-  %v4459 = getelementptr double, ptr %v4458, i64 %v4457
-  %v4460 = load double, ptr %v4459, align 8, !noalias !569
-  %v4461 = fdiv double %v4453, %v4460
-  store double %v4461, ptr %v4452, align 8, !noalias !569
-  %v4462 = sub i64 %v4447, %v674
-  %v4463 = tail call i64 @llvm.smax.i64(i64 %v4462, i64 0)
-  %v4464 = sub i64 %v4447, %v4463
-  %v4465 = icmp slt i64 %v4464, 1
-  br i1 %v4465, label %v4405, label %v4466
+v4430:
+  %v4431 = mul i64 %v678, %v4317
+  %v4402 = getelementptr double, ptr %v193, i64 %v4431
+  br label %v4398
 
-v4466:
-  %v4467 = phi i64 [ %v4468, %v4466 ], [ %v4464, %v4404 ]
-  %v4469 = phi i64 [ %v4470, %v4466 ], [ %v4463, %v4404 ]
-  %v4468 = add nsw i64 %v4467, -1
-  %v4470 = add i64 %v4469, 1
-  %v4471 = add nsw i64 %v4469, %v669
-  %v4472 = icmp slt i64 %v4471, 0
-  %v4473 = select i1 %v4472, i64 %v159, i64 0
-  %v4474 = getelementptr double, ptr %v158, i64 %v4471
-  %v4475 = getelementptr double, ptr %v4474, i64 %v4473
-  %v4476 = load double, ptr %v4475, align 8, !noalias !569
-  %v4477 = add nsw i64 %v4469, %v4454
+v4422:
+  %v4432 = phi i64 [ %v4425, %v4423 ], [ 0, %v4338 ]
+  %v4425 = add nsw i64 %v4432, 1
+  %v4433 = getelementptr i64, ptr %v236, i64 %v4432
+  %v4434 = load i64, ptr %v4433, align 8, !noalias !572
+  %v4435 = add nsw i64 %v4434, %v671
+  %v4436 = icmp slt i64 %v4435, 0
+  %v4437 = select i1 %v4436, i64 %v159, i64 0
+  %v4438 = getelementptr double, ptr %v158, i64 %v4435
+  %v4439 = getelementptr double, ptr %v4438, i64 %v4437
+  %v4440 = load double, ptr %v4439, align 8, !noalias !572
+  %v4441 = getelementptr double, ptr %v675, i64 %v4432
+  %v4442 = load double, ptr %v4441, align 8, !noalias !572
+  store double %v4442, ptr %v4439, align 8, !noalias !572
+  store double %v4440, ptr %v4441, align 8, !noalias !572
+  %v4443 = add i64 %v674, %v4432
+  %v4444 = tail call i64 @llvm.smin.i64(i64 %v4443, i64 %v10)
+  %v4445 = sub i64 %v4444, %v4425
+  %v4446 = icmp slt i64 %v4445, 1
+  br i1 %v4446, label %v4423, label %v4447
+
+v4447:
+  %v4448 = mul nsw i64 %v4432, %v10
+  br label %v4449
+
+v4449:
+  %v4450 = phi i64 [ %v4445, %v4447 ], [ %v4451, %v4449 ]
+  %v4452 = phi i64 [ %v4425, %v4447 ], [ %v4453, %v4449 ]
+  %v4451 = add nsw i64 %v4450, -1
+  %v4453 = add i64 %v4452, 1
+  %v4454 = add nsw i64 %v4452, %v671
+  %v4455 = icmp slt i64 %v4454, 0
+  %v4456 = select i1 %v4455, i64 %v159, i64 0
+  %v4457 = getelementptr double, ptr %v158, i64 %v4454
+  %v4458 = getelementptr double, ptr %v4457, i64 %v4456
+  %v4459 = load double, ptr %v4458, align 8, !noalias !572
+  %v4460 = add nsw i64 %v4452, %v4448
+  %v4461 = icmp slt i64 %v4460, 0
+  %v4462 = select i1 %v4461, i64 %v230, i64 0
+  %v4463 = getelementptr double, ptr %v229, i64 %v4460
+  %v4464 = getelementptr double, ptr %v4463, i64 %v4462
+  %v4465 = load double, ptr %v4464, align 8, !noalias !572
+  %v4466 = fmul double %v4440, %v4465
+  %v4467 = fsub double %v4459, %v4466
+  store double %v4467, ptr %v4458, align 8, !noalias !572
+  %v4468 = icmp sgt i64 %v4450, 1
+  br i1 %v4468, label %v4449, label %v4423
+
+v4426:
+  %v4429 = phi i64 [ %v4469, %v4427 ], [ %v10, %v4423 ]
+  %v4469 = add nsw i64 %v4429, -1
+  %v4470 = add nsw i64 %v4469, %v671
+  %v4471 = icmp slt i64 %v4470, 0
+  %v4472 = select i1 %v4471, i64 %v159, i64 0
+  %v4473 = getelementptr double, ptr %v158, i64 %v4470
+  %v4474 = getelementptr double, ptr %v4473, i64 %v4472
+  %v4475 = load double, ptr %v4474, align 8, !noalias !572
+  %v4476 = mul nsw i64 %v4469, %v10
+  %v4477 = add nsw i64 %v4476, %v4469
   %v4478 = icmp slt i64 %v4477, 0
   %v4479 = select i1 %v4478, i64 %v230, i64 0
   %v4480 = getelementptr double, ptr %v229, i64 %v4477
   %v4481 = getelementptr double, ptr %v4480, i64 %v4479
-  %v4482 = load double, ptr %v4481, align 8, !noalias !569
-  %v4483 = fmul double %v4461, %v4482
-  %v4484 = fsub double %v4476, %v4483
-  store double %v4484, ptr %v4475, align 8, !noalias !569
-  %v4485 = icmp sgt i64 %v4467, 1
-  br i1 %v4485, label %v4466, label %v4405
+  %v4482 = load double, ptr %v4481, align 8, !noalias !572
+  %v4483 = fdiv double %v4475, %v4482
+  store double %v4483, ptr %v4474, align 8, !noalias !572
+  %v4484 = sub i64 %v4469, %v676
+  %v4485 = tail call i64 @llvm.smax.i64(i64 %v4484, i64 0)
+  %v4486 = sub i64 %v4469, %v4485
+  %v4487 = icmp slt i64 %v4486, 1
+  br i1 %v4487, label %v4427, label %v4488
 
-v4376:
-  %v4378 = phi i64 [ 0, %v4408 ], [ %v4382, %v4374 ]
-  %v4382 = add nsw i64 %v4378, 1
-  %v4486 = getelementptr i64, ptr %v259, i64 %v4378
-  %v4370 = load i64, ptr %v4486, align 8, !noalias !568
-  %v4368 = icmp slt i64 %v4370, 0
-  %v4487 = select i1 %v4368, i64 %v244, i64 0
-  %v4488 = getelementptr i64, ptr %v243, i64 %v4370
-  %v4489 = getelementptr i64, ptr %v4488, i64 %v4487
-  %v4490 = load i64, ptr %v4489, align 8, !noalias !568
-  %v4491 = icmp eq i64 %v4490, 0
-  br i1 %v4491, label %v4374, label %v4366
+v4488:
+  %v4489 = phi i64 [ %v4490, %v4488 ], [ %v4486, %v4426 ]
+  %v4491 = phi i64 [ %v4492, %v4488 ], [ %v4485, %v4426 ]
+  %v4490 = add nsw i64 %v4489, -1
+  %v4492 = add i64 %v4491, 1
+  %v4493 = add nsw i64 %v4491, %v671
+  %v4494 = icmp slt i64 %v4493, 0
+  %v4495 = select i1 %v4494, i64 %v159, i64 0
+  %v4496 = getelementptr double, ptr %v158, i64 %v4493
+  %v4497 = getelementptr double, ptr %v4496, i64 %v4495
+  %v4498 = load double, ptr %v4497, align 8, !noalias !572
+  %v4499 = add nsw i64 %v4491, %v4476
+  %v4500 = icmp slt i64 %v4499, 0
+  %v4501 = select i1 %v4500, i64 %v230, i64 0
+  %v4502 = getelementptr double, ptr %v229, i64 %v4499
+  %v4503 = getelementptr double, ptr %v4502, i64 %v4501
+  %v4504 = load double, ptr %v4503, align 8, !noalias !572
+  %v4505 = fmul double %v4483, %v4504
+  %v4506 = fsub double %v4498, %v4505
+  store double %v4506, ptr %v4497, align 8, !noalias !572
+  %v4507 = icmp sgt i64 %v4489, 1
+  br i1 %v4507, label %v4488, label %v4427
 
-v4383:
-  %v4492 = icmp eq i64 %v4493, %v655
-  br i1 %v4492, label %v1353, label %v4290
+v4398:
+  %v4400 = phi i64 [ 0, %v4430 ], [ %v4404, %v4396 ]
+  %v4404 = add nsw i64 %v4400, 1
+  %v4508 = getelementptr i64, ptr %v259, i64 %v4400
+  %v4392 = load i64, ptr %v4508, align 8, !noalias !571
+  %v4390 = icmp slt i64 %v4392, 0
+  %v4509 = select i1 %v4390, i64 %v244, i64 0
+  %v4510 = getelementptr i64, ptr %v243, i64 %v4392
+  %v4511 = getelementptr i64, ptr %v4510, i64 %v4509
+  %v4512 = load i64, ptr %v4511, align 8, !noalias !571
+  %v4513 = icmp eq i64 %v4512, 0
+  br i1 %v4513, label %v4396, label %v4388
 
-v1353:
-  %v4494 = load i64, ptr %v677, align 8, !noalias !573
-  %v4495 = inttoptr i64 %v4494 to ptr
-  tail call void %v4495(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !573
-  br i1 %v307, label %v1351, label %v1341
+v4405:
+  %v4514 = icmp eq i64 %v4515, %v657
+  br i1 %v4514, label %v1356, label %v4312
 
-v4290:
-  %v4493 = phi i64 [ %v4295, %v4383 ], [ 1, %v3962 ]
-  %v4295 = add i64 %v4493, 1
-  %v4496 = getelementptr i64, ptr %v6, i64 %v4493
-  %v4497 = getelementptr i8, ptr %v4496, i64 104
-  %v4498 = load i64, ptr %v4497, align 8, !noalias !576
-  %v4499 = inttoptr i64 %v4498 to ptr
-  tail call void %v4499(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !576
-  %v4500 = load i64, ptr %v6, align 8, !noalias !579
-  %v4501 = mul nsw i64 %v4295, %v660
-  %v4502 = getelementptr double, ptr %v158, i64 %v4501
-  %v4503 = inttoptr i64 %v4500 to ptr
-  tail call void %v4503(ptr %v659, ptr %v662, ptr %v165, ptr %v172, ptr %v179, ptr %v4502), !noalias !579
-  br i1 %v598, label %v4291, label %v4383
+v1356:
+  %v4516 = load i64, ptr %v679, align 8, !noalias !576
+  %v4517 = inttoptr i64 %v4516 to ptr
+  tail call void %v4517(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !576
+  br i1 %v307, label %v1354, label %v1344
 
-v1341:
-  %v1342 = phi i1 [ %v1348, %v1343 ], [ %v1329, %v1353 ]
-  %v4504 = phi i1 [ %v1340, %v1343 ], [ false, %v1353 ]
-  %v1350 = phi i64 [ %v4505, %v1343 ], [ %v308, %v1353 ]
-  %v1336 = phi i64 [ %v4506, %v1343 ], [ 0, %v1353 ]
-  %v4505 = add nsw i64 %v1350, -1
-  %v4506 = add nsw i64 %v1336, 1
-  br i1 %v4504, label %v1339, label %v1334
+v4312:
+  %v4515 = phi i64 [ %v4317, %v4405 ], [ 1, %v3984 ]
+  %v4317 = add i64 %v4515, 1
+  %v4518 = getelementptr i64, ptr %v6, i64 %v4515
+  %v4519 = getelementptr i8, ptr %v4518, i64 104
+  %v4520 = load i64, ptr %v4519, align 8, !noalias !579
+  %v4521 = inttoptr i64 %v4520 to ptr
+  tail call void %v4521(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !579
+  %v4522 = load i64, ptr %v6, align 8, !noalias !582
+  %v4523 = mul nsw i64 %v4317, %v662
+  %v4524 = getelementptr double, ptr %v158, i64 %v4523
+  %v4525 = inttoptr i64 %v4522 to ptr
+  tail call void %v4525(ptr %v661, ptr %v664, ptr %v165, ptr %v172, ptr %v179, ptr %v4524), !noalias !582
+  br i1 %v600, label %v4313, label %v4405
 
-v1444:
-  %v1454 = xor i1 %v1439, true
-  %v4507 = xor i1 %v1440, true
-  %v1456 = select i1 %v4507, i1 true, i1 %v704
-  br label %v1357
+v1344:
+  %v1345 = phi i1 [ %v1351, %v1346 ], [ %v1332, %v1356 ]
+  %v4526 = phi i1 [ %v1343, %v1346 ], [ false, %v1356 ]
+  %v1353 = phi i64 [ %v4527, %v1346 ], [ %v308, %v1356 ]
+  %v1339 = phi i64 [ %v4528, %v1346 ], [ 0, %v1356 ]
+  %v4527 = add nsw i64 %v1353, -1
+  %v4528 = add nsw i64 %v1339, 1
+  br i1 %v4526, label %v1342, label %v1337
 
-v3107:
-  store ptr %v3104, ptr %v1, align 8
-  br label %v3953
+v1447:
+  %v1457 = xor i1 %v1442, true
+  %v4529 = xor i1 %v1443, true
+  %v1459 = select i1 %v4529, i1 true, i1 %v706
+  br label %v1360
 
-v3106:
-  %v4508 = select i1 %v1354, i1 %v1352, i1 false
-  %v4509 = xor i1 %v4508, true
-  %v4510 = or i1 %v307, %v4509
-  br i1 %v4510, label %v3227, label %v3228
+v3110:
+  store ptr %v3107, ptr %v1, align 8
+  br label %v3975
 
-v3904:
-  %v3905 = select i1 %v3545, i64 0, i64 %v1126
-  br label %v1123
+v3109:
+  %v4530 = select i1 %v1357, i1 %v1355, i1 false
+  %v4531 = xor i1 %v4530, true
+  %v4532 = or i1 %v307, %v4531
+  br i1 %v4532, label %v3230, label %v3231
 
-v3910:
-  store i64 %v3909, ptr %v0, align 8
-  br label %v3953
+v3926:
+  %v3927 = select i1 %v3548, i64 0, i64 %v1129
+  br label %v1126
+
+v3932:
+  store i64 %v3931, ptr %v0, align 8
+  br label %v3975
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -5675,9 +5708,9 @@ v65:
 v68:
   %v67 = add i64 %v66, 1
   %v71 = getelementptr double, ptr %v63, i64 %v66
-  %v72 = load double, ptr %v71, align 8, !noalias !582
+  %v72 = load double, ptr %v71, align 8, !noalias !585
   %v73 = getelementptr double, ptr %v64, i64 %v66
-  %v74 = load double, ptr %v73, align 8, !noalias !582
+  %v74 = load double, ptr %v73, align 8, !noalias !585
   %v75 = fneg double %v74
   %v76 = fcmp olt double %v72, %v75
   br i1 %v76, label %v70, label %v65
@@ -5753,31 +5786,31 @@ v137:
   %v141 = add i64 %v140, %v127
   %v142 = getelementptr double, ptr %v105, i64 %v141
   %v143 = getelementptr double, ptr %v142, i64 %v104
-  %v144 = load double, ptr %v143, align 8, !noalias !586
-  %v145 = load double, ptr %v142, align 8, !noalias !586
+  %v144 = load double, ptr %v143, align 8, !noalias !589
+  %v145 = load double, ptr %v142, align 8, !noalias !589
   %v146 = fmul double %v145, 0x3FDDF27AAAADCB3A
   %v147 = fsub double %v144, %v146
   %v148 = getelementptr i8, ptr %v142, i64 %v119
-  %v149 = load double, ptr %v148, align 8, !noalias !586
+  %v149 = load double, ptr %v148, align 8, !noalias !589
   %v150 = fmul double %v149, 0x3FEC575F1EBC4F2F
   %v151 = fsub double %v147, %v150
   %v152 = getelementptr i8, ptr %v142, i64 %v120
-  %v153 = load double, ptr %v152, align 8, !noalias !586
+  %v153 = load double, ptr %v152, align 8, !noalias !589
   %v154 = fmul double %v153, 0x3FE1306AA3D795F4
   %v155 = fadd double %v151, %v154
   %v156 = getelementptr i8, ptr %v142, i64 %v121
-  %v157 = load double, ptr %v156, align 8, !noalias !586
+  %v157 = load double, ptr %v156, align 8, !noalias !589
   %v158 = fmul double %v157, 0x3FCCB9F574BDCC3A
   %v159 = fsub double %v155, %v158
   %v160 = getelementptr i8, ptr %v142, i64 %v122
-  %v161 = load double, ptr %v160, align 8, !noalias !586
+  %v161 = load double, ptr %v160, align 8, !noalias !589
   %v162 = fmul double %v161, 0x3FA4EAF2D6B11E79
   %v163 = fadd double %v159, %v162
   %v164 = tail call double @llvm.fabs.f64(double %v163)
   %v165 = fcmp ogt double %v164, 0.000000e+00
   %v166 = select i1 %v165, double %v164, double 0.000000e+00
   %v167 = getelementptr i8, ptr %v142, i64 %v123
-  %v168 = load double, ptr %v167, align 8, !noalias !586
+  %v168 = load double, ptr %v167, align 8, !noalias !589
   %v169 = fmul double %v145, 0x3FA5118805F8B876
   %v170 = fadd double %v168, %v169
   %v171 = fmul double %v149, 0x3FE51326698BC5BD
@@ -5792,7 +5825,7 @@ v137:
   %v180 = fcmp ogt double %v179, %v166
   %v181 = select i1 %v180, double %v179, double %v166
   %v182 = getelementptr i8, ptr %v142, i64 %v124
-  %v183 = load double, ptr %v182, align 8, !noalias !586
+  %v183 = load double, ptr %v182, align 8, !noalias !589
   %v184 = fmul double %v145, 0x3F9635A30F8F142F
   %v185 = fsub double %v183, %v184
   %v186 = fmul double %v149, 0x3FC1EAE0FF33D241
@@ -5807,7 +5840,7 @@ v137:
   %v195 = fcmp ogt double %v194, %v181
   %v196 = select i1 %v195, double %v194, double %v181
   %v197 = getelementptr i8, ptr %v142, i64 %v125
-  %v198 = load double, ptr %v197, align 8, !noalias !586
+  %v198 = load double, ptr %v197, align 8, !noalias !589
   %v199 = fmul double %v145, 0x3FA4F0C0BB579409
   %v200 = fadd double %v198, %v199
   %v201 = fmul double %v149, 0x3FCD2266FBC0D976
@@ -5822,7 +5855,7 @@ v137:
   %v210 = fcmp ogt double %v209, %v196
   %v211 = select i1 %v210, double %v209, double %v196
   %v212 = getelementptr double, ptr %v107, i64 %v141
-  %v213 = load double, ptr %v212, align 8, !noalias !593
+  %v213 = load double, ptr %v212, align 8, !noalias !596
   %v214 = tail call double @llvm.fabs.f64(double %v213)
   %v215 = fsub double %v144, %v145
   %v216 = tail call double @llvm.fabs.f64(double %v215)
@@ -5873,13 +5906,13 @@ v250:
   %v263 = add i64 %v260, %v262
   %v264 = mul i64 %v263, %v104
   %v265 = getelementptr double, ptr %v142, i64 %v264
-  %v266 = load double, ptr %v265, align 8, !noalias !594
+  %v266 = load double, ptr %v265, align 8, !noalias !597
   %v267 = icmp slt i64 %v251, 0
   %v268 = select i1 %v267, i64 %v13, i64 0
   %v269 = add i64 %v268, %v251
   %v270 = mul i64 %v269, %v104
   %v271 = getelementptr double, ptr %v142, i64 %v270
-  %v272 = load double, ptr %v271, align 8, !noalias !594
+  %v272 = load double, ptr %v271, align 8, !noalias !597
   %v273 = fcmp olt double %v272, %v258
   %v274 = select i1 %v273, double %v272, double %v258
   %v275 = icmp slt i64 %v251, %v109
@@ -5892,7 +5925,7 @@ v276:
   %v280 = add i64 %v277, %v279
   %v281 = mul i64 %v280, %v104
   %v282 = getelementptr double, ptr %v142, i64 %v281
-  %v283 = load double, ptr %v282, align 8, !noalias !594
+  %v283 = load double, ptr %v282, align 8, !noalias !597
   %v284 = fsub double %v266, %v272
   %v285 = tail call double @llvm.fabs.f64(double %v284)
   %v286 = fsub double %v283, %v272
@@ -6001,31 +6034,31 @@ v138:
 
 v356:
   %v357 = fmul double %v102, 5.000000e-01
-  store double 0.000000e+00, ptr %v31, align 8, !noalias !598
+  store double 0.000000e+00, ptr %v31, align 8, !noalias !601
   %v358 = shl i64 %v9, 5
   %v359 = getelementptr i8, ptr %v8, i64 %v358
-  store double 0.000000e+00, ptr %v359, align 8, !noalias !598
+  store double 0.000000e+00, ptr %v359, align 8, !noalias !601
   %v360 = getelementptr double, ptr %v8, i64 %v9
-  store double %v357, ptr %v360, align 8, !noalias !598
-  %v361 = load i64, ptr %v10, align 8, !noalias !598
+  store double %v357, ptr %v360, align 8, !noalias !601
+  %v361 = load i64, ptr %v10, align 8, !noalias !601
   %v362 = icmp slt i64 %v361, 0
   %v363 = select i1 %v362, i64 %v6, i64 0
   %v364 = add i64 %v363, %v361
   %v365 = mul i64 %v364, %v7
   %v366 = getelementptr i64, ptr %v5, i64 %v365
-  %v367 = load i64, ptr %v366, align 8, !noalias !598
+  %v367 = load i64, ptr %v366, align 8, !noalias !601
   %v368 = add nsw i64 %v367, -1
-  store i64 %v368, ptr %v366, align 8, !noalias !598
-  %v369 = load i64, ptr %v10, align 8, !noalias !598
+  store i64 %v368, ptr %v366, align 8, !noalias !601
+  %v369 = load i64, ptr %v10, align 8, !noalias !601
   %v370 = icmp slt i64 %v369, 0
   %v371 = select i1 %v370, i64 %v6, i64 0
   %v372 = add i64 %v371, %v369
   %v373 = mul i64 %v372, %v7
   %v374 = getelementptr i64, ptr %v5, i64 %v373
   %v375 = getelementptr i8, ptr %v374, i64 24
-  %v376 = load i64, ptr %v375, align 8, !noalias !598
+  %v376 = load i64, ptr %v375, align 8, !noalias !601
   %v377 = add nsw i64 %v376, 1
-  store i64 %v377, ptr %v375, align 8, !noalias !598
+  store i64 %v377, ptr %v375, align 8, !noalias !601
   store i64 -1, ptr %v20, align 8
   br label %v37
 
@@ -6090,9 +6123,9 @@ v398:
   %v401 = phi i64 [ 0, %v96 ], [ %v402, %v398 ]
   %v402 = add nsw i64 %v401, 1
   %v403 = getelementptr double, ptr %v395, i64 %v401
-  %v404 = load double, ptr %v403, align 8, !noalias !601
+  %v404 = load double, ptr %v403, align 8, !noalias !604
   %v405 = getelementptr double, ptr %v397, i64 %v401
-  %v406 = load double, ptr %v405, align 8, !noalias !601
+  %v406 = load double, ptr %v405, align 8, !noalias !604
   %v407 = fadd double %v404, %v406
   %v408 = fcmp olt double %v407, %v399
   %v400 = select i1 %v408, double %v407, double %v399
@@ -6123,9 +6156,9 @@ v424:
   %v427 = phi i64 [ 0, %v417 ], [ %v428, %v424 ]
   %v428 = add nsw i64 %v427, 1
   %v429 = getelementptr double, ptr %v421, i64 %v427
-  %v430 = load double, ptr %v429, align 8, !noalias !605
+  %v430 = load double, ptr %v429, align 8, !noalias !608
   %v431 = getelementptr double, ptr %v423, i64 %v427
-  %v432 = load double, ptr %v431, align 8, !noalias !605
+  %v432 = load double, ptr %v431, align 8, !noalias !608
   %v433 = fadd double %v430, %v432
   %v434 = fcmp olt double %v433, %v425
   %v426 = select i1 %v434, double %v433, double %v425
@@ -6143,13 +6176,13 @@ v416:
   br i1 %v18, label %v441, label %v37
 
 v441:
-  %v442 = load double, ptr %v8, align 8, !noalias !609
+  %v442 = load double, ptr %v8, align 8, !noalias !612
   %v443 = tail call double @llvm.fabs.f64(double %v442)
   %v444 = fmul double %v443, 4.000000e-15
   %v445 = getelementptr double, ptr %v3, i64 %v4
   %v446 = getelementptr i8, ptr %v445, i64 -8
-  %v447 = load double, ptr %v446, align 8, !noalias !609
-  %v448 = load double, ptr %v3, align 8, !noalias !609
+  %v447 = load double, ptr %v446, align 8, !noalias !612
+  %v448 = load double, ptr %v3, align 8, !noalias !612
   %v449 = fsub double %v447, %v448
   %v450 = fmul double %v449, 1.000000e-13
   %v451 = fcmp ogt double %v444, %v450
@@ -6825,114 +6858,117 @@ v151:
 !502 = distinct !{!502, !503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
 !503 = distinct !{!503, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
 !504 = !{!505, !507, !498, !500}
-!505 = distinct !{!505, !506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %retptr"}
-!506 = distinct !{!506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx"}
-!507 = distinct !{!507, !506, !"_ZN5pages12time_stepper8divergesB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %excinfo"}
-!508 = !{!509, !498, !500}
+!505 = distinct !{!505, !506, !"_ZN5pages12time_stepper10check_paceB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %retptr"}
+!506 = distinct !{!506, !"_ZN5pages12time_stepper10check_paceB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx"}
+!507 = distinct !{!507, !506, !"_ZN5pages12time_stepper10check_paceB4v104B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xxx: %excinfo"}
+!508 = !{!509, !505, !507, !498, !500}
 !509 = distinct !{!509, !510, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
 !510 = distinct !{!510, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
-!511 = !{!512, !514, !498, !500}
-!512 = distinct !{!512, !513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!513 = distinct !{!513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!514 = distinct !{!514, !513, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!515 = !{!516, !518, !512, !514, !498, !500}
-!516 = distinct !{!516, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!517 = distinct !{!517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!518 = distinct !{!518, !517, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!519 = !{!520, !498, !500}
-!520 = distinct !{!520, !521, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!521 = distinct !{!521, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!522 = !{!523, !525, !520, !498, !500}
-!523 = distinct !{!523, !524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
-!524 = distinct !{!524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
-!525 = distinct !{!525, !524, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
-!526 = !{!527, !529, !520, !498, !500}
-!527 = distinct !{!527, !528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!528 = distinct !{!528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!529 = distinct !{!529, !528, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!530 = !{!531, !533, !498, !500}
-!531 = distinct !{!531, !532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!532 = distinct !{!532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!533 = distinct !{!533, !532, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
-!534 = !{!535, !537}
-!535 = distinct !{!535, !536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!536 = distinct !{!536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!537 = distinct !{!537, !536, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!538 = !{!539, !88, !90}
-!539 = distinct !{!539, !540, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
-!540 = distinct !{!540, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
-!541 = !{!542, !544, !88, !90}
-!542 = distinct !{!542, !543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!543 = distinct !{!543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!544 = distinct !{!544, !543, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
-!545 = !{!546, !548, !549, !542, !544, !88, !90}
-!546 = distinct !{!546, !547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!547 = distinct !{!547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!548 = distinct !{!548, !547, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!549 = distinct !{!549, !550, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!550 = distinct !{!550, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!551 = !{!549, !542, !544, !88, !90}
-!552 = !{!553, !555, !549, !542, !544, !88, !90}
-!553 = distinct !{!553, !554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!554 = distinct !{!554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!555 = distinct !{!555, !554, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!556 = !{!557, !553, !555, !549, !542, !544, !88, !90}
-!557 = distinct !{!557, !558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!558 = distinct !{!558, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!559 = !{!560, !542, !544, !88, !90}
-!560 = distinct !{!560, !561, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!561 = distinct !{!561, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
-!562 = !{!563, !565, !566, !88, !90}
-!563 = distinct !{!563, !564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!564 = distinct !{!564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx"}
-!565 = distinct !{!565, !564, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
-!566 = distinct !{!566, !567, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!567 = distinct !{!567, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
-!568 = !{!566, !88, !90}
-!569 = !{!570, !572, !566, !88, !90}
-!570 = distinct !{!570, !571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!571 = distinct !{!571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
-!572 = distinct !{!572, !571, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
-!573 = !{!574, !88, !90}
-!574 = distinct !{!574, !575, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
-!575 = distinct !{!575, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
+!511 = !{!512, !505, !507, !498, !500}
+!512 = distinct !{!512, !513, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29: %retptr"}
+!513 = distinct !{!513, !"_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x30IntEnum_3cint64_3e_28Status_29"}
+!514 = !{!515, !517, !498, !500}
+!515 = distinct !{!515, !516, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!516 = distinct !{!516, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!517 = distinct !{!517, !516, !"_ZN5pages8segments13enter_segmentB4v105B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!518 = !{!519, !521, !515, !517, !498, !500}
+!519 = distinct !{!519, !520, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!520 = distinct !{!520, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!521 = distinct !{!521, !520, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!522 = !{!523, !498, !500}
+!523 = distinct !{!523, !524, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!524 = distinct !{!524, !"_ZN5pages8segments8take_runB2v2B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!525 = !{!526, !528, !523, !498, !500}
+!526 = distinct !{!526, !527, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %retptr"}
+!527 = distinct !{!527, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx"}
+!528 = distinct !{!528, !527, !"_ZN5pages8segments11set_segmentB2v3B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29xx: %excinfo"}
+!529 = !{!530, !532, !523, !498, !500}
+!530 = distinct !{!530, !531, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!531 = distinct !{!531, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!532 = distinct !{!532, !531, !"_ZN5pages8segments10clear_laneB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!533 = !{!534, !536, !498, !500}
+!534 = distinct !{!534, !535, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!535 = distinct !{!535, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!536 = distinct !{!536, !535, !"_ZN5pages8segments14note_next_stopB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %excinfo"}
+!537 = !{!538, !540}
+!538 = distinct !{!538, !539, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!539 = distinct !{!539, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!540 = distinct !{!540, !539, !"_ZN5pages12time_stepper11count_stepsB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!541 = !{!542, !88, !90}
+!542 = distinct !{!542, !543, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29: %retptr"}
+!543 = distinct !{!543, !"_ZN5pages13solver_layout10derivativeB3v29B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_2923Literal_5bint_5d_281_29"}
+!544 = !{!545, !547, !88, !90}
+!545 = distinct !{!545, !546, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!546 = distinct !{!546, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!547 = distinct !{!547, !546, !"_ZN5pages8implicit13factor_matrixB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!548 = !{!549, !551, !552, !545, !547, !88, !90}
+!549 = distinct !{!549, !550, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!550 = distinct !{!550, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!551 = distinct !{!551, !550, !"_ZN5pages8implicit11set_changesB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!552 = distinct !{!552, !553, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!553 = distinct !{!553, !"_ZN5pages8implicit13differentiateB3v31B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!554 = !{!552, !545, !547, !88, !90}
+!555 = !{!556, !558, !552, !545, !547, !88, !90}
+!556 = distinct !{!556, !557, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!557 = distinct !{!557, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!558 = distinct !{!558, !557, !"_ZN5pages8implicit16difference_ratesB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!559 = !{!560, !556, !558, !552, !545, !547, !88, !90}
+!560 = distinct !{!560, !561, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!561 = distinct !{!561, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!562 = !{!563, !545, !547, !88, !90}
+!563 = distinct !{!563, !564, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!564 = distinct !{!564, !"_ZN5pages8implicit6factorB3v36B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE"}
+!565 = !{!566, !568, !569, !88, !90}
+!566 = distinct !{!566, !567, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!567 = distinct !{!567, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx"}
+!568 = distinct !{!568, !567, !"_ZN5pages8implicit12find_nonzeroB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx450Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
+!569 = distinct !{!569, !570, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!570 = distinct !{!570, !"_ZN5pages8implicit11solve_stageB3v39B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!571 = !{!569, !88, !90}
+!572 = !{!573, !575, !569, !88, !90}
+!573 = distinct !{!573, !574, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!574 = distinct !{!574, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!575 = distinct !{!575, !574, !"_ZN5pages8implicit5solveB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
 !576 = !{!577, !88, !90}
-!577 = distinct !{!577, !578, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
-!578 = distinct !{!578, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!577 = distinct !{!577, !578, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29: %retptr"}
+!578 = distinct !{!578, !"_ZN5pages13solver_layout7formulaB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_286_29"}
 !579 = !{!580, !88, !90}
-!580 = distinct !{!580, !581, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
-!581 = distinct !{!581, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
-!582 = !{!583, !585}
-!583 = distinct !{!583, !584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!584 = distinct !{!584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!585 = distinct !{!585, !584, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!586 = !{!587, !589, !590, !592}
-!587 = distinct !{!587, !588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!588 = distinct !{!588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!589 = distinct !{!589, !588, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!590 = distinct !{!590, !591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
-!591 = distinct !{!591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
-!592 = distinct !{!592, !591, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
-!593 = !{!590, !592}
-!594 = !{!595, !597, !590, !592}
-!595 = distinct !{!595, !596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
-!596 = distinct !{!596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
-!597 = distinct !{!597, !596, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
-!598 = !{!599}
-!599 = distinct !{!599, !600, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
-!600 = distinct !{!600, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
-!601 = !{!602, !604}
-!602 = distinct !{!602, !603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!603 = distinct !{!603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!604 = distinct !{!604, !603, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!605 = !{!606, !608}
-!606 = distinct !{!606, !607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
-!607 = distinct !{!607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
-!608 = distinct !{!608, !607, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
-!609 = !{!610, !612}
-!610 = distinct !{!610, !611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
-!611 = distinct !{!611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
-!612 = distinct !{!612, !611, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
+!580 = distinct !{!580, !581, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x: %retptr"}
+!581 = distinct !{!581, !"_ZN5pages13solver_layout7formulaB3v38B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29x"}
+!582 = !{!583, !88, !90}
+!583 = distinct !{!583, !584, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x: %retptr"}
+!584 = distinct !{!584, !"_ZN5pages13solver_layout10derivativeB3v13B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2817_29x"}
+!585 = !{!586, !588}
+!586 = distinct !{!586, !587, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!587 = distinct !{!587, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!588 = distinct !{!588, !587, !"_ZN5pages12event_checks13first_crossedB3v65B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!589 = !{!590, !592, !593, !595}
+!590 = distinct !{!590, !591, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!591 = distinct !{!591, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!592 = distinct !{!592, !591, !"_ZN5pages12event_checks13error_betweenB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!593 = distinct !{!593, !594, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %retptr"}
+!594 = distinct !{!594, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd"}
+!595 = distinct !{!595, !594, !"_ZN5pages12event_checks8may_hideB3v68B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedExxdd: %excinfo"}
+!596 = !{!593, !595}
+!597 = !{!598, !600, !593, !595}
+!598 = distinct !{!598, !599, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %retptr"}
+!599 = distinct !{!599, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd"}
+!600 = distinct !{!600, !599, !"_ZN5pages12event_checks17least_distance_ofB3v69B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedExxxd: %excinfo"}
+!601 = !{!602}
+!602 = distinct !{!602, !603, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d: %retptr"}
+!603 = distinct !{!603, !"_ZN5pages13solver_layout5retryB3v70B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2923Literal_5bint_5d_280_29d"}
+!604 = !{!605, !607}
+!605 = distinct !{!605, !606, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!606 = distinct !{!606, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!607 = distinct !{!607, !606, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!608 = !{!609, !611}
+!609 = distinct !{!609, !610, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %retptr"}
+!610 = distinct !{!610, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx"}
+!611 = distinct !{!611, !610, !"_ZN5pages12event_checks14least_distanceB3v67B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx: %excinfo"}
+!612 = !{!613, !615}
+!613 = distinct !{!613, !614, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %retptr"}
+!614 = distinct !{!614, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29"}
+!615 = distinct !{!615, !614, !"_ZN5pages12event_checks13shortest_stepB3v19B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29: %excinfo"}
 
 define i64 @advance(ptr %v0) {
   %v1 = alloca i64

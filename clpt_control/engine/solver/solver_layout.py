@@ -103,11 +103,11 @@ INTERPOLANT_ERROR = 27  # above 1 no sample is taken from the interpolant
 STOP_AT = 28  # time up to which a step may go, for a sample at its end
 STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
 MAX_STEP = 30
-NEXT_LOOK = 31  # tries after which the pace of the run is measured, or inf
+NEXT_LOOK = 31  # tries after which the pace of the run is measured
 LOOK_TIME = 32  # time at the last measurement
 LOOK_ADVANCE = 33  # advance in time between the last two measurements
 LOOK_SIZE = 34  # largest state at the last measurement with a pace that did not fall
-FALLS = 35  # measurements with a falling pace since then
+FALLS = 35  # measurements with a falling pace since then; below 0 they do not count
 REALS = 36
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run

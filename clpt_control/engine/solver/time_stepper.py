@@ -88,6 +88,11 @@ CHECK_EVERY = 128  # steps between checks for stiffness
 FALLS_OF_RUNAWAY = 5  # measurements in a row
 FALLING = 1.05  # twice the tries: a steady pace has 2, rates that grow exponentially 1
 GROWTH = 2.0  # of the largest state
+MANY_TRIES = 500_000  # of a run that may be ended for its pace alone
+OUT_OF_REACH = 1e11  # tries, a day of computing
+OUT_OF_REACH_AFTER_BURST = (
+    1e15  # tries; rates that read time or have events may come to rest
+)
 STEPS_AHEAD = 250  # for which stiffness may matter
 
 
@@ -254,8 +259,8 @@ def end_segments(solver, most):
         tries = counts[m, STEPS] + counts[m, REJECTIONS]
         if tries >= most:
             fail(solver, k, Status.TOO_MANY_STEPS)
-        elif diverges(solver, k, tries, most):
-            fail(solver, k, Status.DIVERGING)
+        elif tries >= lane[NEXT_LOOK, k]:
+            check_pace(solver, k, tries, most)
         if lane[ACCEPTED, k] > 0.5 and lane[TIME, k] == lane[SEGMENT_END, k]:
             enter_segment(solver, k)
         if status[m] != Status.RUNNING:
@@ -280,31 +285,35 @@ def end_segments(solver, most):
     return active, stiff
 
 
-def diverges(solver, k, tries, most):
-    """Return whether a run cannot reach the end of its segment, as its pace falls for good.
+def check_pace(solver, k, tries, most):
+    """End a run that cannot reach the end of its segment; the pace is measured as tries double.
 
-    The pace is measured whenever the tries have doubled.  It falls if these tries advance no
-    further in time than the half as many before.  It falls for good if it does so
-    `FALLS_OF_RUNAWAY` times in a row while the states grow: their rates grow without bound.
+    The pace falls if these tries advance no further in time than the half as many before.  A run
+    diverges if its pace falls `FALLS_OF_RUNAWAY` times in a row while the states grow, and even
+    twice the pace is too slow.  After `MANY_TRIES` a run ends if the end is out of reach.
     """
     lane = solver.lane
-    if tries < lane[NEXT_LOOK, k]:
-        return False
     size = 0.0
     for i in range(solver.shape.states):
         size = max(size, abs(solver.states[STATE, i, k]))
     advance = lane[TIME, k] - lane[LOOK_TIME, k]
     lane[FALLS, k] += 1.0
     if advance > FALLING * lane[LOOK_ADVANCE, k]:
-        lane[FALLS, k] = 0.0
+        lane[FALLS, k] = min(lane[FALLS, k], 0.0)
         lane[LOOK_SIZE, k] = size
     lane[LOOK_TIME, k] = lane[TIME, k]
     lane[LOOK_ADVANCE, k] = advance
     lane[NEXT_LOOK, k] = 2.0 * tries
     ahead = lane[SEGMENT_END, k] - lane[TIME, k]
-    is_out_of_reach = 2.0 * advance * (most - tries) < ahead * tries
+    needed = 0.5 * tries * ahead / advance
+    most_needed = OUT_OF_REACH
+    if lane[FALLS, k] < 0.0:
+        most_needed = OUT_OF_REACH_AFTER_BURST
+    if tries >= MANY_TRIES and needed > most_needed:
+        fail(solver, k, Status.TOO_MANY_STEPS)
     grows = size > GROWTH * lane[LOOK_SIZE, k]
-    return is_out_of_reach and grows and lane[FALLS, k] >= FALLS_OF_RUNAWAY
+    if lane[FALLS, k] >= FALLS_OF_RUNAWAY and grows and needed > 2.0 * (most - tries):
+        fail(solver, k, Status.DIVERGING)
 
 
 def count_steps(solver):
