@@ -72,7 +72,7 @@ def advect(
     ends = np.array([0.0, step * steps])
 
     def moved(starts: np.ndarray) -> np.ndarray:
-        callee = native.callee(native.lanes(len(starts)), None, RK4)
+        callee = native.callee(native.lanes(len(starts)), RK4)
         parameters = np.tile(native.parameters(), (len(starts), 1))
         segments = [native.schedule(ends)]
         batch = Batch(callee, starts, parameters, ends, segments, longest=step)

@@ -25,13 +25,13 @@ from ..paper.scenario.experiment import Scenario
 from ..simulation.dataset import BY_FUNCTION, VARIABLES, unit_of
 from ..simulation.dataset_template import Axes, Series
 from ..simulation.flows import speed_figures
-from ..simulation.integrate import sample_times
 from ..simulation.mean_squares import (
     nearest,
     samples_for_means,
     starts_of_rounds,
     union,
 )
+from ..simulation.requests import sample_times
 from .members import MemberBatch
 
 MOST_SAMPLES = 20_000  # of a member, but at least a tenth of the samples of `clpt run`

@@ -30,7 +30,6 @@ from ..engine.diagram.wiring import Wiring
 from ..engine.methods.table import TAYLOR
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import MEMBER_STEPS, Batch
-from ..engine.solver.callee import Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.filippov import continue_run, continued_ends
 from ..engine.solver.runner import RunOptions
@@ -92,6 +91,7 @@ class Ensemble:
 
     def __init__(self, varied: Varied, keys: Iterable[str], engine: str | None = None):
         self.varied = varied
+        self.options = RunOptions(**varied.options)
         self.locations = {key: varied.location(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
@@ -169,8 +169,8 @@ class Ensemble:
             members.x0[:, list(location.states)] = flat[:, : len(location.states)]
         if self.compiled and members.schedules[0].begins:
             begin = float(varied.state_times[0])
+            callee = self.native.callee()
             for m, x0 in enumerate(members.x0):
-                callee = self._callee(members, m)
                 schedule = members.schedule(m)
                 x0[:] = sampled_start(callee, x0, begin, schedule, members.P[m])
         return members
@@ -200,11 +200,6 @@ class Ensemble:
         if element is ... or not shape:
             return column
         return column + int(np.ravel_multi_index(element, shape))
-
-    def _callee(self, members: Members, m: int) -> Callee:
-        """Return the callee of one member."""
-        runner, inputs = members.runners[m]
-        return runner.callee(1, inputs)
 
     # --- runs and summaries ---------------------------------------------------------------
 
@@ -244,14 +239,13 @@ class Ensemble:
     def _run_in_python(self, members: Members, times: np.ndarray) -> States:
         """Run members one after the other; return their states."""
         count = len(members.x0)
-        options = {} if self.native.wiring.dt else self.varied.options
         states = np.full((count, len(times), self.native.nstates), np.nan)
         status = np.full(count, Status.FINISHED)
         reached = np.full(count, len(times))
         counts = np.zeros((count, 4), dtype=np.int64)
         for m, (runner, inputs) in enumerate(members.runners):
             try:
-                run = runner.run(members.x0[m], times, inputs=inputs, **options)
+                run = runner.solve(members.x0[m], times, inputs, self.options)
                 rows, end = run.x, run.t[-1]
                 if run.status == "stopped":
                     status[m] = Status.GUARD_LEFT
@@ -267,24 +261,23 @@ class Ensemble:
     def _results(self, rows: Callable[[Any], tuple]) -> Any:
         """Integrate all members; return their results."""
         every = rows(slice(None))
-        options = RunOptions(**self.varied.options)
-        if options.method != TAYLOR:
+        if self.options.method != TAYLOR:
             return self._solve(self.native, every, self.lanes).results
-        result, unended = run_members(self.native, every, self.lanes, options)
+        result, unended = run_members(self.native, every, self.lanes, self.options)
         if len(unended):
             replace_rows(result, unended, self._solve(self.native, rows(unended)))
         return result
 
     def _solve(self, runner: Any, runs: tuple, lanes: int = 1) -> Batch:
         """Integrate runs, the arguments of a `Batch`, up to their end."""
-        options = self.varied.options
-        method = self.native.method_of(options["method"])
+        options = self.options
+        method = self.native.method_of(options.method)
         if method.implicit:
             lanes = 1
-        batch = Batch(runner.callee(lanes, None, method), *runs)
-        may_switch = options["method"] in ("auto", TAYLOR)
+        batch = Batch(runner.callee(lanes, method), *runs)
+        may_switch = options.method in ("auto", TAYLOR)
         implicit = runner.implicit if may_switch else None
-        batch.adaptive(options["rtol"], options["atol"], implicit=implicit)
+        batch.adaptive(options.rtol, options.atol, implicit=implicit)
         return batch
 
     def _solve_one(
@@ -302,7 +295,7 @@ class Ensemble:
                 reached = slice(run.reached[m])
                 signals = np.full((1, len(times), self.native.nsignals), np.nan)
                 solution = Solution(times[reached], run.states[m, reached])
-                signals[0, reached] = runner.evaluated_signals(solution, inputs)
+                signals[0, reached] = runner.evaluate(solution, inputs)
                 yield np.array([m]), signals
             return
         numbers = max(self.native.nsignals, 1) * len(times)
@@ -313,7 +306,7 @@ class Ensemble:
             of_group = np.flatnonzero(members.group == g)
             for begin in range(0, len(of_group), together):
                 rows = of_group[begin : begin + together]
-                signals = self._callee(members, rows[0]).evaluate_runs(
+                signals = self.native.callee().evaluate_runs(
                     layout.SIGNALS,
                     times,
                     run.states[rows],
@@ -374,14 +367,13 @@ class Ensemble:
             end[m] = times[-1]
         return {**result, "status": batch.run.status.astype("int8"), "end": end}
 
-    def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
-        """Return the runner of one member, and the arguments of its `run`."""
+    def single(self, values: Values, m: int) -> tuple[Any, tuple]:
+        """Return the runner of one member, and the arguments of its `solve`."""
         member_values = {key: column[m] for key, column in values.items()}
         parameters, start, inputs = self.varied.member(member_values)
-        options = {} if self.native.wiring.dt else self.varied.options
         runner = self.native.with_parameters(parameters)
         runner.most = min(runner.most, MEMBER_STEPS)
-        return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
+        return runner, (start, self.varied.state_times, inputs, self.options)
 
 
 @dataclass
@@ -412,9 +404,9 @@ def verified_ensemble(varied: Varied, values: Values) -> Ensemble:
     for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(TRIED)}):
         if not ensemble.compiled:
             break
-        runner, arguments, options = ensemble.single(values, m)
+        runner, arguments = ensemble.single(values, m)
         try:
-            _, reason = run_compared(runner, *arguments, **options)
+            _, reason = run_compared(runner, *arguments)
         except SimulationError:  # the member fails, as its status will tell
             continue
         if reason:

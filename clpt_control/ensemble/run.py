@@ -276,9 +276,9 @@ def _reporter(out: Any, members: int, show: Callable[[int], None]) -> Report:
 def _failure(ensemble: Ensemble, values: Values, m: int, number: int) -> str:
     """Run a failed member again and return the reason, which begins with its status."""
     status = STATUS[number].replace("_", " ")
-    runner, arguments, options = ensemble.single(values, m)
+    runner, arguments = ensemble.single(values, m)
     try:
-        runner.signals(runner.run(*arguments, **options), options["inputs"])
+        runner.signals(runner.solve(*arguments), arguments[2])
     except SimulationError as error:
         reason = str(error)
         return reason if reason.startswith(status) else f"{status}: {reason}"

@@ -31,13 +31,10 @@ from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread
-from ..engine.solver.runner import RunOptions
-from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.solver_layout import Status
 from ..simulation.dataset_template import Axes, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
-from ..simulation.integrate import request_of
-from ..simulation.run_arguments import stacked_state
+from ..simulation.requests import request_of
 from .members import Member, MemberBatch, Values, hash_of
 from .results import COMPLETED
 from .sampled_parameters import Vary, cannot_vary
@@ -79,10 +76,10 @@ class OutputBatch(MemberBatch):
 
     def _stop(self, m: int) -> tuple[np.ndarray, np.ndarray] | None:
         """Return times and outputs of a member to its stop, None if its guard is an error."""
-        runner, arguments, options = self.ensemble.single(self.values, m)
-        inputs = options["inputs"]
+        runner, arguments = self.ensemble.single(self.values, m)
+        inputs = arguments[2]
         try:
-            solution = runner.run(*arguments, **options)
+            solution = runner.solve(*arguments)
             signals = runner.signals(solution, inputs)
         except SimulationError:
             return None
@@ -159,7 +156,9 @@ class VariedDiagram:
         **solver: Any,
     ):
         request = request_of(diagram, timepts, inputs, initial_state, **solver)
-        diagram, self.state_times, self.skipped, inputs, x0, solver = request
+        diagram = request.diagram
+        self.state_times, self.skipped = request.times, request.skipped
+        self.inputs, self.start = request.inputs, request.start
         self.times = self.state_times[self.skipped :]
         self.name = diagram.name
         self.title = f"Ensemble of {diagram.name}"
@@ -167,7 +166,7 @@ class VariedDiagram:
         self.summary = dict(summary or {})
         # 1. the diagram, with parameters that its systems do not declare
         read_anew(diagram)
-        sizes = request.sizes()
+        sizes = request.sizes
         self.params = dict(params or {})
         with request.drawn_around():
             self.wiring = wiring_of(diagram, self.params, sizes)
@@ -177,12 +176,9 @@ class VariedDiagram:
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.parameters = changed_parameters(self.wiring.blocks, self.params)
         # 2. the run
-        options = RunOptions.checked(self.wiring.dt, self.state_times, **solver)
         self.options = {
-            name: getattr(options, name) for name in ("rtol", "atol", "method")
+            name: getattr(request.options, name) for name in ("rtol", "atol", "method")
         }
-        self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
-        self.start = stacked_state("initial_state", x0, len(states))
         # 3. locations and values of the sampled parameters
         self.names = places_of(self.wiring, self.parameters, states, input_labels)
         self.locations: dict[str, Place] = {}

@@ -29,20 +29,26 @@ from ..engine.diagram.wiring import (
     wiring_of,
 )
 from ..engine.model.ports import ports_of, whole_labels
-from ..engine.solver.engine_choice import make_runner, run_checked
+from ..engine.solver.engine_choice import (
+    make_runner,
+    run_compared,
+    run_in_python,
+    warn_python,
+)
 from ..engine.solver.native_diagram import NativeDiagram
-from ..engine.solver.runner import steps_between
-from ..engine.solver.schedule import Inputs, read_inputs
+from ..engine.solver.python_runs import PythonDiagram
+from ..engine.solver.runner import Runner, RunOptions
+from ..engine.solver.schedule import Inputs
 from ..engine.solver.termination import Solution
 from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template
-from .run_arguments import stacked_state
 from .run_notes import LABELS
 
 if TYPE_CHECKING:
     import xarray
 
     from .loops import ClosedLoop
+    from .requests import Request
 
 COPIES = 4  # copies of each number in memory during a run, measured
 
@@ -50,7 +56,7 @@ COPIES = 4  # copies of each number in memory during a run, measured
 class SystemRun:
     """A wired system that is ready to run."""
 
-    initial_state: np.ndarray  # default of a run
+    initial_state: np.ndarray  # of a scenario
     template: Any  # a `DatasetTemplate`
     scenario: Any = None  # of a single vehicle
 
@@ -101,11 +107,30 @@ class SystemRun:
                 "fewer times"
             )
 
-    def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
-        """Integrate from the default initial state; return a Dataset."""
+    def run(
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: RunOptions,
+        runner: Runner | None = None,
+        is_compared: bool = True,
+    ) -> tuple[Solution, np.ndarray]:
+        """Integrate; return the solution and all signals along it.
+
+        Where machine code has misread a function, the system runs in Python.
+        """
         self.check_memory(len(times))
-        solution = self.runner.run(self.initial_state, times, **options)
-        return self.dataset(solution, self.runner.signals(solution))
+        runner = runner or self.runner
+        given = start, times, inputs, options
+        if isinstance(runner, NativeDiagram):
+            solution, why = run_compared(runner, *given, is_compared)
+            if not why:
+                return solution, runner.signals(solution, inputs)
+            warn_python(self.name, why)
+            parameters = runner.block_parameters
+            runner = PythonDiagram(self.wiring).with_parameters(parameters)
+        return run_in_python(runner, self.name, *given)
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
@@ -138,36 +163,30 @@ class DiagramRun(SystemRun):
         outputs = whole_labels(outputs)
         self.signal_labels = outputs + _distinct_inputs(whole_labels(inputs), outputs)
 
-    def run(
-        self,
-        times: np.ndarray,
-        inputs: Any = None,
-        initial_state: Any = None,
-        **options: Any,
-    ) -> Any:
-        """Integrate from a state at the first time; return a Dataset."""
-        u = read_inputs(inputs, times, self.wiring.ninputs)
-        steps = steps_between(times, self.wiring.dt)
-        every = (
-            times
-            if steps is None
-            else np.interp(np.arange(steps[-1] + 1), steps, times)
-        )
-        self.check_memory(len(every))
-        state = stacked_state("initial_state", initial_state, self.runner.nstates)
+    def solve(
+        self, request: "Request", runner: Runner | None = None, is_compared: bool = True
+    ) -> tuple[Solution, np.ndarray]:
+        """Integrate; return the solution, and the diagram's outputs and inputs along it."""
         if self.loop is not None:
             from .initial_states import check_initial_alpha
 
-            check_initial_alpha(self, state)
-        options["inputs"] = u
-        solution, blocks = run_checked(
-            self.runner, self.name, state, every, self.params, **options
-        )
-        if steps is not None:
-            steps = steps[steps < len(solution.t)]
-            solution = replace(solution, t=times[: len(steps)], x=solution.x[steps])
-            blocks = blocks[steps]
-        run = self.dataset(solution, self.mapped(blocks, u, solution.t))
+            check_initial_alpha(self, request.start)
+        given = request.start, request.times, request.inputs, request.options
+        solution, signals = self.run(*given, runner, is_compared)
+        if request.steps is not None:
+            steps = request.steps[request.steps < len(solution.t)]
+            solution = replace(solution, t=solution.t[steps], x=solution.x[steps])
+            signals = signals[steps]
+        if self.wiring.ninputs:
+            u = request.inputs.along(solution.t).T
+            signals = np.hstack([signals, u])
+        if self._signal_map is not None:
+            signals = (self._signal_map @ signals.T).T
+        return solution, signals
+
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a solution, outputs and inputs with names, units and attributes."""
+        run = super().dataset(solution, signals)
         if self.loop is not None and {"x", "zc"} <= {*self.loop.external}:
             from .flows import unlike_controller
 
@@ -175,15 +194,6 @@ class DiagramRun(SystemRun):
             run.attrs["message"] += sentence and f"; {sentence}"
         run.encoding[LABELS] = self.names
         return run
-
-    def mapped(self, blocks: np.ndarray, u: Inputs, times: np.ndarray) -> np.ndarray:
-        """Return outputs and inputs of the diagram at times, of all block outputs there."""
-        signals = blocks
-        if self.wiring.ninputs:
-            signals = np.hstack([blocks, u.along(times).T])
-        if self._signal_map is None:
-            return signals
-        return (self._signal_map @ signals.T).T
 
     @cached_property
     def is_unchanged(self) -> bool:

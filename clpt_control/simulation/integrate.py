@@ -4,23 +4,16 @@ A run is an `xarray.Dataset`.  The Dataset of a scenario has CF attributes, from
 be repeated.
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
 
 from ..base.arguments import public
-from ..base.errors import SimulationError
-from ..engine.conformance.confirmation import drawn_around
-from ..engine.diagram.named_values import vector_by_name
-from ..engine.diagram.wiring import Sizes
-from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
-from ..engine.solver.schedule import checked_times
 from .diagram_runs import DiagramRun
-from .run_arguments import inputs_by_name, inputs_count, with_jumps
+from .requests import Times, request_of, times_from_zero
 from .run_cache import cached_run, diagram_key
 from .run_notes import DIAGRAM, RunDiagram, note_arguments
 
@@ -29,8 +22,6 @@ if TYPE_CHECKING:
 
     from ..paper.scenario.experiment import Scenario
     from ..paper.scenario.team import Team
-
-Times = Sequence[float] | np.ndarray
 
 
 @public
@@ -130,13 +121,12 @@ def simulate(
         "atol": atol,
         "method": method and checked_method(method),
     }
-    steps: dict[str, Any] = {
-        "max_step": max_step,
+    own: dict[str, Any] = {
         "first_step": first_step,
-        "progress": progress,
+        "max_step": None if max_step == np.inf else max_step,
     }
-    own = {"timepts": timepts, "first_step": first_step, "engine": engine}
-    own["max_step"] = None if max_step == np.inf else max_step
+    steps = {**own, "progress": progress}
+    own |= {"timepts": timepts, "engine": engine}
     skipped = 0  # samples before the caller's
     if not isinstance(system, control.InputOutputSystem):
         from .loops import closed_loop
@@ -144,24 +134,26 @@ def simulate(
 
         given = {"inputs": inputs, "initial_state": initial_state, "params": params}
         refuse_arguments(system, stop=stop, **given)
-        times, skipped = _times_from_zero(system, timepts)
+        times, skipped = times_from_zero(system, timepts)
         if initial_state is not None or params:
             system, timepts = closed_loop(system), times
 
     if not isinstance(system, control.InputOutputSystem):
         run, data = simulated(system, times, engine, solver, steps)
     else:
-        request = request_of(system, timepts, inputs, initial_state, **solver, **steps)
+        request = request_of(
+            system, timepts, inputs, initial_state, multiples=True, **solver, **steps
+        )
         skipped += request.skipped
-        arguments = request.diagram, params, request.sizes(), engine
+        arguments = request.diagram, params, request.sizes, engine
         key = diagram_key(*arguments) if stop is None else None
-        with (
-            request.drawn_around(),
-            cached_run(key, lambda: DiagramRun(*arguments, stop)) as run,
-        ):
-            data = run.run(
-                request.times, request.inputs, request.initial_state, **request.options
-            )
+
+        def made() -> DiagramRun:
+            with request.drawn_around():
+                return DiagramRun(*arguments, stop)
+
+        with cached_run(key, made) as run:
+            data = run.dataset(*run.solve(request))
             data.encoding[DIAGRAM] = RunDiagram(request.diagram, params)
             overrides = (inputs, initial_state, stop, *solver.values())
             if not run.is_unchanged or any(value is not None for value in overrides):
@@ -181,104 +173,3 @@ def simulate(
         if sentence := long_interval(data, scenario):
             data.attrs["message"] += f"; {sentence}"
     return data
-
-
-def _times_from_zero(
-    experiment: "Scenario | Team", timepts: Any
-) -> tuple[np.ndarray, int]:
-    """Return the times of a run from t = 0, and the number of times before `timepts`."""
-    run = experiment.run
-    times = sample_times(run.duration, run.output_step) if timepts is None else timepts
-    times = checked_times("timepts", times)
-    return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
-
-
-class RunRequest(NamedTuple):
-    """Arguments of a diagram's run; the first `skipped` times are not the caller's."""
-
-    diagram: Any
-    times: np.ndarray
-    skipped: int
-    inputs: Any
-    initial_state: Any
-    options: dict[str, Any]
-
-    def drawn_around(self) -> AbstractContextManager[None]:
-        """Confirm new records of functions around the numbers of this run."""
-        return drawn_around(self.times, self.initial_state, self.inputs)
-
-    def sizes(self) -> Sizes:
-        """Return the numbers of states and inputs that the diagram leaves open, or None."""
-        nstates = ninputs = None
-        if self.diagram.nstates is None:
-            state = self.initial_state
-            if not isinstance(state, list | tuple):
-                state = [0.0 if state is None else state]
-            nstates = sum(map(np.size, state))
-        if self.diagram.ninputs is None:
-            ninputs = inputs_count(self.diagram, self.inputs, self.times)
-        return nstates, ninputs
-
-
-def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
-    """Return a system as a diagram, and the arguments of its run that it has itself."""
-    if not isinstance(system, control.InputOutputSystem):
-        from .loops import closed_loop
-
-        system = closed_loop(system)
-    if isinstance(system, control.TransferFunction):
-        system = linear(system)
-    loop = getattr(system, "origin", None)
-    if loop is None:
-        return system, {}
-    from .initial_states import initial_state
-
-    start = initial_state(system)
-    return system, {**loop.scenario.run.solver, "initial_state": start}
-
-
-def request_of(
-    system: Any, timepts: Any, inputs: Any, initial_state: Any, **options: Any
-) -> RunRequest:
-    """Return the arguments of a run: the caller's, or the diagram's own where these are None.
-
-    A closed loop without inputs and initial state runs from t = 0.
-    """
-    diagram, own_arguments = as_diagram(system)
-    loop = getattr(diagram, "origin", None)
-    skipped = 0
-    if timepts is None and isinstance(inputs, control.TimeResponseData):
-        timepts = inputs.time
-    inputs = inputs_by_name(diagram, inputs, timepts)
-    own_state = own_arguments.get("initial_state")
-    initial_state = vector_by_name(
-        "initial_state", diagram, "state", initial_state, own_state
-    )
-    if timepts is not None:
-        timepts, inputs = with_jumps(diagram, timepts, inputs)
-    if loop is not None and (timepts is None or inputs is initial_state is None):
-        times, skipped = _times_from_zero(loop.scenario, timepts)
-    elif timepts is None:
-        raise SimulationError("timepts: is required to simulate a diagram")
-    else:
-        times = checked_times("timepts", timepts)
-    arguments = {"inputs": inputs, "initial_state": initial_state, **options}
-    for name, value in arguments.items():
-        if value is None or value is np.inf:
-            arguments[name] = own_arguments.get(name, value)
-    inputs = arguments.pop("inputs")
-    initial_state = arguments.pop("initial_state")
-    return RunRequest(diagram, times, skipped, inputs, initial_state, arguments)
-
-
-@public
-def sample_times(duration: float, step: float) -> np.ndarray:
-    """Return the multiples of `step` up to `duration`, and the end.
-
-    >>> sample_times(1.0, 0.4)
-    array([0. , 0.4, 0.8, 1. ])
-    """
-    count = int(np.floor(duration / step * (1 + 1e-12))) + 1
-    times = step * np.arange(count)
-    times = times[times < duration * (1 - 1e-12)]
-    return np.append(times, duration)

@@ -6,7 +6,6 @@ the functions in Python at the first calls and then at one of many.
 """
 
 from collections.abc import Mapping
-from contextlib import suppress
 from typing import Any, NamedTuple
 
 import control
@@ -18,12 +17,9 @@ from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.named_values import vector_by_name
 from ..engine.model.system import System
-from ..engine.solver.engine_choice import difference, run_checked, warn_python
-from ..engine.solver.native_diagram import NativeDiagram
-from ..engine.solver.runner import RunOptions
-from ..engine.solver.schedule import Inputs, read_inputs
+from ..engine.solver.schedule import read_inputs
 from .diagram_runs import DiagramRun, fields_of
-from .integrate import RunRequest, Times, request_of
+from .requests import Request, Times, request_of
 from .run_arguments import inputs_by_name, stacked_state, with_jumps
 from .run_cache import diagram_key
 
@@ -47,42 +43,30 @@ class PreparedRun:
     value that `prepare` was given.
     """
 
-    def __init__(self, request: RunRequest, timepts: Any, params: Mapping[str, Any]):
+    def __init__(self, request: Request, timepts: Any, params: Mapping[str, Any]):
         self._request = request
         self._timepts = timepts  # as given: inputs may jump at repeated times
-        self._options: Any = None
         self._calls = 0
         self._engine: str | None = None
         self._params = dict(params)  # of calls that leave them out
         self._make(self._params)
-        n = self._run.runner.nstates
-        self._start = stacked_state("initial_state", request.initial_state, n)
-        self._inputs = read_inputs(
-            request.inputs, request.times, self._run.wiring.ninputs
-        )
 
     def _make(self, params: Mapping[str, Any]) -> None:
         """Read and compile the diagram."""
-        request = self._request
         self._made_for = params
         arguments = self._arguments(params)
         self._key = diagram_key(*arguments)
-        with request.drawn_around():
+        with self._request.drawn_around():
             self._run = run = DiagramRun(*arguments, varied=tuple(params))
-        if run.wiring.dt:
-            raise SimulationError(
-                f"{run.name}: is a diagram of discrete time, which prepare does not take. "
-                "Use simulate"
-            )
-        self._options = RunOptions.checked(0, request.times, **request.options)
-        self._is_quick = isinstance(run.runner, NativeDiagram) and run.runner.nstates
-        self._fixed: set[str] = set()  # parameters with which code is made anew
+        self._is_quick = run.runner.engine == "native" and run.runner.nstates
+        # parameters with which code is made anew
+        self._fixed: set[str] = set()
         if self._is_quick:
             self._fixed = {key for key in params if not self._is_free(key)}
 
     def _arguments(self, params: Mapping[str, Any]) -> tuple[Any, Any, Any, Any]:
         """Return the arguments of a `DiagramRun`."""
-        return self._request.diagram, params, self._request.sizes(), self._engine
+        return self._request.diagram, params, self._request.sizes, self._engine
 
     def _is_free(self, key: str) -> bool:
         """Return whether compiled code reads a parameter where it may have any value."""
@@ -110,26 +94,32 @@ class PreparedRun:
     ) -> Samples:
         """Run from an initial state, with inputs and parameters; return states and outputs."""
         request = self._request
-        times = request.times
         if self._key is None or self._has_changed():
             self._make(self._made_for)
-        start, u = self._start, self._inputs
         if initial_state is not None:
-            start = self._state(initial_state)
+            request = request._replace(start=self._state(initial_state))
         if inputs is not None:
             inputs = inputs_by_name(request.diagram, inputs, self._timepts)
             _, inputs = with_jumps(request.diagram, self._timepts, inputs)
-            u = read_inputs(inputs, times, self._run.wiring.ninputs)
+            count = self._run.wiring.ninputs
+            inputs = read_inputs(inputs, request.times, count)
+            request = request._replace(inputs=inputs)
         runner = self._run.runner
         if params or self._made_for is not self._params:
             runner = self._runner_with(params or {})
-        solution, blocks = self._solve(runner, start, u, params or {})
+        is_compared = True
+        if self._is_quick:
+            runner.comparisons, self._calls = self._calls, self._calls + 1
+            is_compared = runner.comparisons < ALWAYS or not runner.comparisons % SELDOM
+        solution, signals = self._run.solve(request, runner, is_compared)
+        if solution.engine == "python":
+            self._engine = "python"  # of the calls that follow
+        times = request.times
         if len(solution.t) < len(times) or solution.t[-1] != times[-1]:
             raise SimulationError(
                 f"{self._run.name}: the run ended at t = {solution.t[-1]:.9g}, before the last of "
                 f"its times: {solution.message}. Use simulate"
             )
-        signals = self._run.mapped(blocks, u, solution.t)
         outputs = signals[:, : len(self._run.wiring.outputs)]
         skipped = request.skipped
         return Samples(solution.x[skipped:], outputs[skipped:])
@@ -141,13 +131,11 @@ class PreparedRun:
 
     def _state(self, state: Any) -> np.ndarray:
         """Return an initial state; each number must be finite."""
-        is_vector = type(state) is np.ndarray and state.dtype == float
-        if is_vector and state.shape == self._start.shape and np.isfinite(state).all():
-            return state.copy()
+        own = self._request.start
         state = vector_by_name(
-            "initial_state", self._request.diagram, "state", state, self._start
+            "initial_state", self._request.diagram, "state", state, own
         )
-        start = stacked_state("initial_state", state, len(self._start))
+        start = stacked_state("initial_state", state, len(own))
         if not np.isfinite(start).all():
             raise SimulationError(f"initial_state = {start}: must be finite")
         return start
@@ -180,31 +168,6 @@ class PreparedRun:
             return self._run.runner
         runner = self._run.runner
         return runner.with_parameters(changed_parameters(runner.wiring.blocks, every))
-
-    def _solve(
-        self, runner: Any, start: np.ndarray, u: Inputs, params: Mapping[str, Any]
-    ) -> tuple[Any, np.ndarray]:
-        """Return a solution and all signals along it; Python runs what was misread."""
-        run = self._run
-        times = self._request.times
-        if self._is_quick:
-            calls, self._calls = self._calls, self._calls + 1
-            runner.comparisons = calls
-            is_compared = calls < ALWAYS or calls % SELDOM == 0
-            why = ""
-            with suppress(SimulationError):  # whose cause `run_checked` finds
-                solution = runner._solution(start, times, u, self._options)
-                why = difference(runner, solution, u) if is_compared else ""
-                if not why:
-                    return solution, runner.signals(solution, u)
-            if why:
-                warn_python(run.name, why)
-                self._engine = "python"
-                self._make(self._params)
-                runner = self._runner_with(params)
-        options = {**self._request.options, "inputs": u}
-        every = {**self._params, **params}
-        return run_checked(runner, run.name, start, times, every, **options)
 
 
 def _same(value: Any, other: Any) -> bool:
@@ -262,9 +225,21 @@ def prepare(
     >>> float(run(params={"k": 2.0}).states[-1, 0].round(6))
     0.135335
     """
-    options: dict[str, Any] = {"rtol": rtol, "atol": atol, "method": method}
-    options |= {"max_step": None if max_step == np.inf else max_step}
-    request = request_of(system, timepts, inputs, initial_state, **options)
-    chosen = {key: value for key, value in request.options.items() if value is not None}
+    if system.dt:
+        raise SimulationError(
+            f"{system.name}: is a diagram of discrete time, which prepare does not take. "
+            "Use simulate"
+        )
+    longest = None if max_step == np.inf else max_step
+    request = request_of(
+        system,
+        timepts,
+        inputs,
+        initial_state,
+        rtol=rtol,
+        atol=atol,
+        method=method,
+        max_step=longest,
+    )
     given = request.times if timepts is None else timepts
-    return PreparedRun(request._replace(options=chosen), given, params or {})
+    return PreparedRun(request, given, params or {})

@@ -14,7 +14,13 @@ from ..base.arguments import numbers
 from ..base.errors import ArgumentError, SimulationError
 from ..base.progress import warn
 from ..engine.diagram.named_values import check_rows, columns_of
-from ..engine.solver.schedule import Inputs, checked_state, read_inputs, stacked
+from ..engine.solver.schedule import (
+    Inputs,
+    checked_state,
+    checked_times,
+    read_inputs,
+    stacked,
+)
 
 
 def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
@@ -27,15 +33,26 @@ def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
     return shape[0] if shape and shape != times.shape else 1
 
 
+def states_count(diagram: Any, state: Any) -> int:
+    """Return the number of a diagram's states; an open number is that of the states given."""
+    if diagram.nstates is not None:
+        return diagram.nstates
+    if not isinstance(state, list | tuple):
+        state = [0.0 if state is None else state]
+    return sum(map(np.size, state))
+
+
 def with_jumps(diagram: Any, timepts: Any, inputs: Any) -> tuple[Any, Any]:
-    """Return times without repetition, and inputs that jump at repeated times."""
-    times = np.atleast_1d(numbers("timepts", timepts))
-    repeated = times[1:] == times[:-1]
-    if times.ndim != 1 or not repeated.any() or not np.all(np.diff(times) >= 0):
-        return timepts, inputs
+    """Return times without repetition, checked, and inputs that jump at repeated times."""
+    try:
+        return checked_times("timepts", timepts), inputs
+    except SimulationError:
+        times = np.atleast_1d(numbers("timepts", timepts))
+        if times.ndim != 1 or not np.all(np.diff(times) >= 0):
+            raise
     if inputs is not None:
         inputs = read_inputs(inputs, times, inputs_count(diagram, inputs, times))
-    return np.unique(times), inputs
+    return checked_times("timepts", np.unique(times)), inputs
 
 
 def stacked_state(name: str, state: Any, count: int) -> np.ndarray:

@@ -9,6 +9,7 @@ import numpy as np
 from ..base.errors import SimulationError
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.model.ports import split
+from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
@@ -149,7 +150,8 @@ def simulated(
     system = _with_solver(system, solver)
     run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
     with cached_run(key, lambda: run_type(system, engine)) as run:
-        return run, run.run(times, **system.run.solver, **steps)
+        options = RunOptions.checked(0, times, **system.run.solver, **steps)
+        return run, run.dataset(*run.run(run.initial_state, times, None, options))
 
 
 def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:

@@ -29,13 +29,12 @@ from ..engine.codegen.directional_derivatives import (
 from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import run_compared
 from ..engine.solver.native_diagram import NativeDiagram
-from ..engine.solver.schedule import read_inputs
+from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.scenario.experiment import Scenario
 from .dataset_template import diagram_template
 from .diagram_runs import compiled, signal_units
-from .integrate import request_of
-from .run_arguments import stacked_state
+from .requests import request_of
 from .sensitivity_names import START, varied_numbers
 
 if TYPE_CHECKING:
@@ -44,7 +43,6 @@ if TYPE_CHECKING:
 STEPS = (1e-3, 1e-4, 1e-5)  # of central differences, relative
 TOLERANCE = 1e-3  # of derivatives, relative to the largest
 TIGHT = {"rtol": 1e-10, "atol": 1e-13}  # solver options of central differences
-ATOL = 1e-10  # of a run, if not given
 
 
 class RunWithDerivatives(NamedTuple):
@@ -80,12 +78,14 @@ class SensitivityRun:
         self.name = request.diagram.name
         self.times = request.times
         self.skipped = request.skipped
-        self.solver = request.options
+        self.options = request.options
         try:
             with request.drawn_around():
-                run = compiled(request.diagram, params, request.sizes())
+                run = compiled(request.diagram, params, request.sizes)
             self.wiring = run.wiring
-            self.atol = 0.0 if self.wiring.dt else request.options["atol"] or ATOL
+            self.atol = (
+                0.0 if self.wiring.dt else request.options.atol or RunOptions.atol
+            )
             self.states = run.states
             self.parameters = run.runner.sweep.parameters
             self.varied = varied_numbers(to, self.wiring, self.states)
@@ -98,10 +98,7 @@ class SensitivityRun:
         self.labels = run.signal_labels[:noutputs]
         self.input_labels = run.signal_labels[noutputs:]
         self.units = signal_units(run.wiring)[:noutputs]
-        self.inputs = read_inputs(request.inputs, self.times, run.wiring.ninputs)
-        self.start = stacked_state(
-            "initial_state", request.initial_state, run.runner.nstates
-        )
+        self.inputs, self.start = request.inputs, request.start
 
     def _compile(self, params: Mapping[str, Any] | None) -> NativeDiagram:
         """Return the diagram with derivatives by each varied number, ready to run."""
@@ -158,10 +155,9 @@ class SensitivityRun:
         for row, location in zip(x[1:], self.varied.values(), strict=True):
             row[list(location.states)] = 1.0
         runner = self.runner.with_parameters(parameters)
-        options = {**self.solver, **solver}
-        solution, reason = run_compared(
-            runner, x.ravel(), self.times, inputs=self.inputs, **options
-        )
+        options = replace(self.options, **solver)
+        given = x.ravel(), self.times, self.inputs, options
+        solution, reason = run_compared(runner, *given)
         if reason:
             raise SimulationError(f"{self.name}: its derivative is not known: {reason}")
 

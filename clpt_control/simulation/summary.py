@@ -22,8 +22,9 @@ from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team
 from .flows import explained_variance, flow_error, speeds_of
-from .integrate import sample_times, simulate
+from .integrate import simulate
 from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
+from .requests import sample_times
 from .run_notes import ARGUMENTS
 
 if TYPE_CHECKING:

@@ -41,7 +41,7 @@ from clpt_control.engine.record.unread import Unread
 from clpt_control.engine.solver import solver_layout
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
-from clpt_control.engine.solver.runner import PythonDiagram
+from clpt_control.engine.solver.python_runs import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace import heaps, tracing

@@ -12,7 +12,7 @@ Otherwise each discrete system becomes a block that samples its inputs.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import control
@@ -338,6 +338,7 @@ def call_names(name: str, block: Block) -> dict[str, str]:
     return names | {prefix + field: field for prefix in systems for field in fields}
 
 
+@lru_cache(maxsize=1024)
 def prefixes_of(name: str) -> tuple[list[str], list[str]]:
     """Return the prefixes of a param of ``a.plant``; the last has priority.
 

@@ -177,7 +177,7 @@ class Batch:
         in_lanes[self.segments.indices] = self.segments.values[:1].T
         indices, (first, stop) = self.segments.indices, callee.slopes
         slopes = self.segments.values[:, (indices >= first) & (indices < stop)]
-        timed = callee.timed or slopes.any()
+        timed = callee.timed or (stop and slopes.any())
         if timed:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
@@ -219,13 +219,14 @@ class Batch:
             first = self.callee.decided_at
             self.runs.parameters[:, first - 2 : first] = rtol, atol
         budget = max(64, BEGIN // self.callee.nstates)
-        active = 1
-        while active:
+        while True:
             check()
             begin = time.perf_counter()
             if over_kinks is not None:
                 budget = min(budget, over_kinks.tries_left(self))
             active = self.advance(rtol, atol, budget, most)
+            if not active:
+                break
             # end stiff runs
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
@@ -238,11 +239,13 @@ class Batch:
             budget = int(min(wished, 4 * budget))
             if progress is not None:
                 progress(self.now)
-            if over_kinks is not None and active:
+            if over_kinks is not None:
                 following = over_kinks.following(self)
                 if following is not None:
                     self._leave_to(following, 0)
-                    active = 0
+                    break
+        if progress is not None:
+            progress(self.now)
         for m, batch in self.continuations.items():
             share = batch.tolerance_share
             next_method = None if batch.callee.method.implicit else implicit

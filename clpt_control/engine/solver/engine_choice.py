@@ -8,6 +8,7 @@ signals and jumps.  Points drawn at random would not reach every branch of a fun
 import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,8 @@ from ..trace.arrays import OUTLIVES
 from .evaluation_pass import rounding
 from .level_jumps import requesting
 from .native_diagram import NativeDiagram
-from .runner import PythonDiagram
+from .python_runs import PythonDiagram
+from .runner import Runner, RunOptions
 from .schedule import Inputs, Schedule, inputs_at
 from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
 from .termination import Solution
@@ -38,7 +40,7 @@ def make_runner(
     engine: str | None = None,
     name: str = "the diagram",
     apart: Mapping[tuple[int, str], Any] = {},
-) -> PythonDiagram:
+) -> Runner:
     """Return a diagram ready to run, compiled if possible; `apart` as `lay_out` takes it.
 
     A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.
@@ -72,48 +74,42 @@ def hidden_state(wiring: Wiring) -> str:
     return ""
 
 
-def run_checked(
-    runner: PythonDiagram,
+def run_in_python(
+    runner: Runner,
     name: str,
-    start: Any,
-    times: Any,
-    params: Any,
-    **options: Any,
+    start: ndarray,
+    times: ndarray,
+    inputs: Inputs | None,
+    options: RunOptions,
 ) -> tuple[Solution, ndarray]:
-    """Run a diagram, in Python if it was misread; return the solution and all signals along it."""
-    inputs = options["inputs"]
-    if isinstance(runner, NativeDiagram):
-        solution, why = run_compared(runner, start, times, **options)
-        if not why:
-            return solution, runner.signals(solution, inputs)
-        warn_python(name, why)
-        runner = PythonDiagram(runner.wiring, params)
+    """Run a diagram in Python; return the solution and all signals along it."""
     try:
-        solution = runner.run(start, times, **options)
+        solution = runner.solve(start, times, inputs, options)
     except SimulationError as error:
         if runner.hidden_state:
             error.args = (f"{error}. Its reason may be this: {runner.hidden_state}",)
         raise
     signals = runner.signals(solution, inputs)
     if runner.hidden_state and runner.nstates and not runner.wiring.dt:
-        _warn_of_order(runner, name, start, times, solution, signals, options)
+        given = start, times, inputs, options
+        _warn_of_order(runner, name, given, solution, signals)
     return solution, signals
 
 
 def _warn_of_order(
-    runner: PythonDiagram,
+    runner: Runner,
     name: str,
-    start: Any,
-    times: Any,
+    given: tuple[ndarray, ndarray, Inputs | None, RunOptions],
     solution: Solution,
     signals: ndarray,
-    options: dict[str, Any],
 ) -> None:
     """Run a diagram with hidden state again with a tenth of rtol, and print the difference."""
-    tolerances = {"rtol": 1e-8, "atol": 1e-10}
-    tenth = {key: 0.1 * (options.get(key) or tolerances[key]) for key in tolerances}
-    again = runner.run(start, times, **{**options, **tenth, "progress": None})
-    following = runner.signals(again, options["inputs"])
+    start, times, inputs, options = given
+    exact = replace(
+        options, rtol=0.1 * options.rtol, atol=0.1 * options.atol, progress=None
+    )
+    again = runner.solve(start, times, inputs, exact)
+    following = runner.signals(again, inputs)
     n = min(len(signals), len(following))
     difference = max(
         np.abs(solution.x[:n] - again.x[:n]).max(initial=0.0),
@@ -127,15 +123,18 @@ def _warn_of_order(
 
 
 def run_compared(
-    runner: NativeDiagram, start: Any, times: Any, **options: Any
+    runner: NativeDiagram,
+    start: ndarray,
+    times: ndarray,
+    inputs: Inputs | None,
+    options: RunOptions,
+    is_compared: bool = True,
 ) -> tuple[Any, str]:
     """Run a diagram; return the solution and a sentence on the function that was misread, or ""."""
-    inputs = options["inputs"]
     try:
-        solution = runner.run(start, times, **options)
+        solution = runner.solve(start, times, inputs, options)
     except SimulationError as error:
-        states = np.reshape(start, (1, -1))
-        at_start = Solution(np.asarray(times[:1]), states)
+        at_start = Solution(times[:1], start[None])
         why = difference(runner, at_start, inputs)
         if not why:
             why = difference_ahead(runner, error.points, times, inputs)
@@ -145,7 +144,7 @@ def run_compared(
         if not why:
             raise
         return None, why
-    return solution, difference(runner, solution, inputs)
+    return solution, difference(runner, solution, inputs) if is_compared else ""
 
 
 def warn_python(name: str, why: str) -> None:
@@ -183,7 +182,7 @@ def difference_at(
     """Return a sentence on the function that differs at a sample of a solution, or ""."""
     # compare the samples, then states next to those that differ
     segments = runner.segments_of(solution, inputs)
-    solution.signals = runner.evaluated_signals(solution, inputs)
+    solution.signals = runner.evaluate(solution, inputs)
     signals = solution.signals[samples]
     agrees = _agrees(
         runner, segments, solution.t[samples], solution.x[samples], inputs, signals
@@ -244,7 +243,7 @@ def _agrees(
     them, are not compared.
     """
     sweep = runner.sweep
-    callee = runner.callee(1, inputs)
+    callee = runner.callee()
     P = runner.parameters()
     # 1. results of machine code
     if signals is None:
@@ -289,7 +288,7 @@ def _agrees(
 
 @np.errstate(all="ignore")  # as a sweep runs them
 def misread_function(
-    runner: PythonDiagram, t: float, x: ndarray, inputs: Inputs | None
+    runner: Runner, t: float, x: ndarray, inputs: Inputs | None
 ) -> str:
     """Return a sentence on the function whose record differs from it, or ""."""
     sweep = runner.sweep

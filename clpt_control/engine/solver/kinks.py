@@ -82,7 +82,7 @@ def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | 
     t = batch.now
     times = np.append(t, batch.times[batch.integers[SAMPLES_DONE, 0] :])
     following = Batch(
-        runner.callee(1, None, batch.callee.method),
+        runner.callee(1, batch.callee.method),
         batch.states[STATE, :, 0][None].copy(),
         parameters[None],
         times,

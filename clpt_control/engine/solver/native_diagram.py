@@ -18,16 +18,20 @@ from ..codegen.plan import NO_TABLES, Program, program_of
 from ..codegen.series_loop import print_series
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
-from ..methods.table import EXPLICIT
+from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, TAYLOR
 from ..record.operations import ELEMENTWISE
 from ..record.unread import Unread
-from .callee import Callee
+from .callee import MOST_KEPT, Callee, keep
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
-from .native_runs import NativeRuns
-from .schedule import Inputs
+from .native_runs import NativeRun
+from .runner import Runner, RunOptions
+from .schedule import Inputs, Schedule
+from .series_runs import series_solution
 from .sliding_rates import HeldSwitches, slide
+from .solver_layout import SIGNALS
+from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -201,7 +205,7 @@ def copies_of(form: Form) -> int:
 # --- ready to run ----------------------------------------------------------------------------
 
 
-class NativeDiagram(NativeRuns):
+class NativeDiagram(Runner):
     """A diagram compiled to machine code.
 
     `params` are call-time parameters by qualified name.  `form` is "unrolled" or "looped" (all
@@ -223,7 +227,6 @@ class NativeDiagram(NativeRuns):
     """
 
     engine = "native"
-    comparisons = 0  # runs that were compared with Python
     most = 500_000_000
 
     def __init__(
@@ -242,13 +245,20 @@ class NativeDiagram(NativeRuns):
         self.nsignals *= copies
         self.intervals = self.layout.intervals
         self.jumps = self.layout.jumps
-        self.time_tables = [*self.layout.time_tables.values()]
+        self.time_tables = tuple(self.layout.time_tables.values())
         self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
         # and of the decisions, behind the tolerances
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
+        # of the last runs by times and inputs, the same for any parameters
+        self._schedules: dict[Any, Schedule] = {}
+        self._forget()
+
+    def _forget(self) -> None:
+        """Begin without callees, and without arrays of earlier runs."""
         self._callees: dict[tuple[int, Method], Callee] = {}
-        self.kept = {}
-        self.kept_series = {}
+        # by shape, while no thread runs them
+        self.kept: dict[Any, Any] = {}
+        self.kept_series: dict[Any, Any] = {}
 
     def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
         """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
@@ -284,14 +294,58 @@ class NativeDiagram(NativeRuns):
         if isinstance(self.form, Directions):
             diagram.form = self.form._replace(form=form)
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
-        diagram._callees = {}
-        diagram.kept = {}
-        diagram.kept_series = {}
+        diagram._forget()
         return diagram
 
-    def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT
-    ) -> Callee:
+    # --- runs -----------------------------------------------------------------------------
+
+    def schedule(
+        self, times: Any, inputs: Inputs | None = None, least: float = 0.0
+    ) -> Schedule:
+        """Return the segments of a run, the same for the same times and inputs.
+
+        Breakpoints of blocks are looked up each time.
+        """
+        arrays = [np.asarray(times), *(() if inputs is None else inputs.samples)]
+        if self.breaking or sum(array.size for array in arrays) > MOST_KEPT:
+            return super().schedule(times, inputs)
+        key = tuple((array.shape, array.tobytes()) for array in arrays)
+        schedule = self._schedules.get(key)
+        if schedule is None:
+            schedule = super().schedule(times, inputs)
+            keep(self._schedules, key, schedule)
+        return schedule
+
+    def solve(
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: RunOptions,
+    ) -> Solution:
+        """Integrate from the first to the last of the times in machine code."""
+        if not self.nstates:
+            return without_states(self.sweep, times, inputs, self.engine)
+        if options.method == TAYLOR:
+            return series_solution(self, start, times, inputs, options)
+        return NativeRun(self, times, inputs, options).solution(start)
+
+    def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
+        """Return all block outputs at a solution's times, finite or not."""
+        points = solution.t, solution.x, self.segments_of(solution, inputs)
+        return self.callee().evaluate(
+            SIGNALS, *points, self.parameters(), self.nsignals
+        )
+
+    def method_of(self, method: str = "auto") -> Method:
+        """Return the method of a run."""
+        return DISCRETE if self.wiring.dt else METHODS[method]
+
+    def implicit(self) -> Callee:
+        """Return what the solver calls for its implicit method."""
+        return self.callee(1, IMPLICIT)
+
+    def callee(self, lanes: int = 1, method: Method = EXPLICIT) -> Callee:
         """Return what the solver calls, for one of its methods.
 
         A diagram with events takes one run at a time: eight lanes are slower than one there.

@@ -1,4 +1,4 @@
-"""Runs of a diagram in Python: SciPy integrates from one known stop to the next.
+"""A diagram that runs block by block in Python: SciPy integrates from one known stop to the next.
 
 Known stops are breakpoints and samples of blocks and sharp bends of inputs; guards end a run.
 Jumps of rates elsewhere are left to the step control.  LSODA, which is implicit where equations are
@@ -23,6 +23,7 @@ from ..methods.table import METHODS
 from .batch import PARTS, PAUSE
 from .evaluation_pass import rounding
 from .event_checks import SHARES, may_hide
+from .runner import Runner, RunOptions
 from .schedule import BEGINS, JUMPS, Inputs, inputs_at
 from .solver_layout import DISTANCE, ROUNDING, Status
 from .termination import (
@@ -30,9 +31,11 @@ from .termination import (
     LOOSEN,
     Solution,
     edge,
+    in_discrete_time,
     points_ahead,
     stopped,
     trouble_at,
+    without_states,
 )
 
 BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
@@ -52,31 +55,56 @@ class NotIntegrated(Exception):
     """A run that a method cannot continue; the arguments are time, state and `Status`."""
 
 
-def integrate(
-    diagram: Any, start: ndarray, times: ndarray, inputs: Inputs | None, options: Any
-) -> Solution:
-    """Return the solution of a diagram in Python, or raise an error on what stopped it."""
-    may_be_stiff = options.method == "auto" or METHODS[options.method].implicit
-    method: Any = LSODA if may_be_stiff else DOP853
-    if getattr(_inside, "lsoda", False):
-        method = DOP853
-    if method is not DOP853:
+class PythonDiagram(Runner):
+    """A diagram that runs block by block in Python."""
+
+    engine = "python"
+    most = 10_000_000
+
+    def parameters(self) -> ndarray:
+        """Return P, which says which blocks jump."""
+        return np.zeros(len(self.jumps))
+
+    def solve(
+        self, start: ndarray, times: ndarray, inputs: Inputs | None, options: RunOptions
+    ) -> Solution:
+        """Integrate by SciPy, or step a diagram of discrete time."""
+        if self.resetting:
+            raise SimulationError(
+                f"{', '.join(self.resetting)}: jumps at a level run as machine code alone, "
+                "and this diagram runs in Python. Write its functions in NumPy"
+            )
+        if not self.nstates:
+            return without_states(self.sweep, times, inputs, self.engine)
+        if self.wiring.dt:
+            return in_discrete_time(self.sweep, start, times, inputs, options.progress)
+        may_be_stiff = options.method == "auto" or METHODS[options.method].implicit
+        if may_be_stiff and not getattr(_inside, "lsoda", False):
+            try:
+                with _lsoda, warnings.catch_warnings():
+                    warnings.filterwarnings("ignore", "lsoda")
+                    _inside.lsoda = True
+                    run = PythonRun(self, times, inputs, options, LSODA)
+                    return run.solution(start)
+            except NotIntegrated:
+                pass  # DOP853 rejects steps with such rates
+            finally:
+                _inside.lsoda = False
+        run = PythonRun(self, times, inputs, options, DOP853)
         try:
-            with _lsoda, warnings.catch_warnings():
-                warnings.filterwarnings("ignore", "lsoda")
-                _inside.lsoda = True
-                return PythonRun(diagram, times, inputs, options, method).solution(
-                    start
-                )
-        except NotIntegrated:
-            pass  # DOP853 rejects steps with such rates
-        finally:
-            _inside.lsoda = False
-    run = PythonRun(diagram, times, inputs, options, DOP853)
-    try:
-        return run.solution(start)
-    except NotIntegrated as error:
-        raise run.error(*error.args) from None
+            return run.solution(start)
+        except NotIntegrated as error:
+            raise run.error(*error.args) from None
+
+    def evaluate(self, solution: Solution, inputs: Inputs | None) -> ndarray:
+        """Return all block outputs at a solution's times, finite or not."""
+        rows = np.empty((len(solution.t), self.nsignals))
+        run = solution.t[-1] - solution.t[0]
+        for k, (t, x) in enumerate(zip(solution.t, solution.x, strict=True)):
+            self.sweep.enter(t + rounding(t, run))
+            self.sweep.evaluate(t, x, inputs_at(inputs, t))
+            rows[k] = self.sweep.signals
+        return rows
 
 
 class PythonRun:
@@ -110,7 +138,7 @@ class PythonRun:
         """Integrate all segments; return the solution up to the end or a guard."""
         edges = self.schedule.edges
         begins = [self.times[0], *edges[:-1]]
-        x = start
+        x = start.copy()
         for k, t in enumerate(begins):
             self.sweep.enter(t + rounding(t, self.run))
             x = self._jumped(k, t, x)

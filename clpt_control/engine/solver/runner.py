@@ -1,11 +1,14 @@
-"""A diagram that runs block by block in Python.
+"""A diagram that is ready to run, and the options of a run.
 
-SciPy integrates it (`python_runs`); a compiled diagram overrides the parts that machine code does.
+Two engines have this interface: `python_runs.PythonDiagram` runs block by block in Python, and
+`native_diagram.NativeDiagram` runs machine code.  `run` reads its arguments; `solve` and `evaluate`
+take arrays that were read.
 
 In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
 The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
@@ -20,8 +23,7 @@ from ...base.errors import SimulationError
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods.table import METHODS
-from .evaluation_pass import Sweep, rounding
-from .python_runs import integrate
+from .evaluation_pass import Sweep
 from .schedule import (
     Inputs,
     Schedule,
@@ -31,19 +33,22 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .termination import ADVICE, Solution, in_discrete_time, without_states
+from .termination import ADVICE, Solution
 
 
-class PythonDiagram:
-    """A diagram ready to run, block by block in Python.
+class Runner(ABC):
+    """A diagram ready to run.
 
-    `sweep` evaluates it, `wiring` holds its blocks; states and signals are counted in
-    `nstates` and `nsignals`.
+    `wiring` holds its blocks, and `sweep` evaluates them in Python.  States and signals are counted
+    in `nstates` and `nsignals`.
     """
 
-    engine = "python"
-    most = 10_000_000  # tries of a run
+    engine: str
+    most: int  # tries of a run
+    comparisons = 0  # runs of machine code that were compared with Python
     hidden_state = ""  # a sentence on a function that has one
+    intervals: Mapping[int, int] = {}  # indices in P of each block's `interval`
+    time_tables: Sequence[Any] = ()  # of machine code
     ramp = -1  # offset in P of the diagram's inputs, where they are read from there
 
     def __init__(
@@ -61,12 +66,10 @@ class PythonDiagram:
         )
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
-        self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
-        # 1 where it jumps
+        # 1 in P where a block jumps
         self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
         self.breaking = self.sweep.breaking
         self.resetting = self.sweep.resetting
-        self.time_tables: list[Any] = []  # of machine code
 
     def __repr__(self) -> str:
         count = f"{len(self.wiring.nodes)} blocks, {self.nstates} states"
@@ -84,13 +87,31 @@ class PythonDiagram:
         """The pass over the diagram in Python; machine code alone does without."""
         return Sweep(self.wiring, self.block_parameters)
 
-    # --- overridden by machine code -------------------------------------------------------
+    # --- interface of the engines ---------------------------------------------------------
 
+    @abstractmethod
     def parameters(self) -> np.ndarray:
-        """Return P; in Python it says which blocks jump."""
-        return np.zeros(len(self.jumps))
+        """Return P, the parameters as the schedule of a run counts them."""
 
-    schedule = make_schedule
+    @abstractmethod
+    def solve(
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: "RunOptions",
+    ) -> Solution:
+        """Integrate from the first to the last of the times, as `run` does, without reading."""
+
+    @abstractmethod
+    def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
+        """Return all block outputs at a solution's times, finite or not."""
+
+    def schedule(
+        self, times: Any, inputs: Inputs | None = None, least: float = 0.0
+    ) -> Schedule:
+        """Return the segments of a run."""
+        return make_schedule(self, times, inputs, least)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -145,34 +166,11 @@ class PythonDiagram:
             method=method,
             progress=progress,
         )
-        inputs = self._inputs(inputs, times)
-        if self.resetting and self.engine == "python":
-            raise SimulationError(
-                f"{', '.join(self.resetting)}: jumps at a level run as machine code alone, "
-                "and this diagram runs in Python. Write its functions in NumPy"
-            )
-        if not self.nstates:
-            return without_states(self.sweep, times, inputs, self.engine)
-        if self.wiring.dt and self.engine == "python":
-            return in_discrete_time(self.sweep, start, times, inputs, progress)
-        return self._solution(start, times, inputs, options)
+        if inputs is not None:
+            inputs = read_inputs(inputs, times, self.wiring.ninputs)
+        return self.solve(start, times, inputs, options)
 
-    def _solution(
-        self,
-        start: np.ndarray,
-        times: np.ndarray,
-        inputs: Inputs | None,
-        options: "RunOptions",
-    ) -> Solution:
-        """Integrate between the known stops."""
-        return integrate(self, start, times, inputs, options)
-
-    def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
-        return (
-            None if inputs is None else read_inputs(inputs, times, self.wiring.ninputs)
-        )
-
-    def signals(self, solution: Solution, inputs: Any = None) -> np.ndarray:
+    def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
         Values at a jump are right limits; one that is not finite is an error.
@@ -180,8 +178,9 @@ class PythonDiagram:
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
-        inputs = self._inputs(inputs, times)
-        signals = self.evaluated_signals(solution, inputs)
+        signals = solution.signals
+        if signals is None:
+            signals = self.evaluate(solution, inputs)
         finite = np.isfinite(signals).all(axis=1)
         if not finite.all():
             k = int(np.argmin(finite))
@@ -192,20 +191,6 @@ class PythonDiagram:
             trouble = trouble or f"a signal is not finite; {advice}"
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return signals
-
-    def evaluated_signals(
-        self, solution: Solution, inputs: Inputs | None
-    ) -> np.ndarray:
-        """Return all block outputs at a solution's times, finite or not."""
-        if solution.signals is not None:
-            return solution.signals
-        rows = np.empty((len(solution.t), self.nsignals))
-        run = solution.t[-1] - solution.t[0]
-        for k, (t, x) in enumerate(zip(solution.t, solution.x, strict=True)):
-            self.sweep.enter(t + rounding(t, run))
-            self.sweep.evaluate(t, x, inputs_at(inputs, t))
-            rows[k] = self.sweep.signals
-        return rows
 
     def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the segments of time of a run."""

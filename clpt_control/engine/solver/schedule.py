@@ -187,8 +187,9 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
         raise SimulationError(
             "inputs: must be values, not a function. Connect a block with this output"
         )
-    inputs = stacked(inputs, times)
-    values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
+    if inputs is None:
+        return Inputs((times[:1], np.zeros((count, 1))))
+    values = numbers("inputs", stacked(inputs, times))
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite. Fill the gaps before the run")
     samples = (count, len(times))
@@ -227,7 +228,7 @@ class Schedule(NamedTuple):
 def make_schedule(
     diagram: Any, times: Any, inputs: Inputs | None = None, least: float = 0.0
 ) -> Schedule:
-    """Return the segments of a run of a diagram; it is `PythonDiagram.schedule`.
+    """Return the segments of a run of a diagram.
 
     Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
     tables over time; they jump where blocks do.  Behind each block's `interval` lies `JUMPS` in a

@@ -213,7 +213,7 @@ def series_solution(
     options: Any,
 ) -> Solution:
     """Integrate by Taylor series, and from where the series ends by DOP853."""
-    segments = diagram._schedule(times, inputs)
+    segments = diagram.schedule(times, inputs)
     code = series_of(diagram, options.rtol)
     shape = len(times), segments.values.shape
     arrays = code.kept.pop(shape, None)
@@ -247,7 +247,7 @@ def series_solution(
     auto = replace(
         options, method="auto", max_step=limits[series.LONGEST], first_step=first_step
     )
-    other = diagram._solution(state, rest, inputs, auto)
+    other = diagram.solve(state, rest, inputs, auto)
     solution.x[following:] = other.x[1:]
     solution.method += f", from t = {now:.9g} {other.method}"
     for name, count in other.statistics.items():

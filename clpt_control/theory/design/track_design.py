@@ -27,8 +27,9 @@ from ...base.figures import (
     legend_below,
 )
 from ...paper.scenario.experiment import Scenario
-from ...simulation.integrate import sample_times, simulate
+from ...simulation.integrate import simulate
 from ...simulation.mean_squares import clpe_of_samples, step_of_means
+from ...simulation.requests import sample_times
 from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window, gains_of_w
 from .search import FINE, best_waypoints

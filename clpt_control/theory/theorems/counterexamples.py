@@ -22,7 +22,8 @@ from ...base.errors import ScenarioError
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.flows import flow_velocity
-from ...simulation.integrate import sample_times, simulate
+from ...simulation.integrate import simulate
+from ...simulation.requests import sample_times
 
 if TYPE_CHECKING:
     import xarray
