@@ -25,8 +25,7 @@ from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
 from ..paper.scenario.experiment import Scenario
 from .diagram_runs import DiagramRun, compiled
-from .requests import as_diagram
-from .run_arguments import stacked_state
+from .requests import as_diagram, stacked_state
 
 FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63

@@ -15,12 +15,9 @@ from ..base.arguments import nearest, numbers, public
 from ..base.errors import SimulationError
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.diagram.interconnection import changed_parameters
-from ..engine.diagram.named_values import vector_by_name
 from ..engine.model.system import System
-from ..engine.solver.schedule import read_inputs
 from .diagram_runs import DiagramRun, fields_of
 from .requests import Request, Times, request_of
-from .run_arguments import inputs_by_name, stacked_state, with_jumps
 from .run_cache import diagram_key
 
 ALWAYS, SELDOM = (
@@ -43,9 +40,8 @@ class PreparedRun:
     value that `prepare` was given.
     """
 
-    def __init__(self, request: Request, timepts: Any, params: Mapping[str, Any]):
+    def __init__(self, request: Request, params: Mapping[str, Any]):
         self._request = request
-        self._timepts = timepts  # as given: inputs may jump at repeated times
         self._calls = 0
         self._engine: str | None = None
         self._params = dict(params)  # of calls that leave them out
@@ -97,13 +93,9 @@ class PreparedRun:
         if self._key is None or self._has_changed():
             self._make(self._made_for)
         if initial_state is not None:
-            request = request._replace(start=self._state(initial_state))
+            request = request.with_state(initial_state)
         if inputs is not None:
-            inputs = inputs_by_name(request.diagram, inputs, self._timepts)
-            _, inputs = with_jumps(request.diagram, self._timepts, inputs)
-            count = self._run.wiring.ninputs
-            inputs = read_inputs(inputs, request.times, count)
-            request = request._replace(inputs=inputs)
+            request = request.with_inputs(inputs)
         runner = self._run.runner
         if params or self._made_for is not self._params:
             runner = self._runner_with(params or {})
@@ -128,17 +120,6 @@ class PreparedRun:
         """Return whether the diagram, or what its functions read, is no longer as it was read."""
         key = diagram_key(*self._arguments(self._made_for))
         return key is None or self._key is None or key[0] != self._key[0]
-
-    def _state(self, state: Any) -> np.ndarray:
-        """Return an initial state; each number must be finite."""
-        own = self._request.start
-        state = vector_by_name(
-            "initial_state", self._request.diagram, "state", state, own
-        )
-        start = stacked_state("initial_state", state, len(own))
-        if not np.isfinite(start).all():
-            raise SimulationError(f"initial_state = {start}: must be finite")
-        return start
 
     def _runner_with(self, params: Mapping[str, Any]) -> Any:
         """Return the runner with parameters; one that code was made for is compiled again."""
@@ -241,5 +222,4 @@ def prepare(
         method=method,
         max_step=longest,
     )
-    given = request.times if timepts is None else timepts
-    return PreparedRun(request, given, params or {})
+    return PreparedRun(request, params or {})

@@ -1,29 +1,31 @@
-"""The arguments of a diagram's run, read once: arrays, inputs and options of the solver.
+"""The arguments of a diagram's run, read and checked once: arrays and options of the solver.
 
-`request_of` reads the arguments of `simulate`, `prepare`, `sensitivity` and `run_ensemble`.
+`request_of` reads the arguments of `simulate`, `prepare`, `sensitivity` and `run_ensemble`.  Inputs
+and initial states may be mappings by label or port, inputs a `control.TimeResponseData`.  Two
+samples at one time are a jump of the inputs, as in tables of Modelica.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
 import numpy as np
 
-from ..base.arguments import public
-from ..base.errors import SimulationError
+from ..base.arguments import numbers, public
+from ..base.errors import ArgumentError, SimulationError
+from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
-from ..engine.diagram.named_values import vector_by_name
+from ..engine.diagram.named_values import check_rows, columns_of, vector_by_name
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import RunOptions, steps_between
-from ..engine.solver.schedule import Inputs, checked_times, read_inputs
-from .run_arguments import (
-    inputs_by_name,
-    inputs_count,
-    stacked_state,
-    states_count,
-    with_jumps,
+from ..engine.solver.schedule import (
+    Inputs,
+    checked_state,
+    checked_times,
+    read_inputs,
+    stacked,
 )
 
 if TYPE_CHECKING:
@@ -57,11 +59,29 @@ class Request(NamedTuple):
     start: np.ndarray
     options: RunOptions
     sizes: Sizes  # numbers of states and inputs that the diagram leaves open, or None
-    given: tuple[Any, Any]  # initial state and inputs
+    # as they were given: times, where inputs may jump at repeated ones, initial state and inputs
+    timepts: Any
+    given: tuple[Any, Any]
 
     def drawn_around(self) -> AbstractContextManager[None]:
         """Confirm new records of functions around the numbers of this run."""
         return drawn_around(self.times, *self.given)
+
+    def with_state(self, state: Any) -> "Request":
+        """Return the run from another initial state; a mapping changes the states it names."""
+        own = self.start
+        state = vector_by_name("initial_state", self.diagram, "state", state, own)
+        start = stacked_state("initial_state", state, len(own))
+        if not np.isfinite(start).all():
+            raise SimulationError(f"initial_state = {start}: must be finite")
+        return self._replace(start=start)
+
+    def with_inputs(self, inputs: Any) -> "Request":
+        """Return the run with other inputs."""
+        inputs = inputs_by_name(self.diagram, inputs, self.timepts)
+        _, inputs = with_jumps(self.diagram, self.timepts, inputs)
+        count = len(self.inputs.samples[1])
+        return self._replace(inputs=read_inputs(inputs, self.times, count))
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
@@ -100,10 +120,12 @@ def request_of(
     if timepts is None and isinstance(inputs, control.TimeResponseData):
         timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)
-    own_state = own_arguments.pop("initial_state", None)
-    state = vector_by_name("initial_state", diagram, "state", initial_state, own_state)
+    state, own_state = initial_state, own_arguments.pop("initial_state", None)
+    if isinstance(state, Mapping):
+        state = vector_by_name("initial_state", diagram, "state", state, own_state)
     # 2. times
     skipped, steps = 0, None
+    as_given = timepts
     if timepts is not None:
         timepts, inputs = with_jumps(diagram, timepts, inputs)
     if loop is not None and (timepts is None or inputs is state is None):
@@ -132,8 +154,18 @@ def request_of(
         if options.get(name) is None:
             options[name] = value
     checked = RunOptions.checked(diagram.dt, times, **options)
-    given = state, inputs
-    return Request(diagram, times, skipped, steps, read, start, checked, sizes, given)
+    return Request(
+        diagram,
+        times,
+        skipped,
+        steps,
+        read,
+        start,
+        checked,
+        sizes,
+        times if as_given is None else as_given,
+        (state, inputs),
+    )
 
 
 @public
@@ -147,3 +179,129 @@ def sample_times(duration: float, step: float) -> np.ndarray:
     times = step * np.arange(count)
     times = times[times < duration * (1 - 1e-12)]
     return np.append(times, duration)
+
+
+# --- in the forms of python-control ------------------------------------------------
+
+
+def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
+    """Return the number of a diagram's inputs; an open number is that of the inputs given."""
+    if diagram.ninputs is not None:
+        return diagram.ninputs
+    if isinstance(inputs, Inputs):
+        return len(inputs.samples[1])
+    shape = np.shape(stacked(inputs, times))
+    return shape[0] if shape and shape != times.shape else 1
+
+
+def states_count(diagram: Any, state: Any) -> int:
+    """Return the number of a diagram's states; an open number is that of the states given."""
+    if diagram.nstates is not None:
+        return diagram.nstates
+    if not isinstance(state, list | tuple):
+        state = [0.0 if state is None else state]
+    return sum(map(np.size, state))
+
+
+def with_jumps(diagram: Any, timepts: Any, inputs: Any) -> tuple[Any, Any]:
+    """Return times without repetition, checked, and inputs that jump at repeated times."""
+    try:
+        return checked_times("timepts", timepts), inputs
+    except SimulationError:
+        times = np.atleast_1d(numbers("timepts", timepts))
+        if times.ndim != 1 or not np.all(np.diff(times) >= 0):
+            raise
+    if inputs is not None:
+        inputs = read_inputs(inputs, times, inputs_count(diagram, inputs, times))
+    return checked_times("timepts", np.unique(times)), inputs
+
+
+def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
+    """Return `count` states in the forms of python-control; None is zero.
+
+    A list, ``[x0, 0]``, is a sequence of numbers and arrays; a last zero is repeated.
+    """
+    if state is None:
+        return np.zeros(count)
+    if isinstance(state, list | tuple) and not all(map(np.isscalar, state)):
+        state = np.concatenate([numbers(name, value).ravel() for value in state])
+    else:
+        state = numbers(name, state)
+        if state.shape == (count,):
+            return state.copy()
+        state = state.ravel() if state.ndim else state
+    if 0 < np.size(state) < count and np.ndim(state) == 1:
+        if state[-1] != 0:
+            warn(f"{name} is too short: filled with zeros")
+        state = np.pad(state, (0, count - len(state)))
+    return checked_state(name, state, (count,))
+
+
+# --- by name -------------------------------------------------------------------------------------
+
+
+def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
+    """Return inputs given by name or as a response as rows; others are as they are."""
+    if isinstance(inputs, control.TimeResponseData):
+        return _inputs_of_response(diagram, inputs, timepts)
+    if not isinstance(inputs, Mapping):
+        return inputs
+    rows: list[Any] = [0.0] * len(diagram.input_labels)
+    for name, value in inputs.items():
+        columns = columns_of(diagram, "input", diagram.input_labels, name)
+        values = numbers(f"inputs['{name}']", value)
+        if len(columns) == 1 and values.ndim == 2:
+            values = values.ravel()
+        if len(columns) == 1 or values.ndim == 0:
+            values = np.array([values] * len(columns))
+        check_rows("inputs", name, values, len(columns))
+        count = np.size(getattr(timepts, "time", timepts))
+        if values.ndim > 1 and values.shape[1:] not in ((1,), (count,)):
+            raise ArgumentError(
+                f"inputs['{name}']: has {values.shape[-1]} values; there are {count} times"
+            )
+        for column, row in zip(columns, values, strict=True):
+            rows[column] = row if row.ndim else float(row)
+    return rows
+
+
+# --- responses -----------------------------------------------------------------------------------
+
+
+def _inputs_of_response(diagram: Any, response: Any, timepts: Any) -> Inputs:
+    """Return the signals of a response that have the names of a diagram's inputs."""
+    times = np.asarray(response.time, dtype=float)
+    rows: dict[str, Any] = {}
+    for labels, values in (
+        (response.input_labels, response.u),
+        (response.output_labels, response.y),
+    ):
+        if values is not None and labels is not None:
+            rows |= zip(labels, _one_trace(values), strict=True)
+    missing = [label for label in diagram.input_labels if label not in rows]
+    if missing:
+        raise SimulationError(
+            f"inputs: the response has no signal '{missing[0]}', but {', '.join(rows)}. "
+            f"Give inputs by name, {{'{missing[0]}': response.outputs}}"
+        )
+    span = numbers("timepts", timepts).ravel()
+    margin = 1e-9 * max(1.0, abs(times[-1]))
+    if len(span) and (span[0] < times[0] - margin or span[-1] > times[-1] + margin):
+        raise SimulationError(
+            f"inputs: the response is from {times[0]:.9g} to {times[-1]:.9g}. "
+            "Give timepts within these times"
+        )
+    values = [rows[label] for label in diagram.input_labels]
+    return read_inputs(np.reshape(values, (-1, len(times))), times, len(values))
+
+
+def _one_trace(values: Any) -> np.ndarray:
+    """Return signals (n, nt) of a response with one trace."""
+    values = np.asarray(values, dtype=float)
+    if values.ndim < 3:
+        return values
+    if values.shape[1] != 1:
+        raise SimulationError(
+            f"inputs: the response has {values.shape[1]} traces. Give one, as response[:, 0]"
+        )
+    return values[:, 0]
