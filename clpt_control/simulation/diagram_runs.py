@@ -42,7 +42,7 @@ from ..engine.solver.schedule import Inputs
 from ..engine.solver.termination import Solution
 from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template
-from .run_notes import LABELS
+from .run_notes import DIAGRAM, LABELS, RunDiagram
 
 if TYPE_CHECKING:
     import xarray
@@ -150,6 +150,7 @@ class DiagramRun(SystemRun):
         varied: Sequence[str] = (),
     ):
         read_anew(diagram)
+        self.made_of = RunDiagram(diagram, params)
         self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
         self.scenario = self.loop and self.loop.scenario
         wiring = wiring_of(diagram, params, sizes)
@@ -193,6 +194,7 @@ class DiagramRun(SystemRun):
             sentence = unlike_controller(run, self.loop.scenario)
             run.attrs["message"] += sentence and f"; {sentence}"
         run.encoding[LABELS] = self.names
+        run.encoding[DIAGRAM] = self.made_of
         return run
 
     @cached_property

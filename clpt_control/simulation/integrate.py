@@ -12,10 +12,11 @@ import numpy as np
 
 from ..base.arguments import public
 from ..engine.solver.runner import checked_method
+from ..paper.scenario.run_constants import BEYOND, TEAM
 from .diagram_runs import DiagramRun
 from .requests import Times, request_of, times_from_zero
 from .run_cache import cached_run, diagram_key
-from .run_notes import DIAGRAM, RunDiagram, note_arguments
+from .run_notes import ARGUMENTS
 
 if TYPE_CHECKING:
     import xarray
@@ -154,14 +155,13 @@ def simulate(
 
         with cached_run(key, made) as run:
             data = run.dataset(*run.solve(request))
-            data.encoding[DIAGRAM] = RunDiagram(request.diagram, params)
             overrides = (inputs, initial_state, stop, *solver.values())
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    note_arguments(data, own, {**solver, "params": params or None})
+    _note_arguments(data, own, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
         from .flows import note_speeds, speeds_of
 
@@ -173,3 +173,16 @@ def simulate(
         if sentence := long_interval(data, scenario):
             data.attrs["message"] += f"; {sentence}"
     return data
+
+
+def _note_arguments(
+    run: "xarray.Dataset", repeating: Mapping[str, Any], others: Mapping[str, Any]
+) -> None:
+    """Note the arguments of `simulate` that the scenario and variables of a run do not have."""
+    given = dict(repeating)
+    names = run.attrs.keys()
+    if names.isdisjoint({"scenario", TEAM}) or not names.isdisjoint(BEYOND):
+        given |= {**others, "timepts": None}
+    given = {key: value for key, value in given.items() if value is not None}
+    if given:
+        run.encoding[ARGUMENTS] = given

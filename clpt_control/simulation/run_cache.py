@@ -18,11 +18,13 @@ from ..engine.model.block import Block
 from ..engine.model.sampled import Sampled
 from ..engine.model.system import System, given_units
 from ..engine.record.unread import Unread
-from ..engine.trace.fingerprint import reachable, reachable_again
+from ..engine.trace.fingerprint import Fingerprint, reachable
 
 MAX_RUNS = 16  # cached runs
 PLAIN = (int, bool, str, type(None))
 _CACHE: dict[Any, Any] = {}
+MOST_FINGERPRINTS = 64
+_LAST: dict[tuple[int, ...], tuple[tuple, Fingerprint]] = {}  # by identities
 
 Key = tuple[Any, Any]  # the key, and the objects whose identities are in the key
 
@@ -52,15 +54,31 @@ def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
     functions: list[Any] = []
     try:
         names = _identity(diagram, numbers, functions)
-        code = reachable_again(tuple(functions))
+        code = _fingerprint(tuple(functions))
         values, referenced = _plain_key(tuple(numbers)), ()
         if values is None:
             fingerprint = reachable(*numbers)
             values, referenced = fingerprint.key, fingerprint.referenced
     except Unread:
         return None
-    key = names, code.identity, values
+    # equal objects which can change are told apart
+    mutables = tuple([id(content.value) for content in code.mutables])
+    key = names, (code.key, mutables), values
     return key, (diagram, code.referenced, referenced)
+
+
+def _fingerprint(functions: tuple) -> Fingerprint:
+    """Return the fingerprint of functions: the last one, if nothing that they read has changed."""
+    identities = tuple(map(id, functions))
+    _, last = _LAST.get(identities, (None, None))
+    if last is not None and last.reads is not None and last.reads.unchanged():
+        return last
+    made = reachable(*functions)
+    if made.reads is not None:
+        if len(_LAST) >= MOST_FINGERPRINTS:
+            _LAST.clear()
+        _LAST[identities] = functions, made
+    return made
 
 
 def _plain_key(values: tuple) -> tuple | None:

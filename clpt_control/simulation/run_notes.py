@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.errors import DataError
-from ..paper.scenario.run_constants import BEYOND, TEAM
 
 if TYPE_CHECKING:
     import xarray
@@ -41,19 +40,6 @@ class RunDiagram:
 
     def __reduce__(self) -> Any:
         return RunDiagram, ()
-
-
-def note_arguments(
-    run: "xarray.Dataset", repeating: Mapping[str, Any], others: Mapping[str, Any]
-) -> None:
-    """Note the arguments of `simulate` that the scenario and variables of a run do not have."""
-    given = dict(repeating)
-    names = run.attrs.keys()
-    if names.isdisjoint({"scenario", TEAM}) or not names.isdisjoint(BEYOND):
-        given |= {**others, "timepts": None}
-    given = {key: value for key, value in given.items() if value is not None}
-    if given:
-        run.encoding[ARGUMENTS] = given
 
 
 def note_texts(run: "xarray.Dataset") -> dict[str, str]:

@@ -187,10 +187,9 @@ def _printers() -> str:
 # --- the solver -----------------------------------------------------------------------------
 
 
-def _entry(address: int) -> Callable[..., int]:
-    """Return a function of the solver; it takes the numbers of its arguments."""
-    function = CFUNCTYPE(c_int64, c_void_p)(address)
-    return lambda numbers: function(addressof(c_char.from_buffer(numbers.data)))
+ENTRY = CFUNCTYPE(
+    c_int64, c_void_p
+)  # takes the address of the numbers of its arguments
 
 
 def numbers_of(*arguments: Any) -> np.ndarray:
@@ -240,8 +239,7 @@ def compiled_solver() -> SimpleNamespace:
 
     engine = _load(f"solver-{code_name(text)}", announced)
     entries = {
-        name: engine.get_function_address(name) for name in ("advance", "evaluate")
+        name: ENTRY(engine.get_function_address(name))
+        for name in ("advance", "evaluate")
     }
-    return SimpleNamespace(
-        engine=engine, **{name: _entry(at) for name, at in entries.items()}
-    )
+    return SimpleNamespace(engine=engine, **entries)

@@ -158,7 +158,7 @@ class ReadBlock(control.NonlinearIOSystem):
 
     # --- records ------------------------------------------------------------------------
 
-    @property
+    @cached_property
     def states_are_outputs(self) -> bool:
         """True if the outputs are the states."""
         return self.output_function is None

@@ -128,6 +128,9 @@ class Batch:
         is_explicit = self.linear is NO_LINEAR
         linear = NO_LINEAR_NUMBERS if is_explicit else self.linear
         self._call = numbers_of(self.solver[:-1], linear, 0, 0)
+        # whether the arrays may be kept for another run
+        sizes = self._reals.size, self.out.size, self.segments.values.size
+        self.is_small = sum(sizes) < MOST_KEPT
         self._begin(schedules, longest, opening)
 
     def begin_again(
@@ -184,11 +187,6 @@ class Batch:
         # rates that read time, or have events, may slow down after any burst
         self.lane[FALLS] = -np.inf if timed or callee.events else 0.0
         self.lane[FIRST_STEP] = opening
-
-    @property
-    def is_small(self) -> bool:
-        """True if the arrays may be kept for another run."""
-        return self._reals.size + self.out.size + self.segments.values.size < MOST_KEPT
 
     @property
     def now(self) -> float:

@@ -4,6 +4,7 @@ The solver takes arrays by their addresses.  The arrays of a call are kept for t
 same shape: making them takes longer than a small evaluation.
 """
 
+from ctypes import addressof, c_char
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,7 +64,8 @@ class Callee(NamedTuple):
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers."""
-        return int(getattr(compiled_solver(), name)(numbers))
+        function = getattr(compiled_solver(), name)
+        return int(function(addressof(c_char.from_buffer(numbers.data))))
 
     def evaluate(
         self,

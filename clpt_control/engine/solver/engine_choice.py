@@ -22,13 +22,11 @@ from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
-from .evaluation_pass import rounding
-from .level_jumps import requesting
 from .native_diagram import NativeDiagram
 from .python_runs import PythonDiagram
 from .runner import Runner, RunOptions
 from .schedule import Inputs, Schedule, inputs_at
-from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
+from .solver_layout import Status
 from .termination import Solution
 
 ENGINES = ("native", "python")
@@ -243,41 +241,15 @@ def _agrees(
     them, are not compared.
     """
     sweep = runner.sweep
-    callee = runner.callee()
-    P = runner.parameters()
-    # 1. results of machine code
-    if signals is None:
-        signals = callee.evaluate(SIGNALS, times, x, segments, P, runner.nsignals)
-    machine = [signals]
-    if runner.nstates:
-        machine.append(
-            callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates)
-        )
-    if sweep.jumping:
-        all_jump = requesting(runner, segments, sweep.jumping)
-        machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
-    if sweep.guarded:
-        events = callee.events_at(times, x, segments, P)
-        machine.append(events[:, DECISION, callee.decided :])
-    # 2. results of the functions in Python
-    python: list[list[ndarray]] = [[] for _ in machine]
-    for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):
-        u = inputs_at(inputs, t)
-        sweep.enter(t + rounding(t, times[-1] - times[0]))
-        rates = sweep.derivative(t, state, u)
-        results = [sweep.signals.copy()]
-        if runner.nstates:
-            results.append(rates)
-        if sweep.jumping:
-            results.append(sweep.jump(t, state, u, sweep.jumping))
-        if sweep.guarded:
-            distances = sweep.distances(t, state, u)
-            results.append(np.array([*distances.values()]))
-        for rows, row in zip(python, results, strict=True):
-            rows.append(row)
-    # 3. rows in which all of them are equal
+    machine = runner.results(times, x, segments, signals)
+    states = x[:, : sweep.nstates]
+    run = times[-1] - times[0]
+    python = [
+        sweep.results(t, state, inputs_at(inputs, t), run)
+        for t, state in zip(times.tolist(), states, strict=True)
+    ]
     agrees = np.ones(len(times), dtype=bool)
-    for rows, compiled in zip(python, machine, strict=True):
+    for rows, compiled in zip(zip(*python, strict=True), machine, strict=True):
         compiled = compiled[:, : len(rows[0])]
         if (compiled == rows).all():  # most often
             continue

@@ -209,6 +209,22 @@ class Sweep:
             self._sample(k)
         return self._states.copy()
 
+    def results(self, t: float, x: ndarray, u: External, run: float) -> list[ndarray]:
+        """Return signals, then rates, states after all jumps and distances of guards, if any.
+
+        They are those right after t in a run of the length `run`.
+        """
+        self.enter(t + rounding(t, run))
+        rates = self.derivative(t, x, u)
+        results = [self.signals.copy()]
+        if self.nstates:
+            results.append(rates)
+        if self.jumping:
+            results.append(self.jump(t, x, u, self.jumping))
+        if self.guarded:
+            results.append(np.array([*self.distances(t, x, u).values()]))
+        return results
+
     def _call(
         self, role: str, k: int, t: float, x: ndarray, u: ndarray, out: Any
     ) -> None:

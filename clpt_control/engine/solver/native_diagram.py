@@ -1,208 +1,37 @@
-"""A diagram as machine code, which is compiled once a process for all diagrams of one structure."""
+"""A diagram as machine code: its runs, and what the solver calls."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from copy import copy
-from dataclasses import dataclass, field, replace
-from functools import cache
+from dataclasses import replace
 from typing import Any, Self
 
 import control
 import numpy as np
 
-from ...base.errors import DiagramError, Uncompiled
-from ..codegen.diagram_record import FORMS, DiagramRecord, Layout, lay_out
-from ..codegen.directional_derivatives import Directions, add_derivatives
-from ..codegen.llvm_text import print_program
-from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
-from ..codegen.plan import NO_TABLES, Program, program_of
-from ..codegen.series_loop import print_series
+from ...base.errors import SimulationError
+from ..codegen.diagram_record import lay_out
+from ..codegen.directional_derivatives import Directions
+from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, TAYLOR
-from ..record.operations import ELEMENTWISE
-from ..record.unread import Unread
+from .batch import ANY, Batch
 from .callee import MOST_KEPT, Callee, keep
-from .jacobian_pattern import Jacobian, jacobian, reach_of
+from .diagram_code import Form, code_of, copies_of
+from .filippov import continue_run, continued_ends
+from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
-from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
-from .native_runs import NativeRun
+from .kinks import MANY_DECISIONS, ManyKinks
+from .level_jumps import requesting
 from .runner import Runner, RunOptions
 from .schedule import Inputs, Schedule
 from .series_runs import series_solution
-from .sliding_rates import HeldSwitches, slide
-from .solver_layout import SIGNALS
-from .termination import Solution, without_states
+from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
+from .termination import STUCK, Solution, ended, sampled_start, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
-# components of a long program, and how much shorter one of loops is
-MANY, SHORTER = (1500, 3)
-# components of a program that LLVM does not optimise: its time grows as their square, and the
-# machine code is a third slower at most
-UNOPTIMISED = 2000
-Form = str | HeldSwitches | PassedKinks | Directions | None
 FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
-
-
-@dataclass(frozen=True)
-class Structure:
-    """All that machine code depends on, without parameters, and a diagram of that structure.
-
-    `key` holds records, shapes and sizes of the blocks; what feeds each; the order of evaluation,
-    the kind of time, which blocks pass inputs on at once and which sample; where parameters lie;
-    how many inputs the diagram has.
-    """
-
-    key: tuple
-    wiring: Wiring = field(compare=False)
-    layout: Layout = field(compare=False)
-
-
-class Code:
-    """The program of a structure, and its machine code once it was requested.
-
-    `sparsity` is the pattern of df/dx, for an implicit method; `decided_operations` the first
-    decision of each operation that decides.
-    """
-
-    def __init__(
-        self,
-        program: Program,
-        sparsity: Callable[[], Jacobian],
-        decided_operations: tuple[int, ...],
-    ):
-        self.program, self.sparsity = program, cache(sparsity)
-        self.decided_operations = decided_operations
-        self._machines: dict[tuple[str, int], Machine] = {}
-
-    @one_at_a_time
-    def addresses(self, names: Sequence[str], lanes: int) -> list[int]:
-        """Return where functions lie, compiled together when first asked for."""
-        new = (name for name in names if (name, lanes) not in self._machines)
-        missing = tuple(dict.fromkeys(new))
-        if missing:
-            program = self.program
-            text = repr((program._replace(tables=NO_TABLES), missing, lanes))
-            large = len(program.components) > UNOPTIMISED
-            machine = Machine(
-                missing,
-                text,
-                lambda: print_program(program, missing, lanes),
-                large,
-                0 if large else 3,
-            )
-            for name in missing:
-                self._machines[name, lanes] = machine
-        return [self._machines[name, lanes].addresses[name] for name in names]
-
-    @one_at_a_time
-    def series(self, lanes: int, order: int) -> Machine:
-        """Return the Taylor series of the rates, up to an order, as machine code."""
-        key = f"series {order}", lanes
-        if key not in self._machines:
-            program = self.program
-            text = repr((program._replace(tables=NO_TABLES), key))
-            self._machines[key] = Machine(
-                ["series"], text, lambda: print_series(program, lanes, order)
-            )
-        return self._machines[key]
-
-
-def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
-    """Return the code of a diagram, the same for diagrams of one structure.
-
-    `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``,
-    held on switches, or free where kinks are passed.  An `Uncompiled` error says what cannot be
-    compiled.
-    """
-    if form not in FORMS and not isinstance(
-        form, HeldSwitches | PassedKinks | Directions
-    ):
-        raise DiagramError(
-            f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out"
-        )
-    blocks: list[Any] = [node.system for node in wiring.nodes]
-    try:
-        records = tuple(tuple(block.records.items()) for block in blocks)
-    except Unread as error:
-        raise Uncompiled(str(error)) from None
-    shapes = tuple(
-        tuple(tuple(sizes.items()) for sizes in (*block.declared.values(), block.sizes))
-        for block in blocks
-    )
-    wires = tuple(
-        (node.states.start, node.outputs.start, node.wires) for node in wiring.nodes
-    )
-    key = (
-        records,
-        shapes,
-        wires,
-        wiring.order,
-        tuple((block.feedthrough, block.first_held) for block in blocks),
-        bool(wiring.dt),
-        layout.pattern,
-        wiring.ninputs,
-    )
-    return _code(Structure(key, wiring, layout), form)
-
-
-@once(64)
-def _code(structure: Structure, form: Form) -> Code:
-    """Return the code; that with short axes looped where it is far shorter, as of matrices."""
-    try:
-        code = _planned(structure, form)
-    except Uncompiled:
-        if form is not None:
-            raise
-        return _planned(structure, "looped")
-    size = len(code.program.components)
-    if (
-        form is not None
-        or size <= MANY
-        or SHORTER * _array_operations(structure) >= size
-    ):
-        return code
-    looped = _planned(structure, "looped")
-    looped_size = len(looped.program.components)
-    return looped if SHORTER * looped_size < size else code
-
-
-def _array_operations(structure: Structure) -> int:
-    """Return how many operations the records have, each of which is a loop's component at least."""
-    blocks: list[Any] = [node.system for node in structure.wiring.nodes]
-    records = [record for block in blocks for record in block.records.values()]
-    return sum(
-        line.kind in ELEMENTWISE for record in records for line in record.operations
-    )
-
-
-def _planned(structure: Structure, form: Form) -> Code:
-    wiring = structure.wiring
-    layout = structure.layout
-    plain_form: Any = form.form if isinstance(form, Directions) else form
-    if isinstance(plain_form, HeldSwitches):
-        record = DiagramRecord(wiring, layout, passed=None)
-        slide(record, plain_form)
-    elif isinstance(plain_form, PassedKinks):
-        record = DiagramRecord(wiring, layout, None, plain_form.operations)
-    else:
-        record = DiagramRecord(wiring, layout, plain_form)
-    if isinstance(form, Directions):
-        add_derivatives(record, form)
-    last = wiring.nodes[-1]
-    copies = copies_of(form)
-    signals = copies * last.outputs.stop
-    states = copies * last.states.stop
-    program = program_of(record, signals, layout.inputs(wiring.ninputs))
-    operations = tuple(record.decisions.operations)
-    return Code(program, lambda: jacobian(reach_of(record, states)), operations)
-
-
-def copies_of(form: Form) -> int:
-    """Return the number of vectors as long as the state: 1, or more with derivatives."""
-    return form.copies if isinstance(form, Directions) else 1
-
-
-# --- ready to run ----------------------------------------------------------------------------
 
 
 class NativeDiagram(Runner):
@@ -337,6 +166,35 @@ class NativeDiagram(Runner):
             SIGNALS, *points, self.parameters(), self.nsignals
         )
 
+    def results(
+        self,
+        times: np.ndarray,
+        x: np.ndarray,
+        segments: Schedule,
+        signals: np.ndarray | None = None,
+    ) -> list[np.ndarray]:
+        """Return what `Sweep.results` does, a row for each time; signals may be known."""
+        sweep, callee, P = self.sweep, self.callee(), self.parameters()
+        at = times, x, segments
+        if signals is None:
+            signals = callee.evaluate(SIGNALS, *at, P, self.nsignals)
+        results = [signals]
+        if self.nstates:
+            results.append(callee.evaluate(DERIVATIVE, *at, P, self.nstates))
+        if sweep.jumping:
+            all_jump = requesting(self, segments, sweep.jumping)
+            results.append(callee.evaluate(JUMP, times, x, all_jump, P, self.nstates))
+        if sweep.guarded:
+            events = callee.events_at(*at, P)
+            results.append(events[:, DECISION, callee.decided :])
+        return results
+
+    def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+        """Return the segments of time of a run."""
+        if solution.pieces is None or solution.engine != self.engine:
+            return self.schedule(solution.t, inputs)
+        return solution.pieces
+
     def method_of(self, method: str = "auto") -> Method:
         """Return the method of a run."""
         return DISCRETE if self.wiring.dt else METHODS[method]
@@ -395,6 +253,88 @@ class NativeDiagram(Runner):
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
+
+
+class NativeRun:
+    """One run of a `NativeDiagram`.
+
+    A leg of the run is a batch with one form of the diagram, which begins where another leg ended.
+    """
+
+    def __init__(
+        self,
+        diagram: Any,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: RunOptions,
+    ):
+        self.diagram, self.times = diagram, times
+        self.inputs, self.options = inputs, options
+        self.segments = diagram.schedule(times, inputs)
+        self.method = diagram.method_of(options.method)
+
+    def solution(self, start: np.ndarray) -> Solution:
+        """Integrate, and once more without located switches if the run is stuck on one."""
+        diagram, options = self.diagram, self.options
+        # 1. the first leg: all switches are located, but many kinks
+        callee = diagram.callee(1, self.method)
+        P = diagram.parameters()
+        begin = sampled_start(callee, start, float(self.times[0]), self.segments, P)
+        whole = diagram, P, begin, self.times, self.segments
+        batch = self.leg(*whole, diagram.over_kinks(options.rtol, options.atol))
+        if batch.status[0] == Status.CHATTERING and batch.continuations:
+            # it slides among kinks that were passed: once more, with all located
+            batch = self.leg(*whole)
+        # 2. legs on switches, and behind levels
+        if batch.status[0] in continued_ends(diagram):
+            continue_run(diagram, batch, self.leg)
+        # 3. a run that is stuck, without located switches
+        if callee.decided and batch.status[0] in STUCK:
+            with suppress(SimulationError):  # the error is that of the first run
+                free = diagram.unlocked()
+                solution = free.solve(start, self.times, self.inputs, options)
+                method = f"{solution.method}, switches not located"
+                return replace(solution, method=method)
+        # 4. the end, and the arrays for another run
+        solution = ended(diagram, batch, self.inputs)
+        solution.pieces = self.segments
+        if batch.is_small:
+            solution.t = solution.t.copy()
+            solution.x = solution.x.copy()
+            shape = _shape_of(batch.callee, P, self.times, self.segments)
+            keep(diagram.kept, shape, batch)
+        return solution
+
+    def leg(
+        self,
+        diagram: Any,
+        P: np.ndarray,
+        start: np.ndarray,
+        times: np.ndarray,
+        segments: Schedule,
+        over_kinks: Any = None,
+    ) -> Batch:
+        """Return a batch of one run of a form of the diagram, which went on until it stopped."""
+        options = self.options
+        callee = diagram.callee(1, self.method)
+        steps = options.max_step, options.first_step
+        batch = diagram.kept.pop(_shape_of(callee, P, times, segments), None)
+        if batch is None:
+            batch = Batch(callee, start[None], P[None], times, [segments], None, *steps)
+        else:
+            batch.begin_again(start, P, times, segments, *steps)
+        most = ANY if self.method.discrete else diagram.most
+        implicit = diagram.implicit if options.method == "auto" else None
+        tolerances = options.rtol, options.atol
+        batch.adaptive(*tolerances, options.progress, most, implicit, over_kinks)
+        return batch
+
+
+def _shape_of(
+    callee: Callee, P: np.ndarray, times: np.ndarray, segments: Schedule
+) -> tuple:
+    """Return all that arrays of a run depend on."""
+    return callee.method, P.shape, times.shape, segments.values.shape
 
 
 def compile(

@@ -192,12 +192,6 @@ class Runner(ABC):
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return signals
 
-    def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
-        """Return the segments of time of a run."""
-        if solution.pieces is None or solution.engine != self.engine:
-            return self.schedule(solution.t, inputs)
-        return solution.pieces
-
 
 # --- options of a run -------------------------------------------------------------------------
 

@@ -98,11 +98,6 @@ class Fingerprint:
     referenced: tuple[Any, ...]
     reads: Reads | None = None  # names of which equal values give this fingerprint
 
-    @property
-    def identity(self) -> tuple:
-        """Key that also tells apart equal objects which can change."""
-        return self.key, tuple([id(content.value) for content in self.mutables])
-
 
 def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
     """Return the fingerprint of functions or values.
@@ -116,24 +111,6 @@ def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
     immutable = walk.reads.complete and not walk.mutables and not walk.owners
     reads = walk.reads if immutable else None
     return Fingerprint(tuple(key), tuple(walk.mutables), tuple(walk.alive), reads)
-
-
-MOST_FINGERPRINTS = 64
-_LAST: dict[tuple[int, ...], tuple[tuple, Fingerprint]] = {}  # by identities
-
-
-def reachable_again(functions: tuple) -> Fingerprint:
-    """Return the fingerprint of functions: the last one, if nothing that they read has changed."""
-    identities = tuple(map(id, functions))
-    _, last = _LAST.get(identities, (None, None))
-    if last is not None and last.reads is not None and last.reads.unchanged():
-        return last
-    made = reachable(*functions)
-    if made.reads is not None:
-        if len(_LAST) >= MOST_FINGERPRINTS:
-            _LAST.clear()
-        _LAST[identities] = functions, made
-    return made
 
 
 @dataclass
