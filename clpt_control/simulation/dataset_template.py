@@ -135,12 +135,11 @@ def variable_of(
 
 def index_of(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
     """Return an index of values and its variable, without xarray's slower constructor."""
+    import xarray
     from pandas import Index
-    from xarray import Variable
-    from xarray.indexes import PandasIndex
 
-    index = PandasIndex(Index(values), name)
-    variable = Variable((name,), np.asarray(values), attributes, fastpath=True)
+    index = xarray.indexes.PandasIndex(Index(values), name)
+    variable = xarray.Variable((name,), np.asarray(values), attributes, fastpath=True)
     return index, index.create_variables({name: variable})[name]
 
 

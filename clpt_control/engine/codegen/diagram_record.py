@@ -14,6 +14,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from math import pi, prod
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,7 +33,7 @@ from .switching_conditions import LOCKED, Decisions, Port
 # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SHORT = 16
 NAMED = 2
-SIGNED = named(lambda row: row.signed_zero)
+SIGNED = named(attrgetter("signed_zero"))
 # inverses, of which angles are folded
 FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}
 WIRE = -1  # the owner of the operations of wires

@@ -14,6 +14,7 @@ Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (disco
 
 from collections.abc import Callable, Collection, Sequence
 from math import prod
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,7 +29,7 @@ from ..trace.derivative import Direction
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
 PLACES = ("search", "argmin")
-LOCKED = named(lambda row: row.decisions)
+LOCKED = named(attrgetter("decisions"))
 # functions without narrow peaks: sums and products of sines are as wide as their waves
 WIDE = {"add", "sub", "mul", "neg", "sin", "cos", "sqrt"}
 PEAKED = named(lambda row: row.smoothness == SMOOTH and row.slopes) - WIDE

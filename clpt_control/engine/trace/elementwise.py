@@ -7,6 +7,7 @@ import dis
 import sys
 from collections.abc import Iterable, Sequence
 from functools import lru_cache, reduce
+from operator import attrgetter
 from types import CodeType
 from typing import Any
 
@@ -29,10 +30,10 @@ from .arrays import (
 
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
-OF_WHOLE = named(lambda row: row.whole)
+OF_WHOLE = named(attrgetter("whole"))
 OF_TRUTHS = {name: row.on_truths for name, row in TABLE.items() if row.on_truths}
-RAISING = named(lambda row: row.raises)
-OF_OPERATORS = named(lambda row: row.operator)
+RAISING = named(attrgetter("raises"))
+OF_OPERATORS = named(attrgetter("operator"))
 
 
 def broadcast(*shapes: Shape) -> Shape:
