@@ -35,10 +35,10 @@ from ..engine.solver.engine_choice import (
     run_in_python,
     warn_python,
 )
+from ..engine.solver.inputs import Inputs
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.python_runs import PythonDiagram
 from ..engine.solver.runner import Runner, RunOptions
-from ..engine.solver.schedule import Inputs
 from ..engine.solver.termination import Solution
 from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template

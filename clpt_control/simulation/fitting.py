@@ -20,7 +20,7 @@ from ..base.arguments import brief, numbers, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
 from ..engine.model.ports import ports_of
-from ..engine.solver.schedule import checked_times
+from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
 from .sensitivities import RunWithDerivatives, SensitivityRun
 from .sensitivity_names import varied_numbers

@@ -19,14 +19,14 @@ from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.named_values import check_rows, columns_of, vector_by_name
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
-from ..engine.solver.runner import RunOptions, steps_between
-from ..engine.solver.schedule import (
+from ..engine.solver.inputs import (
     Inputs,
     checked_state,
     checked_times,
     read_inputs,
     stacked,
 )
+from ..engine.solver.runner import RunOptions, steps_between
 
 if TYPE_CHECKING:
     from ..paper.scenario.experiment import Scenario

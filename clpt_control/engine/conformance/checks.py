@@ -29,8 +29,8 @@ from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled
 from ..solver.engine_choice import difference_at
+from ..solver.inputs import read_inputs
 from ..solver.native_diagram import NativeDiagram
-from ..solver.schedule import read_inputs
 from ..solver.termination import Solution
 from .differences import EXACT, Tolerance, differ, differences
 

@@ -22,10 +22,11 @@ from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
+from .inputs import Inputs, inputs_at
 from .native_diagram import NativeDiagram
 from .python_runs import PythonDiagram
 from .runner import Runner, RunOptions
-from .schedule import Inputs, Schedule, inputs_at
+from .schedule import Schedule
 from .solver_layout import Status
 from .termination import Solution
 

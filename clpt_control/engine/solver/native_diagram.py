@@ -20,12 +20,13 @@ from .batch import ANY, Batch
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import Form, code_of, copies_of
 from .filippov import continue_run, continued_ends
+from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks
 from .level_jumps import requesting
 from .runner import Runner, RunOptions
-from .schedule import Inputs, Schedule
+from .schedule import Schedule
 from .series_runs import series_solution
 from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
 from .termination import STUCK, Solution, ended, sampled_start, without_states

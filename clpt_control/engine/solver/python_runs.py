@@ -23,8 +23,9 @@ from ..methods.table import METHODS
 from .batch import PARTS, PAUSE
 from .evaluation_pass import rounding
 from .event_checks import SHARES, may_hide
+from .inputs import Inputs, inputs_at
 from .runner import Runner, RunOptions
-from .schedule import BEGINS, JUMPS, Inputs, inputs_at
+from .schedule import BEGINS, JUMPS
 from .solver_layout import DISTANCE, ROUNDING, Status
 from .termination import (
     ADVICE,

@@ -24,15 +24,8 @@ from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods.table import METHODS
 from .evaluation_pass import Sweep
-from .schedule import (
-    Inputs,
-    Schedule,
-    checked_state,
-    checked_times,
-    inputs_at,
-    make_schedule,
-    read_inputs,
-)
+from .inputs import Inputs, checked_state, checked_times, inputs_at, read_inputs
+from .schedule import Schedule, make_schedule
 from .termination import ADVICE, Solution
 
 

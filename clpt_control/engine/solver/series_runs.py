@@ -19,7 +19,8 @@ from ..codegen.machine import LANES, address_of
 from ..codegen.plan import Program
 from .batch import PARTS
 from .callee import MOST_KEPT, aligned, keep
-from .schedule import Inputs, Schedule
+from .inputs import Inputs
+from .schedule import Schedule
 from .solver_layout import Results, Status
 from .termination import Solution
 

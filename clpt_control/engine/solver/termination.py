@@ -15,7 +15,8 @@ from ...base.errors import SimulationError
 from .batch import Batch
 from .callee import Callee
 from .evaluation_pass import Sweep, rounding
-from .schedule import Inputs, Schedule, inputs_at
+from .inputs import Inputs, inputs_at
+from .schedule import Schedule
 from .solver_layout import (
     EVENT_INDEX,
     HIGH,
