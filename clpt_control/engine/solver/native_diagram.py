@@ -287,7 +287,8 @@ class NativeRun:
             # it slides among kinks that were passed: once more, with all located
             batch = self.leg(*whole)
         # 2. legs on switches, and behind levels
-        if batch.status[0] in continued_ends(diagram):
+        status = int(batch.status[0])
+        if status != Status.FINISHED and status in continued_ends(diagram):
             continue_run(diagram, batch, self.leg)
         # 3. a run that is stuck, without located switches
         if callee.decided and batch.status[0] in STUCK:
