@@ -102,7 +102,7 @@ class Results:
         """Return arrays without the numbers of any chunk."""
         copies = {name: variable.copy() for name, variable in variables.items()}
         arrays = {name: variable.values for name, variable in copies.items()}
-        dims = {name: variable.dims for name, variable in copies.items()}
+        dims = {name: tuple(map(str, one.dims)) for name, one in copies.items()}
         results = cls(attributes, arrays, dims)
         results.variables = copies
         return results
