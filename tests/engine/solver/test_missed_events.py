@@ -553,3 +553,25 @@ def test_gains_scheduled_by_two_variables_run_as_machine_code():
     wanted = solve_ivp(rates, (0, 3), [0.5, 0.0], "DOP853", times, rtol=1e-10)
     assert run.attrs["engine"] == "native"
     assert np.abs(run.states.values.T - wanted.y).max() < 1e-6
+
+
+def test_a_burst_that_is_followed_by_rest_is_not_refused():
+    """The burst needs 1.2 million steps in 1 s; at that pace the rest would need 1e14."""
+
+    def rates(t, x, u, p):
+        on = 1.0 if t < 1.0 else 0.0
+        return [on * 7e5 * x[1], -on * 7e5 * x[0], on]
+
+    burst = control.nlsys(rates, None, inputs=0, outputs=3, states=3, name="burst")
+    for times in ([0.0, 1.0, 1e4], [0.0, 1.0, 1e8]):
+        a, b, q = clpt.simulate(burst, times, None, [1, 0, 0]).states.values[-1]
+        # the floor of a step is 1e-13 of the run
+        assert abs(q - 1.0) < 1e-9 + 1e-13 * times[-1]
+        assert abs(a * a + b * b - 1.0) < 0.02
+
+
+def test_a_run_that_needs_a_day_of_steps_is_refused():
+    """x'' = -1e30 x for a thousand seconds."""
+    oscillator = control.ss([[0, 1], [-1e30, 0]], [[0], [1]], np.eye(2), 0, name="one")
+    with pytest.raises(clpt.SimulationError, match="too many steps"):
+        clpt.simulate(oscillator, [0.0, 1e3], None, [1.0, 0.0], method="dop853")
