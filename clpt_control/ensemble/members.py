@@ -31,7 +31,7 @@ from ..engine.methods.table import TAYLOR
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import MEMBER_STEPS, Batch
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.filippov import continue_run, continued_ends
+from ..engine.solver.legs import go_on, may_go_on
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import run_members
@@ -228,11 +228,11 @@ class Ensemble:
             batch = self._solve(self.native.unlocked(), rows(stuck))
             replace_rows(result, stuck, batch)
         # 3. members that slide along switches, or jump at a level
-        unfinished = np.isin(result[1], continued_ends(self.native))
+        unfinished = np.isin(result[1], may_go_on(self.native))
         for m in np.flatnonzero(unfinished).tolist():
             run = members.P[m], members.x0[m], times, members.schedule(m)
             batch = self._solve_one(self.native, *run)
-            continue_run(self.native, batch, self._solve_one)
+            go_on(self.native, batch, self._solve_one)
             replace_rows(result, [m], batch)
         return States(*result)
 

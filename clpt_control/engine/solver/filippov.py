@@ -14,7 +14,6 @@ Source: Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to sim
 systems with accurate computing of sliding motions, ACM Trans. Math. Softw. 34(3).
 """
 
-from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, NamedTuple
 
@@ -34,14 +33,9 @@ from .active_switches import (
     sides_of,
 )
 from .batch import Batch
-from .evaluation_pass import rounding
-from .level_jumps import MOST_SOON, SHORT, jump_at_level, left_guard
-from .schedule import Schedule
 from .sliding_rates import NEGLIGIBLE, HeldSwitches
 from .solver_layout import DECISION, DISTANCE, EVENT_INDEX, SAMPLE_POINTS, STATE, Status
 from .termination import decision_name, stopped_at
-
-MOST_IN_VAIN = 50  # batches of a run in a row, each shorter than SHORT of the run
 
 
 class Sliding(NamedTuple):
@@ -51,140 +45,6 @@ class Sliding(NamedTuple):
     parameters: ndarray
     held: HeldSwitches
     state: ndarray  # with which it begins
-
-
-Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
-
-
-# --- runs that slide ------------------------------------------------------------------------------
-
-
-def continued_ends(diagram: Any) -> list[int]:
-    """Return the statuses of runs that may go on: on switches, or behind a level."""
-    at_level = [Status.GUARD_LEFT] if diagram.resetting else []
-    return [Status.CHATTERING, *at_level]
-
-
-def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
-    """Continue a batch of one run of a `NativeDiagram` that ended on a switch or at a level.
-
-    ``begin(diagram, parameters, state, times, segments)`` runs a batch up to its end.
-    """
-    times = batch.times
-    run = times[-1] - times[0]
-    current = batch
-    in_vain = 0
-    sliding: Sliding | None = None
-    while True:
-        last = current.continuations.get(0, current)
-        following = _following(diagram, batch, last, sliding, in_vain)
-        if following is None:
-            break
-        sliding, t, x = following
-        if batch.level_jumps[-1:] == [t]:  # a sample at a jump is after it
-            batch.out[0, (times >= t - rounding(t, run)) & (times <= t)] = x
-        if t + rounding(t, run) >= times[-1]:
-            batch.out[0, -1] = x
-            batch.status[0], batch.reached[0] = Status.FINISHED, len(times)
-            return
-        short = t - current.times[0] <= SHORT * (times[-1] - times[0])
-        in_vain = in_vain + 1 if short else 0
-        current = _next_batch(diagram, batch, begin, sliding, t, x)
-    if current is not batch:
-        batch.continuations[0] = last
-        batch.status[0] = last.status[0]
-        batch.reached[0] = np.searchsorted(times, last.now, "right")
-    at_level = last.status[0] == Status.GUARD_LEFT and _jumps(diagram, last)
-    too_small = last.status[0] == Status.STEP_TOO_SMALL and in_vain
-    if at_level or (too_small and batch.level_jumps):
-        batch.status[0] = Status.ACCUMULATING
-
-
-def _jumps(diagram: Any, batch: Batch) -> bool:
-    """Return whether states jump where a batch stopped."""
-    block = left_guard(diagram, batch)
-    return block is not None and diagram.wiring.nodes[block].system.jumps_at_level
-
-
-def _following(
-    diagram: Any, batch: Batch, last: Batch, sliding: Sliding | None, in_vain: int
-) -> tuple[Sliding | None, float, ndarray] | None:
-    """Return how a run goes on: on which switches, when and with which state; None at its end."""
-    status = last.status[0]
-    t = last.now
-    x = last.states[STATE, :, 0].copy()
-    if status == Status.CHATTERING and in_vain < MOST_IN_VAIN:
-        sliding, batch.refusal = enter(diagram, last, sliding)
-        if sliding is None:
-            return None
-        batch.slides.append(t)
-        return sliding, t, sliding.state
-    if status == Status.GUARD_LEFT:
-        block = left_guard(diagram, last)
-        if block is None:
-            t, x = stopped_at(last)
-            remaining = leave(diagram, last, sliding)
-            return remaining, t, x if remaining is None else remaining.state
-        if _jumps(diagram, last) and in_vain < MOST_SOON:
-            is_again = batch.level_jumps[-1:] == [last.times[0]]
-            is_first = t == batch.times[0]
-            jumped = jump_at_level(diagram, last, block, is_again, is_first)
-            if jumped is None:
-                return None
-            batch.level_jumps.append(jumped[0])
-            return None, *jumped
-    if sliding is None:
-        return None
-    if status == Status.FINISHED and last.now < batch.times[-1]:
-        return None, t, last.out[0, -1].copy()
-    if status == Status.NOT_FINITE:  # another decision has made both sides the same
-        return None, t, x
-    return None
-
-
-def _next_batch(
-    diagram: Any,
-    batch: Batch,
-    begin: Begin,
-    sliding: Sliding | None,
-    t: float,
-    x: ndarray,
-) -> Batch:
-    """Run the next batch, with or without sliding, and copy its samples into the first."""
-    times = batch.times
-    segments = batch.schedules[0].after(t)
-    ahead = times[times > t]
-    runner = diagram
-    parameters = batch.runs.parameters[0]
-    if sliding is not None:
-        runner = sliding.runner
-        parameters = sliding.parameters
-        segments = _until_a_jump(segments)
-        end = segments.edges[-2:-1]
-        ahead = np.union1d(ahead[ahead < end], end)
-    following = begin(runner, parameters, x, np.append(t, ahead), segments)
-    reached_times = ahead[: following.reached[0] - 1]
-    _, samples, indices = np.intersect1d(times, reached_times, return_indices=True)
-    batch.out[0, samples] = following.out[0, 1 + indices]
-    batch.counts += following.counts
-    return following
-
-
-def _until_a_jump(segments: Schedule) -> Schedule:
-    """Return segments up to the first at whose beginning rates jump.
-
-    Where inputs bend, the rates on a switch jump too: each segment begins anew.
-    """
-    jumps = np.flatnonzero(segments.smooth[1:-1] == 0)
-    count = 1 + int(jumps[0]) if len(jumps) else len(segments.edges) - 1
-    return segments._replace(
-        edges=np.append(segments.edges[:count], np.inf),
-        values=segments.values[: count + 1],
-        smooth=np.zeros_like(segments.smooth[: count + 1]),
-    )
-
-
-# --- entering and leaving switches ----------------------------------------------------------------
 
 
 def enter(

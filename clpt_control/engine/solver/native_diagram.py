@@ -19,11 +19,11 @@ from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, TAYLOR
 from .batch import ANY, Batch
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import Form, code_of, copies_of
-from .filippov import continue_run, continued_ends
 from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks
+from .legs import go_on, may_go_on
 from .level_jumps import requesting
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -288,8 +288,8 @@ class NativeRun:
             batch = self.leg(*whole)
         # 2. legs on switches, and behind levels
         status = int(batch.status[0])
-        if status != Status.FINISHED and status in continued_ends(diagram):
-            continue_run(diagram, batch, self.leg)
+        if status != Status.FINISHED and status in may_go_on(diagram):
+            go_on(diagram, batch, self.leg)
         # 3. a run that is stuck, without located switches
         if callee.decided and batch.status[0] in STUCK:
             with suppress(SimulationError):  # the error is that of the first run
