@@ -240,12 +240,13 @@ class LoopBatch(MemberBatch):
         ports = ports_of(
             [label for node in nodes for label in node.system.output_labels]
         )
-        blocks = self.ensemble.signals(self.members, run)
-        tracks = (track for block in blocks for track in zip(*block, strict=True))
-        for m, every in tracks:
-            if (reached := run.reached[m]) < 2:
+        groups = self.ensemble.signals(self.members, run)
+        tracks = (track for group in groups for track in zip(*group, strict=True))
+        for m, track in tracks:
+            reached = run.reached[m]
+            if reached < 2:
                 continue
-            times, signals = varied.state_times[:reached], every[:reached]
+            times, signals = varied.state_times[:reached], track[:reached]
             flow = signals[:, ports["flow_x"]]
             if is_limited:
                 commanded = signals[:, ports["v_c"]]

@@ -302,10 +302,10 @@ class Ensemble:
         for g in np.unique(members.group).tolist():
             schedule = members.schedules[g]
             width = len(schedule.values) * members.P.shape[1] + numbers
-            together = max(1, SIGNAL_NUMBERS // width)
+            count = max(1, SIGNAL_NUMBERS // width)
             of_group = np.flatnonzero(members.group == g)
-            for begin in range(0, len(of_group), together):
-                rows = of_group[begin : begin + together]
+            for begin in range(0, len(of_group), count):
+                rows = of_group[begin : begin + count]
                 signals = self.native.callee().evaluate_runs(
                     layout.SIGNALS,
                     times,

@@ -102,7 +102,7 @@ class Results:
         """Return arrays without the numbers of any chunk."""
         copies = {name: variable.copy() for name, variable in variables.items()}
         arrays = {name: variable.values for name, variable in copies.items()}
-        dims = {name: tuple(map(str, one.dims)) for name, one in copies.items()}
+        dims = {name: tuple(map(str, copy.dims)) for name, copy in copies.items()}
         results = cls(attributes, arrays, dims)
         results.variables = copies
         return results
@@ -161,28 +161,28 @@ def labelled(
     from xarray.indexes import PandasMultiIndex
 
     keys = arguments["keys"]
-    parts = {name: variables[name] for name in sorted(variables)}
+    by_name = {name: variables[name] for name in sorted(variables)}
     if KERNEL in keys:
-        parts[KERNEL] = parts[KERNEL].astype(object)
+        by_name[KERNEL] = by_name[KERNEL].astype(object)
     # 1. an index of each dimension
     indexes: dict[Any, Any] = {}
-    axes = [name for name, part in parts.items() if part.dims == (name,)]
-    if arguments["design"] == "grid" and all(parts[key].ndim == 1 for key in keys):
+    axes = [name for name, variable in by_name.items() if variable.dims == (name,)]
+    if arguments["design"] == "grid" and all(by_name[key].ndim == 1 for key in keys):
         axes.remove("member")
-        levels = {key: parts[key] for key in keys}
+        levels = {key: by_name[key] for key in keys}
         index = PandasMultiIndex.from_variables(levels, options={})
-        parts |= index.create_variables(levels)
+        by_name |= index.create_variables(levels)
         indexes |= dict.fromkeys(["member", *keys], index)
     for name in axes:
-        axis = parts[name]
-        indexes[name], parts[name] = index_of(name, axis.values, axis.attrs)
+        axis = by_name[name]
+        indexes[name], by_name[name] = index_of(name, axis.values, axis.attrs)
     # 2. the Dataset
     sizes = {
         dim: size
-        for part in parts.values()
-        for dim, size in zip(part.dims, part.shape, strict=True)
+        for variable in by_name.values()
+        for dim, size in zip(variable.dims, variable.shape, strict=True)
     }
     coordinates = {*indexes, *keys}
     return Dataset._construct_direct(
-        parts, coordinates, sizes, dict(attributes), indexes, {}
+        by_name, coordinates, sizes, dict(attributes), indexes, {}
     )

@@ -312,8 +312,8 @@ def _run_here(
         for values in cut(store.values(index), size)
     )
     summaries: list[Values] = []  # of the oldest chunk that is running
-    done = _in_order(ensemble.summaries, batches, threads if members > size else 1)
-    for index, batch in done:
+    count = threads if members > size else 1
+    for index, batch in _in_order(ensemble.summaries, batches, count):
         summaries.append(batch)
         completed = sum(len(summary["status"]) for summary in summaries)
         written = 0

@@ -122,8 +122,8 @@ class Store(Results):
             decode_times=False,
             decode_timedelta=False,
         )
-        named: Any = renamed(stored.drop_vars(DONE), SLASH, "/").variables
-        data = labelled(named, self.arguments, stored.attrs)
+        variables: Any = renamed(stored.drop_vars(DONE), SLASH, "/").variables
+        data = labelled(variables, self.arguments, stored.attrs)
         data.encoding["folder"] = str(self.path.absolute().parent)
         return data
 
@@ -192,8 +192,8 @@ def create_store(
             )
             if stored.dims == (name,) or (name in arguments["keys"] and stored.size):
                 array[:] = stored.values
-        made = Store(zarr.open_group(folder), folder)
-        group.attrs[DIGESTS] = json.dumps(made.digests())
+        empty_store = Store(zarr.open_group(folder), folder)
+        group.attrs[DIGESTS] = json.dumps(empty_store.digests())
     return Store(zarr.open_group(path, mode="r+"), path)
 
 
