@@ -31,7 +31,7 @@ from ..engine.methods.table import TAYLOR
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import MEMBER_STEPS, Batch
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.legs import go_on, may_go_on
+from ..engine.solver.legs import Legs, may_go_on
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import run_members
@@ -232,7 +232,7 @@ class Ensemble:
         for m in np.flatnonzero(unfinished).tolist():
             run = members.P[m], members.x0[m], times, members.schedule(m)
             batch = self._solve_one(self.native, *run)
-            go_on(self.native, batch, self._solve_one)
+            Legs(self.native, batch, self._solve_one).go_on()
             replace_rows(result, [m], batch)
         return States(*result)
 

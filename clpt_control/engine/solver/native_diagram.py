@@ -23,7 +23,7 @@ from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks
-from .legs import go_on, may_go_on
+from .legs import Legs, may_go_on
 from .level_jumps import requesting
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -289,7 +289,7 @@ class NativeRun:
         # 2. legs on switches, and behind levels
         status = int(batch.status[0])
         if status != Status.FINISHED and status in may_go_on(diagram):
-            go_on(diagram, batch, self.leg)
+            Legs(diagram, batch, self.leg).go_on()
         # 3. a run that is stuck, without located switches
         if callee.decided and batch.status[0] in STUCK:
             with suppress(SimulationError):  # the error is that of the first run
