@@ -87,7 +87,7 @@ class Results:
         self,
         attributes: Mapping[str, Any],
         arrays: Mapping[str, Any],
-        dims: Mapping[str, tuple[Any, ...]],
+        dims: Mapping[str, tuple[str, ...]],
     ):
         self.attributes, self.arrays, self.dims = attributes, arrays, dims
         self.arguments: dict[str, Any] = json.loads(attributes[ARGUMENTS])

@@ -223,6 +223,8 @@ class Batch:
             if over_kinks is not None:
                 budget = min(budget, over_kinks.tries_left(self))
             active = self.advance(rtol, atol, budget, most)
+            if progress is not None:
+                progress(self.now)
             if not active:
                 break
             # end stiff runs
@@ -235,15 +237,11 @@ class Batch:
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
-            if progress is not None:
-                progress(self.now)
             if over_kinks is not None:
                 following = over_kinks.following(self)
                 if following is not None:
                     self._leave_to(following, 0)
                     break
-        if progress is not None:
-            progress(self.now)
         for m, batch in self.continuations.items():
             share = batch.tolerance_share
             next_method = None if batch.callee.method.implicit else implicit

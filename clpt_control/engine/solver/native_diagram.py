@@ -283,11 +283,12 @@ class NativeRun:
         begin = sampled_start(callee, start, float(self.times[0]), self.segments, P)
         whole = diagram, P, begin, self.times, self.segments
         batch = self.leg(*whole, diagram.over_kinks(options.rtol, options.atol))
-        if batch.status[0] == Status.CHATTERING and batch.continuations:
+        status = int(batch.status[0])
+        if status == Status.CHATTERING and batch.continuations:
             # it slides among kinks that were passed: once more, with all located
             batch = self.leg(*whole)
+            status = int(batch.status[0])
         # 2. legs on switches, and behind levels
-        status = int(batch.status[0])
         if status != Status.FINISHED and status in may_go_on(diagram):
             Legs(diagram, batch, self.leg).go_on()
         # 3. a run that is stuck, without located switches
