@@ -46,6 +46,8 @@ MOST_SEGMENTS = (
 )
 MOST_EVALUATIONS = 200  # of DOP853 in such a segment; LSODA integrates longer ones
 LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
+FIRST_LOOK = 20_000  # steps before the pace of a run is measured
+OUT_OF_REACH = 1e9  # steps, a day of computing
 SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
 MARGIN_ROUNDING = 1e-12
 _lsoda = threading.RLock()  # not every SciPy runs two of them at once
@@ -126,6 +128,7 @@ class PythonRun:
         self.remembers = bool(diagram.hidden_state)
         self.short = method is LSODA and len(self.schedule.edges) > MOST_SEGMENTS
         self.most = diagram.most
+        self.next_look, self.look_time = FIRST_LOOK, times[0]
         self.watched = time.perf_counter()
         self.states = np.full((len(times), diagram.nstates), np.nan)
         self.written = 0  # samples
@@ -199,7 +202,7 @@ class PythonRun:
             self.steps += 1
             if solver.status == "failed":
                 raise NotIntegrated(solver.t, solver.y.copy(), Status.STEP_TOO_SMALL)
-            if self.steps >= self.most:
+            if self.steps >= self.next_look and self._is_out_of_reach(solver.t, end):
                 raise self.error(solver.t, solver.y, Status.TOO_MANY_STEPS)
             if self.sweep.guarded:
                 self._stop_at_guard(before, solver)
@@ -215,6 +218,13 @@ class PythonRun:
                 self.short = False
                 solver = self._solver(LSODA, solver.t, solver.y, end)
         return solver.y.copy()
+
+    def _is_out_of_reach(self, t: float, end: float) -> bool:
+        """Return whether the end of a segment needs a day of steps; measured as steps double."""
+        advance = t - self.look_time
+        self.look_time, self.next_look = t, min(2 * self.steps, self.most)
+        needed = 0.5 * self.steps * (end - t)
+        return self.steps >= self.most or needed > OUT_OF_REACH * advance
 
     def _solver(self, method: Any, t: float, x: ndarray, end: float) -> Any:
         """Return a solver of SciPy from one time to another."""
