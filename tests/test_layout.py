@@ -258,7 +258,7 @@ TOKENS = {
     "engine.solver": 41184,
     "engine.trace": 41253,
     "ensemble": 22020,
-    "ocean.estimation": 22294,
+    "ocean.estimation": 22297,
     "ocean.forecast": 23412,
     "ocean.gliders": 26144,
     "paper.blocks": 4388,
@@ -269,12 +269,12 @@ TOKENS = {
     "plots": 14,
     "plots.drawing": 6383,
     "simulation": 43123,
-    "theory.algebra": 19132,
+    "theory.algebra": 19215,
     "theory.coq": 2725,
     "theory.design": 5656,
     "theory.excitation": 11948,
     "theory.laws": 18135,
-    "theory.proofs": 41634,
+    "theory.proofs": 41533,
     "theory.theorems": 8515,
 }
 LAID_OUT = {

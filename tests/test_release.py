@@ -159,7 +159,6 @@ def test_the_core_is_at_most_ten_packages():
 COMMANDS = {
     "replay --sample": "pyproj",
     "ensemble mine.toml --vary learning.gain=0.2:2.0 --members 3 --out e.zarr": "zarr",
-    "tune mine.toml": "zarr",
     "fit current.nc --out fit.toml": "netCDF4",
 }
 TOLD = f"""

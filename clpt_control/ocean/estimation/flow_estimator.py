@@ -337,7 +337,7 @@ class FlowEstimator:
         Ahead
             Time and place, and the radius of its region.
         """
-        if not stretches:
+        if not len(stretches):
             return self._ahead()
         now, _ = self.guesses, self.under_way
         ahead = {id(leg): copy.deepcopy(leg) for leg in self._open()}

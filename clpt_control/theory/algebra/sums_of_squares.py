@@ -389,6 +389,16 @@ def split_dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
     return high, shifted.xreplace({excess: e})
 
 
+def written_forms(e: Expr, fixed: set) -> list[Expr]:
+    """Return an expression as it is, factored, and as minus a sum of squares if it is one."""
+    total = squares(-e, fixed)
+    forms = [e, factored(e)]
+    if total and not total.constant.free_symbols - fixed:
+        terms = (-sympy.factor_terms(term) for term in total.terms)
+        forms.append(sympy.Add(*terms) - total.constant)
+    return forms
+
+
 def zero_of(total: Squares, states: list) -> dict[Any, Expr] | None:
     """Return the one point at which all forms are zero; None if there is none, or are more.
 

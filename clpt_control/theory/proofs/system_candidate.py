@@ -44,7 +44,7 @@ from ..algebra.exact import (
 from ..algebra.facts import CLIP, SIGN, functions_in, has_time, is_continuous, sector_of
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
-from ..algebra.sums_of_squares import lost_forms, lost_in_groups, squares
+from ..algebra.sums_of_squares import lost_forms, lost_in_groups, written_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
 from .certificates import Ways, of_system
@@ -307,16 +307,9 @@ class SystemCandidate(LyapunovCandidate):
     def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         if rate not in self.readable:
-            self.readable[rate] = self._readable(decided(normal_form(rate)))
+            forms = written_forms(decided(normal_form(rate)), self.fixed)
+            self.readable[rate] = min(map(self.in_signals, forms), key=sympy.count_ops)
         return self.readable[rate]
-
-    def _readable(self, rate: sympy.Expr) -> sympy.Expr:
-        total = squares(-rate, self.fixed)
-        forms = [rate, factored(rate)]
-        if total and not total.constant.free_symbols - self.fixed:
-            terms = (-sympy.factor_terms(term) for term in total.terms)
-            forms.append(sympy.Add(*terms) - total.constant)
-        return min(map(self.in_signals, forms), key=sympy.count_ops)
 
     # --- points at which it fails --------------------------------------------------------------
 
@@ -400,9 +393,8 @@ class SystemCandidate(LyapunovCandidate):
         steps, bound = list[Step](), self.rate
         claim = f"V' = {short(self.readable_rate(self.rate))}"
         if self.claim is not None:
-            excess = self.excess(self.claim)
-            holds = self.never_positive(excess)
             bound, claim = self.claim, f"V' <= {self.text(self.claim)}"
+            holds = self.never_positive(excess := self.excess(bound))
             detail = "" if holds else f"left over: {short(excess)}"
             steps.append(exact(claim, holds, detail, "claimed"))
             if not holds:
@@ -429,8 +421,7 @@ class SystemCandidate(LyapunovCandidate):
         if lower != form:
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
         bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
-        variables = (*self.states, *self.inputs)
-        loss = -whole_coefficients(normal_form(bound), variables)
+        loss = -whole_coefficients(normal_form(bound), (*self.states, *self.inputs))
         shares = sympy.Tuple(*self.inside.values()).free_symbols
         zero, inside = dict.fromkeys(shares, sympy.S.Zero), loss.xreplace(self.inside)
         at_ends = decided(inside.xreplace(zero))
@@ -440,8 +431,8 @@ class SystemCandidate(LyapunovCandidate):
         if not losses and not self.kept:
             rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
             losses = lost_in_groups(loss, rest, self.fixed, bounded)
-        shows = f"falls{' loses' * bool(losses)}"
         claim += " <= 0" * (not claim.endswith("= 0"))
+        shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
         return Fall(
             steps,
@@ -455,12 +446,11 @@ class SystemCandidate(LyapunovCandidate):
 
     def _rising(self, loss: sympy.Expr) -> list[sympy.Expr]:
         """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
-        calls = sorted(functions_in(loss), key=str)
-        sectors = [(call, sector) for call in calls if (sector := sector_of(call))]
         return [
             sector.factor
-            for call, sector in sectors
-            if sector.rises
+            for call in sorted(functions_in(loss), key=str)
+            if (sector := sector_of(call))
+            and sector.rises
             and sector.low >= 0
             and self.never_positive(sector.factor * call / 2 - loss)
         ]

@@ -322,9 +322,10 @@ def test_several_vhw_between_two_rmc_are_their_mean(nmea, clock):
     if clock:
         log += [rmc(13, 0, "V"), *[vhw(0, 0.5)] * 30, *[vhw(90, 0.5)] * 30]
     hours = 2 if clock else 1
-    answers, _ = nmea([*log, rmc(12 + hours, 0)])
-    way = 463.0 * hours  # to the north, and to the east; the fix is where it was
-    assert answers[1]["error_m"] == pytest.approx(way * 2**0.5, rel=1e-3)
+    # 1.5 m to the east: a position that is repeated to its last digit is no fix
+    answers, _ = nmea([*log, rmc(12 + hours, 0.001)])
+    way = 463.0 * hours  # to the north, and to the east
+    assert answers[1]["error_m"] == pytest.approx(np.hypot(way, way - 1.5), rel=1e-3)
 
 
 def test_the_example_goes_on_after_a_restart(nmea):
