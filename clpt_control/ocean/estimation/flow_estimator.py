@@ -612,15 +612,18 @@ class FlowEstimator:
         return rotated(flow, sign * (angle + growth * leg.east / 2))
 
     def _is_repeated(self, place: np.ndarray) -> bool:
-        """Return True for the place of a fix before, if the vehicle moved since.
+        """Return True for the place of the last fix, if the vehicle moved since.
 
         The vehicle of a run may stay at a place.
         """
-        least = STALE / self.settings.metres if self.settings.bent else np.inf
-        return any(
-            leg.place == place.tolist() and hypot(*leg.moved) > least
-            for leg in self._open()
-        )
+        legs = self._open()
+        if not legs or not self.settings.bent:
+            return False
+        leg = max(
+            legs, key=lambda leg: leg.start
+        )  # others began at fixes before the last
+        moved = hypot(*leg.moved) * self.settings.metres
+        return leg.place == place.tolist() and moved > STALE
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""

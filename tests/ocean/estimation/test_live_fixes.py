@@ -328,6 +328,27 @@ def test_several_vhw_between_two_rmc_are_their_mean(nmea, clock):
     assert answers[1]["error_m"] == pytest.approx(np.hypot(way, way - 1.5), rel=1e-3)
 
 
+def test_a_vehicle_that_shuttles_between_two_piers_is_learned():
+    """A position of the fix before the last one is a new fix: 0.2 m/s to the east, exactly."""
+    basis = {
+        "kernel": "gaussian",
+        "centers": [[0, 0]],
+        "widths": [1e8],
+        "constituents": ["steady"],
+    }
+    scenario = clpt.Scenario(basis=basis, learning={"law": "fix-regression"})
+    estimator = clpt.currents.FlowEstimator(scenario)
+    piers = (60.5, 5.25), (60.5, 5.315)
+    east, _ = displacement(*piers[0], *piers[1])
+    estimator.fix(0.0, *piers[0])
+    for k in range(1, 6):
+        estimator.move(3600.0 * k, (east if k % 2 else -east) - 720.0, 0.0)
+        learned = estimator.fix(3600.0 * k, *piers[k % 2])
+        assert learned.note == ""
+    assert estimator.legs == 5
+    assert learned.flow == pytest.approx((0.2, 0.0), abs=2e-3)
+
+
 def test_the_example_goes_on_after_a_restart(nmea):
     """With all sentences again: the same numbers. With lost sentences: a leg begins."""
     log = []
