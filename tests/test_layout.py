@@ -258,7 +258,7 @@ TOKENS = {
     "engine.solver": 41184,
     "engine.trace": 41253,
     "ensemble": 22020,
-    "ocean.estimation": 22297,
+    "ocean.estimation": 22311,
     "ocean.forecast": 23412,
     "ocean.gliders": 26144,
     "paper.blocks": 4388,
