@@ -171,7 +171,9 @@ def _size(sizes: dict[str, float], unit: str, where: str) -> float:
     for pattern, size in sizes.items():
         if re.fullmatch(pattern, unit.replace(" ", "")):
             return size
-    raise DataError(f"{where} is in {unit!r}. Give {GIVE} in degrees and m/s")
+    raise DataError(
+        f"{where} is in {unit!r}. Give {GIVE} in s since 1970 or ISO 8601, degrees and m/s"
+    )
 
 
 TIMES = partial(
