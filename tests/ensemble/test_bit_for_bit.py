@@ -409,6 +409,7 @@ def runaway():
     return system(rates, **ports)
 
 
+@pytest.mark.long
 def test_runaway_members_end_at_the_same_time_in_any_company():
     """Each ends by its own tries: threads, chunks and members beside it do not matter."""
     given = {"timepts": np.linspace(0.0, 20.0, 5), "initial_state": [1.0, 0.0, 1.0]}

@@ -111,7 +111,7 @@ def test_in_discrete_time_V_changes():
     assert r"V(x^+) - V(x) = - \frac{3\,x^{2}}{4}$" in text
 
 
-@pytest.mark.thirds
+@pytest.mark.long
 @pytest.mark.parametrize("name", clpt.laws())
 def test_the_verdict_on_a_law_is_well_formed(name):
     scenario = paper_of(2, name)

@@ -157,6 +157,7 @@ KNOWN = {"model.parameters": [[0.1], [-0.1]]}  # the model is true, so F is not 
 NO_BOUND = pytest.mark.xfail(strict=True, reason="exp(-|x|) is not known to be bounded")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("values", [KNOWN, pytest.param({}, marks=NO_BOUND)])
 def test_the_papers_law_is_proved(values):
     """V' = -e^T KD e of Eq. (24), whatever KD is."""
