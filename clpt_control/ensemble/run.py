@@ -244,10 +244,11 @@ def run_ensemble(
     data = store.dataset()
     data.encoding = {**varied.encoding, **data.encoding}
     # 5. warn of failed members
-    failed = np.flatnonzero(~np.isin(data["status"].values, COMPLETED))
+    statuses = data["status"].values
+    failed = np.flatnonzero(~np.isin(statuses, COMPLETED))
     if len(failed) and isinstance(varied, VariedDiagram):
         m = int(failed[0])
-        reason = _failure(ensemble, values, m, int(data["status"][m]))
+        reason = _failure(ensemble, values, m, int(statuses[m]))
         warn(
             f"{len(failed)} of {members} members did not finish; "
             f"the first is member {m}: {reason}"

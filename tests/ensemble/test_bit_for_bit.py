@@ -437,6 +437,10 @@ lag = control.nlsys(
     lambda t, x, u, p: -p["rate"] * x, inputs=0, outputs=1, states=1, params={"rate": 1.0}
 )
 clpt.run_ensemble(lag, {"rate": [1.0, 2.0]}, timepts=[0.0, 1.0], initial_state=1.0)
+burst = control.nlsys(
+    lambda t, x, u, p: p["rate"] * x**2, inputs=0, outputs=1, states=1, params={"rate": 1.0}
+)
+clpt.run_ensemble(burst, {"rate": [0.1, 2.0]}, timepts=[0.0, 1.0], initial_state=1.0)
 scenario = clpt.paper_scenario().with_values({"run.duration": 4.0})
 clpt.run_ensemble(scenario, "learning.gain=0.5:1", 2, trajectories=True)
 print([name for name in ("zarr", "dask", "distributed") if name in sys.modules])
