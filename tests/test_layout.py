@@ -251,7 +251,7 @@ TOKENS = {
     "data": 4105,
     "engine.codegen": 35939,
     "engine.conformance": 4341,
-    "engine.diagram": 18340,
+    "engine.diagram": 18341,
     "engine.methods": 3971,
     "engine.model": 12935,
     "engine.record": 8869,

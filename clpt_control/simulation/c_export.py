@@ -283,8 +283,8 @@ class CFile:
             if all(abs(n - round(n)) < 1e-9 * n for n in turns.values()):
                 rate = parts / shortest
                 rate = round(rate) if abs(rate - round(rate)) < 1e-9 * rate else rate
-                whole = {j: c_number(float(round(n))) for j, n in turns.items()}
-                return c_number(float(rate)), whole
+                turns_of = {j: c_number(float(round(n))) for j, n in turns.items()}
+                return c_number(float(rate)), turns_of
         return "", {}
 
     def _period_of(self, k: int) -> str:

@@ -127,16 +127,16 @@ def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
     if name in ports:
         signals = signals_of(run[name])
         return {_title(run, signal): values for signal, values in signals.items()}
-    each: dict[str, np.ndarray] = {}
+    by_name: dict[str, np.ndarray] = {}
     for port in ports:
-        each |= signals_of(run[port])
+        by_name |= signals_of(run[port])
     if STATES in run.variables:
         labels = run[STATES]["state"].values.tolist()
-        each = dict(zip(labels, run[STATES].values.T, strict=True)) | each
-    for known in (name, name.replace(".", "_")):
-        if known in each:
-            return {_title(run, known): each[known]}
-    close = nearest(name, [*COMPARED, *ports, *each])
+        by_name = dict(zip(labels, run[STATES].values.T, strict=True)) | by_name
+    for spelling in (name, name.replace(".", "_")):
+        if spelling in by_name:
+            return {_title(run, spelling): by_name[spelling]}
+    close = nearest(name, [*COMPARED, *ports, *by_name])
     raise ArgumentError(
         f"plot '{name}': the run has no such signal or state. "
         + (f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}")

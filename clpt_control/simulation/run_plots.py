@@ -181,15 +181,15 @@ def _number_ends(ax: Any, ends: np.ndarray) -> None:
     order = np.argsort(ends)
     heights = (ends[order] - low) / (high - low)
     steps = min(END_GAP, 1 / len(ends)) * np.arange(len(ends))
-    places = isotonic_regression(heights - steps).x + steps
-    for k, (number, height, place) in enumerate(
-        zip(order, heights, places, strict=True)
+    positions = isotonic_regression(heights - steps).x + steps
+    for k, (number, height, position) in enumerate(
+        zip(order, heights, positions, strict=True)
     ):
         color = line_style(number)["color"]
         ax.annotate(
             str(number + 1),
             (1, height),
-            (1.02 + 0.03 * (k % 2), place),
+            (1.02 + 0.03 * (k % 2), position),
             "axes fraction",
             "axes fraction",
             {"arrowstyle": "-", "linewidth": 0.3, "color": color, "shrinkA": 0},

@@ -15,8 +15,8 @@ FLAGS = ("-std=c99", "-shared", "-fPIC", "-Werror=implicit-function-declaration"
 
 def compiler() -> str:
     """Return the path of the C compiler, "" without one."""
-    found = shutil.which(os.environ.get("CC", "cc"))
-    return found if found and platform.system() in ENDINGS else ""
+    program = shutil.which(os.environ.get("CC", "cc"))
+    return program if program and platform.system() in ENDINGS else ""
 
 
 def compiled(text: str, *flags: str) -> bytes:

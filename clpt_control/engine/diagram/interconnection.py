@@ -415,9 +415,12 @@ class _Tracers(_ByLabel, Ports):
 def _named(values: Any, labels: Sequence[str]) -> Any:
     """Return a vector with the ports of its labels."""
     ports: Slices = {
-        name: (slice(at[0], at[-1] + 1), (len(at),) if len(at) > 1 else ())
-        for name, at in ports_of(labels).items()
-        if at[-1] - at[0] < len(at)  # without another port between
+        name: (
+            slice(indices[0], indices[-1] + 1),
+            (len(indices),) if len(indices) > 1 else (),
+        )
+        for name, indices in ports_of(labels).items()
+        if indices[-1] - indices[0] < len(indices)  # without another port between
     }
     if isinstance(values, Array):
         return _Tracers.of(values, ports)

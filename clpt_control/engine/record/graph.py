@@ -202,9 +202,9 @@ def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     return np.where(inside, picked_numbers, np.nan)
 
 
-def searched(row: np.ndarray, values: Any, side: Any) -> np.ndarray:
+def searched(row: np.ndarray, values: Any, from_side: Any) -> np.ndarray:
     """Return how many numbers of a sorted row, of shape (n, 1), are below values, or equal."""
-    positions = np.searchsorted(row[:, 0], values, side)
+    positions = np.searchsorted(row[:, 0], values, from_side)
     return np.where(np.isnan(values), 0, positions)
 
 

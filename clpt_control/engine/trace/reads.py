@@ -43,8 +43,8 @@ class Reads:
         """Return whether each name has the value that was read, the same object."""
         if not self.complete:
             return False
-        for function, parts in self.functions:
-            if any(map(is_not, _parts_of(function), parts)) or vars(function):
+        for function, pieces_read in self.functions:
+            if any(map(is_not, _parts_of(function), pieces_read)) or vars(function):
                 return False
         for space, name, value in self.names:
             if space.get(name, UNBOUND) is not value:

@@ -200,7 +200,8 @@ class Ports(Array):
         new = cls.__new__(cls)
         Array.__init__(new, array._tape, array._node, array.shape)
         new._ports = {
-            port: array[part].reshape(shape) for port, (part, shape) in ports.items()
+            port: array[portion].reshape(shape)
+            for port, (portion, shape) in ports.items()
         }
         new._fixed = True
         return new
