@@ -4,12 +4,14 @@
 
 With eight lanes, every array but T has eight columns, one for each run, and a loop does one
 iteration at a time.  With one lane, a loop does eight iterations at once, the last ones with a
-mask; its sums have eight partial sums, which are added in the same order on every processor.  If an
-iteration is a long chain, such as exp, two are printed at once.
+mask.  Its sums have eight partial sums, which are added in the same order on every processor, and
+with eight lanes: a run has the same numbers in either form.  If an iteration is a long chain, such
+as exp, two are printed at once.
 """
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -33,6 +35,7 @@ from .vectors import (
     gathered,
     horizontal_sum,
     splat,
+    sum_of_parts,
     vector,
     width_of,
 )
@@ -225,6 +228,11 @@ class LLVMPrinter(LoopPrinter):
     def print_loop(self, depth: int, body: Body, totals: list[Write]) -> Iterable[Any]:
         """Print the loop inside `depth` others; return the sums after it."""
         count = self.current_nest.lengths[depth]
+        if self.lanes > 1 and depth == self.current_nest.vector and totals:
+            is_long = count > UNROLLED_RUNS
+            printer = self._parts_in_memory if is_long else self._unrolled_parts
+            parts = printer(count, body, len(totals))
+            return [sum_of_parts(self.builder, part, count) for part in parts]
         if depth != self.vector_loop:
             zero = constant(0.0, self.width(self.vector_loop >= 0))
             unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
@@ -239,6 +247,46 @@ class LLVMPrinter(LoopPrinter):
             sums = body(full, sums)
             self.active = LANES
         return (horizontal_sum(self.builder, value, count) for value in sums)
+
+    def _unrolled_parts(self, count: int, body: Body, sums: int) -> Iterable[Any]:
+        """Print an unrolled loop of eight runs; return the eight partial sums of each sum."""
+        zero = constant(0.0, self.lanes)
+        starts = [None if count < LANES else zero] * sums
+        parts = [body(index, starts) for index in range(count)]
+        parts += [[zero] * sums] * (LANES - count)
+        return zip(*parts, strict=True)
+
+    def _parts_in_memory(self, count: int, body: Body, sums: int) -> Iterable[Any]:
+        """Print a loop of eight runs; return the eight partial sums of each sum.
+
+        They are in memory: the code of an iteration does not depend on its partial sum.
+        """
+        builder = self.builder
+        zero = constant(0.0, self.lanes)
+        first = ir.Constant(WORD, 0)
+        places = [ir.Constant(WORD, k) for k in range(LANES)]
+        with builder.goto_entry_block():
+            kind = ir.ArrayType(zero.type, LANES)
+            arrays = [builder.alloca(kind) for _ in range(sums)]
+        parts = [
+            [builder.gep(array, [first, place]) for place in places] for array in arrays
+        ]
+        for part in chain(*parts):
+            builder.store(zero, part)
+
+        def add_to_parts(index: Any, _: list) -> list:
+            if type(index) is int:
+                current = [of_sum[index % LANES] for of_sum in parts]
+            else:
+                place = builder.and_(index, ir.Constant(WORD, LANES - 1))
+                current = [builder.gep(array, [first, place]) for array in arrays]
+            totals = body(index, [builder.load(part) for part in current])
+            for total, part in zip(totals, current, strict=True):
+                builder.store(total, part)
+            return []
+
+        self._loop(range(count), UNROLLED_RUNS, add_to_parts, [])
+        return [[builder.load(part) for part in of_sum] for of_sum in parts]
 
     def add(self, total, value):
         """Return a sum with one more value, of the active iterations."""

@@ -86,6 +86,17 @@ def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
     return builder.extract_element(value, ir.Constant(INT32, 0))
 
 
+def sum_of_parts(builder: ir.IRBuilder, parts: Sequence[Any], count: int) -> Any:
+    """Return the sum of eight values in the order of `horizontal_sum`."""
+    while len(parts) > 1:
+        half = len(parts) // 2
+        low, high = parts[:half], parts[half:]
+        parts = low
+        if count > half:
+            parts = [builder.fadd(a, b) for a, b in zip(low, high, strict=True)]
+    return parts[0]
+
+
 def _lanes(builder: ir.IRBuilder, value: Any, lanes: range) -> Any:
     """Return some lanes of a vector."""
     mask_type = ir.VectorType(INT32, len(lanes))
