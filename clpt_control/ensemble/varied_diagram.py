@@ -59,11 +59,16 @@ class OutputBatch(MemberBatch):
             y[rows] = self._outputs(signals, self.members.inputs_along(times, rows))
         not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         status = np.where(not_finite, Status.NOT_FINITE, status)
+        self.y = y[..., varied.skipped :]
         for m in np.flatnonzero(status == Status.GUARD_LEFT).tolist():
             if stop := self._stop(m):
                 self.stops[m], status[m] = stop, Status.STOPPED
+                # a sample that differs from the stop by rounding is the stop
+                times, y = stop
+                is_sample = np.isin(times, varied.times)
+                self.y[m] = np.nan
+                self.y[m][:, np.isin(varied.times, times)] = y[:, is_sample]
         self.run = replace(self.run, status=status)
-        self.y = y[..., varied.skipped :]
 
     def _outputs(self, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return outputs (m, outputs, times) of signals (m, times, signals) and inputs."""

@@ -60,3 +60,40 @@ def test_members_have_the_bits_of_simulate(seed):
         wanted = alone.y.sel(time=samples).values
         found = member.y.sel(time=samples).values
         assert found.tobytes() == wanted.tobytes()
+
+
+def climber():
+    """A height that rises by 1 m/s up to an edge."""
+    return clpt.Block(
+        "climber",
+        update=lambda t, x, u, p: p.speed,
+        output=lambda t, x, u, p: x.h,
+        outputs={"height": 1},
+        states={"h": 1},
+        parameters={"speed": 1.0, "edge": 1.0},
+        guard=clpt.Guard(lambda t, x, u, p: p.edge - x.h, "stop"),
+    )
+
+
+@pytest.mark.parametrize("beside", [0.0, -1e-13, 1e-13, "below", "above"])
+def test_a_stop_at_a_sample_is_the_sample_of_simulate(beside):
+    """The height is t.  A stop at a sample, or an ulp beside it, is the last sample."""
+    times = np.linspace(0.0, 2.0, 21)
+    edges = times[1:-1]
+    if isinstance(beside, str):
+        edges = np.nextafter(edges, np.inf if beside == "above" else -np.inf)
+    else:
+        edges = edges + beside
+    vary = {"climber.edge": edges}
+    data = clpt.run_ensemble(climber(), vary, timepts=times, trajectories=True)
+    assert (data.status == 10).all()
+    np.testing.assert_allclose(data.height_final, edges, rtol=0.0, atol=1e-12)
+    for m, edge in enumerate(edges):
+        member = data.isel(member=m)
+        alone = clpt.simulate(climber(), times, params={"climber.edge": edge})
+        assert member.end == alone.time[-1]
+        assert member.height_final == alone.height[-1]
+        in_run = np.isin(times, alone.time)
+        wanted = alone.height.sel(time=times[in_run]).values
+        assert member.height.values[in_run].tobytes() == wanted.tobytes()
+        assert np.isnan(member.height.values[~in_run]).all()
