@@ -32,7 +32,7 @@ from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread
 from ..engine.solver.solver_layout import Status
-from ..simulation.dataset_template import Axes, Series, port_variables
+from ..simulation.dataset_template import Axes, DatasetTemplate, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
 from ..simulation.requests import request_of
 from .members import Member, MemberBatch, Values, hash_of
@@ -123,16 +123,11 @@ class OutputBatch(MemberBatch):
 
     def user_summary(self, name: str, user: Callable) -> np.ndarray:
         """Return the user's number of each member; NaN if the member failed."""
-        from xarray import Dataset
-
+        template = DatasetTemplate(*self.varied.ports, {})
         numbers = np.full(len(self.y), np.nan)
         for m in np.flatnonzero(np.isin(self.run.status, COMPLETED)).tolist():
             times, y = self.stops.get(m, (self.varied.times, self.y[m]))
-            variables = {
-                port: (series.dims, series.of(y.T), series.attributes)
-                for port, series in self.varied.ports[0].items()
-            }
-            value = user(Dataset(variables, {"time": times}))
+            value = user(template.dataset(times, y.T))
             try:
                 numbers[m] = float(value)
             except (TypeError, ValueError):

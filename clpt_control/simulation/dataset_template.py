@@ -77,9 +77,31 @@ class DatasetTemplate:
         self._cached_time: tuple[bytes | None, Any] = (None, None)
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
-        """Return a Dataset of a run's signals and states, with attributes of its own.
+        """Return a Dataset of a run's signals and states, with attributes of its own."""
+        attributes = {**self.attributes, **solver_attributes(solution)}
+        if attributes["message"] == COMPLETED:
+            unit = (self.time_attributes or {}).get("units", "")
+            attributes["message"] += f" (t = {solution.t[-1]:g} {unit})".replace(
+                " )", ")"
+            )
+        if self.note:
+            attributes["message"] += f"; {self.note}"
+        run = self.dataset(solution.t, signals, solution.x, attributes)
+        if self.folder is not None:
+            run.encoding["folder"] = self.folder
+        return run
 
-        xarray's constructor would search and align the indexes, which takes longer.
+    def dataset(
+        self,
+        times: np.ndarray,
+        signals: np.ndarray,
+        states: Any = None,
+        attributes: Any = None,
+    ) -> "xarray.Dataset":
+        """Return a Dataset of signals and states at times.
+
+        xarray's constructor would search and align the indexes, which takes longer, and import
+        Dask.
         """
         from xarray import Dataset, Variable
 
@@ -91,27 +113,16 @@ class DatasetTemplate:
         }
         if self.states is not None:
             dims = ("time", "state")
-            variables["states"] = variable_of(Variable, dims, solution.x, STATES)
-        axes = {"time": self._time_index(solution.t), **self.axes}
+            variables["states"] = variable_of(Variable, dims, states, STATES)
+        axes = {"time": self._time_index(times), **self.axes}
         for name, (_, axis) in axes.items():
             parts = axis._dims, axis._data, axis._attrs or {}
             variables[name] = variable_of(type(axis), *parts)
-        attributes = {**self.attributes, **solver_attributes(solution)}
-        if attributes["message"] == COMPLETED:
-            unit = (self.time_attributes or {}).get("units", "")
-            attributes["message"] += f" (t = {solution.t[-1]:g} {unit})".replace(
-                " )", ")"
-            )
-        if self.note:
-            attributes["message"] += f"; {self.note}"
         indexes = {name: index for name, (index, _) in axes.items()}
         sizes = {name: axis.size for name, (_, axis) in axes.items()}
-        run = Dataset._construct_direct(
+        return Dataset._construct_direct(
             variables, set(axes), sizes, attributes, indexes, {}
         )
-        if self.folder is not None:
-            run.encoding["folder"] = self.folder
-        return run
 
     def _time_index(self, times: np.ndarray) -> tuple[Any, Any]:
         cached_times, index = self._cached_time

@@ -436,7 +436,13 @@ import clpt_control as clpt
 lag = control.nlsys(
     lambda t, x, u, p: -p["rate"] * x, inputs=0, outputs=1, states=1, params={"rate": 1.0}
 )
-clpt.run_ensemble(lag, {"rate": [1.0, 2.0]}, timepts=[0.0, 1.0], initial_state=1.0)
+clpt.run_ensemble(
+    lag,
+    {"rate": [1.0, 2.0]},
+    timepts=[0.0, 1.0],
+    initial_state=1.0,
+    summary={"last": lambda run: run.y.values[-1]},
+)
 burst = control.nlsys(
     lambda t, x, u, p: p["rate"] * x**2, inputs=0, outputs=1, states=1, params={"rate": 1.0}
 )
