@@ -15,13 +15,9 @@ from .solver_layout import (
     ACCEPTED,
     DECISION,
     DISTANCE,
-    DISTANCE_HIGH,
-    DISTANCE_LOW,
     ENTERED,
     EVENT_INDEX,
     FRESH,
-    HIGH,
-    LOW,
     ROUNDING,
     RUN_INDEX,
     SAMPLE_POINTS,
@@ -29,6 +25,7 @@ from .solver_layout import (
     TIME,
     TRIAL_END,
     TRIAL_SIZE,
+    Bracket,
     decide,
     prepare,
     put_state_within,
@@ -111,7 +108,7 @@ def comes_near(solver):
 
 
 def check_events(solver):
-    """Find the first event of the step; return whether there is one.
+    """Find the first event of the step; return its bracket.
 
     The step is halved if a distance may cross 0 and return between the points before that event.
     """
@@ -162,9 +159,9 @@ def row_of(point):
 
 
 def find_crossing(solver, start):
-    """Find the first event behind a share of the step; return whether there is one.
+    """Find the first event behind a share of the step; return the bracket of the points around it.
 
-    Set `event_index`, and `low` and `high` to the points around it.
+    Set `event_index`, to -1 if there is no event.
     A step of discrete time is checked at its end only, and not halved.
     """
     lane, integers, points = solver.lane, solver.integers, solver.points
@@ -172,7 +169,7 @@ def find_crossing(solver, start):
     integers[EVENT_INDEX, 0] = -1
     lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]
     if integers[RUN_INDEX, 0] < 0 or lane[ACCEPTED, 0] < 0.5:
-        return False
+        return Bracket(0.0, 0.0, 0.0, 0.0)
     point = SAMPLE_POINTS - 1 if discrete else 0
     while point < SAMPLE_POINTS - 1 and SHARES[point + 1] <= start:
         point += 1
@@ -181,9 +178,12 @@ def find_crossing(solver, start):
         point += 1
         integers[EVENT_INDEX, 0] = first_crossed(points, point)
     before = 0 if discrete else point - 1
-    lane[LOW, 0], lane[HIGH, 0] = max(start, SHARES[before]), SHARES[point]
-    lane[DISTANCE_LOW, 0] = max(least_distance(points, before), 0.0)
-    lane[DISTANCE_HIGH, 0] = least_distance(points, point)
+    bracket = Bracket(
+        low=max(start, SHARES[before]),
+        high=SHARES[point],
+        distance_low=max(least_distance(points, before), 0.0),
+        distance_high=least_distance(points, point),
+    )
     clear_until = point if integers[EVENT_INDEX, 0] < 0 else point - 1
     divisible = not discrete and lane[TRIAL_SIZE, 0] > 2.0 * shortest_step(solver)
     if divisible and may_hide(
@@ -191,7 +191,7 @@ def find_crossing(solver, start):
     ):
         retry(solver, 0, 0.5 * lane[TRIAL_SIZE, 0])
         integers[EVENT_INDEX, 0] = -1
-    return integers[EVENT_INDEX, 0] >= 0
+    return bracket
 
 
 def first_crossed(points, point):

@@ -18,6 +18,7 @@ import math
 from .event_checks import (
     SHARES,
     TIME_ROUNDING,
+    check_events,
     evaluate_points,
     find_crossing,
     first_crossed,
@@ -35,8 +36,6 @@ from .solver_layout import (
     BURST,
     DECISION,
     DISTANCE,
-    DISTANCE_HIGH,
-    DISTANCE_LOW,
     END_RATE,
     EVENT_CROSSED,
     EVENT_INDEX,
@@ -56,6 +55,7 @@ from .solver_layout import (
     TRIAL_END,
     TRIAL_SIZE,
     WITHIN,
+    Bracket,
     Status,
     decide,
     derivative,
@@ -83,19 +83,22 @@ SHORT_MOVING, SHORT_RESTING = 1e-7, 5e-6
 def locate_events(solver):
     """Locate the first event of a step; end the step there unless the rest stays as it is."""
     lane = solver.lane
-    low, size = lane[LOW, 0], lane[TRIAL_SIZE, 0]
+    points_around = check_events(solver)
+    if solver.integers[EVENT_INDEX, 0] < 0:
+        return
+    size = lane[TRIAL_SIZE, 0]
     run = solver.times[-1] - solver.times[0]
     is_soon = lane[TRIAL_END, 0] - lane[LAST_EVENT, 0] < SHORT_RESTING * run
-    narrow(solver, WIDTH)
+    bracket = narrow(solver, points_around, WIDTH)
     if solver.shape.guarded > 0:
-        if stops_run(solver, low):
+        if stops_run(solver, points_around.low, bracket):
             return
-    elif not is_soon and (pass_events(solver) or lane[ACCEPTED, 0] < 0.5):
+    elif not is_soon and (pass_events(solver, bracket) or lane[ACCEPTED, 0] < 0.5):
         return
     # 1. the shortest step ends behind the event all the same
     lane[EVENT_CROSSED, 0] = CROSSED
     shortest = shortest_step(solver)
-    share = max(lane[HIGH, 0], shortest / size)
+    share = max(bracket.high, shortest / size)
     if share >= 1.0:
         return
     # 2. end the step if its interpolant is exact there
@@ -106,7 +109,7 @@ def locate_events(solver):
         return
     # 3. or try it again, up to there
     resolution = max(RESOLVED * size, 4.0 * TIME_ROUNDING * abs(lane[TRIAL_END, 0]))
-    if size > 2.0 * shortest and (1.0 - lane[LOW, 0]) * size > resolution:
+    if size > 2.0 * shortest and (1.0 - bracket.low) * size > resolution:
         retry(solver, 0, share * size)
 
 
@@ -124,38 +127,36 @@ def end_step(solver, share):
 # --- events that change nothing -------------------------------------------------------------------
 
 
-def pass_events(solver):
+def pass_events(solver, bracket):
     """Pass events that do not change the rates; return whether the step holds up to its end.
 
-    The step is halved if it may hide another event behind one of them.  If an event has an effect,
-    the bracket is that of the first event again.
+    The step is halved if it may hide another event behind one of them.
     """
     lane = solver.lane
-    low, high = lane[LOW, 0], lane[HIGH, 0]
     for j in range(solver.shape.decisions):
         solver.points[BEFORE, DECISION, j] = solver.memory.P[
             solver.shape.first_decision + j
         ]
     for _ in range(MOST_PASSED):
-        if rates_change(solver):
+        if rates_change(solver, bracket.high):
             break
         evaluate_points(solver)
-        if not find_crossing(solver, lane[HIGH, 0]):
+        points_around = find_crossing(solver, bracket.high)
+        if solver.integers[EVENT_INDEX, 0] < 0:
             if lane[ACCEPTED, 0] > 0.5:
                 derivative(solver, lane[TRIAL_END], ARGUMENT, END_RATE)
                 lane[LAST_EVENT, 0] = lane[TRIAL_END, 0]
                 return True
             break
-        narrow(solver, WIDTH)  # two events may be close to each other
+        # two events may be close to each other
+        bracket = narrow(solver, points_around, WIDTH)
     exchange_decisions(solver, BEFORE)
-    lane[LOW, 0], lane[HIGH, 0] = low, high
     return False
 
 
-def rates_change(solver):
-    """Return whether rates change behind `high` with the decisions there; otherwise hold them."""
+def rates_change(solver, share):
+    """Return whether rates change behind a share with the decisions there; otherwise hold them."""
     lane = solver.lane
-    share = lane[HIGH, 0]
     decide_within(solver, share)
     for point in range(SAMPLE_POINTS, -1, -1):
         within = SHARES[point] if point > 0 else share
@@ -194,33 +195,37 @@ def exchange_decisions(solver, point):
     prepare(solver, solver.lane[TIME])
 
 
-def stops_run(solver, low):
+def stops_run(solver, low, bracket):
     """Stop the run if the event in the bracket is a guard; return whether it is.
 
     The run stops at the guard's edge, which lies between `low` and the bracket, or before `low` if
     the edge is passed there by rounding; at the step's beginning if no point is inside.
     """
     lane, points = solver.lane, solver.points
-    decide_within(solver, lane[HIGH, 0])
+    high = bracket.high
+    decide_within(solver, high)
     # guards are the last events: a switching condition in the same bracket comes first
     guard = first_crossed(points, BEHIND)
     if guard < solver.shape.decisions:
         return False
-    lane[DISTANCE_HIGH, 0] = points[BEHIND, DISTANCE, guard]
+    distance_high = points[BEHIND, DISTANCE, guard]
     share = low
     for trial in range(MOST_TRIALS):
         decide_within(solver, share)
-        lane[LOW, 0] = share
-        lane[DISTANCE_LOW, 0] = points[BEHIND, DISTANCE, guard]
-        if lane[DISTANCE_LOW, 0] > 0.0:
+        low = share
+        distance_low = points[BEHIND, DISTANCE, guard]
+        if distance_low > 0.0:
             break
-        share = 0.5 * (share if trial > 0 else lane[HIGH, 0])
-    if lane[DISTANCE_LOW, 0] > 0.0:
+        share = 0.5 * (share if trial > 0 else high)
+    if distance_low > 0.0:
         points[SAMPLE_POINTS, ROUNDING, guard] = 0.0
-        narrow(solver, STOP_WIDTH)
+        bracket = Bracket(low, high, distance_low, distance_high)
+        bracket = narrow(solver, bracket, STOP_WIDTH)
+        low, high = bracket.low, bracket.high
     else:
-        lane[HIGH, 0] = 0.0
-    end = lane[TIME, 0] + lane[HIGH, 0] * lane[TRIAL_SIZE, 0]
+        high = 0.0
+    lane[LOW, 0], lane[HIGH, 0] = low, high
+    end = lane[TIME, 0] + high * lane[TRIAL_SIZE, 0]
     write_samples_until(solver, 0, end)
     solver.integers[EVENT_INDEX, 0] = guard
     fail(solver, 0, Status.GUARD_LEFT)
@@ -240,24 +245,25 @@ def decide_within(solver, share):
 # --- the bracket ----------------------------------------------------------------------------------
 
 
-def narrow(solver, width):
-    """Narrow the bracket to a width; the event stays between `low` and `high`."""
-    lane, points = solver.lane, solver.points
+def narrow(solver, bracket, width):
+    """Return the bracket narrowed to a width; the event stays between `low` and `high`."""
+    low, high, distance_low, distance_high = bracket
     for trial in range(MOST_TRIALS):
-        if lane[HIGH, 0] - lane[LOW, 0] <= width:
-            return
-        share = next_share(solver, width, trial)
+        if high - low <= width:
+            break
+        share = next_share(
+            Bracket(low, high, distance_low, distance_high), width, trial
+        )
         decide_within(solver, share)
-        distance = least_distance(points, BEHIND)
+        distance = least_distance(solver.points, BEHIND)
         if distance < 0.0:
-            lane[HIGH, 0] = share
-            lane[DISTANCE_HIGH, 0] = distance
+            high, distance_high = share, distance
         else:
-            lane[LOW, 0] = share
-            lane[DISTANCE_LOW, 0] = distance
+            low, distance_low = share, distance
+    return Bracket(low, high, distance_low, distance_high)
 
 
-def next_share(solver, width, trial):
+def next_share(bracket, width, trial):
     """Return the share at which the bracket is divided: the ITP rule.
 
     It takes at most one trial more than halving does.
@@ -265,9 +271,7 @@ def next_share(solver, width, trial):
     Source: Oliveira, Takahashi, An enhancement of the bisection method average performance
     preserving minmax optimality, ACM Trans. Math. Softw. 47(1), 2021.
     """
-    lane = solver.lane
-    low, high = lane[LOW, 0], lane[HIGH, 0]
-    distance_low, distance_high = lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0]
+    low, high, distance_low, distance_high = bracket
     middle = 0.5 * (low + high)
     radius = 0.5 * (width * 2.0 ** (MOST_TRIALS - trial) - (high - low))
     # interpolate

@@ -84,31 +84,28 @@ FAILURE = 9  # status with which the run has failed, or 0
 RATE_NORM = 10  # size of the rates where a segment begins
 NOT_FINITE = 11  # NaN if state or rates are not finite where a segment begins, else 0
 EVENT_CROSSED = 12  # 1 if the step ends right behind an event
-LOW = 13  # bracket of an event: shares of the step before it
+LOW = 13  # bracket of the guard that stops a run: shares of the step before it
 HIGH = 14  # and behind it
 LAST_EVENT = 15  # time of the last event
-# distance of the nearest switching condition from its change at `low`
-DISTANCE_LOW = 16
-DISTANCE_HIGH = 17  # and at `high`, below 0
-FIRST_STEP = 18  # to try, or 0
-CALM_STEPS = 19  # checked steps since a stiff one
-DIAGONAL = 20  # 1/(h gamma) of the matrix of the implicit method
-NEXT_STOP = 21  # next sample, or the end of the segment
-TRIES_LEFT = 22  # steps until the lane is checked
-DUE = 23  # 1 if the lane is checked after this step
-ACCEPTED_COUNT = 24  # steps since the last check
-REJECTED_COUNT = 25
-CHECKS_STIFFNESS = 26  # 1 if the step is checked for stiffness
-INTERPOLANT_ERROR = 27  # above 1 no sample is taken from the interpolant
-STOP_AT = 28  # time up to which a step may go, for a sample at its end
-STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
-MAX_STEP = 30
-NEXT_LOOK = 31  # tries after which the pace of the run is measured
-LOOK_TIME = 32  # time at the last measurement
-LOOK_ADVANCE = 33  # advance in time between the last two measurements
-LOOK_SIZE = 34  # largest state at the last measurement with a pace that did not fall
-FALLS = 35  # measurements with a falling pace since then; below 0 they do not count
-REALS = 36
+FIRST_STEP = 16  # to try, or 0
+CALM_STEPS = 17  # checked steps since a stiff one
+DIAGONAL = 18  # 1/(h gamma) of the matrix of the implicit method
+NEXT_STOP = 19  # next sample, or the end of the segment
+TRIES_LEFT = 20  # steps until the lane is checked
+DUE = 21  # 1 if the lane is checked after this step
+ACCEPTED_COUNT = 22  # steps since the last check
+REJECTED_COUNT = 23
+CHECKS_STIFFNESS = 24  # 1 if the step is checked for stiffness
+INTERPOLANT_ERROR = 25  # above 1 no sample is taken from the interpolant
+STOP_AT = 26  # time up to which a step may go, for a sample at its end
+STIFF_STEPS = 27  # checked steps that look stiff; below 0 they do not count
+MAX_STEP = 28
+NEXT_LOOK = 29  # tries after which the pace of the run is measured
+LOOK_TIME = 30  # time at the last measurement
+LOOK_ADVANCE = 31  # advance in time between the last two measurements
+LOOK_SIZE = 32  # largest state at the last measurement with a pace that did not fall
+FALLS = 33  # measurements with a falling pace since then; below 0 they do not count
+REALS = 34
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run
 SEGMENT = 1
@@ -133,6 +130,15 @@ class Shape(NamedTuple):
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
     decisions: int
+
+
+class Bracket(NamedTuple):
+    """Shares of a step before and behind an event, and the least distance of events there."""
+
+    low: float
+    high: float
+    distance_low: float
+    distance_high: float  # below 0
 
 
 class Runs(NamedTuple):

@@ -16,7 +16,7 @@ any others.  One pass of `advance`:
 All numbers are computed by the diagram's functions and the formulas of the method (`methods`).
 """
 
-from .event_checks import check_events, comes_near, decisions_changed, hold_decisions
+from .event_checks import comes_near, decisions_changed, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
 from .segments import (
@@ -232,7 +232,7 @@ def handle_events(solver, accepted, between, stiffness):
     if explicit and accepted:
         check_interpolant(solver)
     # 4. the events by this interpolant
-    if crossed and check_events(solver):
+    if crossed:
         locate_events(solver)
     return between and explicit
 
