@@ -163,7 +163,7 @@ class Decisions:
             is_input = array == "P" and offset >= inputs
             if array == "X" or is_input or fed.intersection(refs):
                 fed.add(k)
-            peaked = set(exact[1:] if kind == "div" else exact)
+            peaked = {ref for ref in refs if kind != "div" or ref == exact[1]}
             if array == "X" or moved.intersection(refs):
                 moved.add(k)
             if is_input or driven.intersection(refs):
