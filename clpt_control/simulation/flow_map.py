@@ -46,6 +46,7 @@ class _Learned:
     covariance: np.ndarray | None
     plane: LocalPlane | None
     is_geographic: bool
+    track: np.ndarray  # positions or fixes, (n, 2)
     places: np.ndarray  # that the box contains, (n, 2)
     date: str | None  # of t = 0
     end: Any
@@ -116,7 +117,18 @@ def flow_map(
     >>> flow.u.dims, float(flow.error[0, 0, 0].round(2)), bool(flow.u[0, 0, 1].isnull())
     (('time', 'y', 'x'), 0.03, True)
     """
-    learned = _of_estimate(source) if kind_of(source) == "fixes" else _of_run(source)
+    return map_of(learned_flow(source), latitude, longitude, time)
+
+
+def learned_flow(source: "xarray.Dataset") -> _Learned:
+    """Return the learned flow of a run or an estimate."""
+    return _of_estimate(source) if kind_of(source) == "fixes" else _of_run(source)
+
+
+def map_of(
+    learned: _Learned, latitude: Any = None, longitude: Any = None, time: Any = None
+) -> "xarray.Dataset":
+    """Return the map of a learned flow, as `flow_map`."""
     low, high = learned.places.min(axis=0), learned.places.max(axis=0)
     plane = learned.plane
     rows, columns = (np.linspace(low[i], high[i], POINTS) for i in (1, 0))
@@ -225,6 +237,7 @@ def _of_run(run: "xarray.Dataset") -> _Learned:
         None,
         None if scenario.origin is None else scenario.plane,
         scenario.origin is not None,
+        run.position.values,
         points,
         run.attrs.get("time_origin"),
         run.time.values[-1],
@@ -254,6 +267,7 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
         estimate.covariance.values,
         plane if has_origin else None,
         has_origin,
+        places,
         places,
         estimate.attrs["time_origin"],
         estimate.end_time.values[-1],

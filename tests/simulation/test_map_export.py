@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 import xarray
 from error_sentences import says
+from matplotlib.collections import QuadMesh
+from matplotlib.quiver import Quiver
 from pyproj import Geod
 from small_scenarios import kernels
 
@@ -232,6 +234,33 @@ def test_a_map_is_the_last_estimate_and_its_error_inside_of_the_track():
     assert outside.u.isnull().values[0].tolist() == [[True, True], [False, True]]
     with pytest.raises(clpt.DataError, match="has no date"):
         clpt.flow_map(run, time=np.datetime64("2020-01-01"))
+
+
+def test_a_chart_of_a_map_has_learned_and_true_flow_and_the_error():
+    run = clpt.simulate(PAPER.with_values({"run.duration": 40.0}))
+    ax = run.clpt.plot("map")
+    true, learned = (c for c in ax.collections if isinstance(c, Quiver))
+    estimate = run.flow_parameters_estimate.values[-1]
+    for arrows, theta in ((true, PAPER.flow.parameters), (learned, estimate)):
+        flow = kernels(PAPER, 40.0, arrows.XY) @ np.array(theta).T
+        np.testing.assert_allclose(np.column_stack([arrows.U, arrows.V]), flow)
+    assert true.scale == learned.scale
+    flow = clpt.flow_map(run)
+    [shade] = (c for c in ax.collections if isinstance(c, QuadMesh))
+    np.testing.assert_array_equal(shade.get_array().ravel(), flow.error.values.ravel())
+    np.testing.assert_array_equal(ax.lines[0].get_xydata(), run.position.values)
+
+
+def test_a_chart_of_an_estimate_has_fixes_in_degrees_and_its_standard_error():
+    values = {"run.duration": 20.0, "run.output_step": 0.1, "origin": ORIGIN}
+    run = clpt.simulate(PAPER.with_values(values))
+    estimate = clpt.currents.flow_estimate(run, every=5.0)
+    ax = estimate.clpt.plot("map")
+    places = np.column_stack([estimate.longitude, estimate.latitude])
+    np.testing.assert_allclose(ax.lines[0].get_xydata(), places, rtol=0, atol=1e-9)
+    [shade] = (c for c in ax.collections if isinstance(c, QuadMesh))
+    error = clpt.flow_map(estimate).standard_error.values
+    np.testing.assert_array_equal(shade.get_array().ravel(), error.ravel())
 
 
 def test_a_map_has_no_truth_where_nothing_was_ever_measured(tmp_path):

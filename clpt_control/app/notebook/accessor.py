@@ -47,9 +47,14 @@ PLOTS: dict[str, dict[str, tuple[str, str]]] = {
     "run": {
         "": ("simulation.run_plots", "run_plot"),
         "track": ("simulation.track_chart", "track_plot"),
+        "map": ("simulation.flow_map_plot", "flow_map_plot"),
         "clpe": ("simulation.run_plots", "clpe_plot"),
         "learning": ("simulation.run_plots", "learning_plot"),
         "signals": ("simulation.comparison", "response_plot"),
+    },
+    "fixes": {
+        "": ("app.pages.fixes_page", "learned_flow_plot"),
+        "map": ("simulation.flow_map_plot", "flow_map_plot"),
     },
     "replay": {
         "": ("ocean.forecast.plots", "replay_plot"),
@@ -161,7 +166,7 @@ class ClptAccessor:
 
     @property
     def kind(self) -> str:
-        """Kind of dataset: "run", "team", "diagram", "ensemble" or "replay"."""
+        """Kind of dataset: "run", "team", "diagram", "ensemble", "fixes" or "replay"."""
         if kind := kind_of(self._data):
             return kind
         raise DataError(
@@ -180,11 +185,12 @@ class ClptAccessor:
     def plot(
         self, name: str | Sequence[str] = "", *, ax: Any = None, **options: Any
     ) -> Any:
-        """Draw a run, a team, a diagram's ports, an ensemble or a replay.
+        """Draw a run, team, diagram, ensemble, estimate or replay.
 
-        `name` chooses one plot: "track", "clpe", "learning" or "signals" of a run, "map", "clpe" or
-        "current" of a replay; or ports, signals and states of a run, "pos" or ["pos", "vel"].  It
-        is drawn on given axes or on a new figure; the Axes are returned.
+        `name` chooses one plot: "track", "map", "clpe", "learning" or "signals" of a run, "map" of
+        an estimate, "map", "clpe" or "current" of a replay; or ports, signals and states of a run,
+        "pos" or ["pos", "vel"].  It is drawn on given axes or on a new figure; the Axes are
+        returned.
         A run takes a `label` and a `color` too, as `clpt_control.compare` gives them.
         """
         plots = PLOTS[self.kind]

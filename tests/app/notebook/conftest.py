@@ -15,9 +15,11 @@ def scenario():
 def made(scenario):
     dives = clpt.gliders.sample_dives()
     team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
+    run = clpt.simulate(scenario)
     few = scenario.with_values({"reference.count": 2})
     return {
-        "run": clpt.simulate(scenario),
+        "run": run,
+        "fixes": clpt.currents.flow_estimate(run, every=5.0),
         "diagram": clpt.simulate(
             control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], [0, 1, 2]
         ),

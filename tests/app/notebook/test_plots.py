@@ -17,7 +17,8 @@ import clpt_control as clpt
 from clpt_control import save_run
 
 COUNTS = {  # kind of dataset -> name of a plot -> number of its Axes
-    "run": {"": 7, "track": 1, "clpe": 2, "learning": 2, "signals": 10},
+    "run": {"": 7, "track": 1, "map": 1, "clpe": 2, "learning": 2, "signals": 10},
+    "fixes": {"": 2, "map": 1},
     "team": {"": 3},
     "diagram": {"": 2},
     "ensemble": {"": 2},
