@@ -184,9 +184,9 @@ def _finish(
     if out is not None:
         clpt.save_scenario(known, out)
     draw_figure(figure, learned_flow_plot, data)
+    data.attrs["title"] = title
     if results is not None:
         write_together({results: data})
-    data.attrs["title"] = title
     report = report_of(data, truth)
     finish(results_of(report), report, as_json, out, figure, results)
 

@@ -22,7 +22,7 @@ MANY = 40  # legs; beyond, marks are small
 def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
     """Return the page of a flow learned from fixes."""
     report = report_of(xarray.decode_cf(data))
-    legs, parameters = results_of(report)
+    legs, parameters = results_of({**report, "notes": []})  # notes are warnings
     caption = (
         "Above, fixes, their forecasts and the learned flow; below, the error of each forecast "
         "before its fix was learned."

@@ -232,7 +232,7 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
         [
             f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in index)} ({per})",
             _learned_value(learned.values[axis, *index], atol),
-            "not known" if true is None else f"{true[axis, *index]:.4g}",
+            "" if true is None else f"{true[axis, *index]:.4g}",
         ]
         for axis in range(2)
         for name, per, learned, true in parameters
@@ -241,7 +241,10 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     title = f"Learned by t = {float(last.time):g} {unit.time}"
     note = [f"0 stands for less than the tolerance, {atol:g}"]
     note *= any(row[1] == "0" for row in rows)
-    result = Result(title, ["", "learned", "true"], rows, note)
+    columns = ["", "learned", "true"]
+    if not any(row[2] for row in rows):
+        columns, rows = columns[:2], [row[:2] for row in rows]
+    result = Result(title, columns, rows, note)
     return Section("learning", "Learned parameters", result)
 
 

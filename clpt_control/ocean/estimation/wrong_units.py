@@ -88,8 +88,9 @@ def wrong_motion(
     if residuals[cause] < limit and residuals[cause] < 2 * turned:
         return f"the ways over ground contradict those through the water: {cause}"
     if turned < limit and abs(angle) > TURNED:
+        side = "anticlockwise" if angle > 0 else "clockwise"
         return (
-            f"the ways over ground are turned by {np.degrees(-angle):+.0f} degrees clockwise from "
+            f"the ways over ground are turned by {np.degrees(abs(angle)):.0f} degrees {side} from "
             "those through the water: courses look magnetic, or the compass is wrong"
         )
     return ""

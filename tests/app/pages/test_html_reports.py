@@ -168,6 +168,14 @@ def test_what_the_scenario_does_not_hold_is_said(run, words):
         assert said in words(data)
 
 
+def test_a_truth_that_is_not_known_is_left_out(run, words):
+    last = run.flow_parameters_estimate.values[-1, 0, 0]
+    named = f"|theta_1[1] (m/s)|{last:.4g}|"
+    true = run.flow_parameters.values[0, 0]
+    assert f"{named}{true:.4g}|theta_1[2]" in words(run)
+    assert f"{named}theta_1[2]" in words(run.drop_vars("flow_parameters"))
+
+
 def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
     scenario = clpt.paper_scenario().with_values({"run.duration": 40})
     lag = control.tf(1, [0.5, 1], name="lag")

@@ -343,7 +343,8 @@ WAYS = {
     "radians": (lambda c, v: (np.radians(c), v), "courses look like radians"),
     "from": (lambda c, v: ((c + 180) % 360, v), "that the vehicle comes from"),
     "mathematical": (lambda c, v: ((90 - c) % 360, v), "counted from east"),
-    "magnetic": (lambda c, v: ((c - 13) % 360, v), "look magnetic"),
+    "magnetic": (lambda c, v: ((c - 13) % 360, v), "degrees clockwise from"),
+    "compass": (lambda c, v: ((c + 13) % 360, v), "degrees anticlockwise from"),
 }
 
 
@@ -352,7 +353,15 @@ WAYS = {
 def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
     way, said = WAYS[name]
     rows = [(*row[:3], *way(*row[3:])) for row in mission(30, seed=1)]
-    assert said in " ".join(estimate(table(tmp_path / "log.csv", rows))["notes"])
+    results = tmp_path / "log.nc"
+    report = estimate(table(tmp_path / "log.csv", rows), "--results", results)
+    assert said in " ".join(report["notes"])
+    if name == "compass":  # its page has the note once, and the name of the file
+        page = tmp_path / "page.html"
+        clpt.report(results, page)
+        text = page.read_text("utf-8")
+        assert "<h1>log.csv</h1>" in text
+        assert text.count(said) == 1
 
 
 def over_ground(rows):
