@@ -13,7 +13,7 @@ ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver solver-check test test-long test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
+.PHONY: paper solver solver-check test test-long test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs notebooks linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -65,6 +65,9 @@ lint: $(READY)  ## ruff and mypy
 docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build --fail-on-warning --keep-going --nitpicky --quiet \
 		-d build/doctrees docs build/docs
+
+notebooks: $(SITE)  ## tutorials as notebooks with outputs, in build/tutorials
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tools/write_notebooks.py
 
 linkcheck: docs  ## every link and anchor of the site, in ten minutes
 	$(BIN)/python .ci/follow_links.py

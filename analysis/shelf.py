@@ -213,8 +213,8 @@ def main(out="shelf"):
     """Draw a panel for each part, and write the differences."""
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
-    count = -(-len(PANELS) // 4)
-    figure, axes = plt.subplots(count, 4, figsize=(9, 2 * count))
+    count = -(-len(PANELS) // 2)  # two beside each other: for a telephone
+    figure, axes = plt.subplots(count, 2, figsize=(4.8, 1.45 * count))
     for ax in axes.flat[len(PANELS) :]:
         ax.remove()
     rows = [
@@ -226,15 +226,15 @@ def main(out="shelf"):
         for x, y, style in lines:
             ax.plot(x, y, style, lw=1.2, ms=3)
         ax.set_title(panel.__name__, fontsize=9)
-        ax.set_xlabel("u" if panel in PANELS[:3] else "time (s)", fontsize=7)
+        ax.set_xlabel("u" if panel in PANELS[:3] else "time (s)", fontsize=8)
         if panel is planar_vehicle:
             ax.set(xlabel="x (m)", aspect="equal", adjustable="datalim")
-            ax.set_ylabel("y (m)", fontsize=7)
-        ax.tick_params(labelsize=7)
+            ax.set_ylabel("y (m)", fontsize=8)
+        ax.tick_params(labelsize=8)
         told = "" if off is None else f"{off:.1e}"
         rows.append(f"| `{panel.__name__}` | {panel.__doc__} | {told} |")
     (folder / "parts.md").write_text("\n".join(rows) + "\n", "utf-8")
-    figure.savefig(folder / "parts.png", dpi=110)
+    figure.savefig(folder / "parts.png", dpi=150)
     plt.close(figure)
     print(f"{folder}: parts.md and parts.png written")
 

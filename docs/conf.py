@@ -22,6 +22,7 @@ extensions = [
     "numpydoc",
     "sphinx_copybutton",
     "sphinx_design",
+    "alt_texts",
     "commands",
     "law_sections",
     "mathml",

@@ -363,3 +363,34 @@ def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
         refused("laws", "no-law")
         == "clpt: no-law: is not a law. List the laws with: clpt laws\n"
     )
+
+
+def test_the_paper_has_the_journals_sections_and_length():
+    """Those of the Journal of Open Source Software: 750 to 1750 words; citations exist."""
+    text = (ROOT / "paper.md").read_text("utf-8").split("---\n", 2)[2]
+    headings = re.findall(r"^# (.*)$", text, re.M)
+    needed = ["Summary", "Statement of need", "State of the field", "Software design"]
+    assert headings[:4] == needed
+    assert headings[4] == "Research impact statement"
+    assert headings[-1] == "References"
+    assert 750 <= len(text.split()) <= 1750
+    cited = set(re.findall(r"@(\w+)", text))
+    known = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper.bib").read_text("utf-8"), re.M)
+    assert cited == {*known}
+
+
+def test_notebooks_leave_out_tests_and_links_to_pages():
+    """`make notebooks`; what it needs is installed by `make docs`."""
+    pytest.importorskip("myst_nb")
+    pytest.importorskip("nbclient")
+    tool = runpy.run_path(str(ROOT / "tools" / "write_notebooks.py"))
+    cells = tool["notebook_of"](
+        "---\nfile_format: mystnb\nkernelspec:\n  name: python3\n---\n\n"
+        "[Here](a.md#b), [there](https://a.org)\n\n"
+        "```{code-cell} ipython3\nx = 1\n```\n\n"
+        "```{code-cell} ipython3\n:tags: [remove-cell]\n\nassert x == 1\n```\n"
+    ).cells
+    assert [(cell.cell_type, cell.source) for cell in cells] == [
+        ("markdown", "Here, [there](https://a.org)"),
+        ("code", "x = 1"),
+    ]
