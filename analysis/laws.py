@@ -141,9 +141,10 @@ def figure(told: dict[str, dict[str, Told | None]]) -> Any:
 
     An arrow to the left stands for less than 1e-7 m/s.
     """
-    fig, axes = new_figure(11, 0.28 * len(told) + 1.6, ncols=len(PAPER), sharey=True)
+    height = 0.62 * len(told) + 2.4  # two panels beside each other: for a telephone
+    fig, axes = new_figure(4.8, height, nrows=3, ncols=2, sharex=True, sharey=True)
     names = list(told)
-    for ax, condition in zip(axes, PAPER, strict=True):
+    for ax, condition in zip(axes.flat, PAPER, strict=True):
         printed = told[PRINTED][condition]
         if printed is not None:
             ax.axvline(printed.error[0], color=GREY, linewidth=1, linestyle="--")
@@ -159,11 +160,15 @@ def figure(told: dict[str, dict[str, Told | None]]) -> Any:
                     "o" if found.error[0] > LEAST else "<",
                 )
                 ax.plot(shown, row, mark, color=colour, markersize=5)
-        ax.set(xscale="log", xlim=(LEAST / 3, 3), xlabel="error (m/s)")
+        ax.set(xscale="log", xlim=(LEAST / 3, 3))
+        ax.tick_params(labelsize=8)
         ax.set_title(condition, fontsize=9)
         ax.grid(axis="x", alpha=0.3)
-    axes[0].set_yticks(range(len(names)), names)
-    axes[0].invert_yaxis()
+    for ax in axes[-1]:
+        ax.set_xlabel("error (m/s)")
+    short = [name.replace(", ", ",\n") for name in names]
+    axes[0, 0].set_yticks(range(len(names)), short)
+    axes[0, 0].invert_yaxis()
     return fig
 
 

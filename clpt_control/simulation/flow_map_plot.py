@@ -17,7 +17,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 BETWEEN = 4  # points of the map from arrow to arrow
-SHADES = "standard_error", "error"
+SHADES = {"standard_error", "error"}
+ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
+    ("true_", "true flow", GREY, 0.006),
+    ("", "learned flow", ORANGE, 0.003),
+)
 
 
 @public
@@ -35,35 +39,30 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     track = learned.track.T
     if learned.plane is not None:
         track = learned.plane.to_earth(*track)[::-1]
-    for name in SHADES:
-        if name in flow:
-            shade = ax.pcolormesh(x, y, flow[name], cmap="Purples", vmin=0.0, alpha=0.4)
-            words = f"{flow[name].long_name} ({learned.unit})"
-            ax.figure.colorbar(shade, ax=ax, label=words, shrink=0.7)
+    shade = {
+        "cmap": "Purples",
+        "vmin": 0.0,
+        "alpha": 0.4,
+        "cbar_kwargs": {"shrink": 0.7},
+    }
+    for name in SHADES & flow.keys():
+        flow[name].plot.pcolormesh(ax=ax, **shade)
     ax.plot(*track, color=BLUE, linewidth=0.9, label="track")
-    _draw_arrows(ax, flow.isel(dict.fromkeys(flow.u.dims, slice(0, None, BETWEEN))))
-    if learned.is_geographic:
-        ax.set(xlabel="longitude (degrees east)", ylabel="latitude (degrees north)")
-        ax.set_aspect(1 / np.cos(np.radians(float(y.mean()))))
-    else:
-        unit = x.units
-        ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})")
-        ax.set_aspect("equal")
+    arrows = flow.isel(dict.fromkeys(flow.u.dims, slice(0, None, BETWEEN)))
+    fastest = float(f"{np.hypot(flow.u, flow.v).max():.1g}") or 1.0
+    for prefix, label, color, width in ARROWS:
+        if f"{prefix}u" in flow:
+            at = (
+                arrows[x.name],
+                arrows[y.name],
+                arrows[f"{prefix}u"],
+                arrows[f"{prefix}v"],
+            )
+            style = {"label": label, "color": color, "width": width, "zorder": 3}
+            drawn = ax.quiver(*at, scale=9 * fastest, **style)
+    ax.quiverkey(drawn, 0.8, 1.03, fastest, f"{fastest:g} {learned.unit}", labelpos="E")
+    ax.set(xlabel=f"{x.name} ({x.units})", ylabel=f"{y.name} ({y.units})", title="")
+    ax.set_aspect(1 / np.cos(np.radians(y.mean())) if learned.is_geographic else 1.0)
     ax.set_title("Learned flow at the end", **TITLE)
     legend_below(ax, 3)
     return ax
-
-
-def _draw_arrows(ax: "Axes", flow: "xarray.Dataset") -> None:
-    """Draw the true flow, if the map has it, and the learned flow on one scale."""
-    y, x = (flow[name] for name in flow.u.dims)
-    kinds = {"true_": ("true flow", GREY, 0.006), "": ("learned flow", ORANGE, 0.003)}
-    drawn = {prefix: row for prefix, row in kinds.items() if prefix + "u" in flow}
-    speeds = [np.hypot(flow[f"{prefix}u"], flow[f"{prefix}v"]) for prefix in drawn]
-    fastest = float(f"{np.nanmax(speeds):.1g}") or 1.0
-    for prefix, (label, color, width) in drawn.items():
-        velocity = flow[f"{prefix}u"], flow[f"{prefix}v"]
-        style = {"color": color, "width": width, "label": label, "zorder": 3}
-        arrows = ax.quiver(x, y, *velocity, scale=9 * fastest, **style)
-    text = f"{fastest:g} {flow.u.units}"
-    ax.quiverkey(arrows, 0.85, 1.03, fastest, text, labelpos="E")

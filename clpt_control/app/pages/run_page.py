@@ -211,22 +211,14 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
     atol = scenario.run.atol
     theta = run.flow_parameters.values if "flow_parameters" in run else None
-    gains_known = "vehicle_controller" not in unknown_parts(run)
+    gains: Any = (None, None)
+    if "vehicle_controller" not in unknown_parts(run):
+        gains = np.array(car.feedback), np.array(car.feedforward)
     rate = f"1/{unit.time}"
     parameters = [
         ("theta", f"{unit.length}/{unit.time}", last.flow_parameters_estimate, theta),
-        (
-            "K",
-            rate,
-            last.feedback_gain,
-            np.array(car.feedback) if gains_known else None,
-        ),
-        (
-            "Gamma",
-            rate,
-            last.feedforward_gain,
-            np.array(car.feedforward) if gains_known else None,
-        ),
+        ("K", rate, last.feedback_gain, gains[0]),
+        ("Gamma", rate, last.feedforward_gain, gains[1]),
     ]
     rows = [
         [
