@@ -68,9 +68,9 @@ def following_block(
     )
 
 
-def with_period(function: Any, dt: float) -> Any:
-    """Return equations with their period dt, which is no parameter."""
-    return update_wrapper(partial(function, dt=dt), function)
+def with_constants(function: Any, **constants: float) -> Any:
+    """Return equations with constants, such as their period dt, which are no parameters."""
+    return update_wrapper(partial(function, **constants), function)
 
 
 # --- values ------------------------------------------------------------------------------------

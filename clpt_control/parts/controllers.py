@@ -1,12 +1,13 @@
 """The PID controller, limited, with anti-windup: continuous and sampled.
 
-    v = Kp (r - y) + I + D,            u = min(max(v, low), high)
-    I' = Ki (r - y) + (u - v)/Tt       D = -Kd (y - yf)/Tf,   Tf yf' = y - yf
+    v = Kp (r - y) + I + D,                     u = min(max(v, low), high)
+    I' = Ki (r - y) + |Ki/Ki0| (u - v)/Tt       D = -Kd (y - yf)/Tf,   Tf yf' = y - yf
     sampled, h = dt                    D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)
-    I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt)
+    I_{k+1} = I_k + h (Ki (r_k - y_k) + |Ki/Ki0| (u_k - v_k)/Tt)
 
 The derivative is of y alone, filtered with the time Tf; where u is limited the integral follows
-with the time Tt (back-calculation), and does not wind up.
+with the time Tt (back-calculation), and does not wind up.  Ki0 is the gain that the block is made
+with: a call-time Ki of 0 leaves I at rest.  Without Ki0 there is no I, without Kd no D.
 
 Ports: r, y (of one unit) -> u, each of `signals` signals; Kp is u by y, Ki that per time, Kd that
 times time.
@@ -18,31 +19,35 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
-from .common import check_order, check_positive, make_block, with_period
+from .common import check_order, check_positive, make_block, with_constants
 
 
 def unlimited(x, u, p, derivative):
     """Return v = Kp (r - y) + I + D."""
-    return p.kp * (u.r - u.y) + x.integral + derivative
+    return p.kp * (u.r - u.y) + getattr(x, "integral", 0.0) + derivative
 
 
-def integral_rate(v, u, p):
-    """Return I' = Ki (r - y) + (u - v)/Tt."""
-    return p.ki * (u.r - u.y) + (np.clip(v, p.low, p.high) - v) / p.tracking
+def integral_rate(v, u, p, ki):
+    """Return I' = Ki (r - y) + |Ki/Ki0| (u - v)/Tt."""
+    limited = np.clip(v, p.low, p.high)
+    return p.ki * (u.r - u.y) + np.abs(p.ki / ki) * (limited - v) / p.tracking
 
 
 def filtered(x, u, p):
     """Return D = -Kd (y - yf)/Tf."""
-    return -p.kd * (u.y - x.filtered) / p.filter
+    return -p.kd * (u.y - x.filtered) / p.filter if hasattr(x, "filtered") else 0.0
 
 
-def rates(t, x, u, p):
-    """I' = Ki (r - y) + (u - v)/Tt, Tf yf' = y - yf (Astrom and Murray 2008, section 10.4)."""
-    v = unlimited(x, u, p, filtered(x, u, p))
-    return {
-        "integral": integral_rate(v, u, p),
-        "filtered": (u.y - x.filtered) / p.filter,
-    }
+def rates(t, x, u, p, ki):
+    """I' = Ki (r - y) + |Ki/Ki0| (u - v)/Tt, Tf yf' = y - yf (Astrom and Murray 2008, 10.4)."""
+    moved = {}
+    if ki:
+        moved["integral"] = integral_rate(
+            unlimited(x, u, p, filtered(x, u, p)), u, p, ki
+        )
+    if hasattr(x, "filtered"):
+        moved["filtered"] = (u.y - x.filtered) / p.filter
+    return moved
 
 
 def command(t, x, u, p):
@@ -52,14 +57,19 @@ def command(t, x, u, p):
 
 def difference(x, u, p, dt):
     """Return D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)."""
+    if not hasattr(x, "last"):
+        return 0.0
     return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + dt)
 
 
-def next_states(t, x, u, p, dt):
+def next_states(t, x, u, p, dt, ki):
     """I_{k+1} = I_k + h I', D_k, y_k (Astrom and Murray 2008, section 10.5)."""
     D = difference(x, u, p, dt)
-    moved = x.integral + dt * integral_rate(unlimited(x, u, p, D), u, p)
-    return {"integral": moved, "derivative": D, "last": u.y}
+    moved = {"derivative": D, "last": u.y} if hasattr(x, "last") else {}
+    if ki:
+        rate = integral_rate(unlimited(x, u, p, D), u, p, ki)
+        moved["integral"] = x.integral + dt * rate
+    return moved
 
 
 def sampled_command(t, x, u, p, dt):
@@ -87,6 +97,9 @@ def pid(
     Continuous: v = Kp (r - y) + I + D, u = min(max(v, low), high), I' = Ki (r - y) + (u - v)/Tt,
     D = -Kd (y - yf)/Tf, Tf yf' = y - yf. Sampled, h = dt: D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))
     / (Tf + h), I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt).
+
+    A gain of 0 has no state and no parameter: to vary it, make the block with another value. At
+    a call-time ki, (u - v)/Tt is multiplied by its share of the first ki.
 
     States start at 0. Where y starts elsewhere and kd is given, its value belongs in
     `initial_state`, as the state ``filtered``, yf, or ``last``, y_{k-1}, of a sampled one.
@@ -143,17 +156,24 @@ def pid(
             f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}"
         )
     check_order(name, low=low, high=high)
-    gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
-    values = {**gains, "filter": filter, "tracking": tracking}
-    states = (
-        ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
-    )
+    values, states = {"kp": kp, "low": low, "high": high}, []
+    if ki:
+        values |= {"ki": ki, "tracking": tracking}
+        states += ["integral"]
+    if kd:
+        values |= {"kd": kd, "filter": filter}
+        states += ["filtered"] if dt is None else ["derivative", "last"]
+    update = with_constants(rates, ki=ki)
+    output = command
+    if dt is not None:
+        update = with_constants(next_states, dt=dt, ki=ki)
+        output = with_constants(sampled_command, dt=dt)
     return make_block(
         name,
         ports,
         values,
-        update=rates if dt is None else with_period(next_states, dt),
-        output=command if dt is None else with_period(sampled_command, dt),
+        update=update if states else None,
+        output=output,
         inputs={"r": signals, "y": signals},
         outputs={"u": signals},
         states=dict.fromkeys(states, signals),

@@ -40,7 +40,7 @@ from .common import (
     following_block,
     lag_parameter,
     signal_block,
-    with_period,
+    with_constants,
 )
 
 
@@ -245,7 +245,7 @@ def rate_limit(
     """
     rates = checked_sizes(name, signals, rise=rise, fall=rise if fall is None else fall)
     check_positive(name, **rates)
-    step = limited_step if dt is None else with_period(limited_step, dt)
+    step = limited_step if dt is None else with_constants(limited_step, dt=dt)
     values = {**rates, **lag_parameter(name, lag, dt)}
     return following_block(name, ports, values, signals, limited_rate, step, dt)
 

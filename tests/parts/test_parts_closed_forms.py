@@ -275,3 +275,27 @@ def test_a_sampled_integral_that_is_limited_does_not_run_away():
 def test_gains_of_two_signs_have_times_of_their_magnitudes():
     made = parts.pid(1.0, -0.1, 0.5).parameters
     assert (made.filter, made.tracking) == pytest.approx((0.05, np.sqrt(5.0)))
+
+
+@every_engine
+@pytest.mark.parametrize("dt", [None, 0.5])
+def test_a_gain_of_zero_has_no_state(dt, engine):
+    """10 y' = u - y with u = 2 (r - y): y comes to 2/3."""
+    loop = clpt.connect([parts.pid(2.0, dt=dt), parts.lag(10.0)], external="r")
+    assert run(loop, [0.0, 200.0], 1.0, engine=engine).y[-1] == pytest.approx(2 / 3)
+    assert clpt.linearize(loop)["y", "r"].dcgain() == pytest.approx(2 / 3)
+    if dt is None:
+        assert clpt.lyapunov(loop).conclusion == "asymptotically stable"
+    assert [*parts.pid(2.0, dt=dt).state_shapes] == []
+    of_a_derivative = ["filtered"] if dt is None else ["derivative", "last"]
+    assert [*parts.pid(2.0, 0.0, 1.0, dt=dt).state_shapes] == of_a_derivative
+
+
+@pytest.mark.parametrize("dt", [None, 0.5])
+def test_a_member_without_integral_charges_none(dt):
+    """10 y' = min(1.5 (r - y), 0.8) - y: y comes to 1.5/2.5; with an integral to 0.8."""
+    pid = parts.pid(1.5, 0.1, high=0.8, dt=dt)
+    loop = clpt.connect([pid, parts.lag(10.0)], external="r")
+    times = np.linspace(0.0, 400.0, 801)
+    found = clpt.run_ensemble(loop, {"pid.ki": [0.0, 0.1]}, timepts=times, inputs=1.0)
+    np.testing.assert_allclose(found.y_final, [0.6, 0.8], atol=1e-7)
