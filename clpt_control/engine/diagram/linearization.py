@@ -69,6 +69,7 @@ class _About:
         self.tape = Tape()
         self.point = np.concatenate([x, u])
         self.count = len(self.point)  # number of states and inputs
+        self.columns = np.arange(self.count)
         self.unit_vectors = np.eye(self.count)
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
@@ -135,10 +136,20 @@ class _About:
         no_rows = np.zeros((0, columns))
         return np.concatenate([no_rows, *rows])
 
-    def slopes(self, values: list[Any]) -> np.ndarray:
-        """Return the derivatives of values, a row for each element."""
+    @np.errstate(all="ignore")  # of a slope that is not finite
+    def slopes(self, values: list[Any], point: Any = None) -> np.ndarray:
+        """Return the derivatives of values, a row for each element, at the point or another."""
         slopes = [self.direction.of(value) for value in values]
-        return self.numbers(slopes, shapes_of(values), self.values, self.count)
+        leaves = self.values if point is None else self.leaves_at(point[:, None])
+        return self.numbers(slopes, shapes_of(values), leaves, self.count)
+
+    def leaves_at(self, points: np.ndarray) -> dict[Any, Any]:
+        """Return the values of leaves at points, one a column."""
+        leaves = dict(self.values)
+        for key, position in self.positions.items():
+            shape = self.values[key].shape[:-1]
+            leaves[key] = points[position].reshape(*shape, -1)
+        return leaves
 
     def is_at_level(self, distance: Any) -> bool:
         """Return whether a distance at the point is 0, but for the rounding of its leaves."""
@@ -154,11 +165,7 @@ class _About:
 
     def near(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
         """Return values near the point, a row for each element and a column for each move."""
-        moved = self.point[:, None] + moves
-        leaves = dict(self.values)
-        for key, position in self.positions.items():
-            shape = self.values[key].shape[:-1]
-            leaves[key] = moved[position].reshape(*shape, -1)
+        leaves = self.leaves_at(self.point[:, None] + moves)
         return self.numbers(values, shapes_of(values), leaves, moves.shape[1])
 
     def sampled_values(
@@ -365,7 +372,7 @@ def _linearized(
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:
             raise DiagramError(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
-                "this point; under a root or a norm that is 0, add a small number"
+                f"this point{_point_beside(about, [*rates, *signals], labels)}"
             )
     A = AB[:, :n]
     B = AB[:, n:]
@@ -391,6 +398,50 @@ def _linearized(
         name=f"{system.name}$linearized",
     )
     return minimal_of(linear) if minimal else linear
+
+
+def _point_beside(about: _About, values: list[Any], labels: list[str]) -> str:
+    """Return advice: a point near by that has slopes, and the kernel's centre that has none."""
+
+    def moved(ports: Sequence[Any]) -> np.ndarray:
+        """Return the point with some ports moved, to numbers that are printed exactly."""
+        point = about.point.copy()
+        for port in ports:
+            for k in about.columns[about.positions[port]]:
+                point[k] = float(f"{point[k] + 0.01 * (1 + abs(point[k])):g}")
+        return point
+
+    def has_slopes(ports: Sequence[Any]) -> bool:
+        return bool(np.isfinite(about.slopes(values, moved(ports))).all())
+
+    ports = [*about.positions]
+    for port in about.positions:
+        fewer = [other for other in ports if other != port]
+        ports = fewer if has_slopes(fewer) else ports
+    point = moved(ports)
+    center = _center(about, ports)
+    if not center or not has_slopes(ports):
+        return "; under a root or a norm that is 0, add a small number"
+    shown = (
+        f"{labels[k]} = {point[k]:g}" for k in np.flatnonzero(point != about.point)
+    )
+    return f"{center}. Linearize beside it, with {', '.join(shown)}"
+
+
+def _center(about: _About, ports: Sequence[Any]) -> str:
+    """Return the block with a row of parameters, as a kernel's centre, that a port is at, or ""."""
+    for node in about.record.wiring.nodes:
+        function = getattr(node.system, "output_function", None)
+        for field, rows in about.parameters[node.name]._asdict().items():
+            for here in (about.point[about.positions[port]] for port in ports):
+                if np.shape(rows)[1:] != here.shape:
+                    continue
+                for k in np.flatnonzero((rows == here).all(axis=1)):
+                    name = getattr(function, "__name__", "its function")
+                    return (
+                        f": {name} of {node.name} is at {field}[{k}] = {here.tolist()}"
+                    )
+    return ""
 
 
 def state_space(

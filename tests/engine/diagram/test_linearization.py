@@ -1,6 +1,7 @@
 """A diagram linearized: closed forms, python-control's differences, kinks and jumps."""
 
 import math
+import re
 import warnings
 
 import control
@@ -180,6 +181,29 @@ def test_a_slope_without_end_is_refused_by_the_name_of_what_has_none():
         clpt.linearize(
             control.nlsys(lambda t, x, u, p: -x, size, **names), [1.0, 0.0, 0.0]
         )
+
+
+def test_a_kernel_at_its_centre_is_named_with_a_point_that_works():
+    """The paper's vehicle starts at c_1 = 0: phi_1 = exp(-|x|/10) has no slope there."""
+    loop = clpt.closed_loop(SCENARIO)
+    said = r"exponential of basis_x is at centers\[0\] = \[0.0, 0.0\]. Linearize beside it, with "
+    with pytest.raises(clpt.DiagramError, match=said) as refused:
+        clpt.linearize(loop)
+    point = {
+        label: float(value)
+        for label, value in re.findall(
+            r"(\w+\[\d\]) = ([-\d.]+)", f"{refused.value}".split("with ")[1]
+        )
+    }
+    assert point.keys() == {
+        f"{name}[{k}]" for name in ("vehicle_x", "learning_model_z") for k in (0, 1)
+    }
+    linear = clpt.linearize(loop, point)
+    row = linear.output_labels.index("phi_x[0]")
+    # d phi_1/dx_1 = -x_1/(10 |x|) exp(-|x|/10) at t = 0
+    away = np.hypot(point["vehicle_x[0]"], point["vehicle_x[1]"])
+    slope = -point["vehicle_x[0]"] / (10 * away) * np.exp(-away / 10)
+    assert linear.C[row, 0] == pytest.approx(slope, rel=1e-12)
 
 
 @pytest.mark.parametrize("at", [-2.0, 0.9, 1.0, 1.1, 4.0])
