@@ -56,6 +56,7 @@ NOUNS = {
 NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
 EXAMPLES = {  # argument -> example for its message
     "inputs": "{'e': 2}",
+    "outputs": "{'y': 1}",
     "params": "{'adaptation.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",

@@ -133,7 +133,7 @@ def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
     if STATES in run.variables:
         labels = run[STATES]["state"].values.tolist()
         by_name = dict(zip(labels, run[STATES].values.T, strict=True)) | by_name
-    for spelling in (name, name.replace(".", "_")):
+    for spelling in (name, name.replace(".", "_"), name.removesuffix("[0]")):
         if spelling in by_name:
             return {_title(run, spelling): by_name[spelling]}
     close = nearest(name, [*COMPARED, *ports, *by_name])

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..engine.model.ports import ports_of
+from ..engine.model.ports import bare_labels, ports_of
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import Solution
 
@@ -71,7 +71,7 @@ class DatasetTemplate:
     def __post_init__(self) -> None:
         self.axes = {name: index_of(name, *axis) for name, axis in self.axes.items()}
         if self.states is not None:
-            labels = np.array(self.states, dtype=object)
+            labels = np.array(bare_labels(self.states), dtype=object)
             self.axes["state"] = index_of("state", labels, STATE)
         # the last times, and their index
         self._cached_time: tuple[bytes | None, Any] = (None, None)

@@ -395,9 +395,9 @@ def fit_parameters(
     ----------
     system : Scenario or control.InputOutputSystem
         As `sensitivity` takes it.
-    data : xarray.Dataset or mapping
-        Measured outputs: variables over ``time``, or arrays by port or signal, samples first, at
-        `timepts`. NaN is no measurement.
+    data : xarray.Dataset, pandas.DataFrame or mapping
+        Measured outputs: variables over ``time``, columns beside the column or index ``time``, or
+        arrays by port or signal, samples first, at `timepts`. NaN is no measurement.
     parameters : mapping
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
@@ -456,6 +456,10 @@ def fit_parameters(
 
 def _measurements(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Return times, and measured arrays by name, samples first."""
+    if hasattr(data, "iterrows"):  # a table
+        table = data.reset_index() if data.index.name == "time" else data
+        data = {str(name): table[name].to_numpy() for name in table}
+        times = data.pop("time", times)
     is_dataset = hasattr(data, "data_vars")
     if is_dataset and "time" in data.dims:
         arrays = {
@@ -466,9 +470,11 @@ def _measurements(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarr
         return checked_times("data.time", data.time.values), arrays
     if is_dataset or not isinstance(data, Mapping):
         raise ArgumentError(
-            "data: must be an xarray.Dataset with the dimension `time`, or arrays by name"
+            "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
     if times is None:
-        raise ArgumentError("timepts: is required with arrays")
+        raise ArgumentError(
+            "timepts: is required with arrays, or a table without `time`"
+        )
     arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}
     return checked_times("timepts", times), arrays

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..base.errors import SimulationError
 from ..engine.diagram.interconnection import wiring_of_blocks
-from ..engine.model.ports import split
+from ..engine.model.ports import bare_labels, split
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.blocks.localization import TRUE
@@ -104,7 +104,8 @@ class TeamRun(SystemRun):
         del data.attrs["scenario"]
         data.attrs["message"] += self._notes_on_fast_flow(data)
         data.encoding["folder"] = str(team.first._folder)
-        data = data.assign_coords(state=("state", state_labels(self.wiring), STATE))
+        labels = bare_labels(state_labels(self.wiring))
+        data = data.assign_coords(state=("state", labels, STATE))
         return data.assign(states=(("time", "state"), solution.x, STATES))
 
     def _notes_on_fast_flow(self, data: "xarray.Dataset") -> str:

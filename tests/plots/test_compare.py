@@ -209,10 +209,10 @@ def test_signals_and_states_are_drawn_by_name(of_carts):
     np.testing.assert_array_equal(ax.lines[0].get_xydata().T, [run.time, run.pos])
     assert (ax.get_ylabel(), ax.get_legend()) == ("pos (m)", None)
     _, mine = plt.subplots()
-    assert run.clpt.plot(["pos", "vel[0]"], ax=mine) is mine
-    vel = run.states.sel(state="vel[0]")
+    assert run.clpt.plot(["pos", "vel"], ax=mine) is mine
+    vel = run.states.sel(state="vel")
     np.testing.assert_array_equal(mine.lines[1].get_ydata(), vel)
-    assert legends(mine) == ["pos (m)", "vel[0]"]
+    assert legends(mine) == ["pos (m)", "vel"]
     assert mine.lines[0].get_color() != mine.lines[1].get_color()
     _, two = plt.subplots(2)
     run.clpt.plot(["pos", "force"], ax=two)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base.arguments import check_holds, public
+from ...base.arguments import public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
 from ...engine.model.ports import ports_of
@@ -151,7 +151,9 @@ def _valid(name: str, used_names: Any) -> str:
 def of_port(argument: str, labels: list[str], port: str) -> tuple[list[int], list[str]]:
     """Return rows and labels of the signals of a port; refuse an unknown one."""
     ports = ports_of(labels)
-    check_holds(argument, ports, [port], f"it has {', '.join(ports)}")
+    if port not in ports:
+        names = ", ".join(ports)
+        raise ArgumentError(f"linearize: has no {argument} '{port}'. It has {names}")
     return ports[port], [labels[k] for k in ports[port]]
 
 

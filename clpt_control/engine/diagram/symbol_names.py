@@ -30,7 +30,7 @@ def typeset(expression: Any, accent: str = "{}") -> str:
 
     The accent, such as a dot, is set over each letter, not over its index.
     """
-    expression = sympy.sympify(expression)
+    expression = with_equations(sympy.sympify(expression))
     inputs = {}
     for function in expression.atoms(AppliedUndef):
         if function.args == (TIME,):
@@ -51,6 +51,19 @@ def typeset(expression: Any, accent: str = "{}") -> str:
             text += rf"^{{\mathrm{{{block}}}}}".replace("_", r"\_")
         latex[symbol] = text
     return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
+
+
+def with_equations(expression: Any) -> Any:
+    """Return an expression in which a <= b and a >= b is the equation a = b."""
+
+    def is_pair(e: Any) -> bool:
+        names = [str(getattr(a, "func", "")) for a in e.args]
+        return names == ["le", "ge"] and e.args[0].args == e.args[1].args
+
+    return expression.replace(
+        lambda e: str(e.func) == "and_" and is_pair(e),
+        lambda e: sympy.Eq(*e.args[0].args, evaluate=False),
+    )
 
 
 def element_name(port: str, shape: Shape, index: tuple) -> str:

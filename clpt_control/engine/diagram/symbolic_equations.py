@@ -36,6 +36,7 @@ from .symbol_names import (
     fields_of,
     groups,
     typeset,
+    with_equations,
 )
 from .wiring import Node, Part, Wiring, read_anew, wiring_of
 
@@ -189,7 +190,10 @@ class Equations:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 
     def __repr__(self) -> str:
-        return "\n".join(self._lines(str, lambda symbol, mark: f"{symbol}{mark}"))
+        def as_text(expression: Any) -> str:
+            return str(with_equations(sympy.sympify(expression)))
+
+        return "\n".join(self._lines(as_text, lambda symbol, mark: f"{symbol}{mark}"))
 
     def latex(self) -> str:
         r"""Return the equations as LaTeX, an `aligned` environment.

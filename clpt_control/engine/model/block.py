@@ -146,6 +146,7 @@ class Block(ReadBlock):
                 raise BlockError(f"{name}: {sentence}")
 
         refuse(output is None and not states, "a block without states needs `output`")
+        refuse(output and outputs is None, "`output` needs `outputs={'y': 1}`")
         refuse(
             (update is None) != (not states), "`update` and `states` belong together"
         )

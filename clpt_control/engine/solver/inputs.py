@@ -193,7 +193,7 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
         return Inputs((times, values.reshape(samples)))
     if values.shape not in {(), (1,), (count,)}:
         raise SimulationError(
-            f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+            f"inputs: shape {values.shape}: give ({count}, {len(times)}), inputs by times"
             + ("" if count else "; initial_state= is the start")
         )
     constant = np.empty((count, 1))

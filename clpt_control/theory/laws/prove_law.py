@@ -19,6 +19,7 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.wiring import read_anew
 from ...engine.model.block import Block
 from ...paper.laws.law import Law
+from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
@@ -45,7 +46,7 @@ ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
 @public
 def prove(
-    law_block: Block | Diagram | control.NonlinearIOSystem,
+    law_block: Block | Diagram | control.NonlinearIOSystem | str,
     V: Callable[..., Any] | None = None,
     points: Count = 10_000,
     seed: Seed = 0,
@@ -58,10 +59,11 @@ def prove(
 
     Parameters
     ----------
-    law_block : Block, control.NonlinearIOSystem or Diagram
-        With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
-        as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, without other parts of
-        your own, a disturbance, noise, fixed gains or a speed limit without hedging.
+    law_block : Block, control.NonlinearIOSystem, Diagram or str
+        The name of a law of the table; or a block with outputs alpha[2N], K[2], Gamma[2] and
+        inputs among the diagram's ports, such as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop`
+        with such a law, without other parts of your own, a disturbance, noise, fixed gains or a
+        speed limit without hedging.
     V : callable, optional
         A function of signals, as of `lyapunov`: ``lambda s: s.e @ s.e / 2 + ...``, which may read
         signals of the loop (``s.e``, ``s.alpha``, ``s.K``, ...), the truth (``s.theta``, ``s.KD``,
@@ -95,18 +97,22 @@ def prove(
     Raises
     ------
     DiagramError
-        If the law does not return alpha[2N], K[2] and Gamma[2], or has the name of a block that
-        contains the truth.
+        If the name is unknown, the law does not return alpha[2N], K[2] and Gamma[2], or has the
+        name of a block that contains the truth.
     BlockError
         If its equations cannot be traced.
 
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.paper.laws.table import LAWS
-    >>> clpt.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
+    >>> clpt.prove("learned-flow", points=200).status
     'proved'
     """
+    if isinstance(law_block, str):
+        if law_block not in LAWS:
+            raise DiagramError(f"{law_block}: is not a law. clpt.laws() lists them")
+        row = LAWS[law_block]
+        return verdict_on_row(row, points, law_and_V(row, MIDDLE)[0], seed)
     if isinstance(law_block, Diagram) and law_block.origin is not None:
         scenario, own_law = _law_of(law_block)
         learner, row = own_law or scenario.law_block, scenario.learning.row

@@ -102,7 +102,7 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
     assert cut.state_labels[0] == "learning_model_z[0]"
     says(
         clpt.ArgumentError,
-        "has no 'nothing'",
+        "has no output 'nothing'",
         run.clpt.linearize,
         10.0,
         output="nothing",

@@ -36,10 +36,10 @@ PLOTS = [
 def test_all_plots_are_listed(made, kind):
     names = ", ".join(filter(None, COUNTS[kind]))
     one = f"there is one plot of this {kind}. Leave the name out"
-    said = f"plot 'x': must be {names}, for a {kind}" if names else one
+    said = f"plot 'none': must be {names}, for a {kind}" if names else one
     if kind in ("run", "diagram"):
-        said = "plot 'x': the run has no such signal or state. It has "
-    says(clpt.ClptError, said, plot_of(made, kind, "x"))
+        said = "plot 'none': the run has no such signal or state. It has "
+    says(clpt.ClptError, said, plot_of(made, kind, "none"))
 
 
 def plot_of(made, kind, name):
