@@ -80,6 +80,24 @@ def test_a_claim_is_a_formula(factor, status):
     )
 
 
+@pytest.mark.parametrize(
+    ("V", "forms", "rate"),
+    [
+        ("log(cosh(x)) + y**2/2", "$x$, $y$", r"\tanh{\left(x \right)}"),
+        ("sqrt(1 + x**2) - 1 + y**2/2", "$x$, $y$", r"\frac{x^{2}}{\sqrt{x^{2} + 1}}"),
+    ],
+)
+def test_claims_are_formulas(V, forms, rate):
+    """x' = -x: V' = -x tanh(x) or -x^2/sqrt(1 + x^2), less y^2."""
+    text = well_formed(verdict_of(f"x' = -x; y' = -y; V = {V}"))
+    assert f"V is positive definite in {forms} (exact)" in text.replace(
+        "$y$, $x$", forms
+    )
+    [item] = re.findall(r"item \$\\dot V = (.*) \\le 0\$ \(exact\)", text)
+    assert rate in item
+    assert "**" not in text
+
+
 def test_an_open_verdict_is_a_conjecture():
     verdict = verdict_of("x' = -x; V = tanh(x**2)")  # a V that is bounded
     assert verdict.status == "open"

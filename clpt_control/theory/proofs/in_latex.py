@@ -1,14 +1,18 @@
 r"""A verdict in LaTeX: equations, V, V', the conclusion with its conditions, and the steps.
 
 The environments ``theorem``, ``proposition``, ``conjecture`` and ``proof`` are those of amsthm;
-``aligned`` is that of amsmath.  Equations, V, V', a claim and a level are formulas.  Conditions and
-steps are texts, with the names of signals as the user wrote them: a power is x^2, a product 2 x.
+``aligned`` is that of amsmath.  Equations, V, V', claims and a level are formulas.  Conditions, and
+claims in words, are texts, with the names of signals as the user wrote them: a product is 2 x.
 In a line LaTeX breaks a long V' at its signs.
 """
 
 import re
 from collections.abc import Iterator
+from tokenize import TokenError
 from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import typeset
 from .conclusions import CONCLUSIONS, signs_of
@@ -25,6 +29,12 @@ SIGNS = {  # replaced in this order
     ">": "$>$",
     "|": "$|$",
 }
+RELATIONS = {"<=": r"\le", ">=": r"\ge", "<": "<", ">": ">", "=": "="}
+FUNCTIONS = {"sqrt", "Abs", "sign", "exp", "log", "sin", "cos", "cosh", "sinh", "tanh"}
+FUNCTIONS |= {"Min", "Max"}
+OF_THE_PAPER = r"[A-Za-z]+_\d(?:\[\d+\])?"  # e_1, theta_1[2]
+SIDES = {"V'": r"\dot V", "-e^T KD e": r"-e^\top K_D e"}
+SIDES |= {bound: bound for bound in ("c", "r", "-r V + c")}
 
 
 def verdict_in_latex(verdict: Any) -> str:
@@ -34,8 +44,11 @@ def verdict_in_latex(verdict: Any) -> str:
     lines.append(rf"\end{{{environment}}}")
     if verdict.status == "proved":
         lines.append("\\begin{proof}\n\\begin{itemize}")
-        shown = (f"{step.claim} ({step.how})" for step in verdict.steps if step.holds)
-        lines += [rf"\item {escaped(text)}." for text in shown]
+        lines += [
+            rf"\item {claim_in_latex(verdict, step.claim)} ({step.how})."
+            for step in verdict.steps
+            if step.holds
+        ]
         lines.append("\\end{itemize}\n\\end{proof}")
     text = "\n".join(lines).replace("GammaD_{", r"\Gamma_{D,")
     return text.replace("KD_{", "K_{D,")  # the paper's index D
@@ -53,15 +66,15 @@ def _statement(verdict: Any) -> Iterator[str]:
         yield rf"Claim: $\displaystyle \dot V \le {typeset(verdict.claimed)}$."
     if verdict.status == "refuted":
         step = verdict.steps[-1]
-        yield f"Refuted: {escaped(step.claim)}: {escaped(step.detail)}."
+        yield f"Refuted: {claim_in_latex(verdict, step.claim)}: {escaped(step.detail)}."
     if verdict.status == "open":
         missing = verdict.failed[0].claim if verdict.failed else claim
-        yield f"Not shown: {escaped(missing)}."
+        yield f"Not shown: {claim_in_latex(verdict, missing)}."
     if verdict.status != "proved":
         return
     row = CONCLUSIONS[verdict.conclusion]
     if not row.requires & {"falls", "claimed"}:
-        yield f"Claim: {escaped(claim)}."
+        yield f"Claim: {claim_in_latex(verdict, claim)}."
     if verdict.level is not None:
         level = f"$\\displaystyle {typeset(verdict.level)}$"
     bound = escaped(verdict.bound) or level
@@ -72,6 +85,47 @@ def _statement(verdict: Any) -> Iterator[str]:
         conditions.append(signs_of(verdict.V.free_symbols | verdict.rate.free_symbols))
     if conditions:
         yield f"Conditions: {escaped('; '.join(conditions))}."
+
+
+def claim_in_latex(verdict: Any, claim: str) -> str:
+    """Return a claim with its equations, inequalities and forms as formulas."""
+    words, of, forms = claim.partition("positive definite in ")
+    if of:
+        names = [_side(verdict, form) for form in forms.split(", ")]
+        if all(names):
+            return escaped(words + of) + ", ".join(f"${name}$" for name in names)
+    parts = []
+    for part in re.split(r", (?![^(]*\))", claim):
+        sides = re.split(" ([<>]?=|[<>]) ", part)
+        latex = [RELATIONS.get(side) or _side(verdict, side) for side in sides]
+        is_formula = len(sides) > 1 and all(latex)
+        parts.append(f"${' '.join(latex)}$" if is_formula else escaped(part))
+    return ", ".join(parts)
+
+
+def _side(verdict: Any, text: str) -> str:
+    """Return an expression of a verdict's signals as LaTeX; "" of words."""
+    if text in SIDES:
+        return SIDES[text]
+    formulas = sympy.Tuple(*filter(None, (verdict.V, verdict.rate, verdict.claimed)))
+    known = {str(s): s for s in formulas.atoms(sympy.Symbol, AppliedUndef)}
+    names = sorted(map(re.escape, known), key=len, reverse=True)
+    dummies: dict[str, Any] = {}
+
+    def dummy(match: re.Match) -> str:
+        symbol = known.get(match[0], sympy.Symbol(match[0]))
+        dummies[f"d_{len(dummies)}"] = symbol
+        return [*dummies][-1]
+
+    either = "|".join([*names, OF_THE_PAPER])
+    plain = re.sub(rf"(?<![\w.])({either})(?![\w.(\[])", dummy, text)
+    words = {*re.findall(r"[^\W\d]\w*", plain)} - dummies.keys()
+    try:
+        if words <= FUNCTIONS and not re.search(r"[^\w\s.,+*/()-]", plain):
+            return typeset(sympy.parse_expr(plain, dummies))
+    except (SyntaxError, TokenError, TypeError, ValueError):
+        pass
+    return ""
 
 
 def escaped(text: str) -> str:
