@@ -6,6 +6,7 @@ a closed form in the comment of its row.
 
 import numpy as np
 import pytest
+import sympy
 from lyapunov_cases import ORDER as STRONGEST_FIRST
 from text_systems import TICKS, signals, written
 
@@ -393,3 +394,35 @@ def judged_at_peaks():
     plant = clpt.Block("plant", update=rate, states={"x": 1}, parameters={})
     V = lambda s: (1 + s.t**4 * np.sin(s.t) ** 2) * s.x**2  # noqa: E731
     return clpt.lyapunov(plant, V), plant
+
+
+@pytest.mark.parametrize(
+    ("V", "rate"),
+    [
+        ("log(cosh(e))", "-e*tanh(e)"),
+        ("sqrt(1 + e**2) - 1", "-e**2/sqrt(1 + e**2)"),
+        ("abs(e) - log(1 + abs(e))", "-e**2/(1 + Abs(e))"),
+        ("2*abs(e) - 2*log(1 + abs(e))", "-2*e**2/(1 + Abs(e))"),
+    ],
+)
+def test_measures_that_grow_less_than_a_square_are_definite(V, rate):
+    """Along e' = -e, V' = -e dV/de; the slope of |e| - log(1 + |e|) is e/(1 + |e|)."""
+    _, found = judged(f"e' = -e; V = {V}")
+    assert (found.status, found.conclusion) == ("proved", AS)
+    e = sympy.Symbol("e", real=True)
+    assert sympy.simplify(found.rate - sympy.sympify(rate, {"e": e})) == 0
+
+
+@pytest.mark.parametrize("V", ["log(1 + abs(e))", "2*abs(e) - log(1 + abs(e))"])
+def test_a_measure_with_a_kink_at_rest_is_not_smoothed(V):
+    """Its slope at 0 jumps from -1 to 1."""
+    _, found = judged(f"e' = -e; V = {V}")
+    assert found.rate.has(sympy.Function("sign", real=True))
+    assert found.conclusion != AS
+
+
+def test_a_spring_of_bounded_force_comes_to_rest():
+    """V' = -v^2: the terms of x cancel, as d/dx (|x| - log(1 + |x|)) = x/(1 + |x|)."""
+    V = "abs(x) - log(1 + abs(x)) + v**2/2"
+    _, found = judged(f"x' = v; v' = -x/(1 + abs(x)) - v; V = {V}")
+    assert (f"{found.rate}", found.conclusion) == ("-v**2", AS)

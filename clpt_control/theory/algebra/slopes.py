@@ -48,6 +48,19 @@ def slope_of(call: Any, along: Callable[[Expr], Expr]) -> Expr | None:
     return S.Zero if fact_of(call).kind == "step" else None
 
 
+def _without_steps(terms: list[Expr]) -> Expr:
+    """Return the sum of rates, a/(1 + |a|) for |a| - log(1 + |a|), in which no sign is left."""
+    stepping = Add(*(term for term in terms if term.has(SIGN)))
+    for sign in stepping.atoms(SIGN):
+        (a,) = sign.args
+        product = sympy.factor(stepping)
+        powers = product.as_powers_dict()
+        rest = product / (sign * sympy.Abs(a))
+        if powers[sign] == 1 <= powers[sympy.Abs(a)] and not rest.has(SIGN):
+            return Add(a * rest, *(term for term in terms if not term.has(SIGN)))
+    return Add(*terms)
+
+
 def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
     """Return the derivative of an expression along a motion: symbols -> their rates, or 0."""
     rates = dict(rates)  # of subexpressions as well
@@ -61,7 +74,8 @@ def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
         if e.is_Atom:
             return S.Zero
         if e.is_Add:
-            return Add(*map(rate, e.args))
+            terms = [rate(term) for term in e.args]
+            return _without_steps(terms) if e.has(sympy.log) else Add(*terms)
         if e.is_Mul:
             moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
             terms = []

@@ -281,7 +281,8 @@ def _power_in(term: Expr, s: Symbol) -> tuple[int, Expr, bool]:
 
 def _has_positive_limits(term: Expr, factor: Expr, s: Symbol) -> bool:
     """Return whether a term is positive far away, as s^2/(1 + s^2) is."""
-    if factor.free_symbols != {s} or functions_in(factor) or not factor.is_positive:
+    functions = functions_in(factor) - {sympy.Abs(s)}
+    if factor.free_symbols != {s} or functions or not factor.is_positive:
         return False
     limits = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
     return all(limit.is_extended_positive for limit in limits)
