@@ -113,9 +113,9 @@ def _side(verdict: Any, text: str) -> str:
     dummies: dict[str, Any] = {}
 
     def dummy(match: re.Match) -> str:
-        symbol = known.get(match[0], sympy.Symbol(match[0]))
-        dummies[f"d_{len(dummies)}"] = symbol
-        return [*dummies][-1]
+        name = f"d_{len(dummies)}"
+        dummies[name] = known.get(match[0], sympy.Symbol(match[0]))
+        return name
 
     either = "|".join([*names, OF_THE_PAPER])
     plain = re.sub(rf"(?<![\w.])({either})(?![\w.(\[])", dummy, text)
