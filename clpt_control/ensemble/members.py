@@ -28,14 +28,13 @@ from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
 from ..engine.methods.table import TAYLOR
-from ..engine.solver import solver_layout as layout
-from ..engine.solver.batch import MEMBER_STEPS, Batch
+from ..engine.solver.batch import MEMBER_STEPS, Batch, finished
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.legs import Legs, may_go_on
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import run_members
-from ..engine.solver.solver_layout import Status
+from ..engine.solver.solver_layout import SIGNALS, Results, Status
 from ..engine.solver.termination import STUCK, Solution, sampled_start
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
@@ -71,16 +70,6 @@ class Members:
         if all(item is inputs[0] for item in inputs):
             inputs = inputs[:1]
         return np.array([item.along(times) for item in inputs])
-
-
-@dataclass(frozen=True)
-class States:
-    """States and termination of m runs."""
-
-    states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
-    status: np.ndarray  # (m,), values of the solver's `Status`
-    reached: np.ndarray  # (m,), samples reached
-    counts: np.ndarray  # (m, 4): steps, evaluations, restarts, rejected steps
 
 
 class Ensemble:
@@ -203,8 +192,8 @@ class Ensemble:
 
     # --- runs and summaries ---------------------------------------------------------------
 
-    def run(self, members: Members, times: np.ndarray) -> States:
-        """Run members in the calling thread; return their states at times up to their end."""
+    def run(self, members: Members, times: np.ndarray) -> Results:
+        """Run members in the calling thread; their states are NaN after their end."""
 
         def rows(m: Any) -> tuple:
             x0, P, group = members.x0[m], members.P[m], members.group[m]
@@ -212,37 +201,29 @@ class Ensemble:
 
         count = len(members.x0)
         if not (self.native.nstates or self.native.sweep.guarded):
-            return States(
-                states=np.zeros((count, len(times), 0)),
-                status=np.full(count, Status.FINISHED),
-                reached=np.full(count, len(times)),
-                counts=np.zeros((count, 4), dtype=np.int64),
-            )
+            return finished(count, len(times), 0)
         if not self.compiled:
             return self._run_in_python(members, times)
         # 1. all members, in lanes
         result = self._results(rows)
         # 2. members that were stopped by a locked switch, without locks
-        stuck = np.flatnonzero(np.isin(result[1], STUCK))
+        stuck = np.flatnonzero(np.isin(result.status, STUCK))
         if self.native.code.program.decided and len(stuck):
             batch = self._solve(self.native.unlocked(), rows(stuck))
             replace_rows(result, stuck, batch)
         # 3. members that slide along switches, or jump at a level
-        unfinished = np.isin(result[1], may_go_on(self.native))
+        unfinished = np.isin(result.status, may_go_on(self.native))
         for m in np.flatnonzero(unfinished).tolist():
             run = members.P[m], members.x0[m], times, members.schedule(m)
             batch = self._solve_one(self.native, *run)
             Legs(self.native, batch, self._solve_one).go_on()
             replace_rows(result, [m], batch)
-        return States(*result)
+        return result
 
-    def _run_in_python(self, members: Members, times: np.ndarray) -> States:
+    def _run_in_python(self, members: Members, times: np.ndarray) -> Results:
         """Run members one after the other; return their states."""
-        count = len(members.x0)
-        states = np.full((count, len(times), self.native.nstates), np.nan)
-        status = np.full(count, Status.FINISHED)
-        reached = np.full(count, len(times))
-        counts = np.zeros((count, 4), dtype=np.int64)
+        shape = len(members.x0), len(times), self.native.nstates
+        states, status, reached, counts = results = finished(*shape)
         for m, (runner, inputs) in enumerate(members.runners):
             try:
                 run = runner.solve(members.x0[m], times, inputs, self.options)
@@ -256,9 +237,9 @@ class Ensemble:
                 end = times[len(rows) - 1]
             reached[m] = np.searchsorted(times, end, side="right")
             states[m, : reached[m]] = rows[: reached[m]]
-        return States(states, status, reached, counts)
+        return results
 
-    def _results(self, rows: Callable[[Any], tuple]) -> Any:
+    def _results(self, rows: Callable[[Any], tuple]) -> Results:
         """Integrate all members; return their results."""
         every = rows(slice(None))
         if self.options.method != TAYLOR:
@@ -286,7 +267,7 @@ class Ensemble:
         return self._solve(runner, (start[None], P[None], times, [schedule]))
 
     def signals(
-        self, members: Members, run: States
+        self, members: Members, run: Results
     ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Yield some members, and all their signals (m, times, signals), NaN after their end."""
         times = self.varied.state_times
@@ -307,7 +288,7 @@ class Ensemble:
             for begin in range(0, len(of_group), count):
                 rows = of_group[begin : begin + count]
                 signals = self.native.callee().evaluate_runs(
-                    layout.SIGNALS,
+                    SIGNALS,
                     times,
                     run.states[rows],
                     schedule,
@@ -384,7 +365,7 @@ class MemberBatch:
     ensemble: Ensemble
     members: Members
     values: Values
-    run: States
+    run: Results
     # times and outputs of members that a guard stopped
     stops: dict[int, tuple[np.ndarray, np.ndarray]] = made_by(default_factory=dict)
 

@@ -68,7 +68,7 @@ class OutputBatch(MemberBatch):
                 is_sample = np.isin(times, varied.times)
                 self.y[m] = np.nan
                 self.y[m][:, np.isin(varied.times, times)] = y[:, is_sample]
-        self.run = replace(self.run, status=status)
+        self.run = self.run._replace(status=status)
 
     def _outputs(self, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return outputs (m, outputs, times) of signals (m, times, signals) and inputs."""

@@ -86,11 +86,8 @@ class Batch:
         self.segments = _stacked(schedules)
         self.times = np.array(times)
         # 2. results
-        self.out = np.empty((m, len(times), n))
-        self.status = np.empty(m, dtype=np.int64)
-        self.reached = np.empty(m, dtype=np.int64)
-        self.counts = np.empty((m, 4), dtype=np.int64)
-        self.results = Results(self.out, self.status, self.reached, self.counts)
+        self.results = finished(m, len(times), n)
+        self.out, self.status, self.reached, self.counts = self.results
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
@@ -292,6 +289,16 @@ class Batch:
         self.status[m] = Status.STIFF
         self.reached[m] = reached
         self.integers[RUN_INDEX, k] = -1
+
+
+def finished(runs: int, samples: int, n: int) -> Results:
+    """Return results of runs that finish; their states are to be written."""
+    return Results(
+        np.full((runs, samples, n), np.nan),
+        np.full(runs, Status.FINISHED),
+        np.full(runs, samples),
+        np.zeros((runs, 4), dtype=np.int64),
+    )
 
 
 def radius(matrix: np.ndarray) -> float:

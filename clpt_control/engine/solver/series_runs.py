@@ -17,11 +17,11 @@ from ...base.progress.interrupt import check
 from ..codegen import series_loop as series
 from ..codegen.machine import LANES, address_of
 from ..codegen.plan import Program
-from .batch import PARTS
+from .batch import PARTS, finished
 from .callee import MOST_KEPT, aligned, keep
 from .inputs import Inputs
 from .schedule import Schedule
-from .solver_layout import Results, Status
+from .solver_layout import Results
 from .termination import Solution
 
 MOST_ORDER = 20
@@ -265,12 +265,7 @@ def run_members(
     """
     starts, parameters, times, schedules, group = runs
     count, n = starts.shape
-    results = Results(
-        np.empty((count, len(times), n)),
-        np.full(count, Status.FINISHED),
-        np.full(count, len(times)),
-        np.zeros((count, 4), dtype=np.int64),
-    )
+    results = finished(count, len(times), n)
     ended = np.empty(count, dtype=bool)
     for k, segments in enumerate(schedules):
         members = np.flatnonzero(group == k)
