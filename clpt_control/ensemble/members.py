@@ -31,6 +31,7 @@ from ..engine.methods.table import TAYLOR
 from ..engine.solver.batch import MEMBER_STEPS, Batch, finished
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.legs import Legs, may_go_on
+from ..engine.solver.native_diagram import NativeRun
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import run_members
@@ -105,6 +106,7 @@ class Ensemble:
             )
         if runner.engine != "native":
             return runner
+        runner.most = MEMBER_STEPS
         if runner.sweep.guarded and not runner.nstates:
             return make_runner(*system, "python")
         for (k, name), keys in keys_of_field.items():
@@ -214,9 +216,10 @@ class Ensemble:
         # 3. members that slide along switches, or jump at a level
         unfinished = np.isin(result.status, may_go_on(self.native))
         for m in np.flatnonzero(unfinished).tolist():
-            run = members.P[m], members.x0[m], times, members.schedule(m)
-            batch = self._solve_one(self.native, *run)
-            Legs(self.native, batch, self._solve_one).go_on()
+            run = NativeRun(self.native, times, members.runners[m][1], self.options)
+            given = members.P[m], members.x0[m], times, members.schedule(m)
+            batch = run.leg(self.native, *given)
+            Legs(self.native, batch, run.leg).go_on()
             replace_rows(result, [m], batch)
         return result
 
@@ -251,20 +254,12 @@ class Ensemble:
 
     def _solve(self, runner: Any, runs: tuple, lanes: int = 1) -> Batch:
         """Integrate runs, the arguments of a `Batch`, up to their end."""
-        options = self.options
-        method = self.native.method_of(options.method)
+        method = runner.method_of(self.options.method)
         if method.implicit:
             lanes = 1
         batch = Batch(runner.callee(lanes, method), *runs)
-        may_switch = options.method in ("auto", TAYLOR)
-        implicit = runner.implicit if may_switch else None
-        batch.adaptive(options.rtol, options.atol, implicit=implicit)
+        runner.finish(batch, self.options)
         return batch
-
-    def _solve_one(
-        self, runner: Any, P: Any, start: Any, times: Any, schedule: Schedule
-    ) -> Batch:
-        return self._solve(runner, (start[None], P[None], times, [schedule]))
 
     def signals(
         self, members: Members, run: Results
@@ -353,7 +348,6 @@ class Ensemble:
         member_values = {key: column[m] for key, column in values.items()}
         parameters, start, inputs = self.varied.member(member_values)
         runner = self.native.with_parameters(parameters)
-        runner.most = min(runner.most, MEMBER_STEPS)
         return runner, (start, self.varied.state_times, inputs, self.options)
 
 

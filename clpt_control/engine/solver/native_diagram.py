@@ -16,7 +16,7 @@ from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, TAYLOR
-from .batch import ANY, Batch
+from .batch import Batch
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import Form, code_of, copies_of
 from .inputs import Inputs
@@ -159,6 +159,12 @@ class NativeDiagram(Runner):
         if options.method == TAYLOR:
             return series_solution(self, start, times, inputs, options)
         return NativeRun(self, times, inputs, options).solution(start)
+
+    def finish(self, batch: Batch, options: RunOptions, over_kinks: Any = None) -> None:
+        """Run a batch to its end; `over_kinks` as `Batch.adaptive` takes it."""
+        implicit = self.implicit if options.method in ("auto", TAYLOR) else None
+        given = options.rtol, options.atol, options.progress, self.most
+        batch.adaptive(*given, implicit, over_kinks)
 
     def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
@@ -326,10 +332,7 @@ class NativeRun:
             batch = Batch(callee, start[None], P[None], times, [segments], None, *steps)
         else:
             batch.begin_again(start, P, times, segments, *steps)
-        most = ANY if self.method.discrete else diagram.most
-        implicit = diagram.implicit if options.method == "auto" else None
-        tolerances = options.rtol, options.atol
-        batch.adaptive(*tolerances, options.progress, most, implicit, over_kinks)
+        diagram.finish(batch, options, over_kinks)
         return batch
 
 
