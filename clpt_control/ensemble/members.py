@@ -152,11 +152,11 @@ class Ensemble:
         if self.one_by_one:
             self._make_one_by_one(members, values)
         for key in self.locations.keys() - set(self.one_by_one):
-            location = self.locations[key]
+            location, slots = self.locations[key], self.native.layout.slots
             flat = np.reshape(values[key], (count, -1))
-            for field in location.fields:
-                column = self._column(field, location.element)
-                members.P[:, column : column + flat.shape[1]] = flat
+            elements = location.elements(self.native.sweep.parameters)
+            columns = [slots[k, field].offset + index for k, field, index in elements]
+            members.P[:, columns] = np.tile(flat, len(location.fields))
             members.x0[:, list(location.states)] = flat[:, : len(location.states)]
         if self.compiled and members.schedules[0].begins:
             begin = float(varied.state_times[0])
@@ -183,14 +183,6 @@ class Ensemble:
                 numbers[name] = len(members.schedules)
                 members.schedules.append(schedule)
             members.group[m] = numbers[name]
-
-    def _column(self, field: tuple[int, str], element: Any) -> int:
-        """Return the column of P at which a value begins."""
-        column = int(self.native.layout.slots[field].offset)
-        shape = np.shape(getattr(self.native.sweep.parameters[field[0]], field[1]))
-        if element is ... or not shape:
-            return column
-        return column + int(np.ravel_multi_index(element, shape))
 
     # --- runs and summaries ---------------------------------------------------------------
 

@@ -272,14 +272,10 @@ class VariedDiagram:
     def _check_distinct(self) -> None:
         """Refuse two names of one number."""
         names: dict[tuple, str] = {}
-        for key, (fields, states, inputs, element) in self.locations.items():
-            numbers: list[tuple] = [("state", k) for k in states]
-            numbers += [("input", k) for k in inputs]
-            for k, name in fields:
-                shape = np.shape(getattr(self.parameters[k], name))
-                indices = np.arange(np.prod(shape, dtype=int)).reshape(shape)
-                indices = np.ravel(indices[element])
-                numbers += [(k, name, index) for index in indices.tolist()]
+        for key, location in self.locations.items():
+            numbers: list[tuple] = [("state", k) for k in location.states]
+            numbers += [("input", k) for k in location.inputs]
+            numbers += location.elements(self.parameters)
             for number in numbers:
                 if (owner := names.setdefault(number, key)) != key:
                     raise ScenarioError(

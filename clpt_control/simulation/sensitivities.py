@@ -10,7 +10,6 @@ a function may jump; otherwise an error is raised.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
@@ -18,14 +17,7 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import SimulationError, Uncompiled
-from ..engine.codegen.directional_derivatives import (
-    Directions,
-    Place,
-    Varied,
-    may_jump,
-    put,
-    value_at,
-)
+from ..engine.codegen.directional_derivatives import Directions, may_jump, put, value_at
 from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import run_compared
 from ..engine.solver.native_diagram import NativeDiagram
@@ -108,7 +100,8 @@ class SensitivityRun:
                     f"{node.name}: jumps at a level, whose time varies. Compare runs of slightly "
                     "different numbers instead of `sensitivity`"
                 )
-        directions = tuple(map(self._direction, self.varied.values()))
+        locations = self.varied.values()
+        directions = tuple(location.elements(self.parameters) for location in locations)
         varied_blocks = {k for direction in directions for k, _, _ in direction}
         self.jumping = [  # names of blocks that may jump
             node.name
@@ -116,21 +109,8 @@ class SensitivityRun:
             if may_jump(node.system)
             or (k in varied_blocks and node.system.breakpoints_function is not None)
         ]
-        fields = {
-            field: field
-            for location in self.varied.values()
-            for field in location.fields
-        }
+        fields = {field: field for location in locations for field in location.fields}
         return NativeDiagram(self.wiring, params, Directions(directions), fields)
-
-    def _direction(self, location: Place) -> Varied:
-        """Return the parameters of a varied number: (block, field, index)."""
-        direction = []
-        for k, field in location.fields:
-            shape = np.shape(getattr(self.parameters[k], field))
-            indices = np.arange(prod(shape)).reshape(shape)[location.element]
-            direction += [(k, field, int(index)) for index in np.ravel(indices)]
-        return tuple(direction)
 
     @property
     def values(self) -> np.ndarray:

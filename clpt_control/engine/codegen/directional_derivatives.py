@@ -124,6 +124,15 @@ class Place(NamedTuple):
     inputs: tuple[int, ...] = ()
     element: Any = ...  # of a field
 
+    def elements(self, parameters: Sequence[Any]) -> Varied:
+        """Return each element of its fields: (block, field, index)."""
+        elements = []
+        for k, field in self.fields:
+            shape = np.shape(getattr(parameters[k], field))
+            indices = np.arange(prod(shape)).reshape(shape)[self.element]
+            elements += [(k, field, index) for index in np.ravel(indices).tolist()]
+        return tuple(elements)
+
 
 def places_of(
     wiring: Wiring,
