@@ -75,7 +75,12 @@ def init(
         raise ClptError(
             f"{file}: already exists. Give another name, or move the file away"
         )
-    write_together({file: (resources.files("clpt_control.data") / source).read_bytes()})
+    content = (resources.files("clpt_control.data") / source).read_bytes()
+    if example == "paper":
+        from ...paper.scenario.file import paper_text
+
+        content = paper_text().encode()
+    write_together({file: content})
     say(f"Wrote {file}. {then.format(file)}")
 
 

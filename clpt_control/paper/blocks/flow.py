@@ -5,12 +5,8 @@
     F_R(x, t) = theta phi(x, t) + Delta                                            Eq. (32)
     F_M(z, t) = alpha_M phi(z, t)                                                  Eq. (4)
 
-The exponent of Eq. (5) is printed ambiguously; each version is a kernel, with
-d = |x - c_i| and s = sigma_i:
-
-    "exponential"     exp(-d / (2 s))
-    "gaussian"        exp(-d^2 / (2 s^2))
-    "gaussian-sigma"  exp(-d^2 / s)
+The exponent of Eq. (5) is printed ambiguously; each version is a kernel, a row of `KERNELS`, with
+d = |x - c_i| and s = sigma_i.  The example of `clpt init` and the page of scenarios read the rows.
 
 A steady function has omega_i = 0; a sine has phase_i = -pi/2.  Velocities are lengths per time,
 phi has no unit.  In `blocks.field` the true flow is a gridded current.
@@ -56,17 +52,20 @@ def gaussian_sigma(t, x, u, p):
 
 
 class Kernel(NamedTuple):
-    """phi_i, the length of a function with the width s, and its largest slope times that length."""
+    """phi_i, its formula, the length of a function of width s, and its largest slope times that."""
 
     phi: Callable
+    formula: str
     length: Callable
     steepest: float
 
 
 KERNELS = {
-    "exponential": Kernel(exponential, lambda s: s, 0.5),
-    "gaussian": Kernel(gaussian, lambda s: s, np.exp(-0.5)),
-    "gaussian-sigma": Kernel(gaussian_sigma, lambda s: np.sqrt(s / 2), np.exp(-0.5)),
+    "exponential": Kernel(exponential, "exp(-d/(2 s))", lambda s: s, 0.5),
+    "gaussian": Kernel(gaussian, "exp(-d^2/(2 s^2))", lambda s: s, np.exp(-0.5)),
+    "gaussian-sigma": Kernel(
+        gaussian_sigma, "exp(-d^2/s)", lambda s: np.sqrt(s / 2), np.exp(-0.5)
+    ),
 }
 
 

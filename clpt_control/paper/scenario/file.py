@@ -17,6 +17,8 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
+from ..blocks.disturbance import KINDS
+from ..blocks.flow import KERNELS
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .run_constants import BEYOND, FORM, OWN_PARTS, TEAM
 
@@ -207,10 +209,10 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
 
 
 def paper_text() -> str:
-    """Return the paper's scenario as commented TOML text."""
-    return (
-        resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")
-    )
+    """Return the paper's scenario as commented TOML text, kernels and disturbances named."""
+    kernels = "; ".join(f"{name}: {row.formula}" for name, row in KERNELS.items())
+    text = (resources.files("clpt_control.data") / "paper.toml").read_text("utf-8")
+    return text.replace("{kernels}", kernels).replace("{kinds}", ", ".join(KINDS))
 
 
 def paper_scenario() -> Scenario:

@@ -10,7 +10,6 @@ import pytest
 from error_sentences import says
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from paths import ROOT
 from scipy import stats
 from source_checks import CHECKS
 
@@ -27,6 +26,7 @@ from clpt_control.paper.blocks import (
     vehicle,
 )
 from clpt_control.paper.currents.plane import GriddedField
+from clpt_control.paper.scenario.file import paper_text
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
@@ -69,15 +69,19 @@ def test_the_largest_slope_of_a_kernel_is_known(kernel):
     assert both == pytest.approx(6 * steepest, rel=1e-4)
 
 
-def test_documentation_and_the_example_name_each_kernel():
-    page = (ROOT / "docs/scenario.md").read_text("utf-8")
-    example = (ROOT / "clpt_control/data/paper.toml").read_text("utf-8")
-    (row,) = re.findall(r"(?m)^\| `basis\.kernel` .*", page)
-    (comment,) = re.findall(r"(?m)^kernel = .*# (.*)", example)
-    kernels = list(flow.KERNELS)
-    assert re.findall(r"`([\w-]+)`: ", row) == kernels
-    assert re.findall(r"([\w-]+): ", comment) == kernels
-    assert re.findall(r'(?m)^    "([\w-]+)" ', flow.__doc__) == kernels
+@pytest.mark.parametrize("kernel", flow.KERNELS)
+def test_the_text_of_a_kernel_is_its_formula(kernel):
+    exp, d = np.exp, np.linspace(0, 30, 7)
+    text = flow.KERNELS[kernel].formula.replace("^", "**")
+    text = re.sub(r"\((\d) s\)", r"(\1*s)", text.replace("(2 s**2)", "(2*s**2)"))
+    value = eval(text, {"exp": exp, "d": d, "s": 3.0})
+    np.testing.assert_allclose(value, FORMULAS[kernel](d), rtol=1e-14)
+
+
+def test_the_example_names_each_kernel_with_its_formula():
+    (comment,) = re.findall(r"(?m)^kernel = .*# (.*)", paper_text())
+    rows = [f"{name}: {row.formula}" for name, row in flow.KERNELS.items()]
+    assert comment.split("; ") == rows
 
 
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
