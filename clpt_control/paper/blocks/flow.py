@@ -98,13 +98,13 @@ def flow_basis(
         "frequencies": frequencies,
         "phases": phases,
     }
-    ports: dict[str, Any] = {
-        "inputs": {position: 2},
-        "outputs": {f"phi_{position}": "N"},
-    }
-    shapes = shapes_of(parameters)
     return Block(
-        name, output=KERNELS[kernel].phi, **ports, parameters=parameters, shapes=shapes
+        name,
+        output=KERNELS[kernel].phi,
+        inputs={position: 2},
+        outputs={f"phi_{position}": "N"},
+        parameters=parameters,
+        shapes=shapes_of(parameters),
     )
 
 
