@@ -161,7 +161,7 @@ def simulate(
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    if np.size(timepts) == 2:
+    if np.size(own["timepts"]) == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
     _note_arguments(data, own, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
