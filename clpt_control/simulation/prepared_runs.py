@@ -90,7 +90,9 @@ class PreparedRun:
     ) -> Samples:
         """Run from an initial state, with inputs and parameters; return states and outputs."""
         request = self._request
-        if self._key is None or self._has_changed():
+        key = diagram_key(*self._arguments(self._made_for))
+        if key is None or self._key is None or key[0] != self._key[0]:
+            # the diagram, or what its functions read, has changed
             self._make(self._made_for)
         if initial_state is not None:
             request = request.with_state(initial_state)
@@ -115,11 +117,6 @@ class PreparedRun:
         outputs = signals[:, : len(self._run.wiring.outputs)]
         skipped = request.skipped
         return Samples(solution.x[skipped:], outputs[skipped:])
-
-    def _has_changed(self) -> bool:
-        """Return whether the diagram, or what its functions read, is no longer as it was read."""
-        key = diagram_key(*self._arguments(self._made_for))
-        return key is None or self._key is None or key[0] != self._key[0]
 
     def _runner_with(self, params: Mapping[str, Any]) -> Any:
         """Return the runner with parameters; one that code was made for is compiled again."""
@@ -211,7 +208,6 @@ def prepare(
             f"{system.name}: is a diagram of discrete time, which prepare does not take. "
             "Use simulate"
         )
-    longest = None if max_step == np.inf else max_step
     request = request_of(
         system,
         timepts,
@@ -220,6 +216,6 @@ def prepare(
         rtol=rtol,
         atol=atol,
         method=method,
-        max_step=longest,
+        max_step=max_step,
     )
     return PreparedRun(request, params or {})

@@ -235,7 +235,7 @@ class Batch:
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
             if over_kinks is not None:
-                following = over_kinks.following(self)
+                following = over_kinks.following(self, rtol, atol)
                 if following is not None:
                     self._leave_to(following, 0)
                     break

@@ -50,9 +50,8 @@ class ManyKinks:
     have doubled: the pace of the machine has no part in it.
     """
 
-    def __init__(self, diagram: Any, rtol: float, atol: float):
+    def __init__(self, diagram: Any):
         self.diagram = diagram
-        self.tolerances = rtol, atol
         self.next_look = FEWEST  # tries
 
     def tries_left(self, batch: Batch) -> int:
@@ -60,7 +59,7 @@ class ManyKinks:
         tries = batch.counts[0, STEPS] + batch.counts[0, REJECTIONS]
         return max(int(self.next_look - tries), 1)
 
-    def following(self, batch: Batch) -> Batch | None:
+    def following(self, batch: Batch, rtol: float, atol: float) -> Batch | None:
         """Return the batch that continues a run, or None."""
         counts = batch.counts[0]
         tries = counts[STEPS] + counts[REJECTIONS]
@@ -69,7 +68,7 @@ class ManyKinks:
         self.next_look = 2 * int(tries)
         if counts[RESTARTS] <= SHARE * counts[STEPS]:
             return None
-        return _continued(self.diagram, batch, *self.tolerances)
+        return _continued(self.diagram, batch, rtol, atol)
 
 
 def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | None:

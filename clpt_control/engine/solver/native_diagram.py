@@ -103,11 +103,11 @@ class NativeDiagram(Runner):
         diagram.layout = replace(self.layout, P=self.layout.packed(parameters))
         return diagram
 
-    def over_kinks(self, rtol: float, atol: float) -> ManyKinks | None:
+    def over_kinks(self) -> ManyKinks | None:
         """Return what continues a run over many kinks, or None."""
         if self.resetting or self.code.program.decided < MANY_DECISIONS:
             return None
-        return ManyKinks(self, rtol, atol)
+        return ManyKinks(self)
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step.
@@ -288,7 +288,7 @@ class NativeRun:
         P = diagram.parameters()
         begin = sampled_start(callee, start, float(self.times[0]), self.segments, P)
         whole = diagram, P, begin, self.times, self.segments
-        batch = self.leg(*whole, diagram.over_kinks(options.rtol, options.atol))
+        batch = self.leg(*whole, diagram.over_kinks())
         status = int(batch.status[0])
         if status == Status.CHATTERING and batch.continuations:
             # it slides among kinks that were passed: once more, with all located

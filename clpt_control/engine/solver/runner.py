@@ -148,13 +148,12 @@ class Runner(ABC):
         """
         times = checked_times("times", times)
         start = checked_state("x0", x0, (self.nstates,))
-        longest = None if max_step == np.inf else max_step
         options = RunOptions.checked(
             self.wiring.dt,
             times,
             rtol=rtol,
             atol=atol,
-            max_step=longest,
+            max_step=max_step,
             first_step=first_step,
             method=method,
             progress=progress,
@@ -213,6 +212,8 @@ class RunOptions:
         Refuse values out of range, and options that do not go with discrete time.
         """
         options = {name: value for name, value in options.items() if value is not None}
+        if options.get("max_step") == np.inf:
+            del options["max_step"]
         checked_method(options.get("method"))
         if dt:
             check_spacing(times, dt)
