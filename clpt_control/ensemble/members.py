@@ -203,7 +203,7 @@ class Ensemble:
         # 2. members that were stopped by a locked switch, without locks
         stuck = np.flatnonzero(np.isin(result.status, STUCK))
         if self.native.code.program.decided and len(stuck):
-            batch = self._solve(self.native.unlocked(), rows(stuck))
+            batch = self._solve(self.native.in_form("free"), rows(stuck))
             replace_rows(result, stuck, batch)
         # 3. members that slide along switches, or jump at a level
         unfinished = np.isin(result.status, may_go_on(self.native))

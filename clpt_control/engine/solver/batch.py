@@ -261,11 +261,11 @@ class Batch:
         """End the run of a lane if it is stiff; another batch continues it."""
         n = self.callee.nstates
         self.lane[STIFF_STEPS, k] = -LATER
-        m, _, reached, *_ = self.integers[:, k].tolist()
+        m = int(self.integers[RUN_INDEX, k])
         if m < 0:
             return
         # many steps must be ahead
-        t, h, longest = self.lane[[TIME, STEP_SIZE, MAX_STEP], k].tolist()
+        t, h = self.lane[[TIME, STEP_SIZE], k].tolist()
         callee = implicit()
         worth = callee.linear.steps_worth(
             callee.method.stages, self.callee.method.stages
@@ -273,14 +273,19 @@ class Batch:
         if self.times[-1] - t < h * worth:
             return
         # the first implicit step computes the Jacobian
-        state = self.states[STATE, :, k].copy()
-        P = self.runs.parameters[m, : callee.size]
-        segments = self.schedules[self.runs.schedule[m]].after(t)
-        times = np.append(t, self.times[reached:])
-        batch = Batch(callee, state[None], P[None], times, [segments], None, longest)
+        batch = self.rest(callee, self.runs.parameters[m, : callee.size], k)
         batch.advance(rtol, atol, 1)
         if h * radius(batch.linear.jacobian.reshape(n, n)) > LARGE:
             self._leave_to(batch, k)
+
+    def rest(self, callee: Callee, parameters: np.ndarray, k: int = 0) -> "Batch":
+        """Return a batch of the rest of a lane's run, with other functions."""
+        m, _, reached, *_ = self.integers[:, k].tolist()
+        t, longest = self.lane[[TIME, MAX_STEP], k].tolist()
+        times = np.append(t, self.times[reached:])
+        segments = self.schedules[self.runs.schedule[m]].after(t)
+        runs = self.states[STATE, :, k][None], parameters[None], times, [segments]
+        return Batch(callee, *runs, longest=longest)
 
     def _leave_to(self, batch: "Batch", k: int) -> None:
         """Leave the run of a lane to another batch."""

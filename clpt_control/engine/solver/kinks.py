@@ -19,12 +19,10 @@ from .solver_layout import (
     BEGINNING,
     DECISION,
     DERIVATIVE,
-    MAX_STEP,
     RATE,
     REJECTIONS,
     RESTARTS,
     RUN_INDEX,
-    SAMPLES_DONE,
     STATE,
     STEPS,
     TIME,
@@ -78,16 +76,7 @@ def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | 
         return None
     runner = diagram.in_form(PassedKinks(frozenset(kinks)))
     parameters = runner.parameters(batch.runs.parameters[0])  # without the decisions
-    t = batch.now
-    times = np.append(t, batch.times[batch.integers[SAMPLES_DONE, 0] :])
-    following = Batch(
-        runner.callee(1, batch.callee.method),
-        batch.states[STATE, :, 0][None].copy(),
-        parameters[None],
-        times,
-        [batch.schedules[0].after(t)],
-        longest=batch.lane[MAX_STEP, 0],
-    )
+    following = batch.rest(runner.callee(1, batch.callee.method), parameters)
     following.tolerance_share = TOLERANCE_SHARE
     following.label = f"{following.label} without locating kinks"
     return following

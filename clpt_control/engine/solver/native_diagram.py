@@ -109,14 +109,6 @@ class NativeDiagram(Runner):
             return None
         return ManyKinks(self)
 
-    def unlocked(self) -> Self:
-        """Return the diagram with decisions that change within a step.
-
-        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
-        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
-        """
-        return self.in_form("free")
-
     def in_form(self, form: Form) -> Self:
         """Return the diagram in another form; derivatives stay."""
         diagram = copy(self)
@@ -300,7 +292,7 @@ class NativeRun:
         # 3. a run that is stuck, without located switches
         if callee.decided and batch.status[0] in STUCK:
             with suppress(SimulationError):  # the error is that of the first run
-                free = diagram.unlocked()
+                free = diagram.in_form("free")
                 solution = free.solve(start, self.times, self.inputs, options)
                 method = f"{solution.method}, switches not located"
                 return replace(solution, method=method)

@@ -29,7 +29,7 @@ from .solver_layout import (
     interpolate,
 )
 
-# ends that a locked decision may cause
+# ends that a locked decision may cause: sqrt(max(x, 0)) has no value beyond its switch
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 LOOSEN = ", or loosen rtol and atol"
