@@ -138,7 +138,7 @@ def test_a_run_of_the_scenario_shows_the_broken_promise(name):
     assert largest == pytest.approx(ratio, rel=1e-3)
 
 
-OF_PROOFS = ("--theorem", "3.2"), ("--certificates", "folder")
+OF_PROOFS = (("--theorem", "3.2"),)
 
 
 @pytest.mark.parametrize("words", [*OF_PROOFS, ("sigma",)], ids=lambda w: " ".join(w))

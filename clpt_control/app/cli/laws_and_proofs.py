@@ -1,20 +1,17 @@
 """`clpt laws`: their table; `clpt prove`: theorems and laws."""
 
-import json
 import os
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from ...base.errors import ClptError, SimulationError
-from ...base.files import make_folder, write_file
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
-from .printing import Json, Report, arg, finish, law_names, opt, say
+from .printing import Json, Report, arg, finish, law_names, opt
 
 JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
-CHECKER = "python -m clpt_control.data.check_certificate"
 ROOMS = {  # of proofs -> what one is called, its fields in JSON
     "theorems": ("Theorem {}", OF_THEOREM),
     "limited_speed": ("Limited speed, {}", OF_THEOREM),
@@ -102,9 +99,6 @@ def prove(
         "DIR",
         "Write the theorems as Coq files instead; coqc, if installed, checks them.",
     ),
-    certificates: Path | None = opt(
-        "DIR", "Write certificates, which others can check, to this folder."
-    ),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
@@ -117,7 +111,7 @@ def prove(
         clpt prove --coq coq
     """
     if coq is not None:
-        if (law, theorem, certificates) != (None, None, None):
+        if (law, theorem) != (None, None):
             raise ClptError("--coq DIR: writes all theorems. Give no other option")
         _prove_by_coq(coq, as_json)
         return
@@ -135,8 +129,6 @@ def prove(
             interrupt.check()
             outcomes[statement] = statement.prove()
             report(len(outcomes))
-    if certificates is not None:
-        _write_certificates(outcomes, certificates, quiet=as_json)
     _print_outcomes(outcomes, as_json)
 
 
@@ -254,28 +246,3 @@ def _result(name: str, proof: Any) -> Result:
     return Result(
         f"{name}: {status}{every}", ["holds", "how", "claim", ""], rows, [*lines, ""]
     )
-
-
-def _write_certificates(outcomes: dict[Any, Any], folder: Path, quiet: bool) -> None:
-    """Write the certificate of each proof that has one; print the reason of one that has none."""
-    make_folder(folder)
-    lines, count = [], 0
-    for statement, proof in outcomes.items():
-        room = statement.room
-        if room not in ROOMS:
-            continue
-        title = ROOMS[room][0].format(statement.name)
-        file = (
-            "team" if room == "team" else f"{room.removesuffix('s')}_{statement.name}"
-        )
-        if proof.certificate is None:
-            reason = proof.why_no_certificate or "the statement is not about one V'"
-            lines.append(f"{title}: has no certificate, as {reason}.")
-            continue
-        name = file.replace(".", "_").replace(" ", "_")
-        write_file(folder / f"{name}.json", json.dumps(proof.certificate, indent=1))
-        count += 1
-    files = f"{count} certificate{'s' * (count != 1)}"
-    lines.append(f"Wrote {files} to {folder}. Check with: {CHECKER} {folder}/*.json\n")
-    for line in lines if not quiet else ():
-        say(line)

@@ -46,12 +46,12 @@ from ..algebra.exact import as_factors, nonzero_residual, vanishes
 from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
 from ..algebra.texts import short
 from ..proofs.answers import Definite, Fall
-from ..proofs.certificates import Ways
 from ..proofs.conclusions import Condition
+from ..proofs.rate_as_sum import Ways
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
-from .law_certificates import of_invariants
+from .law_rate_as_sum import of_invariants
 from .paper_loop import mean_square
 from .promises import truth_of
 from .states_of_laws import (
@@ -347,7 +347,7 @@ class Invariants(LoopCandidate):
         return [sympy.expand(self.reduced(rise)) for rise in rises]
 
     def ways(self, definite: Definite, fall: Fall) -> Ways:
-        """Return the ways to write V' as a sum, for a certificate."""
+        """Return the ways to write V' as a sum, for a file of Coq."""
         return of_invariants(self)
 
     def never_positive(self, expression: sympy.Expr) -> bool:

@@ -30,11 +30,11 @@ from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import rising_in, split_dead_zone, squares
 from ..algebra.texts import short
 from ..proofs.answers import Definite, Fall, Refutation
-from ..proofs.certificates import Ways, of_system
 from ..proofs.conclusions import Condition, Status
 from ..proofs.judge import LyapunovCandidate, Verdict
 from ..proofs.outside import CLOCK
 from ..proofs.point_search import Failure, PointSearch
+from ..proofs.rate_as_sum import Ways, of_system
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
 from ..proofs.symbolic_loop import (

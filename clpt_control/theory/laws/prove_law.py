@@ -7,7 +7,6 @@ have invariants is proved by the steps of `invariants`.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import control
@@ -24,7 +23,6 @@ from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
-from ..proofs.certificates import Ways, without
 from ..proofs.conclusions import Condition, for_sizes
 from ..proofs.judge import Verdict, judge
 from ..proofs.paper_symbols import paper_name
@@ -34,7 +32,6 @@ from .default_candidate import default_V, user_V
 from .fixes import LARGEST_W, SIZES_AT_FIXES, fix_steps
 from .invariants import Invariants
 from .law_candidate import LawCandidate
-from .law_certificates import of_theorem
 from .paper_loop import KNOWN_ERROR, PaperLoop, known_flow_steps
 from .theorem_loop import law_and_V, theorem_loop
 
@@ -148,7 +145,6 @@ def prove(
 
 def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdict:
     """Judge a law of the table with the V and the invariants of its row."""
-    ways: Callable[[], Ways] = partial(of_theorem, law.name, functions_of(block))
     if law.at_fixes:  # CLPE does not go to zero between fixes
         where = (Condition("limits"),)
         steps = fix_steps(law, points)
@@ -156,7 +152,6 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
         proof = where_all_hold(
             claim, steps, "definite", where, SIZES_AT_FIXES, bound=bound
         )
-        ways = partial(without, "V changes where states jump, at fixes")
     elif law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
@@ -164,7 +159,7 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
         return _judged_for_sizes(law, points, seed)
     else:
         return prove(block, lambda truth, p: law.V(p, truth), points, seed)
-    return Verdict(**proof.judged, ways=ways)
+    return Verdict(**proof.judged)
 
 
 def _judged_for_sizes(law: Law, points: int, seed: int) -> Verdict:

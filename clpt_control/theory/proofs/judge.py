@@ -37,8 +37,7 @@ from ..algebra.slopes import meets_smoothly
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
-from .certified import SHOWN, written
-from .conclusions import CONCLUSIONS, Condition, Judged, Status, concluded
+from .conclusions import Condition, Judged, Status, concluded
 from .ends import Ends, ends
 from .in_latex import verdict_in_latex
 from .outside import Motion
@@ -112,26 +111,6 @@ class Verdict(Judged):
     claimed: sympy.Expr | None = None
     equations: Equations | None = field(default=None, compare=False)
     ways: Callable[[], Any] = field(default=tuple, repr=False, compare=False)
-
-    def certificate(self) -> dict | None:
-        """Return what an outsider needs to check a proof, in exact rational numbers, or None.
-
-        `tools/check_certificate.py` checks it; docs/certificates.md describes it.
-        """
-        return written(self.ways(), self.conditions)[0]
-
-    def why_no_certificate(self) -> str:
-        """Return the reason for which `certificate` is None, or ""."""
-        return written(self.ways(), self.conditions)[1]
-
-    def beyond_certificate(self) -> tuple[Step, ...]:
-        """Return the steps by which the conclusion is stronger than the certificate's."""
-        data = self.certificate()
-        if data is None:
-            return ()
-        shown = SHOWN[data["conclusion"]].split()
-        more = CONCLUSIONS[self.conclusion].requires.difference(shown)
-        return tuple(step for step in self.steps if more & {*step.shows.split()})
 
     def latex(self) -> str:
         r"""Return the verdict in LaTeX, for a paper.
@@ -272,7 +251,7 @@ class LyapunovCandidate(ABC):
 
     @abstractmethod
     def ways(self, definite: Definite, fall: Fall) -> Sequence[Callable[[], Any]]:
-        """Return the ways to write V' as a sum, for a certificate."""
+        """Return the ways to write V' as a sum, for a file of Coq."""
 
     def text(self, expression: sympy.Expr) -> str:
         """Return an expression as the user writes it, in a line."""

@@ -28,8 +28,6 @@ class Proof(Judged):
     assumptions: tuple[str, ...] = ()
     corrected: str = ""  # the statement that holds if the print is false
     not_proved: tuple[str, ...] = ()
-    certificate: Any = None  # one or a list, for the checker; None if it has none
-    why_no_certificate: str = ""
 
     @property
     def as_expected(self) -> bool:

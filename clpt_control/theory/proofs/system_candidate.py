@@ -47,10 +47,10 @@ from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, lost_in_groups, written_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
-from .certificates import Ways, of_system
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
 from .point_search import Failure, PointSearch
+from .rate_as_sum import Ways, of_system
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
@@ -510,7 +510,7 @@ class SystemCandidate(LyapunovCandidate):
         return [*chain(*rests)] if all(rests) else []
 
     def ways(self, definite: Definite, fall: Fall) -> Ways:
-        """Return the ways to write V' as a sum, for a certificate."""
+        """Return the ways to write V' as a sum, for a file of Coq."""
         return of_system(self, definite, fall)
 
     # --- V' -------------------------------------------------------------------------------------

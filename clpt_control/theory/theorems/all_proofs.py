@@ -21,7 +21,6 @@ from ..algebra.texts import bound_text
 from ..laws.promises import truth_of
 from ..laws.prove_law import verdict_on_row
 from ..laws.theorem_loop import law_and_V, theorem_scenario
-from ..proofs.certified import written
 from ..proofs.judge import Verdict
 from ..proofs.proof import Proof, proof_or_failure
 from ..proofs.steps import Step, checked
@@ -47,9 +46,7 @@ def proof_of_law(law: Law) -> Proof:
 def proof_of(verdict: Verdict) -> Proof:
     """Return what is written of a verdict: its fields as text and numbers."""
     level = None if verdict.level is None else bound_text(verdict.level)
-    fields = {**verdict.judged, "level": level}
-    certificate, reason = written(verdict.ways(), verdict.conditions)
-    return Proof(**fields, certificate=certificate, why_no_certificate=reason)
+    return Proof(**{**verdict.judged, "level": level})
 
 
 def declared_level_step(law: Law, level: sympy.Expr) -> Step:

@@ -27,12 +27,10 @@ from ..algebra.facts import MAXIMUM
 from ..laws.invariants import Invariants
 from ..laws.paper_loop import PaperLoop, algebra, line, mean_square, quadratic, running
 from ..laws.theorem_loop import decay, law_and_V, law_loop, rate_of_V
-from ..proofs.certificates import with_certificates
 from ..proofs.proof import Proof, theorem
 from ..proofs.steps import checked, counterexample
 from ..proofs.symbolic_loop import symbolic_loop
 from .counterexamples import limited_speed_counterexample
-from .theorems import loops
 
 N = 2  # functions of a law of the table
 POINTS = 1_000  # at which the running blocks are called
@@ -166,13 +164,7 @@ def without_hedging() -> Proof:
 
 
 LIMITED_SPEED: dict[str, Callable[[], Proof]] = {
-    "with hedging": partial(
-        with_certificates, with_hedging, partial(loops, "learned-flow", speed="hedged")
-    ),
+    "with hedging": with_hedging,
     "every law with hedging": every_law,
-    "without hedging": partial(
-        with_certificates,
-        without_hedging,
-        partial(loops, "learned-flow", speed="not hedged"),
-    ),
+    "without hedging": without_hedging,
 }

@@ -22,7 +22,6 @@ from ...base.arguments import public
 from ...base.errors import ClptError
 from ...base.progress import interrupt
 from ...simulation.loops import error_loop
-from ..laws.law_certificates import of_theorem
 from ..laws.paper_loop import (
     PaperLoop,
     algebra,
@@ -33,7 +32,6 @@ from ..laws.paper_loop import (
     running,
 )
 from ..laws.theorem_loop import WIRED, decay, theorem_scenario
-from ..proofs.certificates import Ways, of_loop, with_certificates
 from ..proofs.proof import Proof, proof_or_failure, theorem
 from ..proofs.steps import Step, checked, counterexample
 from ..proofs.symbolic_loop import ArrayLoop
@@ -248,27 +246,11 @@ def theorem_3_4() -> Proof:
     )
 
 
-SIZES = (1, 2, 3)  # numbers of basis functions of certificates
-
-
-def loops(law: str, **options: Any) -> list[Ways]:
-    """Return V' on the paper's loop for some N, for certificates."""
-    return [of_theorem(law, N, **options) for N in SIZES]
-
-
-def error_systems() -> list[Ways]:
-    """Return V' = (X^T P X)' on Eqs. (27)-(28) for some N, for certificates."""
-    diagrams = {N: error_loop(theorem_scenario(N, "learned-flow")) for N in SIZES}
-    return [of_loop(diagrams[N], level_of_errors, f"N = {N}") for N in SIZES]
-
-
 THEOREMS: dict[str, Callable[[], Proof]] = {
-    "3.1": partial(with_certificates, theorem_3_1, partial(loops, "known-flow")),
-    "3.2": partial(with_certificates, theorem_3_2, partial(loops, "learned-flow")),
-    "3.3": partial(with_certificates, theorem_3_3, error_systems),
-    "3.4": partial(
-        with_certificates, theorem_3_4, partial(loops, "learned-flow", disturbed=True)
-    ),
+    "3.1": theorem_3_1,
+    "3.2": theorem_3_2,
+    "3.3": theorem_3_3,
+    "3.4": theorem_3_4,
 }
 
 

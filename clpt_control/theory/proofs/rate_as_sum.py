@@ -1,4 +1,4 @@
-"""V' of verdicts and theorems as sums, for certificates.
+"""V' of verdicts as sums of terms that are not negative, for their files of Coq.
 
     V' = -e^T KD e - losses                                          a law that falls
     V' = -k e^2 + e d = -(k/2) e^2 - (k/2)(e - d/k)^2 + d^2/(2 k)    a law that is pushed
@@ -6,25 +6,56 @@
     V' = -(sum of squares)                                           any other diagram
 
 Relations of a law's states, such as b = theta Q, are put in before.  `invariants` proves that they
-are kept; they are conditions of a certificate.
+are kept.
 """
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import sympy
 from sympy import Add, Expr, Mul, Poly, Pow, S
 
-from ...engine.diagram.interconnection import Diagram
-from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
-from .certified import NOTHING_PROVED, Case, NoCertificate, Term, written
-from .proof import Proof
-from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .ultimate_bounds import in_forms, pulled_at_once
+
+
+class NotASum(Exception):
+    """V' is not written as a sum; the message is the reason."""
+
+
+class Term(NamedTuple):
+    """A term weight factor b^T M b."""
+
+    weight: Expr  # positive
+    basis: Sequence[Expr]
+    matrix: Any = ((1,),)  # M >= 0: numbers, or a name of `Case.semidefinite`
+    factor: Expr = S.One  # not negative, by assumption
+
+    def times(self, other: "Term") -> "Term":
+        """Return the product of two terms, one of them with a basis of one element."""
+        longer = max(self, other, key=lambda term: len(term.basis))
+        basis = [a * b for a in self.basis for b in other.basis]
+        return Term(
+            self.weight * other.weight, basis, longer.matrix, self.factor * other.factor
+        )
+
+
+@dataclass
+class Case:
+    """Equations with V, and V' as a sum: V' + decay V + losses - push = 0."""
+
+    motion: dict[Any, Expr]
+    fixed: set  # symbols of parameters
+    V: list[Term]
+    losses: list[Term]
+    push: Expr = S.Zero
+    decay: Expr = S.Zero
+    semidefinite: Mapping[str, Any] = field(default_factory=dict)  # matrices of symbols
+    functions: dict[Any, str] = field(default_factory=dict)  # of time -> kind
+
 
 Ways = list[Callable[[], Case]]
 
@@ -36,7 +67,7 @@ def terms_of(expression: Expr, fixed: set) -> list[Term]:
     """Return an expression as a sum of terms that are not negative."""
     total = squares(expression, fixed)
     if total is None or not total.constant.is_nonnegative:
-        raise NoCertificate(f"{short(expression)} is not known as a sum of squares")
+        raise NotASum(f"{short(expression)} is not known as a sum of squares")
     summands = [summand for term in total.terms for summand in apart(term, fixed)]
     terms = [square(summand, fixed) for summand in summands]
     constant = [Term(total.constant, [S.One])] * bool(total.constant)
@@ -63,7 +94,7 @@ def square(term: Expr, fixed: set) -> Term:
         elif is_even:
             form *= base ** (power / 2)
         else:
-            raise NoCertificate(f"{short(factor)} is no square")
+            raise NotASum(f"{short(factor)} is no square")
     return Term(weight, [form])
 
 
@@ -106,7 +137,7 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     pairs = {s: (-V_rate.coeff(s, 2), V_rate.coeff(s, 1)) for s in rest}
     rates = {s: a / (2 * shares[s]) for s, (a, _) in pairs.items() if a.is_positive}
     if not rates or len(rates) < len(rest):
-        raise NoCertificate("V' does not pull all errors of V back")
+        raise NotASum("V' does not pull all errors of V back")
     is_number = all(r.is_Rational for r in rates.values())
     decay = min(rates.values()) if is_number else sympy.Symbol("rate", positive=True)
     push = V_rate.xreplace(dict.fromkeys(rest, S.Zero))
@@ -126,11 +157,11 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
 
     def system() -> Case:
         if case.eq.discrete:
-            raise NoCertificate("certificates are of continuous time")
+            raise NotASum("time is discrete")
         motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
         functions = still(case.eq.jumps, case.V)
-        V, sizes = terms_of(case.V, case.fixed), [case.sizes] * bool(case.sizes)
-        return Case(motion, case.fixed, V, [], functions=functions, conditions=sizes)
+        V = terms_of(case.V, case.fixed)
+        return Case(motion, case.fixed, V, [], functions=functions)
 
     def falls() -> Case:
         return lost(system(), case.rate.xreplace(fall.zeroed))
@@ -138,7 +169,7 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     def pulls() -> Case:
         terms = in_forms(case, definite)
         if fall.level is None or terms is None:
-            raise NoCertificate("V' does not pull V back")
+            raise NotASum("V' does not pull V back")
         numbers = pulled_at_once(*terms[:3])
         if numbers is None:
             return pulled(system(), *terms)
@@ -154,46 +185,5 @@ def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
         s for change in jumps.values() for s, after in change.items() if s != after
     }
     if in_V := moved & V.free_symbols:
-        raise NoCertificate(f"{min(in_V, key=str)} is in V and jumps")
+        raise NotASum(f"{min(in_V, key=str)} is in V and jumps")
     return dict.fromkeys(moved, "signals")
-
-
-# --- any diagram ------------------------------------------------------------------------------
-
-
-def of_loop(
-    diagram: Diagram, V: Callable[[SymbolicLoop], Expr], *conditions: str
-) -> Ways:
-    """Return the way to write V' of a diagram as minus a sum of squares."""
-
-    def falls() -> Case:
-        loop = symbolic_loop(diagram)
-        level, fixed = V(loop), {*loop.values}
-        case = Case(
-            loop.motion, fixed, terms_of(level, fixed), [], conditions=[*conditions]
-        )
-        return lost(case, sympy.expand(along(level, loop.motion)))
-
-    return [falls]
-
-
-def without(reason: str) -> Ways:
-    """Return no way to write V', for a reason."""
-
-    def none() -> Case:
-        raise NoCertificate(reason)
-
-    return [none]
-
-
-def with_certificates(
-    prove: Callable[[], Proof], cases: Callable[[], Iterable[Ways]]
-) -> Proof:
-    """Return a proof with the certificates of its cases, such as N = 1, 2, 3, in a list."""
-    proof = prove()
-    if proof.status == "open":
-        return replace(proof, why_no_certificate=NOTHING_PROVED)
-    certified = [written(ways, []) for ways in cases()]
-    reason = next((why for _, why in certified if why), "")
-    certificates = None if reason else [data for data, _ in certified]
-    return replace(proof, certificate=certificates, why_no_certificate=reason)

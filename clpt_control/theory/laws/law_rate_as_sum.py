@@ -1,4 +1,4 @@
-"""Certificates of laws on the paper's loop, in x and e = x - z.
+"""V' of laws on the paper's loop as sums, in x and e = x - z.
 
 A law whose states keep relations, such as P beside the information, has V' where they hold.
 """
@@ -14,10 +14,8 @@ from sympy import Add, Expr, Mul, S
 
 from ..algebra.exact import vanishes
 from ..algebra.slopes import along
-from ..proofs.certificates import Ways, still, terms_of
-from ..proofs.certified import Case, NoCertificate, Term
-from ..proofs.symbolic_loop import symbolic_loop
-from .theorem_loop import ErrorCoordinates, theorem_loop, truth_in
+from ..proofs.rate_as_sum import Case, NotASum, Term, Ways, still, terms_of
+from .theorem_loop import ErrorCoordinates, truth_in
 
 
 class LawLoop:
@@ -30,13 +28,13 @@ class LawLoop:
         fixed: Set = frozenset(),
     ):
         self.coordinates = ErrorCoordinates(loop)
-        in_e, N = self.coordinates.in_e, len(loop.inputs["phi_x"])
+        in_e = self.coordinates.in_e
         self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
         self.fixed, self.truth = {*loop.values} | fixed, truth_in(loop)
         self.pairs = [*zip(self.coordinates.e, self.truth.KD, strict=True)]
         self.V = self.read(loop.signals["V"][0])
         motion = self.coordinates.motion(self.read)
-        self.case = Case(motion, self.fixed, [], [], conditions=[f"N = {N}"])
+        self.case = Case(motion, self.fixed, [], [])
         self.case.functions |= still(loop.jumps, self.V)
 
     def falls(self, others: Expr = S.Zero) -> Case:
@@ -52,11 +50,6 @@ class LawLoop:
         losses = losses or [Term(k, [e]) for e, k in self.pairs]
         V = case.V or terms_of(self.V, self.fixed)
         return replace(case, V=V, losses=[*case.losses, *losses], push=push)
-
-
-def of_theorem(law: str, N: int, **options: Any) -> Ways:
-    """Return the way to write V' on the paper's loop of a theorem."""
-    return [lambda: LawLoop(symbolic_loop(theorem_loop(N, law, **options))).falls()]
 
 
 def of_invariants(inv: Any) -> Ways:
@@ -79,10 +72,6 @@ class WithRelations(LawLoop):
         self.case.semidefinite = law.symmetric
         for s in law.relations:
             self.case.motion.pop(s)
-        put_in = [
-            port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()
-        ]
-        self.case.conditions.append(f"the relations of {', '.join(put_in)} hold")
         truth, states = self.truth, law.states
         read = np.vectorize(self.read, otypes=[object])
         gains = read(np.stack([states["K"] - truth.KD, states["Gamma"] - truth.GammaD]))
@@ -131,5 +120,5 @@ class WithRelations(LawLoop):
         """Return a factor as a sum of squares, or as one that is assumed not to be negative."""
         try:
             return terms_of(factor, self.fixed)
-        except NoCertificate:
+        except NotASum:
             return [Term(S.One, [S.One], factor=factor)]
