@@ -21,6 +21,7 @@ from .running import Equations
 
 FUNCTIONS = {
     "Abs": "Rabs",
+    "log": "ln",
     "maximum": "Rmax",
     "minimum": "Rmin",
     **{name: name for name in ("exp", "sin", "cos", "tanh", "clip")},
@@ -41,12 +42,13 @@ def name_in_coq(name: str) -> tuple[str, list[str]]:
 
 
 class CoqPrinter(StrPrinter):
-    """Printer of expressions; signals, which depend on time, have the argument t."""
+    """Printer of expressions; signals, which depend on time, have the argument `at`."""
 
     printmethod = "_coq"  # no method of expressions: all methods are here
 
-    def __init__(self, signals: Iterable[Any]):
+    def __init__(self, signals: Iterable[Any], at: str = "t"):
         super().__init__()
+        self.at = at
         self.signals = {name_in_coq(symbol.name)[0] for symbol in signals}
 
     def _print(self, expression: Any, **options: Any) -> str:
@@ -64,7 +66,7 @@ class CoqPrinter(StrPrinter):
         if symbol.name == "t":
             return "t"
         name, indices = name_in_coq(symbol.name)
-        words = [name, *indices, *["t"][: name in self.signals]]
+        words = [name, *indices, *[self.at][: name in self.signals]]
         return f"({' '.join(words)})" if words[1:] else name
 
     def _print_SUM(self, atom: Any) -> str:

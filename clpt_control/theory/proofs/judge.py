@@ -20,10 +20,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from pathlib import Path
 from typing import Any
 
 import sympy
 
+from ...base.errors import DiagramError
+from ...base.files import write_file
 from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
@@ -41,6 +44,7 @@ from .conclusions import Condition, Judged, Status, concluded
 from .ends import Ends, ends
 from .in_latex import verdict_in_latex
 from .outside import Motion
+from .rate_as_sum import NotASum
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 
@@ -111,6 +115,25 @@ class Verdict(Judged):
     claimed: sympy.Expr | None = None
     equations: Equations | None = field(default=None, compare=False)
     ways: Callable[[], Any] = field(default=tuple, repr=False, compare=False)
+
+    def coq(self, path: str | None = None) -> str:
+        """Return the proof as a file that Coq checks alone; write it to a path."""
+        text = f"{self._file()}"
+        if path is not None:
+            write_file(Path(path), text)
+        return text
+
+    def beyond_coq(self) -> tuple[Step, ...]:
+        """Return the steps by which the verdict is stronger than the file's last theorem."""
+        return self._file().beyond()
+
+    def _file(self) -> Any:
+        from ..coq.verdict_file import file_of
+
+        try:
+            return file_of(self)
+        except NotASum as reason:
+            raise DiagramError(f"coq: the verdict has no file, as {reason}") from None
 
     def latex(self) -> str:
         r"""Return the verdict in LaTeX, for a paper.

@@ -9,13 +9,19 @@ Relations of a law's states, such as b = theta Q, are put in before.  `invariant
 are kept.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Add, Expr, Mul, Poly, Pow, S
+from sympy import Add, Expr, S
 
+from ...engine.diagram.symbol_names import TIME
+from ..algebra.exact import factored, vanishes
+from ..algebra.exact import terms_of as count_terms
+from ..algebra.facts import facts_of, functions_in
+from ..algebra.gram import sum_of_squares
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
@@ -27,20 +33,17 @@ class NotASum(Exception):
 
 
 class Term(NamedTuple):
-    """A term weight factor b^T M b."""
+    """A term weight factor g(form) that is not negative, g of `SHAPES`."""
 
-    weight: Expr  # positive
-    basis: Sequence[Expr]
-    matrix: Any = ((1,),)  # M >= 0: numbers, or a name of `Case.semidefinite`
-    factor: Expr = S.One  # not negative, by assumption
+    weight: Expr  # a positive parameter
+    form: Expr
+    shape: str = "{} ^ 2"
+    factor: Expr = S.One  # not negative
 
-    def times(self, other: "Term") -> "Term":
-        """Return the product of two terms, one of them with a basis of one element."""
-        longer = max(self, other, key=lambda term: len(term.basis))
-        basis = [a * b for a in self.basis for b in other.basis]
-        return Term(
-            self.weight * other.weight, basis, longer.matrix, self.factor * other.factor
-        )
+    @property
+    def value(self) -> Expr:
+        """The term as an expression."""
+        return self.weight * self.factor * shape_of(self.shape)(self.form)
 
 
 @dataclass
@@ -49,85 +52,109 @@ class Case:
 
     motion: dict[Any, Expr]
     fixed: set  # symbols of parameters
-    V: list[Term]
-    losses: list[Term]
+    V: Expr
+    rate: Expr  # V'
+    terms: list[Term] = field(default_factory=list)  # of V
+    losses: list[Term] = field(default_factory=list)
     push: Expr = S.Zero
     decay: Expr = S.Zero
-    semidefinite: Mapping[str, Any] = field(default_factory=dict)  # matrices of symbols
-    functions: dict[Any, str] = field(default_factory=dict)  # of time -> kind
+    rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
 
 
+SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tanh, sympy.Abs)
+MOST_TERMS = 200  # of V, of V' and of rates
 Ways = list[Callable[[], Case]]
 
 
 # --- sums of squares -----------------------------------------------------------------------------
 
+SHAPES: dict[str, Callable[[Expr], Expr]] = {  # as texts of Coq; positive but at 0
+    "(1 - cos {})": lambda s: 1 - sympy.cos(s),  # and at whole turns
+    "({0} * tanh {0})": lambda s: s * sympy.tanh(s),
+    "(Rabs {0} * {0} ^ 2)": lambda s: sympy.Abs(s) * s**2,
+    "(exp {0} - {0} - 1)": lambda s: sympy.exp(s) - s - 1,
+}
+
+
+def shape_of(text: str) -> Callable[[Expr], Expr]:
+    """Return a shape by its text of Coq."""
+    if text in SHAPES:
+        return SHAPES[text]
+    return lambda s: s ** int(text.rpartition(" ")[2])
+
 
 def terms_of(expression: Expr, fixed: set) -> list[Term]:
     """Return an expression as a sum of terms that are not negative."""
     total = squares(expression, fixed)
-    if total is None or not total.constant.is_nonnegative:
+    if total is not None and total.constant.is_nonnegative:
+        summands = [*total.terms, total.constant]
+    else:
+        summands = [*Add.make_args(sympy.expand(expression))]
+        if not all(map(is_nonnegative, summands)):
+            summands = [factored(expression)]
+        if not is_nonnegative(summands[0]):
+            return by_facts(expression)
+    summands = [part for summand in summands for part in apart(summand, fixed)]
+    return [term_of(summand, fixed) for summand in summands if summand != 0]
+
+
+def by_facts(expression: Expr) -> list[Term]:
+    """Return an expression as squares times what is known of its functions."""
+    calls = sorted(functions_in(expression), key=str)
+    names = {call: sympy.Dummy("call", real=True) for call in calls}
+    facts = [fact.xreplace(names) for fact in facts_of(calls)]
+    found = sum_of_squares(sympy.expand(expression.xreplace(names)), facts)
+    if found is None:
         raise NotASum(f"{short(expression)} is not known as a sum of squares")
-    summands = [summand for term in total.terms for summand in apart(term, fixed)]
-    terms = [square(summand, fixed) for summand in summands]
-    constant = [Term(total.constant, [S.One])] * bool(total.constant)
-    return of_gram(terms) + constant
+    back = {name: call for call, name in names.items()}
+    return [
+        Term(weight, form.xreplace(back), factor=fact.xreplace(back))
+        for weight, fact, form in found.terms
+    ]
+
+
+def is_nonnegative(term: Expr) -> bool:
+    """Return whether the factors of a term show that it is not negative, such as s tanh(s)."""
+    for call in term.atoms(sympy.tanh):
+        powers = term.as_powers_dict()
+        if powers[call] % 2 and powers[call.args[0]] % 2:
+            term = term / (call * call.args[0])
+    return bool(term.is_nonnegative)
 
 
 def apart(term: Expr, fixed: set) -> Iterable[Expr]:
     """Return the parts of a term whose weight is a sum with even powers: (1 + b^2) x^2."""
-    weight, form = term.as_independent(*(term.free_symbols - fixed))
+    weight, form = term.as_independent(*(term.free_symbols - fixed), as_Add=False)
     has_signs = all(s.is_positive or s.is_negative for s in weight.free_symbols)
     return (term,) if has_signs else (w * form for w in Add.make_args(weight.expand()))
 
 
-def square(term: Expr, fixed: set) -> Term:
-    """Return a term as weight form^2; divisors are part of the weight."""
-    weight, form = S.One, S.One
-    for factor in Mul.make_args(term):
-        base, power = factor.as_base_exp()
-        is_even = power.is_Integer and power.is_even
-        has_sign = base.is_positive or base.is_negative
-        is_form = is_even and base.is_Symbol and not has_sign
-        if power.is_negative or (factor.free_symbols <= fixed and not is_form):
-            weight *= factor
-        elif is_even:
-            form *= base ** (power / 2)
-        else:
-            raise NotASum(f"{short(factor)} is no square")
-    return Term(weight, [form])
-
-
-def of_gram(terms: list[Term]) -> list[Term]:
-    """Return squares of polynomials of degree 2 or more as one term with a Gram matrix.
-
-    It is positive definite, so that it bounds each monomial; otherwise the squares stay.
-    """
-    forms = [form for term in terms for form in term.basis]
-    symbols = sorted(set().union(*(form.free_symbols for form in forms)), key=str)
-    is_number = all(t.weight.is_Rational for t in terms)
-    if not is_number or not all(form.is_polynomial(*symbols) for form in forms):
-        return terms
-    rows = [Poly(form, *symbols).as_dict() for form in forms]
-    powers = sorted(set().union(*rows), reverse=True)
-    is_linear = max(map(sum, powers), default=0) < 2
-    if is_linear or len(powers) > len(terms) or len(terms) == sum(map(len, rows)):
-        return terms
-    weighted = [*zip((t.weight for t in terms), rows, strict=True)]
-    G = [
-        [sum(w * row.get(a, 0) * row.get(b, 0) for w, row in weighted) for b in powers]
-        for a in powers
-    ]
-    monomials = [Mul(*map(Pow, symbols, power)) for power in powers]
-    return [Term(S.One, monomials, G)]
+def term_of(summand: Expr, fixed: set) -> Term:
+    """Return a summand by the shape that it has."""
+    weight, varying = summand.as_independent(
+        *(summand.free_symbols - fixed), as_Add=False
+    )
+    if varying.is_Add:  # a - a cos(s)
+        common = sympy.factor_terms(summand)
+        weight, varying = common.as_independent(
+            *(summand.free_symbols - fixed), as_Add=False
+        )
+    if weight.is_negative:
+        weight, varying = -weight, sympy.expand(-varying)
+    arguments = {a for call in varying.atoms(sympy.Function) for a in call.args}
+    for text, shape in SHAPES.items():
+        for form in sorted(arguments, key=str):
+            if sympy.expand(varying - shape(form)) == 0:
+                return Term(weight, form, text)
+    base, power = varying.as_base_exp()
+    if power.is_Integer and power.is_positive and power.is_even and weight.is_positive:
+        return Term(weight, base, f"{{}} ^ {power}")
+    if summand.is_Add:
+        raise NotASum(f"{short(summand)} is no product")
+    return Term(S.One, S.One, factor=summand)
 
 
 # --- V' as a sum ---------------------------------------------------------------------------------
-
-
-def lost(case: Case, rate: Expr) -> Case:
-    """Return a case with V' as minus a sum of squares."""
-    return replace(case, losses=terms_of(-rate, case.fixed))
 
 
 def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Case:
@@ -145,8 +172,8 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     for s, (a, b) in pairs.items():
         spare = rates[s] - decay
         weights = (shares[s] * spare, S.One) if is_number else (shares[s], spare)
-        losses += [Term(weights[0], [forms[s]], factor=weights[1])] * (spare != 0)
-        losses.append(Term(a / 2, [forms[s] - b / a]))
+        losses += [Term(weights[0], forms[s], factor=weights[1])] * (spare != 0)
+        losses.append(Term(a / 2, forms[s] - b / a))
         push += b**2 / (2 * a)
     fixed = case.fixed | decay.free_symbols
     return replace(case, losses=losses, push=push, decay=decay, fixed=fixed)
@@ -156,34 +183,54 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     """Return the ways to write V' of a `SystemCandidate`."""
 
     def system() -> Case:
-        if case.eq.discrete:
-            raise NotASum("time is discrete")
+        refuse(case)
         motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
-        functions = still(case.eq.jumps, case.V)
-        V = terms_of(case.V, case.fixed)
-        return Case(motion, case.fixed, V, [], functions=functions)
+        terms, rate = terms_of(case.V, case.fixed), case.rate.xreplace(fall.zeroed)
+        rest = definite.least or {}
+        return Case(motion, case.fixed, case.V, rate, terms, rest=rest)
 
     def falls() -> Case:
-        return lost(system(), case.rate.xreplace(fall.zeroed))
+        written = system()
+        return replace(written, losses=terms_of(-written.rate, case.fixed))
 
     def pulls() -> Case:
-        terms = in_forms(case, definite)
+        terms, written = in_forms(case, definite), system()
         if fall.level is None or terms is None:
             raise NotASum("V' does not pull V back")
         numbers = pulled_at_once(*terms[:3])
         if numbers is None:
-            return pulled(system(), *terms)
-        loss = case.rate + numbers.rate * case.V - numbers.push
-        return replace(lost(system(), loss), decay=numbers.rate, push=numbers.push)
+            return pulled(written, *terms)
+        loss = numbers.push - numbers.rate * case.V - written.rate
+        losses = terms_of(loss, case.fixed)
+        return replace(written, losses=losses, decay=numbers.rate, push=numbers.push)
 
-    return [falls, pulls]
+    return [partial(checked, falls), partial(checked, pulls)]
 
 
-def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
-    """Return states that jump as functions of time; V does not depend on them."""
-    moved = {
-        s for change in jumps.values() for s, after in change.items() if s != after
-    }
-    if in_V := moved & V.free_symbols:
-        raise NotASum(f"{min(in_V, key=str)} is in V and jumps")
-    return dict.fromkeys(moved, "signals")
+def checked(way: Callable[[], Case]) -> Case:
+    """Return a case whose sum is V', in exact arithmetic."""
+    case = way()
+    total = Add(*(term.value for term in case.losses), case.decay * case.V, case.rate)
+    if not vanishes(total - case.push):
+        raise NotASum("V' is less than the sum")
+    return case
+
+
+def refuse(case: Any) -> None:
+    """Refuse what has no file: states that jump, sampled parts, guards, discrete time, sets."""
+    written = sympy.Tuple(case.V, case.rate, *case.motion.values())
+    for call in sorted(functions_in(written), key=str):
+        if not isinstance(call, SMOOTH) and call.args != (TIME,):
+            raise NotASum(f"{short(call)} has pieces, or is not smooth")
+    if case.eq.discrete:
+        raise NotASum("time is discrete")
+    if case.eq.jumps or written.has(*case.intervals):
+        raise NotASum(f"states of {' and '.join(case.eq.jumps)} jump")
+    if case.kept:
+        raise NotASum("V' falls in a set that states do not leave")
+    powers = [power.exp for power in written.atoms(sympy.Pow) if power.exp.is_Integer]
+    if (
+        max(map(count_terms, written)) > MOST_TERMS
+        or max(powers, default=0) > MOST_TERMS
+    ):
+        raise NotASum("V' or a rate is too long to print")

@@ -1,0 +1,904 @@
+(* Runs on [0, T), T finite or infinite: rates, bounds, limits and stability of what a loop does.
+
+   [follows T f df] says that f is continuous on [0, T) and f' = df but at finitely many times
+   before any S < T.  Tactics follow the form of their goal.  Files of verdicts begin with this
+   text; they state a loop, V and what holds of them. *)
+From Coq Require Import Reals Lra Lia List.
+From Coquelicot Require Import Coquelicot.
+Open Scope R_scope.
+
+(* t is a time of a run on [0, T); T may be infinite *)
+Definition on (T : Rbar) (t : R) : Prop := 0 <= t /\ Rbar_lt t T.
+
+Lemma on_le T s t : on T t -> 0 <= s <= t -> on T s.
+Proof. intros [_ H] Hs. split; [lra|]. destruct T; simpl in *; auto; lra. Qed.
+Lemma on_all t : 0 <= t -> on p_infty t.
+Proof. split; simpl; auto. Qed.
+Global Hint Resolve on_all : core.
+
+(* f is continuous on [0, T), and f' = df but at finitely many times before any S < T *)
+Definition follows (T : Rbar) (f df : R -> R) : Prop :=
+  (forall t, on T t -> continuous f t) /\
+  (forall S, on T S -> exists l : list R, forall t, 0 < t < S -> ~ In t l -> is_derive f t (df t)).
+
+Section Rules.
+Variable T : Rbar.
+
+Lemma follows_by f df dg : follows T f df -> (forall t, on T t -> df t = dg t) -> follows T f dg.
+Proof. intros [C D] E. split; auto. intros S HS. destruct (D S HS) as [l H]. exists l.
+  intros t Ht Hn. rewrite <- E by (apply (on_le T t S); auto; lra). auto. Qed.
+
+Lemma follows_as f df g : follows T f df -> (forall t, f t = g t) -> follows T g df.
+Proof. intros [C D] E. split.
+  - intros t Ht. apply (continuous_ext f); auto.
+  - intros S HS. destruct (D S HS) as [l H]. exists l. intros t Ht Hn.
+    apply (is_derive_ext f); auto. Qed.
+
+Lemma follows_const a : follows T (fun _ => a) (fun _ => 0).
+Proof. split; [intros; apply continuous_const|]. intros S _. exists nil. intros. apply @is_derive_const. Qed.
+
+Lemma follows_time : follows T (fun t => t) (fun _ => 1).
+Proof. split; [intros; apply continuous_id|]. intros S _. exists nil. intros. apply @is_derive_id. Qed.
+
+Lemma follows_two (op : (R -> R) -> (R -> R) -> R -> R) d f df g dg :
+  (forall t, continuous f t -> continuous g t -> continuous (op f g) t) ->
+  (forall t, is_derive f t (df t) -> is_derive g t (dg t) -> is_derive (op f g) t (d t)) ->
+  follows T f df -> follows T g dg -> follows T (op f g) d.
+Proof. intros HC HD [Cf Df] [Cg Dg]. split; auto.
+  intros S HS. destruct (Df S HS) as [l Hl], (Dg S HS) as [m Hm]. exists (l ++ m). intros t Ht Hn.
+  apply HD; [apply Hl|apply Hm]; auto; intros Hi; apply Hn, in_or_app; auto. Qed.
+
+Lemma follows_plus f df g dg :
+  follows T f df -> follows T g dg -> follows T (fun t => f t + g t) (fun t => df t + dg t).
+Proof. apply (follows_two (fun f g t => f t + g t)); intros.
+  - apply @continuous_plus; auto. - apply @is_derive_plus; auto. Qed.
+
+Lemma follows_minus f df g dg :
+  follows T f df -> follows T g dg -> follows T (fun t => f t - g t) (fun t => df t - dg t).
+Proof. apply (follows_two (fun f g t => f t - g t)); intros.
+  - apply @continuous_minus; auto. - apply @is_derive_minus; auto. Qed.
+
+Lemma follows_mult f df g dg :
+  follows T f df -> follows T g dg -> follows T (fun t => f t * g t) (fun t => df t * g t + f t * dg t).
+Proof. apply (follows_two (fun f g t => f t * g t)); intros.
+  - apply @continuous_mult; auto. - apply @is_derive_mult; auto; intros; apply Rmult_comm. Qed.
+
+Lemma follows_in (g dg : R -> R) f df : (forall t, on T t -> is_derive g (f t) (dg (f t))) ->
+  follows T f df -> follows T (fun t => g (f t)) (fun t => df t * dg (f t)).
+Proof. intros G [C D]. split.
+  - intros t Ht. apply continuous_comp; auto. apply @ex_derive_continuous. exists (dg (f t)). auto.
+  - intros S HS. destruct (D S HS) as [l H]. exists l. intros t Ht Hn.
+    apply (is_derive_comp g f); [apply G, (on_le T t S); auto; lra|apply H; auto]. Qed.
+
+Lemma follows_opp f df : follows T f df -> follows T (fun t => - f t) (fun t => - df t).
+Proof. intros H. apply (follows_by _ (fun t => df t * -1)); [|intros; ring].
+  apply (follows_in Ropp (fun _ => -1)); auto. intros. auto_derive; auto; ring. Qed.
+
+Lemma follows_pow n f df : follows T f df ->
+  follows T (fun t => f t ^ n) (fun t => df t * (IZR (Z.of_nat n) * f t ^ pred n)).
+Proof. apply (follows_in (fun x => x ^ n) (fun x => IZR (Z.of_nat n) * x ^ pred n)).
+  intros. auto_derive; auto; rewrite <- INR_IZR_INZ; ring. Qed.
+
+Lemma follows_inv f df : (forall t, on T t -> f t <> 0) -> follows T f df ->
+  follows T (fun t => / f t) (fun t => df t * (- (/ f t) ^ 2)).
+Proof. intros N. apply (follows_in Rinv (fun x => - (/ x) ^ 2)).
+  intros t Ht. assert (A := N t Ht). auto_derive; auto; field; auto. Qed.
+
+Lemma follows_div f df g dg : (forall t, on T t -> g t <> 0) ->
+  follows T f df -> follows T g dg ->
+  follows T (fun t => f t / g t) (fun t => df t / g t + f t * (dg t * (- (/ g t) ^ 2))).
+Proof. intros N F G. apply (follows_mult f df (fun t => / g t)); auto. apply follows_inv; auto. Qed.
+
+Lemma follows_sin f df : follows T f df -> follows T (fun t => sin (f t)) (fun t => df t * cos (f t)).
+Proof. apply (follows_in sin cos). intros. auto_derive; auto; ring. Qed.
+Lemma follows_cos f df : follows T f df -> follows T (fun t => cos (f t)) (fun t => df t * (- sin (f t))).
+Proof. apply (follows_in cos (fun x => - sin x)). intros. auto_derive; auto; ring. Qed.
+Lemma follows_exp f df : follows T f df -> follows T (fun t => exp (f t)) (fun t => df t * exp (f t)).
+Proof. apply (follows_in exp exp). intros. auto_derive; auto; ring. Qed.
+Lemma cosh_above x : 0 < cosh x.
+Proof. unfold cosh. assert (A := exp_pos x). assert (B := exp_pos (- x)). lra. Qed.
+Lemma tanh_exp x : tanh x = (exp x - exp (- x)) / (exp x + exp (- x)).
+Proof. assert (A := exp_pos x). assert (B := exp_pos (- x)). unfold tanh, sinh, cosh. field. lra. Qed.
+Lemma derive_tanh x : is_derive tanh x (1 - tanh x ^ 2).
+Proof. assert (A := exp_pos x). assert (B := exp_pos (- x)).
+  apply (is_derive_ext (fun x => (exp x - exp (- x)) / (exp x + exp (- x)))).
+  - intros y. symmetry. apply tanh_exp.
+  - auto_derive; [lra|]. rewrite tanh_exp. field. lra. Qed.
+Lemma follows_tanh f df : follows T f df -> follows T (fun t => tanh (f t)) (fun t => df t * (1 - tanh (f t) ^ 2)).
+Proof. apply (follows_in tanh (fun x => 1 - tanh x ^ 2)). intros. apply derive_tanh. Qed.
+Lemma follows_ln f df : (forall t, on T t -> 0 < f t) -> follows T f df ->
+  follows T (fun t => ln (f t)) (fun t => df t * / f t).
+Proof. intros P. apply (follows_in ln Rinv). intros t Ht. assert (A := P t Ht). auto_derive; auto; field; lra. Qed.
+Lemma follows_sqrt f df : (forall t, on T t -> 0 < f t) -> follows T f df ->
+  follows T (fun t => sqrt (f t)) (fun t => df t * / (2 * sqrt (f t))).
+Proof. intros P. apply (follows_in sqrt (fun x => / (2 * sqrt x))). intros t Ht. assert (A := P t Ht).
+  assert (B := sqrt_lt_R0 _ A). auto_derive; auto; field; lra. Qed.
+
+(* the mean value theorem with exceptions *)
+Lemma slope_list (f df : R -> R) M (l : list R) : forall a b, a <= b ->
+  (forall t, a <= t <= b -> continuous f t) ->
+  (forall t, a < t < b -> ~ In t l -> is_derive f t (df t) /\ df t <= M) ->
+  f b - f a <= M * (b - a).
+Proof. induction l as [|c l IH]; intros a b Hab C D.
+  - destruct (MVT_gen f a b (fun t => Rmin (df t) M)) as [c [Hc E]];
+      rewrite ?Rmin_left, ?Rmax_right in * by lra.
+    + intros t Ht. destruct (D t Ht) as [Dt Lt]; auto. rewrite Rmin_left by exact Lt. exact Dt.
+    + intros t Ht. apply continuity_pt_filterlim, C, Ht.
+    + rewrite E. apply Rmult_le_compat_r; [lra|]. apply Rmin_r.
+  - destruct (Rlt_dec a c) as [Hac|Hac]; [destruct (Rlt_dec c b) as [Hcb|Hcb]|].
+    + assert (f c - f a <= M * (c - a)).
+      { apply IH; [lra|intros; apply C; lra|]. intros t Ht Hn. apply D; [lra|].
+        intros [->|Hi]; [lra|auto]. }
+      assert (f b - f c <= M * (b - c)).
+      { apply IH; [lra|intros; apply C; lra|]. intros t Ht Hn. apply D; [lra|].
+        intros [->|Hi]; [lra|auto]. }
+      nra.
+    + apply IH; auto. intros t Ht Hn. apply D; auto. intros [->|Hi]; [lra|auto].
+    + apply IH; auto. intros t Ht Hn. apply D; auto. intros [->|Hi]; [lra|auto]. Qed.
+
+Lemma slope f df M a b : follows T f df -> 0 <= a <= b -> on T b ->
+  (forall t, a < t < b -> df t <= M) -> f b - f a <= M * (b - a).
+Proof. intros [C D] Hab Hb H. destruct (D b Hb) as [l Hl].
+  apply (slope_list f df M l); [lra|intros; apply C, (on_le T t b); auto; lra|].
+  intros t Ht Hn. split; [apply Hl; auto; lra|auto]. Qed.
+
+Lemma falls f df : follows T f df -> (forall t, on T t -> df t <= 0) ->
+  forall s t, 0 <= s <= t -> on T t -> f t <= f s.
+Proof. intros F H s t Hst Ht. assert (S := slope f df 0 s t F Hst Ht). enough (f t - f s <= 0 * (t - s)) by lra.
+  apply S. intros u Hu. apply H, (on_le T u t); auto; lra. Qed.
+
+(* V' <= d - c V *)
+Lemma decays V dV c d : 0 < c -> follows T V dV -> (forall t, on T t -> dV t <= d - c * V t) ->
+  forall t, on T t -> V t <= d / c + (V 0 - d / c) * exp (- c * t).
+Proof. intros Hc F H t Ht.
+  assert (G : follows T (fun t => (V t - d / c) * exp (c * t))
+    (fun t => (dV t - 0) * exp (c * t) + (V t - d / c) * ((0 * t + c * 1) * exp (c * t)))).
+  { apply follows_mult; [apply follows_minus; [auto|apply follows_const]|].
+    apply follows_exp, follows_mult; [apply follows_const|apply follows_time]. }
+  assert (L : (V t - d / c) * exp (c * t) <= (V 0 - d / c) * exp (c * 0)).
+  { apply (falls _ _ G); [|split; [lra|apply Ht]|auto]. intros s Hs. assert (P := exp_pos (c * s)).
+    assert (dV s <= d - c * V s) by auto.
+    replace ((dV s - 0) * exp (c * s) + (V s - d / c) * ((0 * s + c * 1) * exp (c * s)))
+      with ((dV s - (d - c * V s)) * exp (c * s)) by (field; lra). nra. }
+  rewrite Rmult_0_r, exp_0 in L. replace (- c * t) with (- (c * t)) by ring. rewrite exp_Ropp.
+  assert (P := exp_pos (c * t)).
+  assert (E : V t - d / c <= (V 0 - d / c) * / exp (c * t)); [|lra].
+  apply (Rmult_le_reg_r (exp (c * t))); [auto|]. rewrite Rmult_assoc, Rinv_l by lra. lra. Qed.
+
+(* V' <= 0 where V < c: what begins below c stays there, and V falls *)
+Lemma stays_below V dV c : follows T V dV -> (forall t, on T t -> V t < c -> dV t <= 0) -> V 0 < c ->
+  forall t, on T t -> V t < c.
+Proof. intros F H H0 t Ht. destruct (Rlt_le_dec (V t) c) as [|Big]; auto. exfalso.
+  set (E := fun s => 0 <= s <= t /\ forall r, 0 <= r <= s -> V r < c).
+  assert (P0 : 0 <= t) by apply Ht.
+  destruct (completeness E) as [m [Up Least]].
+  { exists t. intros s [Hs _]. lra. }
+  { exists 0. split; [lra|]. intros r Hr. replace r with 0 by lra. auto. }
+  assert (M0 : 0 <= m). { apply Up. split; [lra|]. intros r Hr. replace r with 0 by lra. auto. }
+  assert (Mt : m <= t). { apply Least. intros s [Hs _]. lra. }
+  assert (Below : forall r, 0 <= r < m -> V r < c).
+  { intros r Hr. destruct (Rlt_le_dec (V r) c) as [|B]; auto. exfalso.
+    assert (m <= r); [|lra]. apply Least. intros s [Hs Hb]. destruct (Rle_lt_dec s r); auto.
+    assert (V r < c) by (apply Hb; lra). lra. }
+  assert (Om : on T m) by (apply (on_le T m t); auto).
+  assert (Vm : V m < c).
+  { assert (S := slope V dV 0 0 m F ltac:(lra) Om). enough (V m - V 0 <= 0 * (m - 0)) by lra.
+    apply S. intros u Hu. apply H; [apply (on_le T u m); auto; lra|apply Below; lra]. }
+  destruct F as [C _]. assert (Cm := C m Om).
+  assert (Q : 0 < c - V m) by lra.
+  destruct (Cm (ball (V m) (mkposreal _ Q)) (locally_ball _ _)) as [d Hd].
+  destruct (Req_dec m t) as [->|Ne]; [lra|].
+  assert (Pd := cond_pos d). set (s := Rmin t (m + d / 2)).
+  assert (S1 : s <= t) by apply Rmin_l. assert (S2 : s <= m + d / 2) by apply Rmin_r.
+  assert (S3 : m < s) by (apply Rmin_glb_lt; lra).
+  assert (s <= m); [|lra]. apply Up. split; [lra|]. intros r Hr.
+  destruct (Rlt_le_dec r m) as [L|L]; [apply Below; lra|].
+  assert (B : ball m d r). { change (Rabs (r - m) < d). rewrite Rabs_pos_eq; lra. }
+  assert (A := Hd r B). change (Rabs (V r - V m) < c - V m) in A. apply Rabs_lt_between in A. lra. Qed.
+
+(* bounded on [0, T) *)
+Definition bounded (f : R -> R) : Prop := exists M, forall t, on T t -> Rabs (f t) <= M.
+
+Lemma bounded_const a : bounded (fun _ => a).
+Proof. exists (Rabs a). intros; lra. Qed.
+Lemma bounded_plus f g : bounded f -> bounded g -> bounded (fun t => f t + g t).
+Proof. intros [M HM] [L HL]. exists (M + L). intros t Ht.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; auto. Qed.
+Lemma bounded_mult f g : bounded f -> bounded g -> bounded (fun t => f t * g t).
+Proof. intros [M HM] [L HL]. exists (M * L). intros t Ht. rewrite Rabs_mult.
+  apply Rmult_le_compat; auto using Rabs_pos. Qed.
+Lemma bounded_opp f : bounded f -> bounded (fun t => - f t).
+Proof. intros [M HM]. exists M. intros t Ht. rewrite Rabs_Ropp. auto. Qed.
+Lemma bounded_minus f g : bounded f -> bounded g -> bounded (fun t => f t - g t).
+Proof. intros Hf Hg. apply (bounded_plus f (fun t => - g t)); auto using bounded_opp. Qed.
+Lemma bounded_pow n f : bounded f -> bounded (fun t => f t ^ n).
+Proof. intros H. induction n; simpl; [apply bounded_const|apply bounded_mult; auto]. Qed.
+Lemma bounded_abs f : bounded f -> bounded (fun t => Rabs (f t)).
+Proof. intros [M H]. exists M. intros t Ht. rewrite Rabs_Rabsolu. auto. Qed.
+Lemma bounded_ext f g : (forall t, on T t -> f t = g t) -> bounded f -> bounded g.
+Proof. intros E [M H]. exists M. intros t Ht. rewrite <- E; auto. Qed.
+Lemma bounded_by M (f : R -> R) : (forall x, Rabs (f x) <= M) -> forall g, bounded (fun t => f (g t)).
+Proof. intros H g. exists M. auto. Qed.
+Lemma bounded_sin f : bounded (fun t => sin (f t)).
+Proof. apply (bounded_by 1 sin). intros. apply Rabs_le, SIN_bound. Qed.
+Lemma bounded_cos f : bounded (fun t => cos (f t)).
+Proof. apply (bounded_by 1 cos). intros. apply Rabs_le, COS_bound. Qed.
+Lemma tanh_between x : -1 <= tanh x <= 1.
+Proof. rewrite tanh_exp. assert (A := exp_pos x). assert (B := exp_pos (- x)).
+  split; apply (Rmult_le_reg_r (exp x + exp (- x))); try lra; unfold Rdiv;
+  rewrite ?Rmult_assoc, ?Rinv_l by lra; lra. Qed.
+Lemma bounded_tanh f : bounded (fun t => tanh (f t)).
+Proof. apply (bounded_by 1 tanh). intros. apply Rabs_le, tanh_between. Qed.
+Lemma bounded_exp f : bounded f -> bounded (fun t => exp (f t)).
+Proof. intros [M H]. exists (exp M). intros t Ht. rewrite Rabs_pos_eq by (apply Rlt_le, exp_pos).
+  assert (f t <= M) by (eapply Rle_trans; [apply Rle_abs|auto]).
+  destruct H0; [apply Rlt_le, exp_increasing; auto|right; f_equal; auto]. Qed.
+Lemma bounded_inv_exp f : bounded f -> bounded (fun t => / exp (f t)).
+Proof. intros H. apply (bounded_ext (fun t => exp (- f t))); [intros; apply exp_Ropp|].
+  apply bounded_exp, bounded_opp, H. Qed.
+Lemma bounded_inv c f : 0 < c -> (forall t, on T t -> c <= f t) -> bounded (fun t => / f t).
+Proof. intros Hc H. exists (/ c). intros t Ht. assert (c <= f t) by auto.
+  rewrite Rabs_pos_eq by (apply Rlt_le, Rinv_0_lt_compat; lra). apply Rinv_le_contravar; auto. Qed.
+(* c f^2n <= B *)
+Lemma bounded_root c f n : 0 < c -> bounded (fun t => c * f t ^ S n) -> bounded f.
+Proof. intros Hc [B H]. exists (1 + B / c). intros t Ht. specialize (H t Ht).
+  rewrite Rabs_mult, (Rabs_pos_eq c), <- RPow_abs in H by lra.
+  assert (Q : Rabs (f t) ^ S n <= B / c).
+  { apply (Rmult_le_reg_l c); auto. replace (c * (B / c)) with B by (field; lra). auto. }
+  assert (A := Rabs_pos (f t)). destruct (Rle_lt_dec (Rabs (f t)) 1).
+  - assert (0 <= Rabs (f t) ^ S n) by (apply pow_le; auto). lra.
+  - assert (1 <= Rabs (f t) ^ n) by (apply pow_R1_Rle; lra). simpl in Q. nra. Qed.
+Lemma bounded_below f B : (forall t, on T t -> 0 <= f t <= B) -> bounded f.
+Proof. intros H. exists B. intros t Ht. specialize (H t Ht). apply Rabs_le. lra. Qed.
+
+(* x' = -k x + u with a bounded u: x is bounded *)
+Lemma bounded_lag k x u : 0 < k -> follows T x (fun t => u t - k * x t) -> bounded u -> bounded x.
+Proof. intros Hk F [U HU]. exists (U / k + Rabs (x 0)). intros t Ht.
+  assert (E : 0 < exp (- k * t) <= 1).
+  { split; [apply exp_pos|]. rewrite <- exp_0. destruct Ht as [Ht _]. destruct (Req_dec t 0) as [->|].
+    - right. f_equal. ring. - left. apply exp_increasing. nra. }
+  assert (0 <= U). { eapply Rle_trans; [apply Rabs_pos|apply (HU t Ht)]. }
+  assert (0 <= U / k) by (apply Rmult_le_pos; auto; apply Rlt_le, Rinv_0_lt_compat; auto).
+  assert (A := Rle_abs (x 0)). assert (B := Rle_abs (- x 0)). rewrite Rabs_Ropp in B.
+  assert (P := decays x _ k U Hk F). assert (M := decays (fun t => - x t) _ k U Hk (follows_opp _ _ F)).
+  apply Rabs_le. simpl in *. split.
+  - enough (- x t <= U / k + (- x 0 - U / k) * exp (- k * t)) by nra. apply M; auto.
+    intros s Hs. assert (B' := HU s Hs). apply Rabs_le_between in B'. lra.
+  - enough (x t <= U / k + (x 0 - U / k) * exp (- k * t)) by nra. apply P; auto.
+    intros s Hs. assert (B' := HU s Hs). apply Rabs_le_between in B'. lra. Qed.
+End Rules.
+
+(* --- limits --- *)
+Section Rates.
+Variable T : Rbar.
+Definition Lipschitz (g : R -> R) : Prop :=
+  exists L, forall s t, on T s -> on T t -> Rabs (g t - g s) <= L * Rabs (t - s).
+
+Lemma Lipschitz_rate f df : follows T f df -> bounded T df -> Lipschitz f.
+Proof. intros F [L H]. exists L.
+  assert (W : forall s t, 0 <= s <= t -> on T t -> Rabs (f t - f s) <= L * Rabs (t - s)).
+  { intros s t Hst Ht. rewrite (Rabs_pos_eq (t - s)) by lra.
+    assert (B : forall u, s < u < t -> - L <= df u <= L).
+    { intros u Hu. apply Rabs_le_between, H, (on_le T u t); auto; lra. }
+    apply Rabs_le. split.
+    - assert (S := slope T _ _ L s t (follows_opp T f df F) Hst Ht).
+      assert (- f t - - f s <= L * (t - s)); [|lra]. apply S. intros u Hu. assert (C := B u Hu). lra.
+    - apply (slope T f df L s t F Hst Ht). intros u Hu. assert (C := B u Hu). lra. }
+  intros s t Hs Ht. destruct (Rle_lt_dec s t); [apply W; auto; destruct Hs; lra|].
+  rewrite (Rabs_minus_sym (f t)), (Rabs_minus_sym t). apply W; auto. destruct Ht. lra. Qed.
+Lemma Lipschitz_const a : Lipschitz (fun _ => a).
+Proof. exists 0. intros. rewrite Rminus_eq_0, Rabs_R0. lra. Qed.
+Lemma Lipschitz_time : Lipschitz (fun t => t).
+Proof. exists 1. intros. lra. Qed.
+Lemma Lipschitz_plus f g : Lipschitz f -> Lipschitz g -> Lipschitz (fun t => f t + g t).
+Proof. intros [L HL] [M HM]. exists (L + M). intros s t Hs Ht.
+  replace (f t + g t - (f s + g s)) with ((f t - f s) + (g t - g s)) by ring.
+  eapply Rle_trans; [apply Rabs_triang|]. specialize (HL s t Hs Ht). specialize (HM s t Hs Ht). lra. Qed.
+Lemma Lipschitz_mult f g : bounded T f -> bounded T g -> Lipschitz f -> Lipschitz g ->
+  Lipschitz (fun t => f t * g t).
+Proof. intros [F HF] [G HG] [L HL] [M HM]. exists (L * G + F * M). intros s t Hs Ht.
+  replace (f t * g t - f s * g s) with ((f t - f s) * g t + f s * (g t - g s)) by ring.
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
+  specialize (HL s t Hs Ht). specialize (HM s t Hs Ht). specialize (HF s Hs). specialize (HG t Ht).
+  assert (A := Rabs_pos (f t - f s)). assert (B := Rabs_pos (g t - g s)).
+  assert (C := Rabs_pos (g t)). assert (D := Rabs_pos (f s)).
+  assert (Rabs (f t - f s) * Rabs (g t) <= L * Rabs (t - s) * G) by (apply Rmult_le_compat; auto).
+  assert (Rabs (f s) * Rabs (g t - g s) <= F * (M * Rabs (t - s))) by (apply Rmult_le_compat; auto). nra. Qed.
+Lemma Lipschitz_opp f : Lipschitz f -> Lipschitz (fun t => - f t).
+Proof. intros [L H]. exists L. intros s t Hs Ht. replace (- f t - - f s) with (- (f t - f s)) by ring.
+  rewrite Rabs_Ropp. auto. Qed.
+Lemma Lipschitz_minus f g : Lipschitz f -> Lipschitz g -> Lipschitz (fun t => f t - g t).
+Proof. intros F G. apply (Lipschitz_plus f (fun t => - g t)); auto using Lipschitz_opp. Qed.
+Lemma Lipschitz_pow n f : bounded T f -> Lipschitz f -> Lipschitz (fun t => f t ^ n).
+Proof. intros B L. induction n; simpl; [apply Lipschitz_const|apply Lipschitz_mult; auto using bounded_pow]. Qed.
+Lemma Lipschitz_abs f : Lipschitz f -> Lipschitz (fun t => Rabs (f t)).
+Proof. intros [L H]. exists L. intros s t Hs Ht. eapply Rle_trans; [apply Rabs_triang_inv2|auto]. Qed.
+Lemma Lipschitz_in (g dg : R -> R) M f : (forall x, is_derive g x (dg x)) -> (forall x, Rabs (dg x) <= M) ->
+  Lipschitz f -> Lipschitz (fun t => g (f t)).
+Proof. intros D B [L H]. exists (M * L). intros s t Hs Ht.
+  destruct (MVT_gen g (f s) (f t) dg) as [c [_ E]].
+  - intros; apply D. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. eexists. apply D.
+  - rewrite E, Rabs_mult. rewrite Rmult_assoc. apply Rmult_le_compat; auto using Rabs_pos. Qed.
+Lemma Lipschitz_sin f : Lipschitz f -> Lipschitz (fun t => sin (f t)).
+Proof. apply (Lipschitz_in sin cos 1). - intros. auto_derive; auto. ring.
+  - intros. apply Rabs_le, COS_bound. Qed.
+Lemma Lipschitz_cos f : Lipschitz f -> Lipschitz (fun t => cos (f t)).
+Proof. apply (Lipschitz_in cos (fun x => - sin x) 1). - intros. auto_derive; auto. ring.
+  - intros. rewrite Rabs_Ropp. apply Rabs_le, SIN_bound. Qed.
+Lemma Lipschitz_tanh f : Lipschitz f -> Lipschitz (fun t => tanh (f t)).
+Proof. apply (Lipschitz_in tanh (fun x => 1 - tanh x ^ 2) 1); [apply derive_tanh|].
+  intros x. assert (A := tanh_between x). apply Rabs_le. split; nra. Qed.
+End Rates.
+
+(* f goes to zero for ever *)
+Definition fades (f : R -> R) : Prop := is_lim f p_infty 0.
+(* V >= 0 loses a Lipschitz g >= 0: g -> 0 (Barbalat) *)
+Theorem barbalat (V dV g : R -> R) :
+  follows p_infty V dV -> (forall t, on p_infty t -> 0 <= V t) -> (forall t, on p_infty t -> 0 <= g t) ->
+  (forall t, on p_infty t -> dV t <= - g t) -> Lipschitz p_infty g -> fades g.
+Proof.
+  intros F V0 g0 D [L HL]. apply is_lim_spec. intros [eps He]. simpl.
+  assert (Fall : forall s t, 0 <= s <= t -> V t <= V s).
+  { intros s t Hst. apply (falls p_infty V dV); auto; [|apply on_all; lra]. intros u Hu.
+    assert (dV u <= - g u) by (apply D; auto). assert (0 <= g u) by (apply g0; auto). lra. }
+  destruct (ex_finite_lim_seq_decr (fun n => V (INR n)) 0) as [l Hl].
+  { intros n. apply Fall. rewrite S_INR. assert (0 <= INR n) by apply pos_INR. lra. }
+  { intros n. apply V0, on_all, pos_INR. }
+  set (h := eps / (2 * (Rabs L + 1))). assert (PL : 0 <= Rabs L) by apply Rabs_pos.
+  assert (Hh : 0 < h) by (apply Rdiv_lt_0_compat; lra).
+  assert (Lh : Rabs L * h <= eps / 2).
+  { unfold h. apply (Rmult_le_reg_r (2 * (Rabs L + 1))); [lra|].
+    replace (Rabs L * (eps / (2 * (Rabs L + 1))) * (2 * (Rabs L + 1))) with (Rabs L * eps)
+      by (field; lra). nra. }
+  assert (P : 0 < eps / 2 * h / 2) by nra.
+  apply is_lim_seq_spec in Hl. destruct (Hl (mkposreal _ P)) as [n Hn]. simpl in Hn.
+  assert (Near : forall t, INR n <= t -> l - eps / 2 * h / 2 < V t < l + eps / 2 * h / 2).
+  { intros t Ht. assert (0 <= INR n) by apply pos_INR. split.
+    - destruct (nfloor_ex t ltac:(lra)) as [m [Hm1 Hm2]].
+      assert (V (INR (S m)) <= V t) by (apply Fall; rewrite S_INR; lra).
+      assert (n <= S m)%nat by (apply INR_le; rewrite S_INR; lra).
+      assert (B := Hn (S m) ltac:(auto)). apply Rabs_lt_between in B. lra.
+    - assert (V t <= V (INR n)) by (apply Fall; lra).
+      assert (B := Hn n ltac:(auto)). apply Rabs_lt_between in B. lra. }
+  exists (INR n). intros t Ht. rewrite Rminus_0_r. assert (0 <= INR n) by apply pos_INR.
+  rewrite Rabs_pos_eq by (apply g0, on_all; lra).
+  destruct (Rlt_le_dec (g t) eps) as [|Big]; auto. exfalso.
+  assert (S : V (t + h) - V t <= - (eps / 2) * (t + h - t)).
+  { apply (slope p_infty V dV); auto; [lra|apply on_all; lra|]. intros u Hu.
+    assert (dV u <= - g u) by (apply D, on_all; lra).
+    assert (B := HL t u ltac:(apply on_all; lra) ltac:(apply on_all; lra)). rewrite (Rabs_pos_eq (u - t)) in B by lra.
+    apply Rabs_le_between in B. assert (L <= Rabs L) by apply Rle_abs.
+    assert (L * (u - t) <= eps / 2) by nra. lra. }
+  assert (A := Near t ltac:(lra)). assert (B := Near (t + h) ltac:(lra)). nra.
+Qed.
+
+(* q -> 0 with a Lipschitz rate: q' -> 0 *)
+Lemma barbalat_next (q dq : R -> R) : follows p_infty q dq -> fades q -> Lipschitz p_infty dq -> fades dq.
+Proof.
+  intros F Q [L HL]. apply is_lim_spec. intros [eps He]. simpl. apply is_lim_spec in Q.
+  set (h := eps / (2 * (Rabs L + 1))). assert (PL : 0 <= Rabs L) by apply Rabs_pos.
+  assert (Hh : 0 < h) by (apply Rdiv_lt_0_compat; lra).
+  assert (Lh : Rabs L * h <= eps / 2).
+  { unfold h. apply (Rmult_le_reg_r (2 * (Rabs L + 1))); [lra|].
+    replace (Rabs L * (eps / (2 * (Rabs L + 1))) * (2 * (Rabs L + 1))) with (Rabs L * eps)
+      by (field; lra). nra. }
+  assert (P : 0 < eps / 2 * h / 2) by nra. destruct (Q (mkposreal _ P)) as [M HM]. simpl in HM.
+  exists (Rmax M 0). intros t Ht.
+  assert (M < t) by (eapply Rle_lt_trans; [apply Rmax_l|apply Ht]).
+  assert (0 < t) by (eapply Rle_lt_trans; [apply Rmax_r|apply Ht]).
+  assert (A := HM t ltac:(lra)). assert (B := HM (t + h) ltac:(lra)).
+  apply Rabs_lt_between in A. apply Rabs_lt_between in B. rewrite Rminus_0_r.
+  assert (Near : forall u, t < u < t + h -> dq t - eps / 2 <= dq u <= dq t + eps / 2).
+  { intros u Hu. assert (C := HL t u ltac:(apply on_all; lra) ltac:(apply on_all; lra)). rewrite (Rabs_pos_eq (u - t)) in C by lra.
+    apply Rabs_le_between in C. assert (L <= Rabs L) by apply Rle_abs.
+    assert (L * (u - t) <= eps / 2) by nra. lra. }
+  assert (U := slope p_infty q dq (dq t + eps / 2) t (t + h) F ltac:(lra) ltac:(apply on_all; lra)
+    ltac:(intros u Hu; apply Near; lra)).
+  assert (W := slope p_infty (fun t => - q t) (fun t => - dq t) (- (dq t - eps / 2)) t (t + h)
+    (follows_opp _ _ _ F) ltac:(lra) ltac:(apply on_all; lra)
+    ltac:(intros u Hu; destruct (Near u Hu); lra)).
+  apply Rabs_lt_between. split; nra.
+Qed.
+
+Lemma fades_ext f g : (forall t, on p_infty t -> f t = g t) -> fades f -> fades g.
+Proof. intros E H. apply (is_lim_ext_loc f); auto. exists 0. intros t Ht. apply E, on_all. lra. Qed.
+Lemma fades_plus f g : fades f -> fades g -> fades (fun t => f t + g t).
+Proof. intros F G. unfold fades. replace (Finite 0) with (Rbar_plus 0 0) by (simpl; f_equal; ring).
+  apply is_lim_plus'; auto. Qed.
+Lemma fades_opp f : fades f -> fades (fun t => - f t).
+Proof. intros F. unfold fades. replace (Finite 0) with (Rbar_opp 0) by (simpl; f_equal; ring).
+  apply is_lim_opp; auto. Qed.
+Lemma fades_minus f g : fades f -> fades g -> fades (fun t => f t - g t).
+Proof. intros F G. apply (fades_plus f (fun t => - g t)); auto using fades_opp. Qed.
+(* f is at most M |g| *)
+Lemma fades_le M f g : (forall t, on p_infty t -> Rabs (f t) <= M * Rabs (g t)) -> fades g -> fades f.
+Proof. intros H G. apply is_lim_spec. intros eps. assert (He := cond_pos eps). apply is_lim_spec in G. simpl.
+  assert (P : 0 < eps / (Rabs M + 1)) by (apply Rdiv_lt_0_compat; auto; assert (A := Rabs_pos M); lra).
+  destruct (G (mkposreal _ P)) as [N HN]. simpl in HN. exists (Rmax N 0). intros t Ht.
+  assert (N < t) by (eapply Rle_lt_trans; [apply Rmax_l|apply Ht]).
+  assert (0 < t) by (eapply Rle_lt_trans; [apply Rmax_r|apply Ht]).
+  assert (A := HN t ltac:(auto)). assert (B := H t ltac:(apply on_all; lra)).
+  rewrite Rminus_0_r in *. assert (C := Rabs_pos M). assert (M <= Rabs M) by apply Rle_abs.
+  assert (D := Rabs_pos (g t)).
+  apply (Rle_lt_trans _ ((Rabs M + 1) * Rabs (g t))); [nra|].
+  apply (Rmult_lt_compat_l (Rabs M + 1)) in A; [|lra].
+  replace ((Rabs M + 1) * (eps / (Rabs M + 1))) with (pos eps) in A by (field; lra). auto. Qed.
+Lemma fades_left f g : fades f -> bounded p_infty g -> fades (fun t => f t * g t).
+Proof. intros F [M H]. apply (fades_le M _ f); auto. intros t Ht. rewrite Rabs_mult, Rmult_comm.
+  apply Rmult_le_compat_r; auto using Rabs_pos. Qed.
+Lemma fades_right f g : bounded p_infty f -> fades g -> fades (fun t => f t * g t).
+Proof. intros F G. apply (fades_ext (fun t => g t * f t)); [intros; ring|apply fades_left; auto]. Qed.
+Lemma fades_pow n f : bounded p_infty f -> fades f -> fades (fun t => f t ^ S n).
+Proof. intros B F. simpl. apply fades_left; auto using bounded_pow. Qed.
+(* f^n -> 0, f -> 0; and f g -> 0 with |g| above c > 0 *)
+Lemma fades_root n f : fades (fun t => f t ^ S n) -> fades f.
+Proof. intros H. apply is_lim_spec. intros [eps He]. apply is_lim_spec in H. simpl.
+  assert (P : 0 < eps ^ S n) by (apply pow_lt; auto). destruct (H (mkposreal _ P)) as [N HN].
+  exists N. intros t Ht. assert (A := HN t Ht). change (Rabs (f t ^ S n - 0) < eps ^ S n) in A.
+  rewrite Rminus_0_r in *. rewrite <- RPow_abs in A.
+  destruct (Rlt_le_dec (Rabs (f t)) eps); auto.
+  assert (eps ^ S n <= Rabs (f t) ^ S n) by (apply pow_incr; lra). lra. Qed.
+Lemma fades_share c f g : 0 < c -> (forall t, on p_infty t -> c <= Rabs (g t)) ->
+  fades (fun t => f t * g t) -> fades f.
+Proof. intros Hc H. apply (fades_le (/ c)). intros t Ht. rewrite Rabs_mult. assert (A := H t Ht).
+  assert (B := Rabs_pos (f t)). apply (Rmult_le_reg_l c); auto.
+  rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra. nra. Qed.
+
+Lemma fades_abs f : fades (fun t => Rabs (f t)) -> fades f.
+Proof. apply (fades_le 1). intros. rewrite Rabs_Rabsolu. lra. Qed.
+(* f g -> 0 with a bounded 1/g *)
+Lemma fades_divided f g h : bounded p_infty h -> (forall t, on p_infty t -> g t * h t = 1) ->
+  fades (fun t => f t * g t) -> fades f.
+Proof. intros H E F. apply (fades_ext (fun t => f t * g t * h t)).
+  - intros t Ht. rewrite Rmult_assoc, E; auto. ring. - apply (fades_left (fun t => f t * g t)); auto. Qed.
+
+Lemma fades_zero : fades (fun _ => 0).
+Proof. apply is_lim_const. Qed.
+
+(* --- shapes: functions of a form that are positive but at 0 --- *)
+Lemma even_power n x : 0 <= x ^ (2 * n).
+Proof. rewrite pow_mult. apply pow_le, pow2_ge_0. Qed.
+Lemma one_minus_cos x : 0 <= 1 - cos x. Proof. assert (A := COS_bound x). lra. Qed.
+Lemma one_plus_cos x : 0 <= 1 + cos x. Proof. assert (A := COS_bound x). lra. Qed.
+Lemma tanh_sector x : 0 <= x * tanh x.
+Proof. assert (A := exp_pos x). assert (B := exp_pos (- x)).
+  rewrite tanh_exp. destruct (Rle_lt_dec 0 x) as [[H| <-]|H].
+  - assert (exp (- x) < exp x) by (apply exp_increasing; lra).
+    apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
+  - rewrite Rmult_0_l. lra.
+  - assert (exp x < exp (- x)) by (apply exp_increasing; lra).
+    replace (x * ((exp x - exp (- x)) / (exp x + exp (- x)))) with ((- x) * ((exp (- x) - exp x) / (exp x + exp (- x)))) by (field; lra).
+    apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra. Qed.
+Lemma exp_line x : 0 <= exp x - x - 1.
+Proof. destruct (Req_dec x 0) as [->|H]; [rewrite exp_0; lra|]. assert (A := exp_ineq1 x H). lra. Qed.
+Lemma sin_square x : sin x ^ 2 = 1 - cos x ^ 2.
+Proof. assert (A := sin2_cos2 x). unfold Rsqr in A. simpl. lra. Qed.
+Lemma tanh_rises x y : x <= y -> tanh x <= tanh y.
+Proof. intros [H| ->]; [|lra]. assert (A := exp_pos x). assert (B := exp_pos (- x)). assert (C := exp_pos y). assert (D := exp_pos (- y)).
+  assert (E := exp_increasing x y H). assert (F := exp_increasing (- y) (- x) ltac:(lra)). rewrite !tanh_exp.
+  apply (Rmult_le_reg_r (exp x + exp (- x))); [lra|]. apply (Rmult_le_reg_r (exp y + exp (- y))); [lra|].
+  replace ((exp x - exp (- x)) / (exp x + exp (- x)) * (exp x + exp (- x)) * (exp y + exp (- y)))
+    with ((exp x - exp (- x)) * (exp y + exp (- y))) by (field; lra).
+  replace ((exp y - exp (- y)) / (exp y + exp (- y)) * (exp x + exp (- x)) * (exp y + exp (- y)))
+    with ((exp y - exp (- y)) * (exp x + exp (- x))) by (field; lra). nra. Qed.
+Lemma tanh_above x : 0 < x -> 0 < tanh x.
+Proof. intros H. rewrite tanh_exp. assert (A := exp_increasing (- x) x ltac:(lra)). assert (B := exp_pos (- x)).
+  apply Rdiv_lt_0_compat; lra. Qed.
+Lemma tanh_0 : tanh 0 = 0.
+Proof. rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
+Lemma tanh_odd x : tanh (- x) = - tanh x.
+Proof. rewrite !tanh_exp, Ropp_involutive. assert (A := exp_pos x). assert (B := exp_pos (- x)). field. lra. Qed.
+(* small where the form is, and large where the form is *)
+Definition shape (g : R -> R) : Prop :=
+  (forall x, 0 <= g x) /\
+  (forall eps, 0 < eps -> exists d, 0 < d /\ forall x, g x < d -> Rabs x < eps) /\
+  (forall B, exists M, forall x, g x <= B -> Rabs x <= M).
+
+(* even, and rising at least as fast as a multiple of |x| where |x| > 1 *)
+Lemma shape_by (g : R -> R) : (forall x, 0 <= g x) ->
+  (forall e, 0 < e -> exists d, 0 < d /\ forall x, e <= Rabs x -> d * Rabs x <= g x) -> shape g.
+Proof. intros P H. repeat split; auto.
+  - intros e He. destruct (H e He) as [d [Hd D]]. exists (d * e). split; [apply Rmult_lt_0_compat; auto|].
+    intros x Hx. destruct (Rlt_le_dec (Rabs x) e); auto. specialize (D x r). nra.
+  - intros B. destruct (H 1 ltac:(lra)) as [d [Hd D]]. exists (1 + Rabs B / d). intros x Hx.
+    assert (0 <= Rabs B / d) by (apply Rmult_le_pos; [apply Rabs_pos|apply Rlt_le, Rinv_0_lt_compat; auto]).
+    destruct (Rlt_le_dec (Rabs x) 1) as [L|L]; [lra|]. specialize (D x L). assert (A := Rle_abs B).
+    enough (Rabs x <= Rabs B / d) by lra. apply (Rmult_le_reg_l d); auto.
+    replace (d * (Rabs B / d)) with (Rabs B) by (field; lra). lra. Qed.
+Lemma shape_even n : shape (fun x => x ^ (2 * S n)).
+Proof. apply shape_by; [intros; apply even_power|]. intros e He. exists (e ^ (2 * n + 1)). split; [apply pow_lt; auto|].
+  intros x Hx. replace (2 * S n)%nat with (2 * n + 1 + 1)%nat by lia. assert (A := Rabs_pos x).
+  replace (x ^ (2 * n + 1 + 1)) with (Rabs x ^ (2 * n + 1 + 1)).
+  - rewrite (pow_add _ (2 * n + 1) 1), pow_1. apply Rmult_le_compat_r; auto. apply pow_incr. lra.
+  - replace (2 * n + 1 + 1)%nat with (2 * S n)%nat by lia. rewrite !pow_mult, pow2_abs. easy. Qed.
+Lemma tanh_sector_abs x : x * tanh x = Rabs x * tanh (Rabs x).
+Proof. unfold Rabs. destruct (Rcase_abs x); auto. rewrite tanh_odd. ring. Qed.
+Lemma shape_tanh : shape (fun x => x * tanh x).
+Proof. apply shape_by; [apply tanh_sector|]. intros e He. exists (tanh e). split; [apply tanh_above; auto|].
+  intros x Hx. rewrite tanh_sector_abs, Rmult_comm. apply Rmult_le_compat_l; [apply Rabs_pos|apply tanh_rises; auto]. Qed.
+Lemma shape_cube : shape (fun x => Rabs x * x ^ 2).
+Proof. apply shape_by; [intros; apply Rmult_le_pos; [apply Rabs_pos|apply pow2_ge_0]|]. intros e He. exists (e ^ 2).
+  split; [apply pow_lt; auto|]. intros x Hx. rewrite Rmult_comm, <- (pow2_abs x).
+  apply Rmult_le_compat_l; [apply Rabs_pos|apply pow_incr; lra]. Qed.
+Lemma vanishing_slope (g dg : R -> R) a b : (forall x, is_derive g x (dg x)) -> a <= b ->
+  exists c, a <= c <= b /\ g b - g a = dg c * (b - a).
+Proof. intros D H. destruct (MVT_gen g a b dg) as [c [Hc E]];
+  rewrite ?Rmin_left, ?Rmax_right in * by lra.
+  - intros; apply D. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. eexists. apply D. - exists c. auto. Qed.
+Lemma shape_exp : shape (fun x => exp x - x - 1).
+Proof. apply shape_by; [apply exp_line|]. intros e He.
+  assert (D : forall x, is_derive (fun x => exp x - x - 1) x (exp x - 1)) by (intros; auto_derive; auto; ring).
+  set (h := e / 2). assert (P : 0 < h) by (unfold h; lra).
+  assert (U : exp (- h) < 1) by (rewrite <- exp_0; apply exp_increasing; lra).
+  assert (W : 1 < exp h) by (rewrite <- exp_0; apply exp_increasing; lra).
+  exists (Rmin (exp h - 1) (1 - exp (- h)) / 2). split; [apply Rdiv_lt_0_compat; [apply Rmin_pos; lra|lra]|].
+  intros x Hx. assert (A := Rmin_l (exp h - 1) (1 - exp (- h))). assert (B := Rmin_r (exp h - 1) (1 - exp (- h))).
+  assert (Q : 0 < Rmin (exp h - 1) (1 - exp (- h))) by (apply Rmin_pos; lra). set (m := Rmin _ _) in *.
+  destruct (Rle_lt_dec 0 x) as [S|S].
+  - rewrite Rabs_pos_eq in * by auto. destruct (vanishing_slope _ _ h x D ltac:(unfold h; lra)) as [c [Hc E]].
+    assert (exp h <= exp c) by (destruct Hc as [[?| ->] _]; [apply Rlt_le, exp_increasing; auto|lra]).
+    assert (F := exp_line h). assert (h <= x / 2) by (unfold h; lra). nra.
+  - rewrite Rabs_left in * by auto. destruct (vanishing_slope _ _ x (- h) D ltac:(unfold h; lra)) as [c [Hc E]].
+    assert (exp c <= exp (- h)) by (destruct Hc as [_ [?| ->]]; [apply Rlt_le, exp_increasing; auto|lra]).
+    assert (F := exp_line (- h)). assert (h <= - x / 2) by (unfold h; lra). nra. Qed.
+
+Section Shapes.
+Variables (T : Rbar) (g : R -> R) (c : R).
+Hypotheses (G : shape g) (P : 0 < c).
+Lemma bounded_shape B f : (forall t, on T t -> c * g (f t) <= B) -> bounded T f.
+Proof. destruct G as [_ [_ H]]. destruct (H (B / c)) as [M HM]. intros F. exists M. intros t Ht. apply HM.
+  apply (Rmult_le_reg_l c); auto. replace (c * (B / c)) with B by (field; lra). auto. Qed.
+Lemma fades_shape f : fades (fun t => c * g (f t)) -> fades f.
+Proof. destruct G as [G0 [H _]]. intros F. apply is_lim_spec. intros [eps He]. apply is_lim_spec in F.
+  destruct (H eps He) as [d [Hd D]]. assert (Q : 0 < c * d) by (apply Rmult_lt_0_compat; auto).
+  destruct (F (mkposreal _ Q)) as [N HN]. exists N. intros t Ht. simpl. rewrite Rminus_0_r. apply D.
+  assert (A := HN t Ht). simpl in A. rewrite Rminus_0_r, Rabs_pos_eq in A by (apply Rmult_le_pos; [lra|auto]).
+  apply (Rmult_lt_reg_l c); auto. Qed.
+End Shapes.
+
+(* --- limits of a run that may end: nothing is said if T is finite --- *)
+Definition vanishes (T : Rbar) (f : R -> R) : Prop := T = p_infty -> fades f.
+Section Vanishing.
+Variable T : Rbar.
+(* a part h of what V loses *)
+Lemma vanishes_value V dV h : follows T V dV -> (forall t, on T t -> 0 <= V t) -> (forall t, on T t -> dV t <= - h t) ->
+  (forall t, on T t -> 0 <= h t) -> Lipschitz T h -> vanishes T h.
+Proof. intros F V0 D H L ->. apply (barbalat V dV); auto. Qed.
+Lemma vanishes_shape g f c : shape g -> 0 < c -> vanishes T (fun t => c * g (f t)) -> vanishes T f.
+Proof. intros G P F E. apply (fades_shape g c); auto. Qed.
+Lemma vanishes_of_abs f : vanishes T (fun t => Rabs (f t)) -> vanishes T f.
+Proof. intros F E. apply fades_abs; auto. Qed.
+Lemma vanishes_of_tanh f : vanishes T (fun t => tanh (f t)) -> vanishes T f.
+Proof. intros F E. assert (L := F E). apply is_lim_spec. intros eps. apply is_lim_spec in L. assert (He := cond_pos eps).
+  destruct (L (mkposreal _ (tanh_above eps He))) as [N HN]. exists N. intros t Ht. assert (A := HN t Ht). simpl in *.
+  rewrite Rminus_0_r in *. destruct (Rlt_le_dec (Rabs (f t)) eps) as [|B]; auto. exfalso. assert (C := tanh_rises _ _ B).
+  assert (D : Rabs (tanh (f t)) = tanh (Rabs (f t))); [|lra].
+  destruct (Rle_lt_dec 0 (f t)) as [S|S].
+  - rewrite (Rabs_pos_eq (f t)) by auto. apply Rabs_pos_eq. rewrite <- tanh_0. apply tanh_rises. auto.
+  - rewrite (Rabs_left (f t)), tanh_odd by auto. apply Rabs_left. assert (Q := tanh_above (- f t) ltac:(lra)). rewrite tanh_odd in Q. lra. Qed.
+Lemma vanishes_next q dq : vanishes T q -> follows T q dq -> Lipschitz T dq -> vanishes T dq.
+Proof. intros Q F L ->. apply (barbalat_next q); auto. Qed.
+Lemma vanishes_ext f g : (forall t, on T t -> f t = g t) -> vanishes T f -> vanishes T g.
+Proof. intros E H ->. apply (fades_ext f); auto. Qed.
+Lemma vanishes_zero : vanishes T (fun _ => 0).
+Proof. intros _. apply fades_zero. Qed.
+Lemma vanishes_plus f g : vanishes T f -> vanishes T g -> vanishes T (fun t => f t + g t).
+Proof. intros F G E. apply fades_plus; auto. Qed.
+Lemma vanishes_minus f g : vanishes T f -> vanishes T g -> vanishes T (fun t => f t - g t).
+Proof. intros F G E. apply fades_minus; auto. Qed.
+Lemma vanishes_opp f : vanishes T f -> vanishes T (fun t => - f t).
+Proof. intros F E. apply fades_opp; auto. Qed.
+Lemma vanishes_left f g : vanishes T f -> bounded T g -> vanishes T (fun t => f t * g t).
+Proof. intros F G ->. apply fades_left; auto. Qed.
+Lemma vanishes_right f g : bounded T f -> vanishes T g -> vanishes T (fun t => f t * g t).
+Proof. intros F G ->. apply fades_right; auto. Qed.
+Lemma vanishes_pow n f : bounded T f -> vanishes T f -> vanishes T (fun t => f t ^ S n).
+Proof. intros B F ->. apply fades_pow; auto. Qed.
+Lemma vanishes_root n f : vanishes T (fun t => f t ^ S n) -> vanishes T f.
+Proof. intros F E. apply (fades_root n); auto. Qed.
+Lemma vanishes_in (g dg : R -> R) M f : (forall x, is_derive g x (dg x)) -> (forall x, Rabs (dg x) <= M) -> g 0 = 0 ->
+  vanishes T f -> vanishes T (fun t => g (f t)).
+Proof. intros D B Z F ->. apply (fades_le M _ f); auto. intros t Ht.
+  destruct (MVT_gen g 0 (f t) dg) as [c [_ E]].
+  - intros; apply D. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. eexists. apply D.
+  - rewrite Z, !Rminus_0_r in E. rewrite E, Rabs_mult. apply Rmult_le_compat_r; auto using Rabs_pos. Qed.
+Lemma vanishes_sin f : vanishes T f -> vanishes T (fun t => sin (f t)).
+Proof. apply (vanishes_in sin cos 1); [|intros; apply Rabs_le, COS_bound|apply sin_0].
+  intros. auto_derive; auto. ring. Qed.
+Lemma vanishes_tanh f : vanishes T f -> vanishes T (fun t => tanh (f t)).
+Proof. apply (vanishes_in tanh (fun x => 1 - tanh x ^ 2) 1); [apply derive_tanh| |].
+  - intros x. assert (A := tanh_between x). apply Rabs_le. split; nra.
+  - rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
+End Vanishing.
+
+Lemma below_left a b c : a <= b -> 0 <= c -> a <= b + c. Proof. lra. Qed.
+Lemma below_right a b c : a <= c -> 0 <= b -> a <= b + c. Proof. lra. Qed.
+(* --- tactics: each follows the form of its goal, and searches for nothing else --- *)
+Create HintDb clpt.
+(* sines are between -1 and 1 *)
+Ltac above :=
+  repeat match goal with
+  | |- context [sin ?u] => lazymatch goal with A : -1 <= sin u <= 1 |- _ => fail | _ => assert (-1 <= sin u <= 1) by apply SIN_bound end
+  | |- context [cos ?u] => lazymatch goal with A : -1 <= cos u <= 1 |- _ => fail | _ => assert (-1 <= cos u <= 1) by apply COS_bound end
+  | |- context [tanh ?u] => lazymatch goal with A : -1 <= tanh u <= 1 |- _ => fail | _ => assert (-1 <= tanh u <= 1) by apply tanh_between end
+  | |- context [exp ?u] => lazymatch goal with A : 0 < exp u |- _ => fail | _ => assert (0 < exp u) by apply exp_pos end
+  end; lra.
+Ltac positive :=
+  first [assumption |
+  lazymatch goal with
+  | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
+  | |- 0 < ?a / ?b => apply Rdiv_lt_0_compat; positive
+  | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
+  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive]]
+  | |- 0 < _ ^ _ => apply pow_lt; positive
+  | |- 0 < exp _ => apply exp_pos
+  | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
+  | |- _ => first [lra | above | solve [auto with clpt nocore]]
+  end]
+with nonneg :=
+  first [assumption |
+  lazymatch goal with
+  | |- 0 <= ?a * tanh ?a => apply tanh_sector
+  | |- 0 <= 1 - cos _ => apply one_minus_cos
+  | |- 0 <= 1 + cos _ => apply one_plus_cos
+  | |- 0 <= exp ?a - ?a - 1 => apply exp_line
+  | |- 0 <= exp ?a - 1 - ?a => assert (L := exp_line a); lra
+  | |- 0 <= - 1 - ?a + exp ?a => assert (L := exp_line a); lra
+  | |- 0 <= ?a + ?b => first [apply Rplus_le_le_0_compat; nonneg | above | solve [auto with clpt nocore]]
+  | |- 0 <= ?a - ?b => first [above | solve [auto with clpt nocore]]
+  | |- 0 <= ?a * ?a => apply Rle_0_sqr
+  | |- 0 <= ?a * ?b => apply Rmult_le_pos; nonneg
+  | |- 0 <= ?a / ?b => apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive]
+  | |- 0 <= / ?a => apply Rlt_le, Rinv_0_lt_compat; positive
+  | |- 0 <= ?a ^ ?n =>
+      let k := eval compute in (Nat.div2 n) in let odd := eval compute in (Nat.odd n) in
+      lazymatch odd with false => exact (even_power k a) | true => apply pow_le; nonneg end
+  | |- 0 <= Rabs _ => apply Rabs_pos
+  | |- 0 <= sqrt _ => apply sqrt_pos
+  | |- 0 <= exp _ => apply Rlt_le, exp_pos
+  | |- _ => first [lra | apply Rlt_le; positive | solve [auto with clpt nocore]]
+  end].
+Ltac nonzero := first [assumption | apply not_eq_sym, Rlt_not_eq; positive | apply Rlt_not_eq; lra | apply Rgt_not_eq; nra].
+Ltac leaf := first [assumption | eassumption | solve [eauto with clpt nocore]].
+Ltac follow :=
+  lazymatch goal with
+  | |- follows _ (fun _ => ?a) _ => apply follows_const
+  | |- follows _ (fun t => t) _ => apply follows_time
+  | |- follows _ (fun t => @?f t + @?g t) _ => eapply (follows_plus _ f _ g _); follow
+  | |- follows _ (fun t => @?f t - @?g t) _ => eapply (follows_minus _ f _ g _); follow
+  | |- follows _ (fun t => @?f t * @?g t) _ => eapply (follows_mult _ f _ g _); follow
+  | |- follows _ (fun t => - @?f t) _ => eapply (follows_opp _ f _); follow
+  | |- follows _ (fun t => (@?f t) ^ ?n) _ => eapply (follows_pow _ n f _); follow
+  | |- follows _ (fun t => @?f t / @?g t) _ => eapply (follows_div _ f _ g _); [intros; nonzero|follow|follow]
+  | |- follows _ (fun t => / @?f t) _ => eapply (follows_inv _ f _); [intros; nonzero|follow]
+  | |- follows _ (fun t => sin (@?f t)) _ => eapply (follows_sin _ f _); follow
+  | |- follows _ (fun t => cos (@?f t)) _ => eapply (follows_cos _ f _); follow
+  | |- follows _ (fun t => tanh (@?f t)) _ => eapply (follows_tanh _ f _); follow
+  | |- follows _ (fun t => exp (@?f t)) _ => eapply (follows_exp _ f _); follow
+  | |- follows _ (fun t => sqrt (@?f t)) _ => eapply (follows_sqrt _ f _); [intros; positive|follow]
+  | |- follows _ (fun t => ln (@?f t)) _ => eapply (follows_ln _ f _); [intros; positive|follow]
+  | |- follows _ (fun t => ?f t) _ => change (fun t => f t) with f; leaf
+  | |- _ => leaf
+  end.
+(* a term of a sum *)
+Ltac below := first [apply Rle_refl | apply below_left; [below|nonneg] | apply below_right; [below|nonneg]].
+Ltac bounded_inverse f :=
+  match f with
+  | (fun t => @?g t + ?c) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
+  | (fun t => ?c + @?g t) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
+  | (fun t => sqrt (@?g t + ?c)) => apply (bounded_inv _ (sqrt c) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
+  | (fun t => sqrt (@?g t)) => apply (bounded_inv _ (sqrt 1) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
+  | (fun t => (@?g t) ^ ?n) => apply (bounded_ext _ (fun t => (/ g t) ^ n)); [intros t Ht; field; nonzero|apply (bounded_pow _ n (fun t => / g t)); bnd]
+  | (fun t => @?g t * @?h t) => apply (bounded_ext _ (fun t => / g t * / h t)); [intros t Ht; field; repeat split; nonzero|bnd]
+  | _ => apply bounded_const
+  end
+with bnd := first [solve [eauto with clpt nocore] |
+  lazymatch goal with
+  | |- bounded _ (fun _ => ?a) => apply bounded_const
+  | |- bounded _ (fun t => @?f t + @?g t) => apply (bounded_plus _ f g); bnd
+  | |- bounded _ (fun t => @?f t - @?g t) => apply (bounded_minus _ f g); bnd
+  | |- bounded _ (fun t => @?f t * @?g t) => apply (bounded_mult _ f g); bnd
+  | |- bounded _ (fun t => @?f t / @?g t) => apply (bounded_mult _ f (fun t => / g t)); bnd
+  | |- bounded _ (fun t => - @?f t) => apply (bounded_opp _ f); bnd
+  | |- bounded _ (fun t => (@?f t) ^ ?n) => apply (bounded_pow _ n f); bnd
+  | |- bounded _ (fun t => / exp (@?f t)) => apply (bounded_inv_exp _ f); bnd
+  | |- bounded _ (fun t => / @?f t) => first [leaf | bounded_inverse f]
+  | |- bounded _ (fun t => sin (@?f t)) => apply (bounded_sin _ f)
+  | |- bounded _ (fun t => cos (@?f t)) => apply (bounded_cos _ f)
+  | |- bounded _ (fun t => tanh (@?f t)) => apply (bounded_tanh _ f)
+  | |- bounded _ (fun t => exp (@?f t)) => apply (bounded_exp _ f); bnd
+  | |- bounded _ (fun t => Rabs (@?f t)) => apply (bounded_abs _ f); bnd
+  | |- bounded _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  | |- _ => leaf
+  end].
+Ltac lip :=
+  lazymatch goal with
+  | |- Lipschitz _ (fun _ => ?a) => apply Lipschitz_const
+  | |- Lipschitz _ (fun t => @?f t + @?g t) => apply (Lipschitz_plus _ f g); lip
+  | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip
+  | |- Lipschitz _ (fun t => / @?f t) => eapply Lipschitz_rate; [follow|bnd]
+  | |- Lipschitz _ (fun t => exp (@?f t)) => eapply Lipschitz_rate; [follow|bnd]
+  | |- Lipschitz _ (fun t => @?f t * @?g t) => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
+  | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip
+  | |- Lipschitz _ (fun t => (@?f t) ^ ?n) => apply (Lipschitz_pow _ n f); [bnd|lip]
+  | |- Lipschitz _ (fun t => sin (@?f t)) => apply (Lipschitz_sin _ f); lip
+  | |- Lipschitz _ (fun t => cos (@?f t)) => apply (Lipschitz_cos _ f); lip
+  | |- Lipschitz _ (fun t => tanh (@?f t)) => apply (Lipschitz_tanh _ f); lip
+  | |- Lipschitz _ (fun t => Rabs (@?f t)) => apply (Lipschitz_abs _ f); lip
+  | |- Lipschitz _ (fun t => t) => apply Lipschitz_time
+  | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  | |- _ => first [leaf | eapply Lipschitz_rate; [follow|bnd]]
+  end.
+Ltac van :=
+  first [leaf | lazymatch goal with
+  | |- vanishes _ (fun _ => 0) => apply vanishes_zero
+  | |- vanishes _ (fun t => @?f t + @?g t) => apply (vanishes_plus _ f g); van
+  | |- vanishes _ (fun t => @?f t - @?g t) => apply (vanishes_minus _ f g); van
+  | |- vanishes _ (fun t => - @?f t) => apply (vanishes_opp _ f); van
+  | |- vanishes _ (fun t => @?f t * @?g t) =>
+      first [apply (vanishes_left _ f g); [van|bnd] | apply (vanishes_right _ f g); [bnd|van]]
+  | |- vanishes _ (fun t => @?f t / @?g t) => apply (vanishes_left _ f (fun t => / g t)); [van|bnd]
+  | |- vanishes _ (fun t => (@?f t) ^ ?n) =>
+      let k := eval compute in (pred n) in apply (vanishes_pow _ k f); [bnd|van]
+  | |- vanishes _ (fun t => sin (@?f t)) => apply (vanishes_sin _ f); van
+  | |- vanishes _ (fun t => tanh (@?f t)) => apply (vanishes_tanh _ f); van
+  | |- vanishes _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  end].
+(* an identity of fractions, with at most two squares of sines, roots or absolute values *)
+Ltac tidy := cbn [Z.of_nat Pos.of_succ_nat Pos.succ pred].
+Ltac field_with := field; repeat split; nonzero.
+Ltac square_of :=
+  match goal with
+  | |- context [sin ?u] => lazymatch goal with A : sin u ^ 2 = _ |- _ => fail | _ => pose proof (sin_square u) end
+  | |- context [Rabs ?u] => lazymatch goal with A : Rabs u ^ 2 = _ |- _ => fail | _ => pose proof (pow2_abs u) end
+  | |- context [sqrt ?u] => lazymatch goal with A : sqrt u ^ 2 = _ |- _ => fail
+      | _ => assert (sqrt u ^ 2 = u) by (apply pow2_sqrt; nonneg) end
+  end.
+Ltac ring_of :=
+  match goal with
+  | A : _ ^ 2 = _, B : _ ^ 2 = _ |- _ => first [ring [A B] | field_simplify_eq; [ring [A B]|repeat split; nonzero]]
+  | A : _ ^ 2 = _ |- _ => first [ring [A] | field_simplify_eq; [ring [A]|repeat split; nonzero]]
+  end.
+Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of]].
+
+(* --- proofs of files --- *)
+Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact (shape_even 0)
+  | exact (shape_even 1) | exact (shape_even 2) | exact (shape_even 3) | exact (shape_even 4) | exact (shape_even 5)].
+(* the rest *)
+Ltac at_rest := first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
+  repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
+(* V' as a sum *)
+Ltac sum_of rate V loss := eapply follows_by; [exact rate|intros t Ht; unfold V, loss; equal].
+Ltac parts_of V := intros t Ht; unfold V; equal.
+Ltac nonneg_of parts := intros t Ht; rewrite (parts t Ht); nonneg.
+Ltac falls_of sum loss := intros s t Hst Ht; apply (falls _ _ _ sum); auto; intros u Hu; assert (A := loss u Hu); lra.
+Ltac spent_of sum V loss := intros L HL t Ht; assert (F := falls _ _ _ (follows_plus _ _ _ _ _ HL sum) ltac:(intros; lra) 0 t ltac:(destruct Ht; lra) Ht);
+  assert (A := V t Ht); lra.
+Ltac mean_of sum V loss := intros L P HL HP t Ht;
+  assert (F := falls _ _ _ (follows_minus _ _ _ _ _ (follows_plus _ _ _ _ _ HL sum) HP) ltac:(intros u Hu; assert (B := V u Hu); lra) 0 t ltac:(destruct Ht; lra) Ht);
+  assert (A := V t Ht); lra.
+Ltac decays_of d sum V loss := intros c Hc; refine (decays _ _ _ d c _ sum _); [positive|];
+  intros u Hu; assert (A := loss u Hu); assert (B := Hc u Hu); lra.
+(* V <= V(0) exp(-c t), as c V <= loss term by term *)
+Lemma decays_to_zero T V dV c : 0 < c -> follows T V dV -> (forall t, on T t -> c * V t <= - dV t) ->
+  forall t, on T t -> V t <= V 0 * exp (- c * t).
+Proof. intros Hc F H t Ht. assert (A := decays T V dV c 0 Hc F ltac:(intros u Hu; assert (B := H u Hu); lra) t Ht).
+  unfold Rdiv in A. rewrite Rmult_0_l, Rplus_0_l, Rminus_0_r in A. exact A. Qed.
+Lemma larger_share c w l g : c * w <= l -> 0 <= g -> c * (w * g) <= l * g.
+Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. Qed.
+Lemma below_shares c a b d e : c * a <= d -> c * b <= e -> c * (a + b) <= d + e. Proof. lra. Qed.
+Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [shares|nonneg]
+  | apply larger_share; [assumption|nonneg]].
+Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
+  intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
+Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.
+Ltac part_of loss := intros t Ht; apply Ropp_le_contravar; unfold loss; below.
+(* V' as it is printed *)
+Ltac rate_of := eapply follows_by; [follow|intros t Ht; equal].
+(* a form that V bounds, as bound says, by its shape g *)
+Ltac bounded_by_shape bound g := eapply (bounded_shape _ g); [shape_of| |intros t Ht; exact (bound t Ht)]; positive.
+(* what V loses goes to zero *)
+Ltac lost_of sum positive_V part := eapply (vanishes_value _ _ _ _ sum positive_V part); [intros t Ht; nonneg|lip].
+Ltac zero_of lost g := eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
+(* the rate of what goes to zero *)
+Ltac next_of zero := eapply (vanishes_next _ _ _ zero); [rate_of|lip].
+(* a form by what goes to zero, is bounded or small *)
+Ltac vanishes_as f := apply (vanishes_ext _ f); [intros t Ht; equal|van].
+Ltac bounded_as f := apply (bounded_ext _ f); [intros t Ht; equal|bnd].
+
+(* --- runs that begin near the rest stay near it --- *)
+Section Small.
+Variables (I : Type) (near : R -> I -> Prop) (now : I -> R -> Prop).
+Hypothesis near_le : forall d e i, d <= e -> near d i -> near e i.
+Definition small (f : I -> R -> R) : Prop := forall eps, 0 < eps -> exists delta, 0 < delta /\
+  forall i, near delta i -> forall t, now i t -> Rabs (f i t) < eps.
+
+Lemma small_le M f g : 0 < M -> (forall i t, now i t -> Rabs (f i t) <= M * Rabs (g i t)) -> small g -> small f.
+Proof. intros HM H G eps He. destruct (G (eps / M)) as [d [Hd D]]; [apply Rdiv_lt_0_compat; auto|].
+  exists d. split; auto. intros i Hi t Ht. assert (A := D i Hi t Ht). assert (B := H i t Ht).
+  apply (Rmult_lt_compat_l M) in A; auto. replace (M * (eps / M)) with eps in A by (field; lra). lra. Qed.
+Lemma small_ext f g : (forall i t, now i t -> f i t = g i t) -> small f -> small g.
+Proof. intros E. apply (small_le 1); [lra|]. intros. rewrite E; auto. lra. Qed.
+Lemma small_plus f g : small f -> small g -> small (fun i t => f i t + g i t).
+Proof. intros F G eps He. destruct (F (eps / 2) ltac:(lra)) as [d [Hd D]], (G (eps / 2) ltac:(lra)) as [e [H E]].
+  exists (Rmin d e). split; [apply Rmin_pos; auto|]. intros i Hi t Ht.
+  assert (A := D i (near_le _ _ i (Rmin_l d e) Hi) t Ht). assert (B := E i (near_le _ _ i (Rmin_r d e) Hi) t Ht).
+  eapply Rle_lt_trans; [apply Rabs_triang|]. lra. Qed.
+Lemma small_zero : small (fun _ _ => 0).
+Proof. intros eps He. exists 1. split; [lra|]. intros. rewrite Rabs_R0. auto. Qed.
+Lemma small_scal a f : small f -> small (fun i t => a * f i t).
+Proof. apply (small_le (Rabs a + 1)). - assert (A := Rabs_pos a). lra.
+  - intros. rewrite Rabs_mult. assert (A := Rabs_pos (f i t)). nra. Qed.
+Lemma small_share a f : small f -> small (fun i t => f i t / a).
+Proof. intros F. apply (small_ext (fun i t => / a * f i t)); [intros; unfold Rdiv; ring|apply small_scal, F]. Qed.
+Lemma small_opp f : small f -> small (fun i t => - f i t).
+Proof. apply (small_le 1); [lra|]. intros. rewrite Rabs_Ropp. lra. Qed.
+Lemma small_abs f : small f -> small (fun i t => Rabs (f i t)).
+Proof. apply (small_le 1); [lra|]. intros. rewrite Rabs_Rabsolu. lra. Qed.
+Lemma small_minus f g : small f -> small g -> small (fun i t => f i t - g i t).
+Proof. intros F G. apply (small_plus f (fun i t => - g i t)); auto using small_opp. Qed.
+Lemma small_mult f g : small f -> small g -> small (fun i t => f i t * g i t).
+Proof. intros F G eps He. destruct (F 1 ltac:(lra)) as [d [Hd D]], (G eps He) as [e [H E]].
+  exists (Rmin d e). split; [apply Rmin_pos; auto|]. intros i Hi t Ht.
+  assert (A := D i (near_le _ _ i (Rmin_l d e) Hi) t Ht). assert (B := E i (near_le _ _ i (Rmin_r d e) Hi) t Ht).
+  rewrite Rabs_mult. assert (P := Rabs_pos (f i t)). assert (Q := Rabs_pos (g i t)). nra. Qed.
+Lemma small_pow n f : small f -> small (fun i t => f i t ^ S n).
+Proof. intros F. induction n; [apply (small_ext f); auto; intros; ring|].
+  apply (small_mult f (fun i t => f i t ^ S n)); auto. Qed.
+Lemma small_root c n f g : 0 < c -> (forall i t, now i t -> 0 <= c * f i t ^ S n <= g i t) -> small g -> small f.
+Proof. intros Hc H G eps He. destruct (G (c * eps ^ S n)) as [d [Hd D]].
+  { apply Rmult_lt_0_compat; auto. apply pow_lt; auto. }
+  exists d. split; auto. intros i Hi t Ht. assert (A := D i Hi t Ht). destruct (H i t Ht) as [B0 B].
+  destruct (Rlt_le_dec (Rabs (f i t)) eps); auto. exfalso.
+  assert (eps ^ S n <= Rabs (f i t) ^ S n) by (apply pow_incr; lra).
+  rewrite RPow_abs in H0. assert (C : Rabs (c * f i t ^ S n) = c * Rabs (f i t ^ S n)).
+  { rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
+  rewrite (Rabs_pos_eq (c * _)) in C by auto. assert (E := Rle_abs (g i t)).
+  apply (Rmult_le_compat_l c) in H0; lra. Qed.
+Lemma small_at (g : R -> R) f : continuous g 0 -> g 0 = 0 -> small f -> small (fun i t => g (f i t)).
+Proof. intros C Z F eps He. destruct (C (ball (g 0) (mkposreal eps He)) (locally_ball _ _)) as [d Hd].
+  destruct (F d (cond_pos d)) as [e [H E]]. exists e. split; auto. intros i Hi t Ht.
+  assert (A : ball 0 d (f i t)). { change (Rabs (f i t - 0) < d). rewrite Rminus_0_r. auto. }
+  assert (B := Hd _ A). change (Rabs (g (f i t) - g 0) < eps) in B. rewrite Z, Rminus_0_r in B. auto. Qed.
+Lemma small_tanh f : small f -> small (fun i t => tanh (f i t)).
+Proof. apply (small_at tanh). - apply @ex_derive_continuous. eexists. apply derive_tanh.
+  - rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
+Lemma small_exp f : small f -> small (fun i t => exp (f i t) - f i t - 1).
+Proof. apply (small_at (fun x => exp x - x - 1)). - apply @ex_derive_continuous. auto_derive. auto. - rewrite exp_0. lra. Qed.
+Lemma small_shape c g f v : shape g -> 0 < c -> (forall i t, now i t -> c * g (f i t) <= v i t) -> small v -> small f.
+Proof. intros [G0 [H _]] P B G eps He. destruct (H eps He) as [d [Hd D]].
+  destruct (G (c * d)) as [e [Pe E]]; [apply Rmult_lt_0_compat; auto|]. exists e. split; auto. intros i Hi t Ht. apply D.
+  assert (A := E i Hi t Ht). assert (S := B i t Ht). assert (L := Rle_abs (v i t)). apply (Rmult_lt_reg_l c); auto. lra. Qed.
+Lemma small_one_minus_cos f : small f -> small (fun i t => 1 - cos (f i t)).
+Proof. apply (small_le 1); [lra|]. intros i t _. set (x := f i t).
+  destruct (MVT_gen cos 0 x (fun x => - sin x)) as [c [_ E]].
+  - intros. auto_derive; auto; ring. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. auto_derive; auto.
+  - rewrite cos_0 in E. replace (1 - cos x) with (- (cos x - 1)) by ring. rewrite Rabs_Ropp, E, Rabs_mult, Rabs_Ropp, Rminus_0_r.
+    apply Rmult_le_compat_r; [apply Rabs_pos|]. apply Rabs_le, SIN_bound. Qed.
+End Small.
+Ltac sml le := first [solve [eauto with clpt nocore] |
+  lazymatch goal with
+  | |- small _ _ _ (fun i t => @?f i t + @?g i t) => apply (small_plus _ _ _ le f g); sml le
+  | |- small _ _ _ (fun i t => exp (@?f i t) - @?f i t - 1) => apply (small_exp _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => 1 - cos (@?f i t)) => apply (small_one_minus_cos _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => tanh (@?f i t)) => apply (small_tanh _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => @?f i t - @?g i t) => apply (small_minus _ _ _ le f g); sml le
+  | |- small _ _ _ (fun _ _ => 0) => apply small_zero
+  | |- small _ _ _ (fun i t => ?a * @?g i t) => apply (small_scal _ _ _ a g); sml le
+  | |- small _ _ _ (fun i t => 1 - cos (@?f i t)) => apply (small_one_minus_cos _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => @?f i t * @?g i t) => apply (small_mult _ _ _ le f g); sml le
+  | |- small _ _ _ (fun i t => @?f i t / ?a) => apply (small_share _ _ _ a f); sml le
+  | |- small _ _ _ (fun i t => Rabs (@?f i t)) => apply (small_abs _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => - @?f i t) => apply (small_opp _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => (@?f i t) ^ ?n) =>
+      let k := eval compute in (pred n) in apply (small_pow _ _ _ le k f); sml le
+  | |- _ => leaf
+  end].
+Ltac small_by_shape small_V bound g :=
+  refine (small_shape _ _ _ _ g _ _ _ _ _ small_V); [shape_of| |intros i t Ht; exact (bound i t Ht)]; positive.
+Ltac small_as le f := apply (small_ext _ _ _ f); [intros i t Ht; equal|sml le].
+Ltac near_of near := unfold near; intros; repeat match goal with A : _ /\ _ |- _ => destruct A end; repeat split; lra.
+Ltac start_of near := intros eps He; exists eps; split; [exact He|]; intros i Hi t _; unfold near in Hi; tauto.
+Ltac small_V_of le parts f := apply (small_ext _ _ _ f);
+  [intros i t Ht; symmetry; apply parts; apply (on_le _ 0 t Ht); destruct Ht; lra|sml le].

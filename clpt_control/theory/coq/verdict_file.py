@@ -1,0 +1,588 @@
+"""A proved verdict as a file of Coq: the loop, V, V' as a sum, and the verdict's sentence.
+
+    V' = push - decay V - loss,    V and loss sums of terms that are not negative
+
+The file begins with `Runs.v`, whose lemmas and tactics prove what is stated here; it holds for
+every run on [0, T), T finite or infinite.  The last theorem is the sentence.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Mul, S
+from sympy.core.function import AppliedUndef
+
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ..algebra.slopes import along
+from ..algebra.texts import short
+from ..proofs.conclusions import CONCLUSIONS, REQUIREMENTS
+from ..proofs.rate_as_sum import Case, NotASum, Term
+from ..proofs.steps import Step
+from .files import FOLDER
+from .printing import CoqPrinter, name_in_coq
+
+MOST_FORMS = 12  # that go to zero
+MOST_OPERATIONS = 100  # of rates of them
+# what the steps of a verdict show -> theorems that say it
+THEOREMS = {
+    "all": "stable",
+    "falls": "falls",
+    "loses": "spent",
+    "limit": "zero",
+    "rest": "states",
+    "still": "zero rates",
+    "pulled": "decays",
+    "mean": "spent",
+}
+UNDONE = {sympy.Abs: "vanishes_of_abs", sympy.tanh: "vanishes_of_tanh"}
+
+
+def file_of(verdict: Any) -> "File":
+    """Return the file of the first way to write V' as a sum; NotASum has the reason of none."""
+    if verdict.status != "proved":
+        raise NotASum("nothing is proved of V'")
+    if verdict.ways is tuple:
+        raise NotASum("its proof is not about one V' that is a sum")
+    reasons = list[str]()
+    for way in verdict.ways():
+        try:
+            return File(way(), verdict)
+        except (NotASum, DiagramError) as reason:
+            reasons.append(f"{reason}")
+    relations = "states keep relations, which are not printed"
+    raise NotASum(reasons[0] if reasons else relations)
+
+
+class File:
+    """The file of a verdict whose V' is a sum."""
+
+    def __init__(self, case: Case, verdict: Any):
+        self.verdict, self.case = verdict, case = verdict, _without_calls(case)
+        self.fixed, self.motion = case.fixed, case.motion
+        shown = (case.V, case.rate, case.push, *self.motion.values())
+        values = (term.value for term in (*case.terms, *case.losses))
+        symbols = sympy.Tuple(*shown, *values).free_symbols | {*self.motion}
+        self.parameters = sorted(symbols & self.fixed, key=str)
+        self.inputs = sorted(symbols - self.fixed - {*self.motion, TIME}, key=str)
+        self.signals = [*self.motion, *self.inputs]
+        named = [*self.parameters, *self.signals]
+        self.name = {s: name_in_coq(s.name)[0][2:] for s in named}
+        if len({*self.name.values(), "t"}) <= len(named):
+            raise NotASum("two of its symbols have one name, or one is t")
+        self.text = CoqPrinter(self.signals, "i t").doprint
+        self.lines = list[str]()
+        self.claims = dict[str, list[tuple[str, str]]]()
+        is_bounded = any(c.name == "bounded inputs" for c in verdict.conditions)
+        self.bounded = {*self.inputs} if is_bounded else set[Any]()
+        self.zero = dict[Expr, str]()  # form that goes to zero -> its theorem
+        self.by_forms = list[Any]()  # states that forms of V give
+        self.steady = set[Any]()
+        self.runs()
+        self.sums()
+        if case.push == 0:
+            self.bounds()
+            self.limits()
+            self.stability()
+
+    # --- text -----------------------------------------------------------------------------------
+
+    def __str__(self) -> str:
+        shown = " ".join(THEOREMS[tag] for tag in THEOREMS if tag in self.needed)
+        claims = [*self.claims["rate"]]
+        for theorem in dict.fromkeys(shown.split()):
+            claims += self.claims.get(theorem, [])
+        stated = " /\\\n  ".join(f"({claim})" for _, claim in claims)
+        proof = "".join(f"split; [exact {name}|]. " for name, _ in claims[:-1])
+        comment = "\n   ".join(self.comment())
+        return "\n".join(
+            (
+                (FOLDER / "Runs.v").read_text("utf-8"),
+                *self.lines,
+                f"(* {comment} *)",
+                f"Theorem verdict :\n  {stated}.",
+                f"Proof. {proof}exact {claims[-1][0]}. Qed.",
+                "End Loop.",
+                "Print Assumptions verdict.\n",
+            )
+        )
+
+    @property
+    def needed(self) -> frozenset[str]:
+        """Names of what the conclusion requires."""
+        return CONCLUSIONS[self.verdict.conclusion].requires
+
+    def beyond(self) -> tuple[Step, ...]:
+        """Return the steps by which the verdict is stronger than the last theorem."""
+        missing = self.missing
+        return tuple(s for s in self.verdict.steps if missing & {*s.shows.split()})
+
+    @property
+    def missing(self) -> set[str]:
+        """Names of what the conclusion requires and no theorem says."""
+        shown = (
+            tag
+            for tag, names in THEOREMS.items()
+            if self.claims.keys() >= {*names.split()}
+        )
+        return {*self.needed}.difference(shown, ["definite"])
+
+    def comment(self) -> Iterable[str]:
+        """Yield what the last theorem states, and what the verdict says beyond it."""
+        yield f"The verdict: {_quoted(self.verdict.sentence)}."
+        yield "The theorem holds for every run on [0, T), T finite or infinite."
+        for tag in REQUIREMENTS:
+            if tag in self.missing:
+                yield f"Not in it, and shown by clpt-control: {REQUIREMENTS[tag]}."
+        if self.bounded & {*self.inputs}:
+            yield "Inputs of a run are assumed to be bounded."
+        if "a_run" not in self.claims:
+            yield "It is not shown here that there is a run."
+
+    def function(self, form: Expr) -> str:
+        """Return a form of a run as a function of time."""
+        is_signal = form in self.signals
+        return (
+            f"(r_{self.name[form]} i)" if is_signal else f"(fun t => {self.text(form)})"
+        )
+
+    def term(self, term: Term) -> str:
+        """Return a term, its weight times the shape of its form."""
+        if term.form == 1:
+            return f"({self.text(term.weight * term.factor)})"
+        shape = term.shape.format(f"({self.text(term.form)})")
+        factor = f" * ({self.text(term.factor)})" * (term.factor != 1)
+        return f"(({self.text(term.weight)}){factor} * {shape})"
+
+    def total(self, terms: Iterable[Term]) -> str:
+        """Return a sum of terms."""
+        return " + ".join(map(self.term, terms)) or "0"
+
+    def lemma(self, name: str, claim: str, proof: str, hint: bool = True) -> None:
+        """Write a lemma on every run i."""
+        self.lines.append(
+            f"Lemma {name} : forall i, {claim}.\nProof. intros i. {proof}. Qed."
+        )
+        if hint:
+            self.lines.append(f"#[local] Hint Resolve {name} : clpt.")
+
+    def theorem(self, group: str, name: str, claim: str, proof: str) -> None:
+        """Write a theorem on every run i that the last theorem may state."""
+        self.lemma(name, claim, proof)
+        self.claims.setdefault(group, []).append((name, f"forall i, {claim}"))
+
+    # --- the loop -------------------------------------------------------------------------------
+
+    def runs(self) -> None:
+        """Write the parameters, and a run as a record."""
+        self.lines.append("Section Loop.")
+        for p in self.parameters:
+            name, sign = self.name[p], _sign(p)
+            hypothesis = f" Hypothesis P_{name} : {sign} r_{name}." * bool(sign)
+            self.lines.append(f"Variable r_{name} : R.{hypothesis}")
+        at_t = CoqPrinter(self.signals).doprint
+        fields = ["T : Rbar"] + [f"r_{self.name[s]} : R -> R" for s in self.signals]
+        facts = {}
+        for s, rate in self.motion.items():
+            name = self.name[s]
+            facts[f"H_{name}"] = f"follows T r_{name} (fun t => {at_t(rate)})"
+        for s in self.inputs:
+            name = self.name[s]
+            if s in self.bounded:
+                facts[f"B_{name}"] = f"bounded T r_{name}"
+            if _sign(s):
+                facts[f"P_{name}"] = f"forall t, {_sign(s)} r_{name} t"
+        fields += [f"{name} : {fact}" for name, fact in facts.items()]
+        listed = ";\n  ".join(fields)
+        self.lines.append(
+            f"(* a run on [0, T) *)\nRecord run := Run {{\n  {listed} }}."
+        )
+        self.lines.append(f"#[local] Hint Resolve {' '.join(facts)} : clpt.")
+        rest = {s: S.One * bool(_sign(s)) for s in self.signals}
+        rest |= self.case.rest
+        if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
+            values = " ".join(f"(fun _ => {at_t(rest[s])})" for s in self.signals)
+            holes = "_ " * len(facts)
+            self.lines.append(
+                "(* a run exists: the rest *)\nLemma a_run : exists i, T i = p_infty.\n"
+                f"Proof. unshelve eexists (Run p_infty {values} {holes}); "
+                "[at_rest..|reflexivity]. Qed."
+            )
+            self.claims["a_run"] = []
+
+    def sums(self) -> None:
+        """Write V, V' and V' as a sum; what follows from the sum alone."""
+        case, text = self.case, self.text
+        fall = f"{text(case.push)} - ({text(case.decay)}) * V i t - loss i t"
+        if case.push == 0:
+            fall = "- loss i t"
+        self.lines += [
+            f"Definition V (i : run) (t : R) := {text(case.V)}.",
+            f"Definition loss (i : run) (t : R) := {self.total(case.losses)}.",
+        ]
+        claim = f"follows (T i) (V i) (fun t => {text(case.rate)})"
+        self.theorem("rate", "V_rate", claim, "unfold V. rate_of")
+        self.lemma(
+            "V_sum",
+            f"follows (T i) (V i) (fun t => {fall})",
+            "sum_of (V_rate i) V loss",
+        )
+        on = "forall t, on (T i) t ->"
+        self.lemma(
+            "V_parts", f"{on} V i t = {self.total(case.terms)}", "parts_of V", False
+        )
+        self.lemma("V_nonneg", f"{on} 0 <= V i t", "nonneg_of (V_parts i)")
+        self.lemma(
+            "loss_nonneg", f"{on} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
+        )
+        known = "(V_sum i) (V_nonneg i) (loss_nonneg i)"
+        if case.push == 0:
+            claim = "forall s t, 0 <= s <= t -> on (T i) t -> V i t <= V i s"
+            self.theorem(
+                "falls", "V_falls", claim, "falls_of (V_sum i) (loss_nonneg i)"
+            )
+            spent = f"forall L, follows (T i) L (loss i) -> {on} L t - L 0 <= V i 0"
+            self.theorem("spent", "spent", spent, f"spent_of {known}")
+            self.exponential()
+        elif case.decay != 0:
+            decay = text(case.decay)
+            claim = (
+                f"forall c, (forall t, on (T i) t -> {text(case.push)} <= c) ->\n  {on} "
+                f"V i t <= c / ({decay}) + (V i 0 - c / ({decay})) * exp (- ({decay}) * t)"
+            )
+            self.theorem("decays", "V_decays", claim, f"decays_of ({decay}) {known}")
+        else:
+            claim = (
+                "forall L P, follows (T i) L (loss i) ->\n"
+                f"  follows (T i) P (fun t => {text(case.push)}) ->\n"
+                f"  {on} L t - L 0 <= V i 0 + (P t - P 0)"
+            )
+            self.theorem("spent", "spent", claim, f"mean_of {known}")
+
+    def exponential(self) -> None:
+        """Write that V falls exponentially, if each of its forms is lost."""
+        lost = {
+            (t.form, t.shape): t.weight for t in self.case.losses if self.is_shape(t)
+        }
+        pairs = [(t.weight, lost.get((t.form, t.shape))) for t in self.case.terms]
+        if not pairs or any(weight is None for _, weight in pairs):
+            return
+        rates = [f"c * ({self.text(a)}) <= {self.text(b)} -> " for a, b in pairs]
+        claim = (
+            f"forall c, 0 < c -> {''.join(rates)}\n"
+            "  forall t, on (T i) t -> V i t <= V i 0 * exp (- c * t)"
+        )
+        self.theorem(
+            "exponential",
+            "V_exponential",
+            claim,
+            "exponential_of (V_sum i) (V_parts i) loss",
+        )
+
+    def is_shape(self, term: Term) -> bool:
+        """Return whether a term is a positive multiple of a shape of its form."""
+        return term.factor == 1 and bool(term.form.free_symbols - self.fixed)
+
+    # --- what V bounds --------------------------------------------------------------------------
+
+    def bounds(self) -> None:
+        """Write what V bounds: its terms, forms, and states by them."""
+        forms = dict[Expr, str]()
+        for k, term in enumerate(self.case.terms):
+            if not self.is_shape(term):
+                continue
+            claim = f"forall t, on (T i) t -> {self.term(term)} <= V i 0"
+            self.theorem(
+                "bound", f"bound_{k}", claim, "bound_of (V_falls i) (V_parts i)"
+            )
+            if "cos" not in term.shape:
+                claim = f"bounded (T i) {self.function(term.form)}"
+                shape = f"(fun x => {term.shape.format('x')})"
+                self.lemma(
+                    f"form_{k}", claim, f"bounded_by_shape (bound_{k} i) {shape}"
+                )
+                forms.setdefault(term.form, f"{k}")
+        found = True
+        while found:
+            found = next(self.solved(forms, self.bounded, self.is_bounded), None)
+            if found:
+                s, form, value = found
+                self.by_forms.append((s, form, value))
+                self.bounded.add(s)
+                if form != s:
+                    claim = f"bounded (T i) {self.function(s)}"
+                    self.lemma(
+                        f"bounded_{self.name[s]}",
+                        claim,
+                        f"bounded_as (fun t => {value})",
+                    )
+        self.lags()
+        for s, rate in self.motion.items():
+            if self.is_bounded(rate):
+                name = self.name[s]
+                proof = f"eapply Lipschitz_rate; [exact (H_{name} i)|bnd]"
+                self.lemma(f"moves_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
+                self.steady.add(s)
+
+    def solved(self, forms: Iterable[Expr], known: Any, is_known: Any) -> Any:
+        """Yield states that forms give by what is known: s = (form - rest)/slope."""
+        for form in forms:
+            for s in sorted(form.free_symbols & {*self.motion}, key=str):
+                slope = sympy.diff(form, s)
+                rest = sympy.expand(form - slope * s)
+                has_sign = slope.is_positive or slope.is_negative
+                if (
+                    s not in known
+                    and slope.free_symbols <= self.fixed
+                    and has_sign
+                    and is_known(rest)
+                ):
+                    less = f" - ({self.text(rest)})" * (rest != 0)
+                    yield (
+                        s,
+                        form,
+                        f"({self.text(1 / slope)}) * (({self.text(form)}){less})",
+                    )
+
+    def lags(self) -> None:
+        """Write that states with x' = -k x + u are bounded, as u is."""
+        for s in [*self.motion] * 2:
+            rate = self.motion[s]
+            pull = -sympy.diff(rate, s)
+            rest = sympy.expand(rate + pull * s)
+            is_lag = pull.is_positive and pull.free_symbols <= self.fixed
+            if s not in self.bounded and is_lag and self.is_bounded(rest):
+                name = self.name[s]
+                proof = (
+                    f"apply (bounded_lag _ ({self.text(pull)}) _ (fun t => {self.text(rest)})); "
+                    "[positive|rate_of|bnd]"
+                )
+                self.lemma(f"bounded_{name}", f"bounded (T i) (r_{name} i)", proof)
+                self.bounded.add(s)
+
+    def is_bounded(self, e: Expr) -> bool:
+        """Return whether an expression is made of what is known to be bounded."""
+        if not e.free_symbols - self.fixed or e in self.bounded:
+            return True
+        if isinstance(e, (sympy.sin, sympy.cos, sympy.tanh)):
+            return True
+        if e.is_Pow and e.exp.is_negative:
+            return _is_above_zero(e.base, self.fixed)
+        is_made = (
+            e.is_Add or e.is_Mul or e.is_Pow or isinstance(e, (sympy.exp, sympy.Abs))
+        )
+        return is_made and all(map(self.is_bounded, e.args))
+
+    def is_steady(self, e: Expr) -> bool:
+        """Return whether an expression is Lipschitz in time by its form."""
+        inner = e.free_symbols - self.fixed
+        return inner <= self.steady and self.is_bounded(e)
+
+    # --- what goes to zero ----------------------------------------------------------------------
+
+    def limits(self) -> None:
+        """Write what goes to zero: what V loses, the rates of that, and states by them."""
+        for k, term in enumerate(self.case.losses):
+            if not self.is_steady(term.value):
+                continue
+            part, on = self.term(term), "forall t, on (T i) t ->"
+            self.lemma(
+                f"part_{k}", f"{on} - loss i t <= - {part}", "part_of loss", False
+            )
+            proof = f"lost_of (V_sum i) (V_nonneg i) (part_{k} i)"
+            self.lemma(f"lost_{k}", f"vanishes (T i) (fun t => {part})", proof)
+            if self.is_shape(term) and "cos" not in term.shape:
+                shape = f"(fun x => {term.shape.format('x')})"
+                self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {shape}")
+            else:
+                self.factor_to_zero(term.value, part)
+        if self.needed & {"rest", "still"}:
+            self.next_rates()
+        if self.zero.keys() >= self.motion.keys():
+            names = [self.zero[s] for s in self.motion]
+            claims = dict(self.claims["zero"])
+            self.claims["states"] = [(name, claims[name]) for name in names]
+        lost = self.verdict.ways.args[1].losses
+        if not all(map(self.is_zero, map(_without_calls_in, lost))):
+            self.claims.pop("zero", None)
+        if all(map(self.is_zero, self.motion.values())):
+            for s, rate in self.motion.items():
+                claim = f"vanishes (T i) (fun t => {self.text(sympy.expand(rate))})"
+                self.theorem("rates", f"still_{self.name[s]}", claim, "van")
+
+    def goes_to_zero(self, form: Expr, proof: str) -> None:
+        """Write that a form goes to zero, and states that it gives."""
+        if form in self.zero or len(self.zero) > MOST_FORMS:
+            return
+        name = f"zero_{len(self.zero)}"
+        self.theorem("zero", name, f"vanishes (T i) {self.function(form)}", proof)
+        self.zero[form] = name
+        for s, _, value in self.solved([*self.zero], self.zero, self.is_zero):
+            self.goes_to_zero(s, f"vanishes_as (fun t => {value})")
+            break
+
+    def factor_to_zero(self, e: Expr, text: str) -> None:
+        """Write that the one factor goes to zero that may do so of what goes to zero, `text`."""
+        kept = []
+        for factor in Mul.make_args(sympy.factor(e)):
+            base, power = factor.as_base_exp()
+            if factor.free_symbols - self.fixed and not _is_above_zero(
+                base, self.fixed
+            ):
+                kept.append((base, power))
+        if len(kept) != 1 or not (kept[0][1].is_Integer and kept[0][1].is_positive):
+            return
+        ((base, power),) = kept
+        share = sympy.cancel(base**power / sympy.factor(e))
+        if not self.is_bounded(share):
+            return
+        undo = f"apply {UNDONE[base.func]}. " if base.func in UNDONE else ""
+        form = base.args[0] if undo else base
+        proof = f"{undo}apply (vanishes_root _ {power - 1}). "
+        self.goes_to_zero(
+            form, f"{proof}vanishes_as (fun t => ({self.text(share)}) * ({text}))"
+        )
+
+    def next_rates(self) -> None:
+        """Write that rates of what goes to zero do so (Barbalat again), and what they give."""
+        done = set[Expr]()
+        while forms := [form for form in self.zero if form not in done]:
+            if self.zero.keys() >= self.motion.keys():
+                return
+            done.add(forms[0])
+            rate = sympy.expand(along(forms[0], self.motion))
+            if rate.count_ops() > MOST_OPERATIONS or not self.is_steady(rate):
+                continue
+            text = self.text(rate)
+            claim = f"vanishes (T i) (fun t => {text})"
+            self.lemma(f"rate_{len(done)}", claim, f"next_of ({self.zero[forms[0]]} i)")
+            kept = sympy.expand(
+                rate.xreplace({s: S.Zero for s in self.zero if s.is_Symbol})
+            )
+            gone = sympy.expand(rate - kept)
+            if kept != 0 and self.is_zero(gone):
+                self.factor_to_zero(kept, f"({text}) - ({self.text(gone)})")
+
+    def is_zero(self, e: Expr) -> bool:
+        """Return whether each term of an expression has a factor that goes to zero."""
+        return e in self.zero or all(
+            term == 0
+            or (self.is_bounded(term) and any(map(self._fades, Mul.make_args(term))))
+            for term in Add.make_args(sympy.expand(e))
+        )
+
+    def _fades(self, factor: Expr) -> bool:
+        base, power = factor.as_base_exp()
+        if isinstance(base, (sympy.sin, sympy.tanh)):
+            base = base if base in self.zero else base.args[0]
+        return base in self.zero and bool(power.is_positive)
+
+    # --- stability ------------------------------------------------------------------------------
+
+    def stability(self) -> None:
+        """Write that runs that begin near the rest 0 stay near."""
+        zero = dict.fromkeys(self.motion, S.Zero)
+        is_least = all(
+            self.is_shape(t) and t.form.xreplace(zero) == 0 for t in self.case.terms
+        )
+        if not is_least or {s for s, *_ in self.by_forms} != {*self.motion}:
+            return
+        names = [f"r_{self.name[s]}" for s in self.motion]
+        near = " /\\ ".join(f"Rabs ({name} i 0) < d" for name in names)
+        self.lines += [
+            f"Definition near (d : R) (i : run) := {near}.",
+            "Definition now (i : run) (t : R) := on (T i) t.",
+            "Lemma near_le d e i : d <= e -> near d i -> near e i.\nProof. near_of near. Qed.",
+        ]
+        small = "small run near now"
+        for name in names:
+            self._small(
+                f"start_{name}", f"{small} (fun i t => {name} i 0)", "start_of near"
+            )
+        at_0 = " + ".join(map(self.term, self.case.terms)).replace(" i t", " i 0")
+        proof = f"small_V_of near_le V_parts (fun i (t : R) => {at_0})"
+        self._small("small_V", f"{small} (fun i t => V i 0)", proof)
+        for k, term in enumerate(self.case.terms):
+            if "cos" in term.shape:
+                continue
+            claim = f"{small} (fun i t => {self.text(term.form)})"
+            shape = f"(fun x => {term.shape.format('x')})"
+            self._small(f"near_{k}", claim, f"small_by_shape small_V bound_{k} {shape}")
+        for s, form, value in self.by_forms:
+            if form != s:
+                name = self.name[s]
+                claim = f"{small} (fun i t => r_{name} i t)"
+                self._small(
+                    f"small_{name}", claim, f"small_as near_le (fun i t => {value})"
+                )
+        claim = " /\\ ".join(f"{small} {name}" for name in names)
+        self.lines.append(f"Theorem stable : {claim}.\nProof. repeat split; leaf. Qed.")
+        self.claims["stable"] = [("stable", claim)]
+
+    def _small(self, name: str, claim: str, proof: str) -> None:
+        self.lines.append(f"Lemma {name} : {claim}.\nProof. {proof}. Qed.")
+        self.lines.append(f"#[local] Hint Resolve {name} : clpt.")
+
+
+def _sign(s: Any) -> str:
+    """Return the sign that a symbol is assumed to have, as text before it."""
+    if s.is_positive or s.is_negative:
+        return "0 <" if s.is_positive else "0 >"
+    return "0 <=" if s.is_nonnegative else ""
+
+
+def _quoted(text: str) -> str:
+    """Return a text without signs of comments and strings of Coq."""
+    return text.replace("*)", "* )").replace("(*", "( *").replace('"', "'")
+
+
+def _without_calls_in(e: Expr) -> Expr:
+    """Return an expression with functions of time as symbols."""
+    calls = sympy.sympify(e).atoms(AppliedUndef)
+    return e.xreplace({call: _symbol_of(call) for call in calls})
+
+
+def _symbol_of(call: Any) -> Any:
+    if call.args != (TIME,):
+        raise NotASum(f"{short(call)} is no function of time alone")
+    return sympy.Symbol(str(call.func), real=True, positive=call.is_positive)
+
+
+def _without_calls(case: Case) -> Case:
+    """Return a case with inputs as symbols."""
+    read = _without_calls_in
+    terms, losses = (
+        [
+            t._replace(weight=read(t.weight), form=read(t.form), factor=read(t.factor))
+            for t in part
+        ]
+        for part in (case.terms, case.losses)
+    )
+    if case.push == 0 and case.decay != 0:  # V is lost as well
+        losses += [t._replace(weight=t.weight * case.decay) for t in terms]
+    order = [
+        (t.form, t.shape) for t in terms
+    ]  # of V, so that shares are compared in turn
+    losses.sort(key=lambda t: [*order, (t.form, t.shape)].index((t.form, t.shape)))
+    return replace(
+        case,
+        motion={s: read(rate) for s, rate in case.motion.items()},
+        V=read(case.V),
+        rate=read(case.rate),
+        push=read(case.push),
+        terms=terms,
+        losses=losses,
+    )
+
+
+def _is_above_zero(base: Expr, fixed: set) -> bool:
+    """Return whether a divisor has a positive least value, or is a parameter with a sign."""
+    if not base.free_symbols - fixed:
+        return bool(base.is_nonzero)
+    if base.is_Pow and base.base != sympy.E:
+        return _is_above_zero(base.base, fixed)
+    constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
+    has_signs = all(term.is_nonnegative for term in Add.make_args(rest))
+    return isinstance(base, sympy.exp) or bool(constant.is_positive and has_signs)
