@@ -28,6 +28,7 @@ MOST_FORMS = 12  # that go to zero
 MOST_OPERATIONS = 100  # of rates of them
 # what the steps of a verdict show -> theorems that say it
 THEOREMS = {
+    "definite": "definite",
     "all": "stable",
     "falls": "falls",
     "loses": "spent",
@@ -77,6 +78,7 @@ class File:
         self.claims = dict[str, list[tuple[str, str]]]()
         is_bounded = any(c.name == "bounded inputs" for c in verdict.conditions)
         self.bounded = {*self.inputs} if is_bounded else set[Any]()
+        self.off = {s: s - case.rest.get(s, 0) for s in self.motion}  # from the rest
         self.zero = dict[Expr, str]()  # form that goes to zero -> its theorem
         self.by_forms = list[Any]()  # states that forms of V give
         self.steady = set[Any]()
@@ -127,7 +129,7 @@ class File:
             for tag, names in THEOREMS.items()
             if self.claims.keys() >= {*names.split()}
         )
-        return {*self.needed}.difference(shown, ["definite"])
+        return {*self.needed}.difference(shown, ["jumps"])  # a loop without jumps
 
     def comment(self) -> Iterable[str]:
         """Yield what the last theorem states, and what the verdict says beyond it."""
@@ -233,7 +235,8 @@ class File:
         self.lemma(
             "V_parts", f"{on} V i t = {self.total(case.terms)}", "parts_of V", False
         )
-        self.lemma("V_nonneg", f"{on} 0 <= V i t", "nonneg_of (V_parts i)")
+        claim = f"{on} 0 <= V i t"
+        self.theorem("definite", "V_nonneg", claim, "nonneg_of (V_parts i)")
         self.lemma(
             "loss_nonneg", f"{on} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
         )
@@ -295,13 +298,12 @@ class File:
                 continue
             claim = f"forall t, on (T i) t -> {self.term(term)} <= V i 0"
             self.theorem(
-                "bound", f"bound_{k}", claim, "bound_of (V_falls i) (V_parts i)"
+                "definite", f"bound_{k}", claim, "bound_of (V_falls i) (V_parts i)"
             )
             if "cos" not in term.shape:
                 claim = f"bounded (T i) {self.function(term.form)}"
-                shape = f"(fun x => {term.shape.format('x')})"
                 self.lemma(
-                    f"form_{k}", claim, f"bounded_by_shape (bound_{k} i) {shape}"
+                    f"form_{k}", claim, f"bounded_by_shape (bound_{k} i) {_shape(term)}"
                 )
                 forms.setdefault(term.form, f"{k}")
         found = True
@@ -310,14 +312,12 @@ class File:
             if found:
                 s, form, value = found
                 self.by_forms.append((s, form, value))
-                self.bounded.add(s)
+                self.bounded |= {s, self.off[s]}
                 if form != s:
+                    value += f" + ({self.text(s - self.off[s])})" * (self.off[s] != s)
                     claim = f"bounded (T i) {self.function(s)}"
-                    self.lemma(
-                        f"bounded_{self.name[s]}",
-                        claim,
-                        f"bounded_as (fun t => {value})",
-                    )
+                    proof = f"bounded_as (fun t => {value})"
+                    self.lemma(f"bounded_{self.name[s]}", claim, proof)
         self.lags()
         for s, rate in self.motion.items():
             if self.is_bounded(rate):
@@ -327,24 +327,16 @@ class File:
                 self.steady.add(s)
 
     def solved(self, forms: Iterable[Expr], known: Any, is_known: Any) -> Any:
-        """Yield states that forms give by what is known: s = (form - rest)/slope."""
+        """Yield distances of states from the rest that forms give by what is known."""
         for form in forms:
             for s in sorted(form.free_symbols & {*self.motion}, key=str):
-                slope = sympy.diff(form, s)
-                rest = sympy.expand(form - slope * s)
-                has_sign = slope.is_positive or slope.is_negative
-                if (
-                    s not in known
-                    and slope.free_symbols <= self.fixed
-                    and has_sign
-                    and is_known(rest)
-                ):
+                slope, off = sympy.diff(form, s), self.off[s]
+                rest = sympy.expand(form - slope * off)
+                is_fixed = slope.free_symbols <= self.fixed and slope.is_nonzero
+                if off not in known and is_fixed and is_known(rest):
                     less = f" - ({self.text(rest)})" * (rest != 0)
-                    yield (
-                        s,
-                        form,
-                        f"({self.text(1 / slope)}) * (({self.text(form)}){less})",
-                    )
+                    text = f"({self.text(1 / slope)}) * (({self.text(form)}){less})"
+                    yield s, form, text
 
     def lags(self) -> None:
         """Write that states with x' = -k x + u are bounded, as u is."""
@@ -394,14 +386,13 @@ class File:
             proof = f"lost_of (V_sum i) (V_nonneg i) (part_{k} i)"
             self.lemma(f"lost_{k}", f"vanishes (T i) (fun t => {part})", proof)
             if self.is_shape(term) and "cos" not in term.shape:
-                shape = f"(fun x => {term.shape.format('x')})"
-                self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {shape}")
+                self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {_shape(term)}")
             else:
                 self.factor_to_zero(term.value, part)
         if self.needed & {"rest", "still"}:
             self.next_rates()
-        if self.zero.keys() >= self.motion.keys():
-            names = [self.zero[s] for s in self.motion]
+        if self.zero.keys() >= {*self.off.values()}:
+            names = [self.zero[off] for off in self.off.values()]
             claims = dict(self.claims["zero"])
             self.claims["states"] = [(name, claims[name]) for name in names]
         lost = self.verdict.ways.args[1].losses
@@ -420,7 +411,7 @@ class File:
         self.theorem("zero", name, f"vanishes (T i) {self.function(form)}", proof)
         self.zero[form] = name
         for s, _, value in self.solved([*self.zero], self.zero, self.is_zero):
-            self.goes_to_zero(s, f"vanishes_as (fun t => {value})")
+            self.goes_to_zero(self.off[s], f"vanishes_as (fun t => {value})")
             break
 
     def factor_to_zero(self, e: Expr, text: str) -> None:
@@ -449,7 +440,7 @@ class File:
         """Write that rates of what goes to zero do so (Barbalat again), and what they give."""
         done = set[Expr]()
         while forms := [form for form in self.zero if form not in done]:
-            if self.zero.keys() >= self.motion.keys():
+            if self.zero.keys() >= {*self.off.values()}:
                 return
             done.add(forms[0])
             rate = sympy.expand(along(forms[0], self.motion))
@@ -458,9 +449,8 @@ class File:
             text = self.text(rate)
             claim = f"vanishes (T i) (fun t => {text})"
             self.lemma(f"rate_{len(done)}", claim, f"next_of ({self.zero[forms[0]]} i)")
-            kept = sympy.expand(
-                rate.xreplace({s: S.Zero for s in self.zero if s.is_Symbol})
-            )
+            at_rest = {s: s - off for s, off in self.off.items() if off in self.zero}
+            kept = sympy.expand(rate.xreplace(at_rest))
             gone = sympy.expand(rate - kept)
             if kept != 0 and self.is_zero(gone):
                 self.factor_to_zero(kept, f"({text}) - ({self.text(gone)})")
@@ -482,42 +472,41 @@ class File:
     # --- stability ------------------------------------------------------------------------------
 
     def stability(self) -> None:
-        """Write that runs that begin near the rest 0 stay near."""
-        zero = dict.fromkeys(self.motion, S.Zero)
-        is_least = all(
-            self.is_shape(t) and t.form.xreplace(zero) == 0 for t in self.case.terms
-        )
-        if not is_least or {s for s, *_ in self.by_forms} != {*self.motion}:
+        """Write that runs that begin near the rest stay near."""
+        case, small = self.case, "small run near now"
+        rest = {s: s - off for s, off in self.off.items()}
+        forms = [term.form for term in case.terms if self.is_shape(term)]
+        is_least = all(form.xreplace(rest) == 0 for form in forms)
+        is_plain = all(off == s for s, off in self.off.items())
+        is_plain = is_plain or {*self.off.values()} >= {*forms}
+        is_all = {s for s, *_ in self.by_forms} == {*self.motion}
+        if not (is_least and is_plain and is_all and len(forms) == len(case.terms)):
             return
-        names = [f"r_{self.name[s]}" for s in self.motion]
-        near = " /\\ ".join(f"Rabs ({name} i 0) < d" for name in names)
+        texts = {self.name[s]: self.text(off) for s, off in self.off.items()}
+        starts = {name: text.replace(" i t", " i 0") for name, text in texts.items()}
+        near = " /\\ ".join(f"Rabs ({text}) < d" for text in starts.values())
         self.lines += [
             f"Definition near (d : R) (i : run) := {near}.",
             "Definition now (i : run) (t : R) := on (T i) t.",
             "Lemma near_le d e i : d <= e -> near d i -> near e i.\nProof. near_of near. Qed.",
         ]
-        small = "small run near now"
-        for name in names:
-            self._small(
-                f"start_{name}", f"{small} (fun i t => {name} i 0)", "start_of near"
-            )
-        at_0 = " + ".join(map(self.term, self.case.terms)).replace(" i t", " i 0")
+        for name, text in starts.items():
+            claim = f"{small} (fun i t => {text})"
+            self._small(f"start_{name}", claim, "start_of near")
+        at_0 = " + ".join(map(self.term, case.terms)).replace(" i t", " i 0")
         proof = f"small_V_of near_le V_parts (fun i (t : R) => {at_0})"
         self._small("small_V", f"{small} (fun i t => V i 0)", proof)
-        for k, term in enumerate(self.case.terms):
-            if "cos" in term.shape:
-                continue
-            claim = f"{small} (fun i t => {self.text(term.form)})"
-            shape = f"(fun x => {term.shape.format('x')})"
-            self._small(f"near_{k}", claim, f"small_by_shape small_V bound_{k} {shape}")
+        for k, term in enumerate(case.terms):
+            if "cos" not in term.shape:
+                claim = f"{small} (fun i t => {self.text(term.form)})"
+                proof = f"small_by_shape small_V bound_{k} {_shape(term)}"
+                self._small(f"near_{k}", claim, proof)
         for s, form, value in self.by_forms:
-            if form != s:
-                name = self.name[s]
-                claim = f"{small} (fun i t => r_{name} i t)"
-                self._small(
-                    f"small_{name}", claim, f"small_as near_le (fun i t => {value})"
-                )
-        claim = " /\\ ".join(f"{small} {name}" for name in names)
+            if form != self.off[s]:
+                claim = f"{small} (fun i t => {texts[self.name[s]]})"
+                proof = f"small_as near_le (fun i t => {value})"
+                self._small(f"small_{self.name[s]}", claim, proof)
+        claim = " /\\ ".join(f"{small} (fun i t => {text})" for text in texts.values())
         self.lines.append(f"Theorem stable : {claim}.\nProof. repeat split; leaf. Qed.")
         self.claims["stable"] = [("stable", claim)]
 
@@ -531,6 +520,11 @@ def _sign(s: Any) -> str:
     if s.is_positive or s.is_negative:
         return "0 <" if s.is_positive else "0 >"
     return "0 <=" if s.is_nonnegative else ""
+
+
+def _shape(term: Term) -> str:
+    """Return the shape of a term as a function of Coq."""
+    return f"(fun x => {term.shape.format('x')})"
 
 
 def _quoted(text: str) -> str:

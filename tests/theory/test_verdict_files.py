@@ -1,0 +1,217 @@
+"""Files of Coq of verdicts: refusals, sentence against file; those marked `coq` need coqc."""
+
+import re
+import shutil
+import subprocess
+
+import control
+import pytest
+from judged_loops import RIGHT, WRONG
+from lyapunov_cases import CASES
+from small_scenarios import paper_of
+from test_ends import BROKEN, HELD
+from text_systems import written
+from user_laws import FOR_TWO
+from user_laws import RIGHT as OWN_LAWS
+
+import clpt_control as clpt
+from clpt_control.theory.proofs.conclusions import CONCLUSIONS
+
+REALS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
+# one of each kind -> its equations, its conclusion, and what is not in its file
+SAMPLE = {
+    "a hard spring": (
+        "x' = v; v' = -a*x - b*x**3 - d*v; V = v**2/2 + a*x**2/2 + b*x**4/4; a = 1; b = 2; d = 3",
+        "asymptotically stable",
+        "",
+    ),
+    "a divisor": ("x' = -x/(1 + x**2)", "asymptotically stable", ""),
+    "a rest elsewhere": (
+        "x' = 3 - x; V = (x - 3)**2/2; at x = 3", "asymptotically stable", "",
+    ),
+    "a cross term": (
+        "x' = y; y' = -x - y; V = 3*x**2/2 + x*y + y**2", "asymptotically stable", "",
+    ),
+    "tanh": ("x' = -tanh(x)", "asymptotically stable", ""),
+    "a pendulum": (
+        "x' = v; v' = -sin(x) - v; V = v**2/2 + 1 - cos(x)", "comes to rest", "isolated",
+    ),
+    "an adaptive law": (
+        "e' = -e + h*r; h' = -e*r; V = e**2/2 + h**2/2; input r", "goes to zero", "",
+    ),
+    "a circle": ("x' = y; y' = -x; V = x**2/2 + y**2/2", "stable", ""),
+    "a leak": (
+        "e' = -e + h*r; h' = -e*r - h - 1; V = e**2/2 + h**2/2; input r",
+        "ultimately bounded",
+        "",
+    ),
+}  # fmt: skip
+TRUSTED = {"values", "running", "exists", "jumps"}  # the record, and that runs go on
+NO_FILE = {
+    "a clip": ("x' = -np.clip(x, -1, 1)".replace("np.", ""), "has pieces"),
+    "a sign": ("x' = -x - sign(x)", "has pieces"),
+    "a choice": ("x' = -x*where(x > 0, 1, 2)", "has pieces"),
+}
+
+
+def judged(name):
+    plant, V, *rest = written(SAMPLE[name][0])
+    return clpt.lyapunov(plant, V, **dict(*rest))
+
+
+def missing(verdict):
+    """What the conclusion requires and the last theorem does not say."""
+    return set(verdict._file().missing)
+
+
+@pytest.mark.parametrize("name", SAMPLE)
+def test_file_says_what_the_sentence_says(name):
+    verdict = judged(name)
+    _, conclusion, not_in_it = SAMPLE[name]
+    assert (verdict.status, verdict.conclusion) == ("proved", conclusion)
+    assert missing(verdict) - TRUSTED == {*not_in_it.split()}
+    text = verdict.coq()
+    last = text[text.rindex("(* The verdict: ") :]
+    assert " ".join(verdict.sentence.split()) in " ".join(last.split())
+    assert last.count("Theorem verdict :") == 1
+    assert text.rstrip().endswith("Print Assumptions verdict.")
+    assert not re.search(r"\b(Admitted|Axiom|Parameter|Abort)\b", text)
+
+
+@pytest.mark.parametrize("name", NO_FILE)
+def test_pieces_are_refused(name):
+    text, reason = NO_FILE[name]
+    plant, V = written(text)[:2]
+    verdict = clpt.lyapunov(plant, V)
+    assert verdict.status == "proved"
+    with pytest.raises(clpt.DiagramError, match=reason):
+        verdict.coq()
+
+
+def test_what_jumps_or_is_not_in_time_is_refused(tmp_path):
+    discrete = control.nlsys(
+        lambda t, x, u, p: [x[0] / 2], states=["x"], inputs=0, dt=1.0, name="d"
+    )
+    jumping = RIGHT["a state that is reset"]
+    for verdict, reason in (
+        (clpt.lyapunov(jumping.plant, jumping.V), "jump"),
+        (clpt.lyapunov(discrete, lambda s: s.x**2), "discrete"),
+    ):
+        assert verdict.status == "proved"
+        with pytest.raises(clpt.DiagramError, match=reason):
+            verdict.coq(tmp_path / "mine.v")
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_what_is_not_proved_is_refused():
+    plant, V = written("x' = x")[:2]
+    with pytest.raises(clpt.DiagramError, match="nothing is proved"):
+        clpt.lyapunov(plant, V).coq()
+
+
+def texts():
+    """The written systems of the tests of ends."""
+    for rows in (*BROKEN.values(), *HELD.values()):
+        yield from (row[0] for row in rows)
+
+
+def compared(verdict):
+    """Compare a proved verdict with its file; False if it has none."""
+    try:
+        steps = verdict.beyond_coq()
+    except clpt.DiagramError:
+        return False
+    assert all(step.holds for step in steps)
+    by_steps = {name for step in steps for name in step.shows.split()}
+    required = CONCLUSIONS[verdict.conclusion].requires
+    # what no step shows is given: a loop without states that jump
+    assert missing(verdict) - by_steps <= {"jumps"} <= required | {"jumps"}
+    return True
+
+
+@pytest.mark.long
+def test_verdicts_are_stronger_than_their_files_by_steps_alone():
+    cases = [(c.plant, c.V, c.more) for c in CASES.values() if c.status == "proved"]
+    cases += [
+        (c.plant, c.V, c.more) for c in (*RIGHT.values(), *WRONG.values()) if c.true
+    ]
+    for text in texts():
+        plant, V, *rest = written(text)
+        cases.append((plant, V, dict(*rest)))
+    with_file = 0
+    for plant, V, more in cases:
+        verdict = clpt.lyapunov(plant, V, **more | {"points": 5})
+        with_file += verdict.status == "proved" and compared(verdict)
+    assert with_file > 100
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", [*OWN_LAWS, *FOR_TWO])
+def test_verdicts_on_own_laws(name):
+    verdict = clpt.prove({**OWN_LAWS, **FOR_TWO}[name](), points=50)
+    assert verdict.status != "proved" or compared(verdict) in (True, False)
+
+
+def test_law_of_the_paper():
+    verdict = clpt.prove(clpt.closed_loop(paper_of(1, "learned-flow")), points=50)
+    assert missing(verdict) - TRUSTED == set()
+
+
+# --- coqc ---------------------------------------------------------------------------------------
+
+
+def compiled(folder, text):
+    """Return whether coqc accepts a file, and the axioms of its last theorem."""
+    (folder / "mine.v").write_text(text)
+    command = ["coqc", "-q", "-w", "none", "mine.v"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    axioms = re.findall(r"^([\w.']+)(?= :|\n  :)", done.stdout, re.MULTILINE)
+    return done.returncode == 0, {axiom.rpartition(".")[2] for axiom in axioms}
+
+
+@pytest.fixture(autouse=True)
+def _coqc(request):
+    if request.node.get_closest_marker("coq") and not shutil.which("coqc"):
+        pytest.skip("coqc is not installed")
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize("name", SAMPLE)
+def test_file_compiles_with_the_axioms_of_the_reals_alone(name, tmp_path):
+    accepted, axioms = compiled(tmp_path, judged(name).coq())
+    assert accepted
+    assert axioms <= REALS
+
+
+@pytest.mark.coq
+def test_file_of_a_law_compiles(tmp_path):
+    verdict = clpt.prove(clpt.closed_loop(paper_of(1, "learned-flow")), points=50)
+    assert compiled(tmp_path, verdict.coq()) == (True, REALS)
+
+
+ALTERED = [  # a text of the file, another one for it
+    ("a hard spring", "- r_d*(r_v t)", "+ r_d*(r_v t)"),  # damping
+    ("a hard spring", "Hypothesis P_d : 0 < r_d.", ""),
+    ("a hard spring", "follows T r_x (fun t => (r_v t))", "follows T r_x (fun t => 2*(r_v t))"),
+    ("a cross term", "V (i : run) (t : R) := 3*", "V (i : run) (t : R) := 4*"),
+    ("a cross term", "<= V i s", "< V i s"),
+    ("a divisor", "follows (T i) (V i) (fun t => -", "follows (T i) (V i) (fun t => -2*"),
+    ("a pendulum", "(sin ((r_x t)))", "(sin (2*(r_x t)))"),
+    ("a pendulum", "vanishes (T i) (fun t => (sin ((r_x i t))))", "vanishes (T i) (r_x i)"),
+    ("an adaptive law", ";\n  B_r : bounded T r_r", ""),
+    ("an adaptive law", "vanishes (T i) (r_e i)", "vanishes (T i) (r_h i)"),
+    ("a circle", "near now (fun i t => (r_x i t))", "near now (fun i t => (r_x i t) + 1)"),
+    ("a circle", "follows T r_y (fun t => -(r_x t))", "follows T r_y (fun t => (r_x t))"),
+    ("a leak", "V i t <= c /", "V i t <= 0 * c /"),
+]  # fmt: skip
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize(("name", "text", "other"), ALTERED)
+def test_altered_file_is_refused(name, text, other, tmp_path):
+    file = judged(name).coq()
+    start = file.index("Section Loop.")
+    loop = file[start:]
+    altered = loop.replace(text, other)
+    assert altered != loop
+    assert compiled(tmp_path, file[:start] + altered)[0] is False
