@@ -89,6 +89,22 @@ def test_the_command_says_that_nothing_is_checked(no_coqc, clpt):
     assert "coq libcoq-coquelicot" in words
 
 
+def test_file_of_one_law_comes_with_those_that_it_needs(no_coqc, clpt):
+    assert clpt("prove", "e-modification", "--coq", "out").status == 0
+    files = {path.name for path in Path("out").glob("*.v")}
+    assert "LawEModification.v" in files
+    for name in files:
+        required = re.findall(
+            r"From Clpt Require Import (.*)\.", Path("out", name).read_text()
+        )
+        assert {f"{word}.v" for line in required for word in line.split()} <= files
+    assert len(files) < len([*FIXED.glob("*.v")]) / 2
+
+
+def test_law_without_file_is_refused(refused):
+    assert "jump" in refused("prove", "concurrent", "--coq", "out")
+
+
 def test_every_law_has_a_file_or_a_reason(written):
     found, _ = written
     assert found["not_written"].keys() == WITHOUT_FILE

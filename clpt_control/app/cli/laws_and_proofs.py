@@ -110,15 +110,15 @@ def prove(
         clpt prove --theorem 3.2
         clpt prove --coq coq
     """
-    if coq is not None:
-        if (law, theorem) != (None, None):
-            raise ClptError("--coq DIR: writes all theorems. Give no other option")
-        _prove_by_coq(coq, as_json)
-        return
     if law is not None:
         _refuse_unknown(law)
+    if coq is not None:
         if theorem is not None:
-            raise ClptError("--theorem NUMBER: is not of LAW. Give one of the two")
+            raise ClptError("--coq DIR: writes all theorems. Leave --theorem out")
+        _prove_by_coq(coq, law, as_json)
+        return
+    if law is not None and theorem is not None:
+        raise ClptError("--theorem NUMBER: is not of LAW. Give one of the two")
     os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # read at the import
     from ...theory.theorems.all_proofs import statements
 
@@ -183,12 +183,12 @@ def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:
         raise SimulationError(f"the proof fails: {wrong[0]}{further}")
 
 
-def _prove_by_coq(folder: Path, as_json: bool) -> None:
-    """Write the theorems as files of Coq, and print what Coq checked."""
+def _prove_by_coq(folder: Path, law: str | None, as_json: bool) -> None:
+    """Write the theorems, or those of one law, as files of Coq; print what Coq checked."""
     from ...theory.coq.files import PACKAGES, write_proofs
 
     with progress_bar("coqc", 1.0) as report:
-        proofs = write_proofs(folder, report)
+        proofs = write_proofs(folder, report, law)
     sentences = [""]
     if proofs.theorems is None:
         sentences = [

@@ -28,6 +28,7 @@ from .running import equations_of, loop_of_law
 FOLDER = Path(__file__).parent
 PROJECT = "_CoqProject"  # options of coqc, and the files in the order of compilation
 RECORD = re.compile(r"\(\* record of (\S+) \*\)")
+REQUIRED = re.compile(r"^From Clpt Require Import ([^.]*)\.", re.MULTILINE)
 SHARED = re.compile(r"\(\* text of (\S+) \*\)")
 COQC = ("coqc", "-q", "-w", "none", "-Q", ".", "Clpt")
 PACKAGES = "coq libcoq-coquelicot"  # of Debian
@@ -64,12 +65,28 @@ def templates() -> dict[str, str]:
     return {name: SHARED.sub(lambda line: read(line[1]), read(name)) for name in files}
 
 
-def coq_files() -> dict[str, str]:
-    """Return name -> text of all files, in the order of compilation."""
+def coq_files(law: str | None = None) -> dict[str, str]:
+    """Return name -> text of all files, or of one law's with those that it needs, in order."""
+    files = templates()
+    if law is not None:
+        files = {name: text for name, text in files.items() if name in files_of(law)}
     return {
         name: RECORD.sub(lambda line: record_of(line[1]), text)
-        for name, text in templates().items()
+        for name, text in files.items()
     }
+
+
+def files_of(law: str) -> list[str]:
+    """Return the names of the files with a law's record, and of those that they require."""
+    texts = templates()
+    found = [name for name, text in texts.items() if law in RECORD.findall(text)]
+    if not found:
+        raise DiagramError(laws_without_file()[law])
+    for name in found:
+        for names in REQUIRED.findall(texts[name]):
+            files = (f"{word}.v" for word in names.split())
+            found += [file for file in files if file not in found]
+    return found
 
 
 def laws_without_file() -> dict[str, str]:
@@ -104,14 +121,18 @@ class Proofs(NamedTuple):
     not_written: dict[str, str]  # law -> reason
 
 
-def write_proofs(folder: Path, report: Callable[[float], None]) -> Proofs:
-    """Write the theorems as files of Coq; compile them in order if `coqc` is installed.
+def write_proofs(
+    folder: Path, report: Callable[[float], None], law: str | None = None
+) -> Proofs:
+    """Write the theorems, or a law's, as files of Coq; compile them if `coqc` is installed.
 
     A file that Coq refuses is an error, and an axiom that is none of the real numbers.
     """
-    texts, not_written = coq_files(), laws_without_file()
+    texts = coq_files(law)
+    not_written = laws_without_file() if law is None else {}
     folder = make_folder(folder)
-    project = {PROJECT: (FOLDER / PROJECT).read_text("utf-8")}
+    options = (FOLDER / PROJECT).read_text("utf-8").split("\n")[0]
+    project = {PROJECT: "\n".join([options, *texts, ""])}
     write_together({folder / name: text for name, text in {**texts, **project}.items()})
     theorems: list[Theorem] = []
     if not shutil.which("coqc"):

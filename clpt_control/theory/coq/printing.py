@@ -1,91 +1,11 @@
-"""Expressions and equations of a record as text of Coq.
-
-A name of a record has the prefix `r_`: no keyword of Coq and no name of the fixed files begins so.
-
-    x_1              r_x_1 t                   a signal at time t
-    alpha_1[k]       r_alpha_1 k t             its element along an axis of N functions
-    Q_1_2[1]         r_Q_1_2'1 t               its element along an axis of known length
-    adaptation.leak  r_adaptation'leak         a parameter
-    Sum(f[k1], k1)   sum N (fun k1 => ...)
-"""
+"""Equations of a law's record as text of Coq: variables, rates, V and domains, by `coq_text`."""
 
 import re
 from collections.abc import Iterable
-from typing import Any, NoReturn
+from typing import Any
 
-import sympy
-from sympy.printing.str import StrPrinter
-
-from ...base.errors import DiagramError
+from ..proofs.coq_text import CoqPrinter, name_in_coq
 from .running import Equations
-
-FUNCTIONS = {
-    "Abs": "Rabs",
-    "log": "ln",
-    "maximum": "Rmax",
-    "minimum": "Rmin",
-    **{name: name for name in ("exp", "sin", "cos", "tanh", "clip")},
-}
-KNOWN = sympy.Symbol, sympy.Number, sympy.Add, sympy.Mul, sympy.Pow, sympy.Function
-WORD = r"[A-Za-z_]\w*"
-NAME = re.compile(rf"{WORD}([.:]{WORD})*(\[\w+\])*", re.ASCII).fullmatch
-
-
-def name_in_coq(name: str) -> tuple[str, list[str]]:
-    """Return the name of a signal or a parameter in Coq, and its indices along axes of N."""
-    if not NAME(name):
-        raise DiagramError(f"{name}: is no name in Coq. Use letters, digits and _")
-    base, *indices = re.findall(r"[^\[\]]+", name)
-    fixed = "".join(f"'{index}" for index in indices if index.isdigit())
-    text = base.replace(":", "''").replace(".", "'")
-    return f"r_{text}{fixed}", [index for index in indices if not index.isdigit()]
-
-
-class CoqPrinter(StrPrinter):
-    """Printer of expressions; signals, which depend on time, have the argument `at`."""
-
-    printmethod = "_coq"  # no method of expressions: all methods are here
-
-    def __init__(self, signals: Iterable[Any], at: str = "t"):
-        super().__init__()
-        self.at = at
-        self.signals = {name_in_coq(symbol.name)[0] for symbol in signals}
-
-    def _print(self, expression: Any, **options: Any) -> str:
-        if isinstance(expression, KNOWN):
-            return super()._print(expression, **options)
-        self._refuse(expression)
-
-    def _refuse(self, expression: Any) -> NoReturn:
-        known = ", ".join(["sqrt", *FUNCTIONS])
-        raise DiagramError(
-            f"{expression}: has no form in Coq here. Use sums, products, whole powers, {known}"
-        )
-
-    def _print_Symbol(self, symbol: Any) -> str:
-        if symbol.name == "t":
-            return "t"
-        name, indices = name_in_coq(symbol.name)
-        words = [name, *indices, *[self.at][: name in self.signals]]
-        return f"({' '.join(words)})" if words[1:] else name
-
-    def _print_SUM(self, atom: Any) -> str:
-        summand, index, size = atom.args
-        if size.name != "N":
-            raise DiagramError(f"{size}: is a size beside N. Give its number")
-        return f"(sum N (fun {index.name} => {self._print(summand)}))"
-
-    def _print_Function(self, call: Any) -> str:
-        if call.func.__name__ not in FUNCTIONS:
-            self._refuse(call)
-        arguments = "".join(f" ({self._print(argument)})" for argument in call.args)
-        return f"({FUNCTIONS[call.func.__name__]}{arguments})"
-
-    def _print_Pow(self, power: Any, rational: bool = False) -> str:
-        is_whole = power.exp.is_Integer and power.exp.is_positive
-        if is_whole or power.exp in (-1, sympy.S.Half, -sympy.S.Half):
-            return super()._print_Pow(power).replace("**", "^")
-        self._refuse(power)
 
 
 def text_of(equations: Equations) -> str:

@@ -42,6 +42,7 @@ from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
 from .conclusions import Condition, Judged, Status, concluded
 from .ends import Ends, ends
+from .in_coq import file_of
 from .in_latex import verdict_in_latex
 from .outside import Motion
 from .rate_as_sum import NotASum
@@ -128,8 +129,6 @@ class Verdict(Judged):
         return self._file().beyond()
 
     def _file(self) -> Any:
-        from ..coq.verdict_file import file_of
-
         try:
             return file_of(self)
         except NotASum as reason:

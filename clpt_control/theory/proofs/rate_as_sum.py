@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import sympy
 from sympy import Add, Expr, S
+from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import factored, vanishes
@@ -234,3 +235,56 @@ def refuse(case: Any) -> None:
         or max(powers, default=0) > MOST_TERMS
     ):
         raise NotASum("V' or a rate is too long to print")
+
+
+# --- as symbols -------------------------------------------------------------------------------
+
+
+def without_calls(e: Expr) -> Expr:
+    """Return an expression with functions of time as symbols."""
+    calls = sympy.sympify(e).atoms(AppliedUndef)
+    return e.xreplace({call: _symbol_of(call) for call in calls})
+
+
+def _symbol_of(call: Any) -> Any:
+    if call.args != (TIME,):
+        raise NotASum(f"{short(call)} is no function of time alone")
+    return sympy.Symbol(str(call.func), real=True, positive=call.is_positive)
+
+
+def with_symbols(case: Case) -> Case:
+    """Return a case with inputs as symbols."""
+    read = without_calls
+    terms, losses = (
+        [
+            t._replace(weight=read(t.weight), form=read(t.form), factor=read(t.factor))
+            for t in part
+        ]
+        for part in (case.terms, case.losses)
+    )
+    if case.push == 0 and case.decay != 0:  # V is lost as well
+        losses += [t._replace(weight=t.weight * case.decay) for t in terms]
+    order = [
+        (t.form, t.shape) for t in terms
+    ]  # of V, so that shares are compared in turn
+    losses.sort(key=lambda t: [*order, (t.form, t.shape)].index((t.form, t.shape)))
+    return replace(
+        case,
+        motion={s: read(rate) for s, rate in case.motion.items()},
+        V=read(case.V),
+        rate=read(case.rate),
+        push=read(case.push),
+        terms=terms,
+        losses=losses,
+    )
+
+
+def is_above_zero(base: Expr, fixed: set) -> bool:
+    """Return whether a divisor has a positive least value, or is a parameter with a sign."""
+    if not base.free_symbols - fixed:
+        return bool(base.is_nonzero)
+    if base.is_Pow and base.base != sympy.E:
+        return is_above_zero(base.base, fixed)
+    constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
+    has_signs = all(term.is_nonnegative for term in Add.make_args(rest))
+    return isinstance(base, sympy.exp) or bool(constant.is_positive and has_signs)

@@ -7,23 +7,21 @@ every run on [0, T), T finite or infinite.  The last theorem is the sentence.
 """
 
 from collections.abc import Iterable
-from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import sympy
 from sympy import Add, Expr, Mul, S
-from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.slopes import along
-from ..algebra.texts import short
-from ..proofs.conclusions import CONCLUSIONS, REQUIREMENTS
-from ..proofs.rate_as_sum import Case, NotASum, Term
-from ..proofs.steps import Step
-from .files import FOLDER
-from .printing import CoqPrinter, name_in_coq
+from .conclusions import CONCLUSIONS, REQUIREMENTS
+from .coq_text import CoqPrinter, name_in_coq
+from .rate_as_sum import Case, NotASum, Term, is_above_zero, with_symbols, without_calls
+from .steps import Step
 
+PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
 MOST_FORMS = 12  # that go to zero
 MOST_OPERATIONS = 100  # of rates of them
 # what the steps of a verdict show -> theorems that say it
@@ -61,7 +59,7 @@ class File:
     """The file of a verdict whose V' is a sum."""
 
     def __init__(self, case: Case, verdict: Any):
-        self.verdict, self.case = verdict, case = verdict, _without_calls(case)
+        self.verdict, self.case = verdict, case = verdict, with_symbols(case)
         self.fixed, self.motion = case.fixed, case.motion
         shown = (case.V, case.rate, case.push, *self.motion.values())
         values = (term.value for term in (*case.terms, *case.losses))
@@ -101,7 +99,7 @@ class File:
         comment = "\n   ".join(self.comment())
         return "\n".join(
             (
-                (FOLDER / "Runs.v").read_text("utf-8"),
+                PRELUDE.read_text("utf-8"),
                 *self.lines,
                 f"(* {comment} *)",
                 f"Theorem verdict :\n  {stated}.",
@@ -184,6 +182,12 @@ class File:
             name, sign = self.name[p], _sign(p)
             hypothesis = f" Hypothesis P_{name} : {sign} r_{name}." * bool(sign)
             self.lines.append(f"Variable r_{name} : R.{hypothesis}")
+        factors = dict.fromkeys(term.factor for term in self.case.losses)
+        assumed = [
+            f for f in factors if f.free_symbols and f.free_symbols <= self.fixed
+        ]
+        for k, factor in enumerate(assumed):
+            self.lines.append(f"Hypothesis A_{k} : 0 <= {self.text(factor)}.")
         at_t = CoqPrinter(self.signals).doprint
         fields = ["T : Rbar"] + [f"r_{self.name[s]} : R -> R" for s in self.signals]
         facts = {}
@@ -361,7 +365,7 @@ class File:
         if isinstance(e, (sympy.sin, sympy.cos, sympy.tanh)):
             return True
         if e.is_Pow and e.exp.is_negative:
-            return _is_above_zero(e.base, self.fixed)
+            return is_above_zero(e.base, self.fixed)
         is_made = (
             e.is_Add or e.is_Mul or e.is_Pow or isinstance(e, (sympy.exp, sympy.Abs))
         )
@@ -396,7 +400,7 @@ class File:
             claims = dict(self.claims["zero"])
             self.claims["states"] = [(name, claims[name]) for name in names]
         lost = self.verdict.ways.args[1].losses
-        if not all(map(self.is_zero, map(_without_calls_in, lost))):
+        if not all(map(self.is_zero, map(without_calls, lost))):
             self.claims.pop("zero", None)
         if all(map(self.is_zero, self.motion.values())):
             for s, rate in self.motion.items():
@@ -419,9 +423,7 @@ class File:
         kept = []
         for factor in Mul.make_args(sympy.factor(e)):
             base, power = factor.as_base_exp()
-            if factor.free_symbols - self.fixed and not _is_above_zero(
-                base, self.fixed
-            ):
+            if factor.free_symbols - self.fixed and not is_above_zero(base, self.fixed):
                 kept.append((base, power))
         if len(kept) != 1 or not (kept[0][1].is_Integer and kept[0][1].is_positive):
             return
@@ -530,53 +532,3 @@ def _shape(term: Term) -> str:
 def _quoted(text: str) -> str:
     """Return a text without signs of comments and strings of Coq."""
     return text.replace("*)", "* )").replace("(*", "( *").replace('"', "'")
-
-
-def _without_calls_in(e: Expr) -> Expr:
-    """Return an expression with functions of time as symbols."""
-    calls = sympy.sympify(e).atoms(AppliedUndef)
-    return e.xreplace({call: _symbol_of(call) for call in calls})
-
-
-def _symbol_of(call: Any) -> Any:
-    if call.args != (TIME,):
-        raise NotASum(f"{short(call)} is no function of time alone")
-    return sympy.Symbol(str(call.func), real=True, positive=call.is_positive)
-
-
-def _without_calls(case: Case) -> Case:
-    """Return a case with inputs as symbols."""
-    read = _without_calls_in
-    terms, losses = (
-        [
-            t._replace(weight=read(t.weight), form=read(t.form), factor=read(t.factor))
-            for t in part
-        ]
-        for part in (case.terms, case.losses)
-    )
-    if case.push == 0 and case.decay != 0:  # V is lost as well
-        losses += [t._replace(weight=t.weight * case.decay) for t in terms]
-    order = [
-        (t.form, t.shape) for t in terms
-    ]  # of V, so that shares are compared in turn
-    losses.sort(key=lambda t: [*order, (t.form, t.shape)].index((t.form, t.shape)))
-    return replace(
-        case,
-        motion={s: read(rate) for s, rate in case.motion.items()},
-        V=read(case.V),
-        rate=read(case.rate),
-        push=read(case.push),
-        terms=terms,
-        losses=losses,
-    )
-
-
-def _is_above_zero(base: Expr, fixed: set) -> bool:
-    """Return whether a divisor has a positive least value, or is a parameter with a sign."""
-    if not base.free_symbols - fixed:
-        return bool(base.is_nonzero)
-    if base.is_Pow and base.base != sympy.E:
-        return _is_above_zero(base.base, fixed)
-    constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
-    has_signs = all(term.is_nonnegative for term in Add.make_args(rest))
-    return isinstance(base, sympy.exp) or bool(constant.is_positive and has_signs)
