@@ -76,7 +76,9 @@ class File:
         self.claims = dict[str, list[tuple[str, str]]]()
         is_bounded = any(c.name == "bounded inputs" for c in verdict.conditions)
         self.bounded = {*self.inputs} if is_bounded else set[Any]()
-        self.off = {s: s - case.rest.get(s, 0) for s in self.motion}  # from the rest
+        moves = sympy.Tuple(*case.rest.values()).has(TIME)
+        self.rest = {} if moves else {**case.rest}
+        self.off = {s: s - self.rest.get(s, 0) for s in self.motion}  # from the rest
         self.zero = dict[Expr, str]()  # form that goes to zero -> its theorem
         self.by_forms = list[Any]()  # states that forms of V give
         self.steady = set[Any]()
@@ -207,7 +209,7 @@ class File:
         )
         self.lines.append(f"#[local] Hint Resolve {' '.join(facts)} : clpt.")
         rest = {s: S.One * bool(_sign(s)) for s in self.signals}
-        rest |= self.case.rest
+        rest |= self.rest
         if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
             values = " ".join(f"(fun _ => {at_t(rest[s])})" for s in self.signals)
             holes = "_ " * len(facts)
