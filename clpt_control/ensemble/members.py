@@ -30,13 +30,13 @@ from ..engine.diagram.wiring import Wiring
 from ..engine.methods.table import TAYLOR
 from ..engine.solver.batch import MEMBER_STEPS, Batch, finished
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.legs import Legs, may_go_on
+from ..engine.solver.legs import may_go_on
 from ..engine.solver.native_diagram import NativeRun
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import run_members
 from ..engine.solver.solver_layout import SIGNALS, Results, Status
-from ..engine.solver.termination import STUCK, Solution, sampled_start
+from ..engine.solver.termination import Solution, sampled_start
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
 MOST_MEMBERS = 512  # of a batch
@@ -188,31 +188,30 @@ class Ensemble:
 
     def run(self, members: Members, times: np.ndarray) -> Results:
         """Run members in the calling thread; their states are NaN after their end."""
-
-        def rows(m: Any) -> tuple:
-            x0, P, group = members.x0[m], members.P[m], members.group[m]
-            return x0, P, times, members.schedules, group
-
         count = len(members.x0)
         if not (self.native.nstates or self.native.sweep.guarded):
             return finished(count, len(times), 0)
         if not self.compiled:
             return self._run_in_python(members, times)
-        # 1. all members, in lanes
-        result = self._results(rows)
-        # 2. members that were stopped by a locked switch, without locks
-        stuck = np.flatnonzero(np.isin(result.status, STUCK))
-        if self.native.code.program.decided and len(stuck):
-            batch = self._solve(self.native.in_form("free"), rows(stuck))
-            replace_rows(result, stuck, batch)
-        # 3. members that slide along switches, or jump at a level
-        unfinished = np.isin(result.status, may_go_on(self.native))
-        for m in np.flatnonzero(unfinished).tolist():
-            run = NativeRun(self.native, times, members.runners[m][1], self.options)
-            given = members.P[m], members.x0[m], times, members.schedule(m)
-            batch = run.leg(self.native, *given)
-            Legs(self.native, batch, run.leg).go_on()
-            replace_rows(result, [m], batch)
+        runs = members.x0, members.P, times, members.schedules, members.group
+        if self.options.method == TAYLOR:
+            return run_members(self.native, runs, self.lanes, self.options)
+        # 1. members in lanes, unless each is looked at for its kinks
+        result = finished(count, len(times), self.native.nstates)
+        alone = np.arange(count)
+        if self.native.over_kinks() is None:
+            method = self.native.method_of(self.options.method)
+            lanes = 1 if method.implicit else self.lanes
+            batch = Batch(self.native.callee(lanes, method), *runs)
+            self.native.finish(batch, self.options)
+            result = batch.results
+            alone = np.flatnonzero(np.isin(result.status, may_go_on(self.native)))
+        # 2. members with more legs, as single runs
+        for m in alone.tolist():
+            run = NativeRun(self.native, times, members.schedule(m), self.options)
+            batch = run.batch(members.x0[m], members.P[m])
+            for array, rows in zip(result, batch.results, strict=True):
+                array[m] = rows[0]
         return result
 
     def _run_in_python(self, members: Members, times: np.ndarray) -> Results:
@@ -233,25 +232,6 @@ class Ensemble:
             reached[m] = np.searchsorted(times, end, side="right")
             states[m, : reached[m]] = rows[: reached[m]]
         return results
-
-    def _results(self, rows: Callable[[Any], tuple]) -> Results:
-        """Integrate all members; return their results."""
-        every = rows(slice(None))
-        if self.options.method != TAYLOR:
-            return self._solve(self.native, every, self.lanes).results
-        result, unended = run_members(self.native, every, self.lanes, self.options)
-        if len(unended):
-            replace_rows(result, unended, self._solve(self.native, rows(unended)))
-        return result
-
-    def _solve(self, runner: Any, runs: tuple, lanes: int = 1) -> Batch:
-        """Integrate runs, the arguments of a `Batch`, up to their end."""
-        method = runner.method_of(self.options.method)
-        if method.implicit:
-            lanes = 1
-        batch = Batch(runner.callee(lanes, method), *runs)
-        runner.finish(batch, self.options)
-        return batch
 
     def signals(
         self, members: Members, run: Results
@@ -354,12 +334,6 @@ class MemberBatch:
     run: Results
     # times and outputs of members that a guard stopped
     stops: dict[int, tuple[np.ndarray, np.ndarray]] = made_by(default_factory=dict)
-
-
-def replace_rows(result: Sequence[np.ndarray], members: Any, batch: Batch) -> None:
-    """Write the results of a batch into the rows of its members."""
-    for array, rows in zip(result, batch.results, strict=True):
-        array[members] = rows
 
 
 def verified_ensemble(varied: Varied, values: Values) -> Ensemble:

@@ -243,11 +243,7 @@ class Batch:
             share = batch.tolerance_share
             next_method = None if batch.callee.method.implicit else implicit
             batch.adaptive(share * rtol, share * atol, progress, most, next_method)
-            before = len(self.times) - len(batch.times)
-            self.out[m, before + 1 :] = batch.out[0, 1:]
-            self.status[m] = batch.status[0]
-            self.reached[m] = before + batch.reached[0]
-            self.counts[m] += batch.counts[0]
+            batch.write_into(self.results, self.times, m)
 
     def advance(
         self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS
@@ -286,6 +282,16 @@ class Batch:
         segments = self.schedules[self.runs.schedule[m]].after(t)
         runs = self.states[STATE, :, k][None], parameters[None], times, [segments]
         return Batch(callee, *runs, longest=longest)
+
+    def write_into(self, results: Results, times: np.ndarray, m: int = 0) -> None:
+        """Write the only run of this batch into results at times: it continues run `m`."""
+        ahead = self.times[1 : self.reached[0]]
+        _, samples, indices = np.intersect1d(times, ahead, return_indices=True)
+        results.states[m, samples] = self.out[0, 1 + indices]
+        results.status[m] = self.status[0]
+        reached = self.times[self.reached[0] - 1]
+        results.reached[m] = np.searchsorted(times, reached, "right")
+        results.counts[m] += self.counts[0]
 
     def _leave_to(self, batch: "Batch", k: int) -> None:
         """Leave the run of a lane to another batch."""

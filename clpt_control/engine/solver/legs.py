@@ -17,7 +17,7 @@ from .filippov import Sliding, enter, leave
 from .level_jumps import MOST_SOON, SHORT, jump_at_level, left_guard
 from .schedule import Schedule
 from .solver_layout import STATE, Status
-from .termination import stopped_at
+from .termination import STUCK, stopped_at
 
 MOST_IN_VAIN = 50  # legs of a run in a row, each shorter than SHORT of the run
 
@@ -28,7 +28,8 @@ Start = tuple[Sliding | None, float, ndarray]  # of a leg: its switches, time an
 def may_go_on(diagram: Any) -> list[int]:
     """Return the statuses of first legs that others may follow."""
     at_level = [Status.GUARD_LEFT] if diagram.resetting else []
-    return [Status.CHATTERING, *at_level]
+    stuck = STUCK if diagram.code.program.decided else ()
+    return [Status.CHATTERING, *at_level, *stuck]
 
 
 class Legs:
@@ -66,8 +67,6 @@ class Legs:
             leg = self._next_leg(t, x)
         if leg is not first:
             first.continuations[0] = last
-            first.status[0] = last.status[0]
-            first.reached[0] = np.searchsorted(times, last.now, "right")
         at_level = last.status[0] == Status.GUARD_LEFT and self._jumps()
         too_small = last.status[0] == Status.STEP_TOO_SMALL and self.in_vain
         if at_level or (too_small and first.level_jumps):
@@ -92,10 +91,7 @@ class Legs:
             end = segments.edges[-2:-1]
             ahead = np.union1d(ahead[ahead < end], end)
         leg = self.begin(runner, parameters, x, np.append(t, ahead), segments)
-        reached_times = ahead[: leg.reached[0] - 1]
-        _, samples, indices = np.intersect1d(times, reached_times, return_indices=True)
-        first.out[0, samples] = leg.out[0, 1 + indices]
-        first.counts += leg.counts
+        leg.write_into(first.results, times)
         return leg
 
     # --- what follows a status ------------------------------------------------------------

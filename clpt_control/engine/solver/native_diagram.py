@@ -150,7 +150,8 @@ class NativeDiagram(Runner):
             return without_states(self.sweep, times, inputs, self.engine)
         if options.method == TAYLOR:
             return series_solution(self, start, times, inputs, options)
-        return NativeRun(self, times, inputs, options).solution(start)
+        segments = self.schedule(times, inputs)
+        return NativeRun(self, times, segments, options).solution(start, inputs)
 
     def finish(self, batch: Batch, options: RunOptions, over_kinks: Any = None) -> None:
         """Run a batch to its end; `over_kinks` as `Batch.adaptive` takes it."""
@@ -261,25 +262,33 @@ class NativeRun:
     """
 
     def __init__(
-        self,
-        diagram: Any,
-        times: np.ndarray,
-        inputs: Inputs | None,
-        options: RunOptions,
+        self, diagram: Any, times: np.ndarray, segments: Schedule, options: RunOptions
     ):
         self.diagram, self.times = diagram, times
-        self.inputs, self.options = inputs, options
-        self.segments = diagram.schedule(times, inputs)
+        self.segments, self.options = segments, options
         self.method = diagram.method_of(options.method)
 
-    def solution(self, start: np.ndarray) -> Solution:
-        """Integrate, and once more without located switches if the run is stuck on one."""
-        diagram, options = self.diagram, self.options
-        # 1. the first leg: all switches are located, but many kinks
+    def solution(self, start: np.ndarray, inputs: Inputs | None) -> Solution:
+        """Integrate, and keep the arrays for another run."""
+        diagram = self.diagram
         callee = diagram.callee(1, self.method)
         P = diagram.parameters()
         begin = sampled_start(callee, start, float(self.times[0]), self.segments, P)
-        whole = diagram, P, begin, self.times, self.segments
+        batch = self.batch(begin, P)
+        solution = ended(diagram, batch, inputs)
+        solution.pieces = self.segments
+        if batch.is_small and batch.callee is callee:
+            solution.t = solution.t.copy()
+            solution.x = solution.x.copy()
+            shape = _shape_of(callee, P, self.times, self.segments)
+            keep(diagram.kept, shape, batch)
+        return solution
+
+    def batch(self, start: np.ndarray, P: np.ndarray) -> Batch:
+        """Run all legs; return a batch with their results."""
+        diagram = self.diagram
+        # 1. the first leg: all switches are located, but many kinks
+        whole = diagram, P, start, self.times, self.segments
         batch = self.leg(*whole, diagram.over_kinks())
         status = int(batch.status[0])
         if status == Status.CHATTERING and batch.continuations:
@@ -287,24 +296,18 @@ class NativeRun:
             batch = self.leg(*whole)
             status = int(batch.status[0])
         # 2. legs on switches, and behind levels
-        if status != Status.FINISHED and status in may_go_on(diagram):
-            Legs(diagram, batch, self.leg).go_on()
+        if status == Status.FINISHED or status not in may_go_on(diagram):
+            return batch
+        Legs(diagram, batch, self.leg).go_on()
         # 3. a run that is stuck, without located switches
-        if callee.decided and batch.status[0] in STUCK:
+        if batch.callee.decided and batch.status[0] in STUCK:
             with suppress(SimulationError):  # the error is that of the first run
                 free = diagram.in_form("free")
-                solution = free.solve(start, self.times, self.inputs, options)
-                method = f"{solution.method}, switches not located"
-                return replace(solution, method=method)
-        # 4. the end, and the arrays for another run
-        solution = ended(diagram, batch, self.inputs)
-        solution.pieces = self.segments
-        if batch.is_small:
-            solution.t = solution.t.copy()
-            solution.x = solution.x.copy()
-            shape = _shape_of(batch.callee, P, self.times, self.segments)
-            keep(diagram.kept, shape, batch)
-        return solution
+                run = NativeRun(free, self.times, self.segments, self.options)
+                other = run.batch(start, free.parameters(P))
+                if other.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
+                    return other
+        return batch
 
     def leg(
         self,

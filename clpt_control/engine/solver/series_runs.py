@@ -6,7 +6,6 @@ DOP853 and Rodas5P.
 
 from collections.abc import Callable, Sequence
 from ctypes import CFUNCTYPE, c_void_p
-from dataclasses import replace
 from math import ceil, log
 from typing import Any, NamedTuple
 
@@ -17,12 +16,12 @@ from ...base.progress.interrupt import check
 from ..codegen import series_loop as series
 from ..codegen.machine import LANES, address_of
 from ..codegen.plan import Program
-from .batch import PARTS, finished
+from .batch import PARTS, Batch, finished
 from .callee import MOST_KEPT, aligned, keep
 from .inputs import Inputs
 from .schedule import Schedule
 from .solver_layout import Results
-from .termination import Solution
+from .termination import Solution, ended
 
 MOST_ORDER = 20
 CALL_STEPS = 20_000  # of a call of machine code
@@ -225,11 +224,7 @@ def series_solution(
     arrays.begin(start[None], diagram.layout.P[None])
     arrays.go(options.progress)
     x = arrays.samples[0, 0].copy()
-    at = [series.NEXT, series.STATUS, series.STEPS]
-    following, status, steps = arrays.integers[0, at].tolist()
-    now, state = float(arrays.time[0, 0]), arrays.states[0, :, 0].copy()
-    if arrays.is_small:
-        keep(code.kept, shape, arrays)
+    steps = int(arrays.integers[0, series.STEPS])
     statistics = {
         "steps": steps,
         "evaluations": steps,
@@ -239,34 +234,50 @@ def series_solution(
         times.copy(), x, statistics=statistics, engine="native", pieces=segments
     )
     solution.method = f"Taylor {code.order}"
-    if status == series.ARRIVED:
-        return solution
-    rest = np.append(now, times[following:])
-    # rates that vanish here must not choose the first step
-    scale = float(arrays.numbers[0, series.SCALE])
-    first_step = max(scale, LEAST_SHARE * (rest[-1] - now))
-    auto = replace(
-        options, method="auto", max_step=limits[series.LONGEST], first_step=first_step
-    )
-    other = diagram.solve(state, rest, inputs, auto)
-    solution.x[following:] = other.x[1:]
-    solution.method += f", from t = {now:.9g} {other.method}"
-    for name, count in other.statistics.items():
-        statistics[name] += count
+    if arrays.status[0, 0] != series.ARRIVED:
+        rest = _rest(diagram, arrays, 0, diagram.parameters(), segments, options)
+        other = ended(diagram, rest, inputs)
+        ahead = len(rest.times) - 1
+        solution.x[len(times) - ahead :] = other.x[1:]
+        solution.method += f", from t = {rest.times[0]:.9g} {other.method}"
+        for name, count in other.statistics.items():
+            statistics[name] += count
+    if arrays.is_small:
+        keep(code.kept, shape, arrays)
     return solution
 
 
-def run_members(
-    diagram: Any, runs: tuple, lanes: int, options: Any
-) -> tuple[Results, np.ndarray]:
-    """Run members of an ensemble side by side; return results, and the members without an end.
+def _rest(
+    diagram: Any,
+    arrays: SeriesArrays,
+    m: int,
+    P: np.ndarray,
+    segments: Schedule,
+    options: Any,
+) -> Batch:
+    """Return a batch of the rest of a run whose series has ended."""
+    g, lane = divmod(m, arrays.time.shape[1])
+    now = float(arrays.time[g, lane])
+    times = np.append(now, arrays.times[arrays.integers[g, series.NEXT + lane] :])
+    # rates that vanish here must not choose the first step
+    scale = float(arrays.numbers[g, series.SCALE + lane])
+    opening = max(scale, LEAST_SHARE * (times[-1] - now))
+    longest = float(arrays.numbers[g, series.LONGEST])
+    starts = arrays.states[g, :, lane][None]
+    runs = starts, P[None], times, [segments.after(now)]
+    rest = Batch(diagram.callee(), *runs, longest=longest, opening=opening)
+    diagram.finish(rest, options)
+    return rest
+
+
+def run_members(diagram: Any, runs: tuple, lanes: int, options: Any) -> Results:
+    """Run members of an ensemble side by side.
 
     `runs` are initial states, parameters, times, schedules and the schedule of each member.
     """
     starts, parameters, times, schedules, group = runs
     count, n = starts.shape
     results = finished(count, len(times), n)
-    ended = np.empty(count, dtype=bool)
     for k, segments in enumerate(schedules):
         members = np.flatnonzero(group == k)
         m = len(members)
@@ -280,8 +291,13 @@ def run_members(
         arrays.begin(starts[members], own)
         arrays.go()
         results.states[members] = arrays.samples.reshape(-1, len(times), n)[:m]
-        ended[members] = arrays.status.ravel()[:m] == series.ARRIVED
         steps = arrays.integers[:, series.STEPS :][:, : code.lanes].ravel()[:m]
         restarts = np.full(m, len(segments.edges) - 1)
         results.counts[members] = np.transpose([steps, steps, restarts, 0 * steps])
-    return results, np.flatnonzero(~ended)
+        for row in np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED).tolist():
+            P = parameters[members[row]]
+            rest = _rest(diagram, arrays, row, P, segments, options)
+            following = len(times) - len(rest.times) + 1
+            results.states[members[row], following:] = np.nan
+            rest.write_into(results, times, members[row])
+    return results

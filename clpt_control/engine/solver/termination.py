@@ -70,6 +70,8 @@ def ended(diagram: Any, batch: Batch, inputs: Inputs | None) -> Solution:
         before, last = last, last.continuations[0]
         if not batch.slides and last.label != before.label:
             solution.method += f", from t = {last.times[0]:.9g} {last.label}"
+    if batch.callee.decided < diagram.code.program.decided:
+        solution.method += ", switches not located"
     if batch.level_jumps:
         solution.method += f", {len(batch.level_jumps)} jumps at levels"
     steps, evaluations, restarts, _ = batch.counts[0].tolist()
