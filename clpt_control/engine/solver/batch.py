@@ -287,6 +287,7 @@ class Batch:
         """Write the only run of this batch into results at times: it continues run `m`."""
         ahead = self.times[1 : self.reached[0]]
         _, samples, indices = np.intersect1d(times, ahead, return_indices=True)
+        results.states[m, times > self.times[0]] = np.nan
         results.states[m, samples] = self.out[0, 1 + indices]
         results.status[m] = self.status[0]
         reached = self.times[self.reached[0] - 1]

@@ -23,7 +23,7 @@ from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks
-from .legs import Legs, may_go_on
+from .legs import Legs
 from .level_jumps import requesting
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -290,13 +290,11 @@ class NativeRun:
         # 1. the first leg: all switches are located, but many kinks
         whole = diagram, P, start, self.times, self.segments
         batch = self.leg(*whole, diagram.over_kinks())
-        status = int(batch.status[0])
-        if status == Status.CHATTERING and batch.continuations:
+        if batch.status[0] == Status.CHATTERING and batch.continuations:
             # it slides among kinks that were passed: once more, with all located
             batch = self.leg(*whole)
-            status = int(batch.status[0])
         # 2. legs on switches, and behind levels
-        if status == Status.FINISHED or status not in may_go_on(diagram):
+        if batch.status[0] == Status.FINISHED:
             return batch
         Legs(diagram, batch, self.leg).go_on()
         # 3. a run that is stuck, without located switches

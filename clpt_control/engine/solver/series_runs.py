@@ -167,6 +167,21 @@ class SeriesArrays:
                     break
                 self._entry(*call)
 
+    def rest(self, diagram: Any, m: int, P: np.ndarray, options: Any) -> Batch:
+        """Return a batch of the rest of a run whose series has ended."""
+        g, lane = divmod(m, self.time.shape[1])
+        now = float(self.time[g, lane])
+        times = np.append(now, self.times[self.integers[g, series.NEXT + lane] :])
+        # rates that vanish here must not choose the first step
+        scale = float(self.numbers[g, series.SCALE + lane])
+        opening = max(scale, LEAST_SHARE * (times[-1] - now))
+        longest = float(self.numbers[g, series.LONGEST])
+        start = self.states[g, :, lane][None]
+        runs = start, P[None], times, [self._segments.after(now)]
+        batch = Batch(diagram.callee(), *runs, longest=longest, opening=opening)
+        diagram.finish(batch, options)
+        return batch
+
     def share(
         self, times: np.ndarray, segments: Schedule, limits: Sequence[float]
     ) -> None:
@@ -235,7 +250,7 @@ def series_solution(
     )
     solution.method = f"Taylor {code.order}"
     if arrays.status[0, 0] != series.ARRIVED:
-        rest = _rest(diagram, arrays, 0, diagram.parameters(), segments, options)
+        rest = arrays.rest(diagram, 0, diagram.parameters(), options)
         other = ended(diagram, rest, inputs)
         ahead = len(rest.times) - 1
         solution.x[len(times) - ahead :] = other.x[1:]
@@ -245,29 +260,6 @@ def series_solution(
     if arrays.is_small:
         keep(code.kept, shape, arrays)
     return solution
-
-
-def _rest(
-    diagram: Any,
-    arrays: SeriesArrays,
-    m: int,
-    P: np.ndarray,
-    segments: Schedule,
-    options: Any,
-) -> Batch:
-    """Return a batch of the rest of a run whose series has ended."""
-    g, lane = divmod(m, arrays.time.shape[1])
-    now = float(arrays.time[g, lane])
-    times = np.append(now, arrays.times[arrays.integers[g, series.NEXT + lane] :])
-    # rates that vanish here must not choose the first step
-    scale = float(arrays.numbers[g, series.SCALE + lane])
-    opening = max(scale, LEAST_SHARE * (times[-1] - now))
-    longest = float(arrays.numbers[g, series.LONGEST])
-    starts = arrays.states[g, :, lane][None]
-    runs = starts, P[None], times, [segments.after(now)]
-    rest = Batch(diagram.callee(), *runs, longest=longest, opening=opening)
-    diagram.finish(rest, options)
-    return rest
 
 
 def run_members(diagram: Any, runs: tuple, lanes: int, options: Any) -> Results:
@@ -295,9 +287,6 @@ def run_members(diagram: Any, runs: tuple, lanes: int, options: Any) -> Results:
         restarts = np.full(m, len(segments.edges) - 1)
         results.counts[members] = np.transpose([steps, steps, restarts, 0 * steps])
         for row in np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED).tolist():
-            P = parameters[members[row]]
-            rest = _rest(diagram, arrays, row, P, segments, options)
-            following = len(times) - len(rest.times) + 1
-            results.states[members[row], following:] = np.nan
+            rest = arrays.rest(diagram, row, parameters[members[row]], options)
             rest.write_into(results, times, members[row])
     return results
