@@ -1,5 +1,6 @@
 """Members of ensembles against single runs of `simulate`: equal to the last bit."""
 
+import control
 import numpy as np
 import pytest
 
@@ -97,3 +98,75 @@ def test_a_stop_at_a_sample_is_the_sample_of_simulate(beside):
         wanted = alone.height.sel(time=times[in_run]).values
         assert member.height.values[in_run].tobytes() == wanted.tobytes()
         assert np.isnan(member.height.values[~in_run]).all()
+
+
+def limited(t, x, u, p):
+    """Rates of Burgers' equation with a slope limiter (minmod), on 20 cells: 100 kinks."""
+    ahead = np.roll(x, -1) - x
+    behind = np.roll(ahead, 1)
+    smaller = np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
+    slope = np.where(ahead * behind > 0, smaller, 0.0)
+    left, right = x + 0.5 * slope, np.roll(x - 0.5 * slope, -1)
+    speed = np.maximum(np.abs(left), np.abs(right))
+    flux = 0.25 * (left**2 + right**2) - 0.5 * speed * (right - left)
+    return -p["k"] * (flux - np.roll(flux, 1)) * len(x)
+
+
+def root_at_k(t, x, u, p):
+    """Return the rates of a clock, and of a sum that has no Taylor series at the time k."""
+    return [1.0 + 0.0 * u[0], u[0] + ((x[0] - p["k"]) ** 2) ** 0.75]
+
+
+def friction(t, x, u, p):
+    return [x[1], 0.2 - x[0] - p["k"] * np.sign(x[1])]
+
+
+def van_der_pol(t, x, u, p):
+    return [x[1], p["k"] * (1.0 - x[0] ** 2) * x[1] - x[0]]
+
+
+def hysteresis(t, x, u, p):
+    """Return the rates of Bouc and Wen: |z|^0.5 has no value where the sign of z is held."""
+    q, v, z = x
+    slip = 0.6 * np.abs(v) * np.abs(z) ** 0.5 * z + 0.3 * v * np.abs(z) ** 1.5
+    return [v, np.sin(t) - 0.2 * v - p["k"] * q - 0.5 * z, v - slip]
+
+
+WAVE = 1.2 + np.sin(2.0 * np.pi * (np.arange(20) + 0.5) / 20.0)
+SECONDS = np.linspace(0.0, 4.0, 21)
+LEGS = {  # rates, times, k, initial state, and the words of a run's method
+    "series": (root_at_k, SECONDS, (0.9, 3.0), [0.0, 0.0], ", from t = 3 DOP853"),
+    "kinks": (limited, SECONDS, (0.5, 1.5), WAVE, "without locating kinks"),
+    "slides": (friction, 5.0 * SECONDS, (0.1, 1.1), [2.0, 0.0], "sliding"),
+    "stiff": (van_der_pol, 500.0 * SECONDS, (1.0, 501.0), [2.0, 0.0], "Rodas5P"),
+    "stuck": (hysteresis, SECONDS, (0.5, 1.5), [0.01, 0.0, 0.0], "not located"),
+}
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("name", LEGS)
+def test_members_go_on_as_simulate_does(name, threads):
+    rates, times, bounds, start, words = LEGS[name]
+    n, is_series = len(start), name == "series"
+    states = [f"s{k}" for k in range(n)]
+    system = control.nlsys(
+        rates,
+        inputs=int(is_series),
+        states=states,
+        outputs=states,
+        params={"k": 1.0},
+        name=name,
+    )
+    given = {"timepts": times, "initial_state": start}
+    if is_series:
+        given |= {"inputs": np.abs(times - 2.0), "method": "taylor"}
+    values = np.linspace(*bounds, 11)
+    data = clpt.run_ensemble(
+        system, {"k": values}, trajectories=True, threads=threads, **given
+    )
+    for m, k in enumerate(values):
+        alone = clpt.simulate(system, params={"k": k}, **given)
+        for state in states:
+            found = data[state][m].values
+            assert found.tobytes() == alone[state].values.tobytes()
+    assert words in alone.attrs["method"]
