@@ -28,8 +28,8 @@ Start = tuple[Sliding | None, float, ndarray]  # of a leg: its switches, time an
 def may_go_on(diagram: Any) -> list[int]:
     """Return the statuses of first legs that others may follow."""
     at_level = [Status.GUARD_LEFT] if diagram.resetting else []
-    stuck = STUCK if diagram.code.program.decided else ()
-    return [Status.CHATTERING, *at_level, *stuck]
+    switching = [Status.CHATTERING, *STUCK] if diagram.code.program.decided else []
+    return at_level + switching
 
 
 class Legs:

@@ -175,10 +175,10 @@ class SeriesArrays:
         # rates that vanish here must not choose the first step
         scale = float(self.numbers[g, series.SCALE + lane])
         opening = max(scale, LEAST_SHARE * (times[-1] - now))
-        longest = float(self.numbers[g, series.LONGEST])
+        steps = float(self.numbers[g, series.LONGEST]), opening
         start = self.states[g, :, lane][None]
-        runs = start, P[None], times, [self._segments.after(now)]
-        batch = Batch(diagram.callee(), *runs, longest=longest, opening=opening)
+        segments = [self._segments.after(now)]
+        batch = Batch(diagram.callee(), start, P[None], times, segments, None, *steps)
         diagram.finish(batch, options)
         return batch
 
@@ -252,8 +252,7 @@ def series_solution(
     if arrays.status[0, 0] != series.ARRIVED:
         rest = arrays.rest(diagram, 0, diagram.parameters(), options)
         other = ended(diagram, rest, inputs)
-        ahead = len(rest.times) - 1
-        solution.x[len(times) - ahead :] = other.x[1:]
+        solution.x[1 - len(other.x) :] = other.x[1:]
         solution.method += f", from t = {rest.times[0]:.9g} {other.method}"
         for name, count in other.statistics.items():
             statistics[name] += count
