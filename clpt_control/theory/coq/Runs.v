@@ -304,6 +304,9 @@ Proof. intros [F HF] [G HG] [L HL] [M HM]. exists (L * G + F * M). intros s t Hs
   assert (C := Rabs_pos (g t)). assert (D := Rabs_pos (f s)).
   assert (Rabs (f t - f s) * Rabs (g t) <= L * Rabs (t - s) * G) by (apply Rmult_le_compat; auto).
   assert (Rabs (f s) * Rabs (g t - g s) <= F * (M * Rabs (t - s))) by (apply Rmult_le_compat; auto). nra. Qed.
+Lemma Lipschitz_scal a f : Lipschitz f -> Lipschitz (fun t => a * f t).
+Proof. intros [L H]. exists (Rabs a * L). intros s t Hs Ht. rewrite <- Rmult_minus_distr_l, Rabs_mult, Rmult_assoc.
+  apply Rmult_le_compat_l; auto using Rabs_pos. Qed.
 Lemma Lipschitz_opp f : Lipschitz f -> Lipschitz (fun t => - f t).
 Proof. intros [L H]. exists L. intros s t Hs Ht. replace (- f t - - f s) with (- (f t - f s)) by ring.
   rewrite Rabs_Ropp. auto. Qed.
@@ -718,7 +721,10 @@ Ltac lip :=
   | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip
   | |- Lipschitz _ (fun t => / @?f t) => eapply Lipschitz_rate; [follow|bnd]
   | |- Lipschitz _ (fun t => exp (@?f t)) => eapply Lipschitz_rate; [follow|bnd]
-  | |- Lipschitz _ (fun t => @?f t * @?g t) => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+  | |- Lipschitz _ (fun t => @?f t * @?g t) => lazymatch f with
+      | (fun _ => ?a) => apply (Lipschitz_scal _ a g); lip
+      | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+      end
   | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
   | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip
   | |- Lipschitz _ (fun t => (@?f t) ^ ?n) => apply (Lipschitz_pow _ n f); [bnd|lip]
@@ -757,10 +763,14 @@ Ltac square_of :=
   end.
 Ltac ring_of :=
   match goal with
-  | A : _ ^ 2 = _, B : _ ^ 2 = _ |- _ => first [ring [A B] | field_simplify_eq; [ring [A B]|repeat split; nonzero]]
-  | A : _ ^ 2 = _ |- _ => first [ring [A] | field_simplify_eq; [ring [A]|repeat split; nonzero]]
+  | A : _ ^ 2 = _, B : _ ^ 2 = _ |- _ => first [ring [A B] | field_simplify_eq; [ring [A B]|repeat split; nonzero..]]
+  | A : _ ^ 2 = _ |- _ => first [ring [A] | field_simplify_eq; [ring [A]|repeat split; nonzero..]]
   end.
-Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of]].
+Lemma exp_inverse a b : a + b = 0 -> exp a = / exp b.
+Proof. intros H. rewrite <- exp_Ropp. f_equal. lra. Qed.
+Ltac inverses := repeat match goal with
+  | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
+Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | inverses; field_with].
 
 (* --- proofs of files --- *)
 Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact (shape_even 0)
