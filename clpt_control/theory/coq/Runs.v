@@ -215,6 +215,9 @@ Lemma bounded_pow n f : bounded f -> bounded (fun t => f t ^ n).
 Proof. intros H. induction n; simpl; [apply bounded_const|apply bounded_mult; auto]. Qed.
 Lemma bounded_abs f : bounded f -> bounded (fun t => Rabs (f t)).
 Proof. intros [M H]. exists M. intros t Ht. rewrite Rabs_Rabsolu. auto. Qed.
+Lemma bounded_sqrt f : bounded f -> bounded (fun t => sqrt (f t)).
+Proof. intros [M H]. exists (sqrt M). intros t Ht. rewrite Rabs_pos_eq by apply sqrt_pos.
+  apply sqrt_le_1_alt. eapply Rle_trans; [apply Rle_abs|auto]. Qed.
 Lemma bounded_ext f g : (forall t, on T t -> f t = g t) -> bounded f -> bounded g.
 Proof. intros E [M H]. exists M. intros t Ht. rewrite <- E; auto. Qed.
 Lemma bounded_by M (f : R -> R) : (forall x, Rabs (f x) <= M) -> forall g, bounded (fun t => f (g t)).
@@ -710,6 +713,7 @@ with bnd := first [solve [eauto with clpt nocore] |
   | |- bounded _ (fun t => cos (@?f t)) => apply (bounded_cos _ f)
   | |- bounded _ (fun t => tanh (@?f t)) => apply (bounded_tanh _ f)
   | |- bounded _ (fun t => exp (@?f t)) => apply (bounded_exp _ f); bnd
+  | |- bounded _ (fun t => sqrt (@?f t)) => apply (bounded_sqrt _ f); bnd
   | |- bounded _ (fun t => Rabs (@?f t)) => apply (bounded_abs _ f); bnd
   | |- bounded _ (fun t => ?f t) => change (fun t => f t) with f; leaf
   | |- _ => leaf
@@ -768,9 +772,11 @@ Ltac ring_of :=
   end.
 Lemma exp_inverse a b : a + b = 0 -> exp a = / exp b.
 Proof. intros H. rewrite <- exp_Ropp. f_equal. lra. Qed.
-Ltac inverses := repeat match goal with
+Lemma exp_double a : exp (2 * a) = exp a ^ 2.
+Proof. replace (2 * a) with (a + a) by ring. rewrite exp_plus. ring. Qed.
+Ltac exponentials := rewrite ?exp_double; repeat match goal with
   | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
-Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | inverses; field_with].
+Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with].
 
 (* --- proofs of files --- *)
 Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact (shape_even 0)

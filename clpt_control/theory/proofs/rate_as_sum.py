@@ -223,6 +223,8 @@ def refuse(case: Any) -> None:
     for call in sorted(functions_in(written), key=str):
         if not isinstance(call, SMOOTH) and call.args != (TIME,):
             raise NotASum(f"{short(call)} has pieces, or is not smooth")
+    if case.V.has(sympy.Abs):
+        raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
     if case.eq.discrete:
         raise NotASum("time is discrete")
     if case.eq.jumps or written.has(*case.intervals):
