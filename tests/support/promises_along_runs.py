@@ -75,7 +75,7 @@ class LawRun:
 
     def state(self, name):
         """Return a matrix of the law, shape (time, n, n)."""
-        columns = self.run.state.str.startswith(f"adaptation_{name}[").values
+        columns = self.run.state.str.match(rf"adaptation_{name}(\[|$)").values
         n = int(np.sqrt(np.count_nonzero(columns)))
         return self.run.states.values[:, columns].reshape(-1, n, n)
 
