@@ -810,6 +810,12 @@ Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zer
   intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
 Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.
 Ltac part_of loss := intros t Ht; apply Ropp_le_contravar; unfold loss; below.
+(* V stays below c; the room to c is printed as a factor of losses *)
+Lemma room_at V c r : V < c -> r = c - V -> 0 <= r. Proof. lra. Qed.
+Ltac room_of stays V := intros t Ht; apply (room_at _ _ _ (stays t Ht)); unfold V; field.
+Lemma loses x : 0 <= x -> - x <= 0. Proof. lra. Qed.
+Ltac stays_of c sum begins V loss room := apply (stays_below _ _ _ c sum); [|exact begins]; intros u Hu L;
+  assert (M : 0 <= room u) by (apply (room_at _ _ _ L); unfold V; field); cbv beta in M |- *; apply loses; unfold loss; nonneg.
 (* V' as it is printed *)
 Ltac rate_of := eapply follows_by; [follow|intros t Ht; equal].
 (* a form that V bounds, as bound says, by its shape g *)

@@ -35,6 +35,7 @@ THEOREMS = {
     "still": "zero rates",
     "pulled": "decays",
     "mean": "spent",
+    "region": "level definite stays stable states",
 }
 UNDONE = {sympy.Abs: "vanishes_of_abs", sympy.tanh: "vanishes_of_tanh"}
 
@@ -135,6 +136,8 @@ class File:
         """Yield what the last theorem states, and what the verdict says beyond it."""
         yield f"The verdict: {_quoted(self.verdict.sentence)}."
         yield "The theorem holds for every run on [0, T), T finite or infinite."
+        if self.case.below is not None:
+            yield f"A run begins where V < {self.case.below}."
         for tag in REQUIREMENTS:
             if tag in self.missing:
                 yield f"Not in it, and shown by clpt-control: {REQUIREMENTS[tag]}."
@@ -202,6 +205,9 @@ class File:
                 facts[f"B_{name}"] = f"bounded T r_{name}"
             if _sign(s):
                 facts[f"P_{name}"] = f"forall t, {_sign(s)} r_{name} t"
+        if self.case.below is not None:
+            V = CoqPrinter(self.signals, "0").doprint(self.case.V)
+            facts["begins"] = f"{V} < {at_t(self.case.below)}"
         fields += [f"{name} : {fact}" for name, fact in facts.items()]
         listed = ";\n  ".join(fields)
         self.lines.append(
@@ -243,6 +249,8 @@ class File:
         )
         claim = f"{on} 0 <= V i t"
         self.theorem("definite", "V_nonneg", claim, "nonneg_of (V_parts i)")
+        if case.below is not None:
+            self.level()
         self.lemma(
             "loss_nonneg", f"{on} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
         )
@@ -269,6 +277,19 @@ class File:
                 f"  {on} L t - L 0 <= V i 0 + (P t - P 0)"
             )
             self.theorem("spent", "spent", claim, f"mean_of {known}")
+
+    def level(self) -> None:
+        """Write that V stays below the level where it begins."""
+        level = self.text(self.case.below)
+        room = self.text(sympy.expand(self.case.below - self.case.V))
+        on = "forall t, on (T i) t ->"
+        claim = f"{on} V i t < {level}"
+        proof = f"stays_of ({level}) (V_sum i) (begins i) V loss (fun t => {room})"
+        self.theorem("stays", "V_stays", claim, proof)
+        if self.case.below == sympy.Rational(f"{self.verdict.level}"):
+            self.claims["level"] = []  # that of the verdict, not part of it
+        claim = f"{on} 0 <= {room}"
+        self.lemma("room", claim, "room_of (V_stays i) V")
 
     def exponential(self) -> None:
         """Write that V falls exponentially, if each of its forms is lost."""
@@ -401,7 +422,8 @@ class File:
             names = [self.zero[off] for off in self.off.values()]
             claims = dict(self.claims["zero"])
             self.claims["states"] = [(name, claims[name]) for name in names]
-        lost = self.verdict.ways.args[1].losses
+        is_global = self.case.below is None
+        lost = self.verdict.ways.args[1].losses if is_global else ()
         if not all(map(self.is_zero, map(without_calls, lost))):
             self.claims.pop("zero", None)
         if all(map(self.is_zero, self.motion.values())):

@@ -21,6 +21,7 @@ from ..algebra.texts import short
 from .answers import Fall
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
 from .judge import Verdict, asked, refuted, with_refutation
+from .rate_as_sum import in_region
 from .region import Region
 from .searching import candidates
 from .signal_functions import function_of_signals
@@ -152,7 +153,8 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
         conditions=conditions,
         steps=steps,
     )
-    return replace(verdict, inputs=tuple(inputs), level=level)
+    ways = partial(in_region, region, candidate, level)
+    return replace(verdict, inputs=tuple(inputs), level=level, ways=ways)
 
 
 def _searched(

@@ -12,6 +12,7 @@ are kept.
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import product
 from typing import Any, NamedTuple
 
 import sympy
@@ -23,6 +24,7 @@ from ..algebra.exact import factored, vanishes
 from ..algebra.exact import terms_of as count_terms
 from ..algebra.facts import facts_of, functions_in
 from ..algebra.gram import sum_of_squares
+from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
@@ -59,10 +61,16 @@ class Case:
     losses: list[Term] = field(default_factory=list)
     push: Expr = S.Zero
     decay: Expr = S.Zero
+    below: Expr | None = None  # V of a run begins below this level
     rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
 
 
 SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tanh, sympy.Abs)
+PARTS = tuple(
+    sympy.Rational(n, 20) for n in (20, 19, 16, 10)
+)  # of a level, tried in turn
+WEIGHTS = (S.Zero, S.Half, S.One, S(2))  # of what is left to the level, times squares
+LEAST = sympy.Rational(1, 1000)  # of the squares of states, which V' loses
 MOST_TERMS = 200  # of V, of V' and of rates
 Ways = list[Callable[[], Case]]
 
@@ -206,6 +214,33 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         return replace(written, losses=losses, decay=numbers.rate, push=numbers.push)
 
     return [partial(checked, falls), partial(checked, pulls)]
+
+
+def in_region(region: Any, case: Any, level: float) -> Ways:
+    """Return the way to write V' below a level, or part of it: -squares - squares (level - V)."""
+
+    def below() -> Case:
+        refuse(case)
+        if region.V_at_rest != 0:
+            raise NotASum("V is not zero at the rest")
+        motion = dict(zip(region.states, region.motion, strict=True))
+        V, rate = sympy.expand(region.V), sympy.expand(along(region.V, motion))
+        offs = [s - region.rest[s] for s in region.states]
+        square = Add(*(off**2 for off in offs))
+        for part, weight in product(PARTS, WEIGHTS):
+            top = part * sympy.Rational(f"{level}")
+            known = square * (LEAST + weight * (top - V))
+            found = sum_of_squares(sympy.expand(-rate - known), [sympy.expand(top - V)])
+            if found is not None:
+                room = sympy.expand(top - V)
+                losses = [Term(LEAST, off) for off in offs]
+                losses += [Term(weight, off, factor=room) for off in offs if weight]
+                losses += [Term(w, form, factor=g) for w, g, form in found.terms]
+                written = Case(motion, set(), V, rate, terms_of(V, set()), losses)
+                return replace(written, below=top, rest=region.rest)
+        raise NotASum("V' below the level is not known as a sum of squares")
+
+    return [partial(checked, below)]
 
 
 def checked(way: Callable[[], Case]) -> Case:
