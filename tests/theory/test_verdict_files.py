@@ -104,6 +104,30 @@ def test_what_jumps_or_is_not_in_time_is_refused(tmp_path):
     assert [*tmp_path.iterdir()] == []
 
 
+def lag(t, x, u, p):
+    """A state of V, and one that follows it."""
+    return [-x[0], -x[1] + x[0]]
+
+
+def test_bounded_states_outside_V_are_in_the_theorem():
+    plant = control.nlsys(lag, states=["x", "y"], inputs=0, outputs=0, name="lag")
+    theorem = (
+        clpt.lyapunov(plant, lambda s: s.x**2 / 2).coq().split("(* The verdict")[1]
+    )
+    assert "bounded (T i) (r_y i)" in theorem.replace("r_lag'y", "r_y")
+
+
+def test_comment_of_a_law_names_its_own_conditions():
+    comment = clpt.prove("sigma").coq().split("(* The verdict")[1].split("*)")[0]
+    assert "The number N of functions is that of this file." in comment
+    assert (
+        "Not in it, and shown by clpt-control: x is not in V, and bounded." in comment
+    )
+    assert "Assumed to be bounded" not in comment
+    comment = clpt.prove("learned-flow").coq().split("(* The verdict")[1]
+    assert "Assumed to be bounded, with the names of the file: phi_x" in comment
+
+
 def test_what_is_not_proved_is_refused():
     plant, V = written("x' = x")[:2]
     with pytest.raises(clpt.DiagramError, match="nothing is proved"):

@@ -49,7 +49,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "zone": "V' <= 0, and < 0 where e is outside a zone",
     "region": "V' < 0 in a box where V is below a level (`within=`)",
     "jumps": "V rises at no jump",
-    "exists": "states outside V exist for all t",
+    "exists": "runs exist for all t",
     "fixes": "V changes at fixes by a known error at most",
     "claimed": "V' is at most the `claim`",
 }

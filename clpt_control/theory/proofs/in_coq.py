@@ -37,6 +37,7 @@ THEOREMS = {
     "mean": "spent",
     "region": "level definite stays stable states",
 }
+OUTSIDE = "outside V, bounded"  # condition of a verdict
 UNDONE = {sympy.Abs: "vanishes_of_abs", sympy.tanh: "vanishes_of_tanh"}
 
 
@@ -75,7 +76,10 @@ class File:
         self.text = CoqPrinter(self.signals, "i t").doprint
         self.lines = list[str]()
         self.claims = dict[str, list[tuple[str, str]]]()
-        is_bounded = any(c.name == "bounded inputs" for c in verdict.conditions)
+        self.conditions = {c.name: c for c in verdict.conditions}
+        if "rounding" in self.conditions:
+            raise NotASum("V' is known to the rounding of numbers only")
+        is_bounded = "bounded inputs" in self.conditions and case.push == 0
         self.bounded = {*self.inputs} if is_bounded else set[Any]()
         moves = sympy.Tuple(*case.rest.values()).has(TIME)
         self.rest = {} if moves else {**case.rest}
@@ -94,6 +98,8 @@ class File:
 
     def __str__(self) -> str:
         shown = " ".join(THEOREMS[tag] for tag in THEOREMS if tag in self.needed)
+        if OUTSIDE in self.conditions:
+            shown += " outside"
         claims = [*self.claims["rate"]]
         for theorem in dict.fromkeys(shown.split()):
             claims += self.claims.get(theorem, [])
@@ -141,8 +147,12 @@ class File:
         for tag in REQUIREMENTS:
             if tag in self.missing:
                 yield f"Not in it, and shown by clpt-control: {REQUIREMENTS[tag]}."
-        if self.bounded & {*self.inputs}:
-            yield "Inputs of a run are assumed to be bounded."
+        if OUTSIDE in self.conditions and not self.bounded >= {*self.motion}:
+            yield f"Not in it, and shown by clpt-control: {self.conditions[OUTSIDE]}."
+        if "N" in self.conditions:
+            yield "The number N of functions is that of this file."
+        if assumed := [self.name[s] for s in self.inputs if s in self.bounded]:
+            yield f"Assumed to be bounded, with the names of the file: {', '.join(assumed)}."
         if "a_run" not in self.claims:
             yield "It is not shown here that there is a run."
 
@@ -378,7 +388,8 @@ class File:
                     f"apply (bounded_lag _ ({self.text(pull)}) _ (fun t => {self.text(rest)})); "
                     "[positive|rate_of|bnd]"
                 )
-                self.lemma(f"bounded_{name}", f"bounded (T i) (r_{name} i)", proof)
+                claim = f"bounded (T i) (r_{name} i)"
+                self.theorem("outside", f"bounded_{name}", claim, proof)
                 self.bounded.add(s)
 
     def is_bounded(self, e: Expr) -> bool:

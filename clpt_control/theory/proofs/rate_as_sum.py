@@ -175,7 +175,7 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     if not rates or len(rates) < len(rest):
         raise NotASum("V' does not pull all errors of V back")
     is_number = all(r.is_Rational for r in rates.values())
-    decay = min(rates.values()) if is_number else sympy.Symbol("rate", positive=True)
+    decay = min(rates.values()) if is_number else sympy.Dummy("rate", positive=True)
     push = V_rate.xreplace(dict.fromkeys(rest, S.Zero))
     losses = []
     for s, (a, b) in pairs.items():
@@ -257,13 +257,14 @@ def refuse(case: Any) -> None:
     written = sympy.Tuple(case.V, case.rate, *case.motion.values())
     for call in sorted(functions_in(written), key=str):
         if not isinstance(call, SMOOTH) and call.args != (TIME,):
-            raise NotASum(f"{short(call)} has pieces, or is not smooth")
+            raise NotASum(f"{short(call)} has pieces, or no lemma in Runs.v")
     if case.V.has(sympy.Abs):
         raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
     if case.eq.discrete:
         raise NotASum("time is discrete")
     if case.eq.jumps or written.has(*case.intervals):
-        raise NotASum(f"states of {' and '.join(case.eq.jumps)} jump")
+        names = " and ".join(case.eq.jumps) or "a sampled part"
+        raise NotASum(f"states of {names} jump")
     if case.kept:
         raise NotASum("V' falls in a set that states do not leave")
     powers = [power.exp for power in written.atoms(sympy.Pow) if power.exp.is_Integer]
