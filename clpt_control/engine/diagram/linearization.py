@@ -69,7 +69,6 @@ class _About:
         self.tape = Tape()
         self.point = np.concatenate([x, u])
         self.count = len(self.point)  # number of states and inputs
-        self.columns = np.arange(self.count)
         self.unit_vectors = np.eye(self.count)
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
@@ -372,7 +371,7 @@ def _linearized(
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:
             raise DiagramError(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
-                f"this point{_point_beside(about, [*rates, *signals], labels)}"
+                f"this point{_advice(about, [*rates, *signals], labels)}"
             )
     A = AB[:, :n]
     B = AB[:, n:]
@@ -400,48 +399,37 @@ def _linearized(
     return minimal_of(linear) if minimal else linear
 
 
-def _point_beside(about: _About, values: list[Any], labels: list[str]) -> str:
-    """Return advice: a point near by that has slopes, and the kernel's centre that has none."""
+def _advice(about: _About, values: list[Any], labels: list[str]) -> str:
+    """Return the kernel's centre where values have no slope, and a point beside it that has."""
+    beside = [float(f"{x + 0.01 * (1 + abs(x)):g}") for x in about.point]
+    moved = np.ones(about.count, bool)
 
-    def moved(ports: Sequence[Any]) -> np.ndarray:
-        """Return the point with some ports moved, to numbers that are printed exactly."""
-        point = about.point.copy()
-        for port in ports:
-            for k in about.columns[about.positions[port]]:
-                point[k] = float(f"{point[k] + 0.01 * (1 + abs(point[k])):g}")
-        return point
+    def has_slopes() -> bool:
+        point = np.where(moved, beside, about.point)
+        return bool(np.isfinite(about.slopes(values, point)).all())
 
-    def has_slopes(ports: Sequence[Any]) -> bool:
-        return bool(np.isfinite(about.slopes(values, moved(ports))).all())
-
-    ports = [*about.positions]
-    for port in about.positions:
-        fewer = [other for other in ports if other != port]
-        ports = fewer if has_slopes(fewer) else ports
-    point = moved(ports)
-    center = _center(about, ports)
-    if not center or not has_slopes(ports):
-        return "; under a root or a norm that is 0, add a small number"
-    shown = (
-        f"{labels[k]} = {point[k]:g}" for k in np.flatnonzero(point != about.point)
-    )
-    return f"{center}. Linearize beside it, with {', '.join(shown)}"
+    for position in about.positions.values():
+        moved[position] = False
+        moved[position] = not has_slopes()
+    if has_slopes():
+        shown = [f"{labels[k]} = {beside[k]:g}" for k in np.flatnonzero(moved)]
+        for center in _centers(about, moved):
+            return f"{center}. Linearize beside it, with {', '.join(shown)}"
+    return "; under a root or a norm that is 0, add a small number"
 
 
-def _center(about: _About, ports: Sequence[Any]) -> str:
-    """Return the block with a row of parameters, as a kernel's centre, that a port is at, or ""."""
+def _centers(about: _About, moved: np.ndarray) -> Iterator[str]:
+    """Yield the rows of parameters, such as centres of kernels, at which moved ports are."""
     for node in about.record.wiring.nodes:
         function = getattr(node.system, "output_function", None)
+        name = getattr(function, "__name__", "its function")
         for field, rows in about.parameters[node.name]._asdict().items():
-            for here in (about.point[about.positions[port]] for port in ports):
-                if np.shape(rows)[1:] != here.shape:
-                    continue
-                for k in np.flatnonzero((rows == here).all(axis=1)):
-                    name = getattr(function, "__name__", "its function")
-                    return (
-                        f": {name} of {node.name} is at {field}[{k}] = {here.tolist()}"
-                    )
-    return ""
+            for position in about.positions.values():
+                here = about.point[position]
+                if moved[position].all() and np.shape(rows)[1:] == here.shape:
+                    for k in np.flatnonzero((rows == here).all(axis=1)):
+                        at = f"{field}[{k}] = {here.tolist()}"
+                        yield f": {name} of {node.name} is at {at}"
 
 
 def state_space(
