@@ -50,14 +50,12 @@ def slope_of(call: Any, along: Callable[[Expr], Expr]) -> Expr | None:
 
 def _without_steps(terms: list[Expr]) -> Expr:
     """Return the sum of rates, a/(1 + |a|) for |a| - log(1 + |a|), in which no sign is left."""
-    stepping = Add(*(term for term in terms if term.has(SIGN)))
-    for sign in stepping.atoms(SIGN):
+    for sign in sorted(Add(*terms).atoms(SIGN), key=str):
         (a,) = sign.args
-        product = sympy.factor(stepping)
-        powers = product.as_powers_dict()
-        rest = product / (sign * sympy.Abs(a))
-        if powers[sign] == 1 <= powers[sympy.Abs(a)] and not rest.has(SIGN):
-            return Add(a * rest, *(term for term in terms if not term.has(SIGN)))
+        stepping = [term for term in terms if term.has(sign)]
+        smooth = sympy.factor(Add(*stepping)).subs(sign * sympy.Abs(a), a)
+        if not smooth.has(SIGN):
+            terms = [smooth, *(term for term in terms if not term.has(sign))]
     return Add(*terms)
 
 

@@ -12,7 +12,6 @@ from tokenize import TokenError
 from typing import Any
 
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import typeset
 from .conclusions import CONCLUSIONS, signs_of
@@ -32,9 +31,8 @@ SIGNS = {  # replaced in this order
 RELATIONS = {"<=": r"\le", ">=": r"\ge", "<": "<", ">": ">", "=": "="}
 FUNCTIONS = {"sqrt", "Abs", "sign", "exp", "log", "sin", "cos", "cosh", "sinh", "tanh"}
 FUNCTIONS |= {"Min", "Max"}
-OF_THE_PAPER = r"[A-Za-z]+_\d(?:\[\d+\])?"  # e_1, theta_1[2]
-SIDES = {"V'": r"\dot V", "-e^T KD e": r"-e^\top K_D e"}
-SIDES |= {bound: bound for bound in ("c", "r", "-r V + c")}
+NAME = r"(?<![\w.])[^\W\d][\w.]*(?:\[[\d,]+\])?(?:\(t\))?(?![\w.(\[])"
+SIDES = {"V'": r"\dot V", "-e^T KD e": r"-e^\top K_D e", "-r V + c": "-r V + c"}
 
 
 def verdict_in_latex(verdict: Any) -> str:
@@ -45,7 +43,7 @@ def verdict_in_latex(verdict: Any) -> str:
     if verdict.status == "proved":
         lines.append("\\begin{proof}\n\\begin{itemize}")
         lines += [
-            rf"\item {claim_in_latex(verdict, step.claim)} ({step.how})."
+            rf"\item {claim_in_latex(step.claim)} ({step.how})."
             for step in verdict.steps
             if step.holds
         ]
@@ -66,15 +64,15 @@ def _statement(verdict: Any) -> Iterator[str]:
         yield rf"Claim: $\displaystyle \dot V \le {typeset(verdict.claimed)}$."
     if verdict.status == "refuted":
         step = verdict.steps[-1]
-        yield f"Refuted: {claim_in_latex(verdict, step.claim)}: {escaped(step.detail)}."
+        yield f"Refuted: {claim_in_latex(step.claim)}: {escaped(step.detail)}."
     if verdict.status == "open":
         missing = verdict.failed[0].claim if verdict.failed else claim
-        yield f"Not shown: {claim_in_latex(verdict, missing)}."
+        yield f"Not shown: {claim_in_latex(missing)}."
     if verdict.status != "proved":
         return
     row = CONCLUSIONS[verdict.conclusion]
     if not row.requires & {"falls", "claimed"}:
-        yield f"Claim: {claim_in_latex(verdict, claim)}."
+        yield f"Claim: {claim_in_latex(claim)}."
     if verdict.level is not None:
         level = f"$\\displaystyle {typeset(verdict.level)}$"
     bound = escaped(verdict.bound) or level
@@ -87,42 +85,37 @@ def _statement(verdict: Any) -> Iterator[str]:
         yield f"Conditions: {escaped('; '.join(conditions))}."
 
 
-def claim_in_latex(verdict: Any, claim: str) -> str:
+def claim_in_latex(claim: str) -> str:
     """Return a claim with its equations, inequalities and forms as formulas."""
-    words, of, forms = claim.partition("positive definite in ")
-    if of:
-        names = [_side(verdict, form) for form in forms.split(", ")]
-        if all(names):
-            return escaped(words + of) + ", ".join(f"${name}$" for name in names)
+    words, of, rest = claim.rpartition("positive definite in ")
     parts = []
-    for part in re.split(r", (?![^(]*\))", claim):
+    for part in re.split(r", (?![^(]*\))", rest):
         sides = re.split(" ([<>]?=|[<>]) ", part)
-        latex = [RELATIONS.get(side) or _side(verdict, side) for side in sides]
-        is_formula = len(sides) > 1 and all(latex)
+        latex = [RELATIONS.get(side) or _side(side) for side in sides]
+        is_formula = all(latex) and (of or len(sides) > 1)
         parts.append(f"${' '.join(latex)}$" if is_formula else escaped(part))
-    return ", ".join(parts)
+    return escaped(words + of) + ", ".join(parts)
 
 
-def _side(verdict: Any, text: str) -> str:
-    """Return an expression of a verdict's signals as LaTeX; "" of words."""
+def _side(text: str) -> str:
+    """Return an expression as LaTeX; "" of words."""
     if text in SIDES:
         return SIDES[text]
-    formulas = sympy.Tuple(*filter(None, (verdict.V, verdict.rate, verdict.claimed)))
-    known = {str(s): s for s in formulas.atoms(sympy.Symbol, AppliedUndef)}
-    names = sorted(map(re.escape, known), key=len, reverse=True)
-    dummies: dict[str, Any] = {}
+    symbols: dict[str, Any] = {}
 
-    def dummy(match: re.Match) -> str:
-        name = f"d_{len(dummies)}"
-        dummies[name] = known.get(match[0], sympy.Symbol(match[0]))
-        return name
+    def symbol(match: re.Match) -> str:
+        """Return a name that SymPy reads, of a signal such as plant.x[0] or w(t)."""
+        name = match[0].removesuffix("(t)")
+        if name in FUNCTIONS:
+            return match[0]
+        symbols[key := f"s_{len(symbols)}"] = sympy.Symbol(name)
+        return key
 
-    either = "|".join([*names, OF_THE_PAPER])
-    plain = re.sub(rf"(?<![\w.])({either})(?![\w.(\[])", dummy, text)
-    words = {*re.findall(r"[^\W\d]\w*", plain)} - dummies.keys()
+    plain = re.sub(NAME, symbol, text)
+    words = {*re.findall(r"[^\W\d]\w*", plain)} - symbols.keys()
     try:
         if words <= FUNCTIONS and not re.search(r"[^\w\s.,+*/()-]", plain):
-            return typeset(sympy.parse_expr(plain, dummies))
+            return typeset(sympy.parse_expr(plain, symbols))
     except (SyntaxError, TokenError, TypeError, ValueError):
         pass
     return ""
