@@ -34,8 +34,7 @@ def laws(
     from ...paper.laws.table import LAWS
     from ...theory.laws.promises import promises_in_words, what_it_promises
 
-    if name is not None and name not in LAWS:
-        raise ClptError(f"{name}: is not a law. List the laws with: clpt laws")
+    _refuse_unknown(name)
     laws_listed = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: Report = {}
     rows, keys = [], []
@@ -110,8 +109,7 @@ def prove(
         clpt prove --theorem 3.2
         clpt prove --coq coq
     """
-    if law is not None:
-        _refuse_unknown(law)
+    _refuse_unknown(law)
     if coq is not None:
         if theorem is not None:
             raise ClptError("--coq DIR: writes all theorems. Leave --theorem out")
@@ -132,11 +130,11 @@ def prove(
     _print_outcomes(outcomes, as_json)
 
 
-def _refuse_unknown(law: str) -> None:
-    """Reject what is no law of the table."""
+def _refuse_unknown(law: str | None) -> None:
+    """Reject what is no law of the table, if one is named."""
     from ...paper.laws.table import LAWS
 
-    if law not in LAWS:
+    if law not in {None, *LAWS}:
         raise ClptError(f"{law}: is not a law. List the laws with: clpt laws")
 
 

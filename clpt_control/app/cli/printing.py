@@ -10,6 +10,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -105,6 +106,9 @@ def opt(
     return typer.Option(default, *names, metavar=metavar, help=about, **options)
 
 
+annotated = partial(opt, default=...)  # in Annotated, whose parameter has the default
+
+
 def flag(about: str, *names: str, default: Any = False) -> Any:
     """Return an option without a value: its help, names other than the parameter's."""
     return typer.Option(default, *names, help=about)
@@ -129,11 +133,10 @@ ScenarioFile = Annotated[
 ]
 Window = Annotated[
     float | None,
-    opt("TIME", "Length of the window; default: one cycle of waypoints.", default=...),
+    annotated("TIME", "Length of the window; default: one cycle of waypoints."),
 ]
 Start = Annotated[
-    float | None,
-    opt("TIME", "Start of the window; default: the second cycle.", default=...),
+    float | None, annotated("TIME", "Start of the window; default: the second cycle.")
 ]
 Report = dict[str, Any]  # ready for JSON
 PIPED = 140  # letters of a line that goes to no terminal
@@ -149,12 +152,7 @@ Json = Annotated[
 
 Formats = Annotated[
     list[str] | None,
-    opt(
-        "FORMAT",
-        "Format of the figures: png, svg, pdf; repeat it.",
-        "--format",
-        default=...,
-    ),
+    annotated("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format"),
 ]
 
 

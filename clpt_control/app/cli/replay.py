@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from math import inf
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any
 
 import typer
 
@@ -22,7 +22,7 @@ from ...base.errors import ClptError, DataError, ScenarioError
 from ...base.files import make_folder, write_file
 from ...base.html import Result
 from . import replay_report
-from .printing import Formats, Json, Report, arg, finish, flag, opt
+from .printing import Formats, Json, Report, annotated, arg, finish, flag, opt
 
 
 def folder_named(text: str) -> Path:
@@ -32,13 +32,12 @@ def folder_named(text: str) -> Path:
     return Path(text)
 
 
-Estimator = Annotated[str, opt("NAME", "gaussian-process or gradient.", default=...)]
+Estimator = Annotated[str, annotated("NAME", "gaussian-process or gradient.")]
 Flow = Annotated[
     str | None,
-    opt(
+    annotated(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
-        default=...,
     ),
 ]
 LearnSpeed = Annotated[
@@ -54,54 +53,41 @@ FlowModelFile = Annotated[
 ]
 Units = Annotated[
     str | None,
-    opt(
-        "UNIT",
-        "Units of u and v of a forecast, such as m/s, if the file has none.",
-        default=...,
+    annotated(
+        "UNIT", "Units of u and v of a forecast, such as m/s, if the file has none."
     ),
 ]
 Plan = Annotated[
     tuple[float, float, float] | None,
-    opt(
+    annotated(
         "HOURS EAST NORTH",
         "Plan of the next dive: hours, m east, m north through the water.",
         "--next",
-        default=...,
     ),
 ]
 Aim = Annotated[
     tuple[float, float] | None,
-    opt(
+    annotated(
         "LAT LON",
         "Waypoint to aim at, degrees: the heading by which the current leads there.",
-        default=...,
     ),
 ]
 Speed = Annotated[
     float | None,
-    opt(
-        "M/S",
-        "Speed through water for --aim. Default: that of recent dives.",
-        default=...,
-    ),
+    annotated("M/S", "Speed through water for --aim. Default: that of recent dives."),
 ]
 Hours = Annotated[
     float | None,
-    opt(
-        "HOURS",
-        "Dive duration for --aim. Default: duration of recent dives.",
-        default=...,
-    ),
+    annotated("HOURS", "Dive duration for --aim. Default: duration of recent dives."),
 ]
 LeastDuration = Annotated[
-    float | None, opt("SECONDS", "Dives must last longer than this.", default=...)
+    float | None, annotated("SECONDS", "Dives must last longer than this.")
 ]
 Variation = Annotated[
     float | None,
-    opt(
+    annotated(
         "DEGREES",
         "Variation of magnetic headings, degrees east. Default: the file's, or IGRF.",
-        default=...,
     ),
 ]
 
@@ -143,7 +129,7 @@ def replay(
         )
     job = job_of(
         replay_of(estimator, flow, learn_speed, flow_model, units),
-        Steering(plan, aim, speed, hours, variation),
+        (plan, aim, speed, hours, variation),
         least_duration,
         formats or ["png"],
     )
@@ -207,7 +193,7 @@ def watch(
     replay_report.check_pace(every, patience)
     job = job_of(
         replay_of(estimator, flow, learn_speed, flow_model, units),
-        Steering(plan, aim, speed, hours, variation),
+        (plan, aim, speed, hours, variation),
         least_duration,
         formats or ([] if fleet else ["png"]),
     )
@@ -240,20 +226,16 @@ def replay_of(
     return clpt.replay.Replay(estimator, model, forecast)
 
 
-class Steering(NamedTuple):
-    """Options on the dives to come, as `clpt replay` has them."""
-
-    plan: tuple[float, float, float] | None
-    aim: tuple[float, float] | None
-    speed: float | None
-    hours: float | None
-    variation: float | None
-
-
 def job_of(
-    replay: Any, steering: Steering, least_duration: float | None, formats: list[str]
+    replay: Any,
+    steering: tuple[Any, ...],
+    least_duration: float | None,
+    formats: list[str],
 ) -> replay_report.Job:
-    """Return the work on a replay; options that do not fit are refused."""
+    """Return the work on a replay; options that do not fit are refused.
+
+    `steering` has the options on dives to come: plan, aim, speed, hours and variation.
+    """
     from ...base.figures import checked_formats
     from ...ocean.gliders.usable_dives import LEAST_DURATION
 

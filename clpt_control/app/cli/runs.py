@@ -39,7 +39,7 @@ from .printing import (
     opt,
     say,
 )
-from .tracks import WaypointSearch, tune_waypoints
+from .tracks import tune_waypoints
 
 Four = tuple[float, float, float, float]
 MOST_SHOWN = 15  # candidates in the table; --json has all
@@ -389,7 +389,8 @@ def tune(
         clpt tune mine.toml --waypoints --out better.toml --max-speed 1.5
     """
     if waypoints:
-        search = WaypointSearch(length, max_speed, area, window, start, goal, seed)
+        search = {"length": length, "max_speed": max_speed, "area": area}
+        search |= {"window": window, "start": start, "goal": goal, "seed": seed}
         tune_waypoints(scenario, out, search, figure, as_json)
         return
     from ...paper.scenario.file import load_vehicle_scenario

@@ -1,7 +1,7 @@
 """Commands on tracks: `clpt excitation`, its bounds, and the waypoints of `clpt tune`."""
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import clpt_control as clpt
 
@@ -132,26 +132,14 @@ def _bound_errors(
     finish([Result(title, columns, rows, sentences)], bounds.report(), as_json)
 
 
-class WaypointSearch(NamedTuple):
-    """Limits and goal of a search for waypoints, as `clpt.theory.design_track` has them."""
-
-    length: float | None
-    max_speed: float | None
-    area: tuple[float, float, float, float] | None
-    window: float | None
-    start: float | None
-    goal: str
-    seed: int
-
-
 def tune_waypoints(
     scenario: Path,
     out: Path | None,
-    search: WaypointSearch,
+    search: dict[str, Any],
     figure: Path | None,
     as_json: bool,
 ) -> None:
-    """Find waypoints from which most can be learned, and write the scenario with them."""
+    """Find waypoints by `clpt.theory.design_track`, and write the scenario with them."""
     from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
 
     if out is None:
@@ -160,9 +148,7 @@ def tune_waypoints(
     check_out(out, *SCENARIO)
     check_out(figure, *FIGURE)
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
-        design = clpt.theory.design_track(
-            experiment, **search._asdict(), progress=report
-        )
+        design = clpt.theory.design_track(experiment, **search, progress=report)
     results: dict[Path, Any] = {out: scenario_to_text(design.scenario, out.parent)}
     if figure is not None:
         from ...base.figures import figure_of

@@ -44,7 +44,7 @@ def on_arrays(
 
 
 def record_on_arrays(
-    block: Any, record: Record, t: Any, x: Any, u: Any, p: Any = None
+    block: Any, record: Record, t: Any, x: Any, u: Any, p: Any
 ) -> np.ndarray:
     """Return the outputs of a record with a block's leaves, as `on_arrays` does."""
     shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])

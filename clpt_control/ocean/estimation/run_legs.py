@@ -31,7 +31,7 @@ LEAST_FIX = 0.1  # of that noise: noise of a fix
 
 
 def legs_of_run(
-    run: xarray.Dataset, every: float | None, prior: Any = None, noise: Any = None
+    run: xarray.Dataset, every: float | None, prior: Any, noise: Any
 ) -> tuple[list[Dive], Scenario, LocalFrame]:
     """Return the legs of a run, a scenario that learns from them, and their frame."""
     scenario = run_scenario(run)

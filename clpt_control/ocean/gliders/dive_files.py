@@ -299,9 +299,7 @@ def read_all_dives(
     raise DataError(f"{where}: no dive. First reason: {reason}")
 
 
-def read_legs(
-    path: str | Path, drifting: bool = False
-) -> tuple[list[Dive], list[Skipped]]:
+def read_legs(path: str | Path, drifting: bool) -> tuple[list[Dive], list[Skipped]]:
     """Return the usable legs of a table or of vehicle files, and what was skipped.
 
     With `drifting` an unknown displacement through the water is 0.

@@ -78,7 +78,7 @@ def dates_of(
     when: xarray.DataArray,
     velocity: str,
     notes: list[str],
-    least: int = 2,
+    least: int,
 ) -> np.ndarray:
     """Return the times of a velocity, to the nearest ms: of means the middles of intervals."""
     if len(when) < least:

@@ -129,7 +129,7 @@ def _atom(summand: Expr, indices: list[tuple[str, str]]) -> Expr:
     return min(atoms, key=str) if len(atoms) > 1 else atoms[0]
 
 
-def base_and_term(expression: Expr, index: str = "k") -> tuple[Expr, Expr]:
+def base_and_term(expression: Expr) -> tuple[Expr, Expr]:
     """Return base and term of base + sum_k term(k); other expressions are rejected."""
     base, term = S.Zero, S.Zero
     for summand in sympy.Add.make_args(sympy.expand(expression)):
@@ -140,7 +140,7 @@ def base_and_term(expression: Expr, index: str = "k") -> tuple[Expr, Expr]:
         factor = summand / sympy.Mul(*atoms)
         if len(atoms) != 1 or len(atoms[0].args) != 3 or factor.has(SUM):
             raise Unread(f"{summand} is not a sum over one index")
-        renamed = {_indices(atoms[0])[0]: index}
+        renamed = {_indices(atoms[0])[0]: "k"}
         term += factor * reindexed(atoms[0].args[0], renamed)
     return base, term
 

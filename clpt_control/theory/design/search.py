@@ -140,7 +140,7 @@ def best_waypoints(
     window: tuple[float, float],
     seed: int,
     report: Callable[[float], None],
-    gains: np.ndarray | None = None,
+    gains: np.ndarray | None,
 ) -> tuple[list[np.ndarray], int]:
     """Return waypoints within the limits, the best first, and the number of tracks tried.
 

@@ -115,7 +115,7 @@ def brackets(paper: PaperLoop, flow: Any, K: bool, alpha: bool = False) -> sympy
     return rate_of_V(loop) - form
 
 
-def modelled_flow(paper: PaperLoop, printed: bool = False) -> np.ndarray:
+def modelled_flow(paper: PaperLoop, printed: bool) -> np.ndarray:
     """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or that of (25)."""
     alpha_M, alpha = paper.alpha_M, paper.alpha
     if printed:
