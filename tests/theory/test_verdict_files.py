@@ -6,6 +6,7 @@ import subprocess
 
 import control
 import pytest
+import sympy
 from judged_loops import RIGHT, WRONG
 from lyapunov_cases import CASES
 from small_scenarios import paper_of
@@ -18,6 +19,13 @@ import clpt_control as clpt
 from clpt_control.theory.proofs.conclusions import CONCLUSIONS, REQUIREMENTS
 
 REALS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
+# a box, what V stays below, and what is not in the file
+REGIONS = {
+    "a cube": ("x' = -x + x**3; V = x**2", {"x": (-2, 2)}, "1999/2000", ""),
+    "a product": (
+        "x' = -x + x*y; y' = -y; V = x**2 + y**2", {"x": (-2, 2), "y": (-2, 2)}, "", "region",
+    ),
+}  # fmt: skip
 # one of each kind -> its equations, its conclusion, and what is not in its file
 SAMPLE = {
     "a hard spring": (
@@ -40,6 +48,15 @@ SAMPLE = {
         "e' = -e + h*r; h' = -e*r; V = e**2/2 + h**2/2; input r", "goes to zero", "",
     ),
     "a circle": ("x' = y; y' = -x; V = x**2/2 + y**2/2", "stable", ""),
+    "a sine of twice the angle": (
+        "x' = v; v' = -3*v - sin(2*x); V = v**2 + 1 - cos(2*x)", "comes to rest", "isolated",
+    ),
+    "an exponential": (
+        "x' = -a*(exp(x) - 1); V = exp(x) - x - 1; a = 2",
+        "asymptotically stable",
+        "rest",
+    ),
+    "a root": ("x' = -x/sqrt(1 + x**2)", "asymptotically stable", ""),
     "a leak": (
         "e' = -e + h*r; h' = -e*r - h - 1; V = e**2/2 + h**2/2; input r",
         "ultimately bounded",
@@ -50,13 +67,22 @@ TRUSTED = {"values", "running", "exists", "jumps"}  # the record, and that runs 
 NO_FILE = {
     "a clip": ("x' = -np.clip(x, -1, 1)".replace("np.", ""), "has pieces"),
     "a sign": ("x' = -x - sign(x)", "has pieces"),
+    "a modulus in V": (
+        "x' = v; v' = -3*abs(x)*x - v; V = v**2/2 + abs(x)*x**2", "is not printed",
+    ),
     "a choice": ("x' = -x*where(x > 0, 1, 2)", "has pieces"),
-}
+}  # fmt: skip
 
 
 def judged(name):
     plant, V, *rest = written(SAMPLE[name][0])
     return clpt.lyapunov(plant, V, **dict(*rest))
+
+
+def judged_in_region(name):
+    text, box = REGIONS[name][:2]
+    plant, V = written(text)[:2]
+    return clpt.lyapunov(plant, V, within=box)
 
 
 def missing(verdict):
@@ -77,6 +103,18 @@ def test_file_says_what_the_sentence_says(name):
     assert last.count("Theorem verdict :") == 1
     assert text.rstrip().endswith("Print Assumptions verdict.")
     assert not re.search(r"\b(Admitted|Axiom|Parameter|Abort)\b", text)
+
+
+@pytest.mark.parametrize("name", REGIONS)
+def test_file_of_a_region_says_what_is_not_left(name):
+    verdict = judged_in_region(name)
+    level, not_in_it = REGIONS[name][2:]
+    assert missing(verdict) - TRUSTED == {*not_in_it.split()}
+    text = verdict.coq()
+    start = re.search(r"begins : .* < (\d+/\d+) }", text)[1]
+    assert f"V i t < {start})" in text[text.rindex("Theorem verdict :") :]
+    assert level in ("", start)
+    assert sympy.Rational(start) <= sympy.Rational(f"{verdict.level}")
 
 
 @pytest.mark.parametrize("name", NO_FILE)
@@ -209,6 +247,14 @@ def test_file_compiles_with_the_axioms_of_the_reals_alone(name, tmp_path):
 
 
 @pytest.mark.coq
+@pytest.mark.parametrize("name", REGIONS)
+def test_file_of_a_region_compiles(name, tmp_path):
+    accepted, axioms = compiled(tmp_path, judged_in_region(name).coq())
+    assert accepted
+    assert axioms <= REALS
+
+
+@pytest.mark.coq
 def test_file_of_a_law_compiles(tmp_path):
     verdict = clpt.prove(clpt.closed_loop(paper_of(1, "learned-flow")), points=50)
     assert compiled(tmp_path, verdict.coq()) == (True, REALS)
@@ -227,6 +273,8 @@ ALTERED = [  # a text of the file, another one for it
     ("an adaptive law", "vanishes (T i) (r_e i)", "vanishes (T i) (r_h i)"),
     ("a circle", "near now (fun i t => (r_x i t))", "near now (fun i t => (r_x i t) + 1)"),
     ("a circle", "follows T r_y (fun t => -(r_x t))", "follows T r_y (fun t => (r_x t))"),
+    ("a root", "/sqrt((r_x t)^2 + 1)", "/sqrt((r_x t)^2 + 2)"),
+    ("an exponential", "(exp ((r_x t))) - 1)", "(exp ((r_x t))) + 1)"),
     ("a leak", "V i t <= c /", "V i t <= 0 * c /"),
 ]  # fmt: skip
 
