@@ -40,6 +40,18 @@ def name_in_coq(name: str) -> tuple[str, list[str]]:
     return f"r_{text}{fixed}", [index for index in indices if not index.isdigit()]
 
 
+def sign_before(s: Any) -> str:
+    """Return the sign that a symbol is assumed to have, as text before it."""
+    if s.is_positive or s.is_negative:
+        return "0 <" if s.is_positive else "0 >"
+    return "0 <=" if s.is_nonnegative else ""
+
+
+def without_signs(text: str) -> str:
+    """Return a text without signs of comments and strings of Coq."""
+    return text.replace("*)", "* )").replace("(*", "( *").replace('"', "'")
+
+
 class CoqPrinter(StrPrinter):
     """Printer of expressions; signals, which depend on time, have the argument `at`."""
 

@@ -13,11 +13,10 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Mul, S
 
-from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
-from .coq_text import CoqPrinter, name_in_coq
+from .coq_text import CoqPrinter, name_in_coq, sign_before, without_signs
 from .rate_as_sum import Case, NotASum, Term, is_above_zero, with_symbols, without_calls
 from .steps import Step
 
@@ -39,22 +38,6 @@ THEOREMS = {
 }
 OUTSIDE = "outside V, bounded"  # condition of a verdict
 UNDONE = {sympy.Abs: "vanishes_of_abs", sympy.tanh: "vanishes_of_tanh"}
-
-
-def file_of(verdict: Any) -> "File":
-    """Return the file of the first way to write V' as a sum; NotASum has the reason of none."""
-    if verdict.status != "proved":
-        raise NotASum("nothing is proved of V'")
-    if verdict.ways is tuple:
-        raise NotASum("its proof is not about one V' that is a sum")
-    reasons = list[str]()
-    for way in verdict.ways():
-        try:
-            return File(way(), verdict)
-        except (NotASum, DiagramError) as reason:
-            reasons.append(f"{reason}")
-    relations = "states keep relations, which are not printed"
-    raise NotASum(reasons[0] if reasons else relations)
 
 
 class File:
@@ -140,7 +123,7 @@ class File:
 
     def comment(self) -> Iterable[str]:
         """Yield what the last theorem states, and what the verdict says beyond it."""
-        yield f"The verdict: {_quoted(self.verdict.sentence)}."
+        yield f"The verdict: {without_signs(self.verdict.sentence)}."
         yield "The theorem holds for every run on [0, T), T finite or infinite."
         if self.case.below is not None:
             yield f"A run begins where V < {self.case.below}."
@@ -194,7 +177,7 @@ class File:
         """Write the parameters, and a run as a record."""
         self.lines.append("Section Loop.")
         for p in self.parameters:
-            name, sign = self.name[p], _sign(p)
+            name, sign = self.name[p], sign_before(p)
             hypothesis = f" Hypothesis P_{name} : {sign} r_{name}." * bool(sign)
             self.lines.append(f"Variable r_{name} : R.{hypothesis}")
         factors = dict.fromkeys(term.factor for term in self.case.losses)
@@ -213,8 +196,8 @@ class File:
             name = self.name[s]
             if s in self.bounded:
                 facts[f"B_{name}"] = f"bounded T r_{name}"
-            if _sign(s):
-                facts[f"P_{name}"] = f"forall t, {_sign(s)} r_{name} t"
+            if sign_before(s):
+                facts[f"P_{name}"] = f"forall t, {sign_before(s)} r_{name} t"
         if self.case.below is not None:
             V = CoqPrinter(self.signals, "0").doprint(self.case.V)
             facts["begins"] = f"{V} < {at_t(self.case.below)}"
@@ -224,7 +207,7 @@ class File:
             f"(* a run on [0, T) *)\nRecord run := Run {{\n  {listed} }}."
         )
         self.lines.append(f"#[local] Hint Resolve {' '.join(facts)} : clpt.")
-        rest = {s: S.One * bool(_sign(s)) for s in self.signals}
+        rest = {s: S.One * bool(sign_before(s)) for s in self.signals}
         rest |= self.rest
         if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
             values = " ".join(f"(fun _ => {at_t(rest[s])})" for s in self.signals)
@@ -340,7 +323,9 @@ class File:
             if "cos" not in term.shape:
                 claim = f"bounded (T i) {self.function(term.form)}"
                 self.lemma(
-                    f"form_{k}", claim, f"bounded_by_shape (bound_{k} i) {_shape(term)}"
+                    f"form_{k}",
+                    claim,
+                    f"bounded_by_shape (bound_{k} i) {term.function}",
                 )
                 forms.setdefault(term.form, f"{k}")
         found = True
@@ -424,7 +409,7 @@ class File:
             proof = f"lost_of (V_sum i) (V_nonneg i) (part_{k} i)"
             self.lemma(f"lost_{k}", f"vanishes (T i) (fun t => {part})", proof)
             if self.is_shape(term) and "cos" not in term.shape:
-                self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {_shape(term)}")
+                self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {term.function}")
             else:
                 self.factor_to_zero(term.value, part)
         if self.needed & {"rest", "still"}:
@@ -536,7 +521,7 @@ class File:
         for k, term in enumerate(case.terms):
             if "cos" not in term.shape:
                 claim = f"{small} (fun i t => {self.text(term.form)})"
-                proof = f"small_by_shape small_V bound_{k} {_shape(term)}"
+                proof = f"small_by_shape small_V bound_{k} {term.function}"
                 self._small(f"near_{k}", claim, proof)
         for s, form, value in self.by_forms:
             if form != self.off[s]:
@@ -550,20 +535,3 @@ class File:
     def _small(self, name: str, claim: str, proof: str) -> None:
         self.lines.append(f"Lemma {name} : {claim}.\nProof. {proof}. Qed.")
         self.lines.append(f"#[local] Hint Resolve {name} : clpt.")
-
-
-def _sign(s: Any) -> str:
-    """Return the sign that a symbol is assumed to have, as text before it."""
-    if s.is_positive or s.is_negative:
-        return "0 <" if s.is_positive else "0 >"
-    return "0 <=" if s.is_nonnegative else ""
-
-
-def _shape(term: Term) -> str:
-    """Return the shape of a term as a function of Coq."""
-    return f"(fun x => {term.shape.format('x')})"
-
-
-def _quoted(text: str) -> str:
-    """Return a text without signs of comments and strings of Coq."""
-    return text.replace("*)", "* )").replace("(*", "( *").replace('"', "'")

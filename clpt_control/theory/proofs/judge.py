@@ -42,7 +42,7 @@ from ..algebra.texts import short
 from .answers import Definite, Fall, Jumps, Refutation
 from .conclusions import Condition, Judged, Status, concluded
 from .ends import Ends, ends
-from .in_coq import file_of
+from .in_coq import File
 from .in_latex import verdict_in_latex
 from .outside import Motion
 from .rate_as_sum import NotASum
@@ -128,11 +128,20 @@ class Verdict(Judged):
         """Return the steps by which the verdict is stronger than the file's last theorem."""
         return self._file().beyond()
 
-    def _file(self) -> Any:
-        try:
-            return file_of(self)
-        except NotASum as reason:
-            raise DiagramError(f"coq: the verdict has no file, as {reason}") from None
+    def _file(self) -> File:
+        """Return the file of the first way to write V' as a sum."""
+        reasons = list[str]()
+        if self.status != "proved":
+            reasons.append("nothing is proved of V'")
+        elif self.ways is tuple:
+            reasons.append("its proof is not about one V' that is a sum")
+        for way in () if reasons else self.ways():
+            try:
+                return File(way(), self)
+            except (NotASum, DiagramError) as reason:
+                reasons.append(f"{reason}")
+        reasons.append("states keep relations, which are not printed")
+        raise DiagramError(f"coq: the verdict has no file, as {reasons[0]}")
 
     def latex(self) -> str:
         r"""Return the verdict in LaTeX, for a paper.

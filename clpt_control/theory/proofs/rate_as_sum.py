@@ -48,6 +48,11 @@ class Term(NamedTuple):
         """The term as an expression."""
         return self.weight * self.factor * shape_of(self.shape)(self.form)
 
+    @property
+    def function(self) -> str:
+        """The shape as a function of Coq."""
+        return f"(fun x => {self.shape.format('x')})"
+
 
 @dataclass
 class Case:
