@@ -279,7 +279,7 @@ class File:
         claim = f"{on} V i t < {level}"
         proof = f"stays_of ({level}) (V_sum i) (begins i) V loss (fun t => {room})"
         self.theorem("stays", "V_stays", claim, proof)
-        if self.case.below == sympy.Rational(f"{self.verdict.level}"):
+        if self.case.below == sympy.Rational(f"{self.verdict.level:.4g}"):
             self.claims["level"] = []  # that of the verdict, not part of it
         claim = f"{on} 0 <= {room}"
         self.lemma("room", claim, "room_of (V_stays i) V")
@@ -287,7 +287,9 @@ class File:
     def exponential(self) -> None:
         """Write that V falls exponentially, if each of its forms is lost."""
         lost = {
-            (t.form, t.shape): t.weight for t in self.case.losses if self.is_shape(t)
+            (t.form, t.shape): t.weight
+            for t in reversed(self.case.losses)
+            if self.is_shape(t)
         }
         pairs = [(t.weight, lost.get((t.form, t.shape))) for t in self.case.terms]
         if not pairs or any(weight is None for _, weight in pairs):

@@ -233,7 +233,7 @@ def in_region(region: Any, case: Any, level: float) -> Ways:
         offs = [s - region.rest[s] for s in region.states]
         square = Add(*(off**2 for off in offs))
         for part, weight in product(PARTS, WEIGHTS):
-            top = part * sympy.Rational(f"{level}")
+            top = part * sympy.Rational(f"{level:.4g}")
             known = square * (LEAST + weight * (top - V))
             found = sum_of_squares(sympy.expand(-rate - known), [sympy.expand(top - V)])
             if found is not None:
