@@ -23,6 +23,7 @@ from .steps import Step
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
 MOST_FORMS = 12  # that go to zero
 MOST_OPERATIONS = 100  # of rates of them
+ON = "forall t, on (T i) t ->"  # of a run i
 # what the steps of a verdict show -> theorems that say it
 THEOREMS = {
     "definite": "definite",
@@ -146,17 +147,9 @@ class File:
             f"(r_{self.name[form]} i)" if is_signal else f"(fun t => {self.text(form)})"
         )
 
-    def term(self, term: Term) -> str:
-        """Return a term, its weight times the shape of its form."""
-        if term.form == 1:
-            return f"({self.text(term.weight * term.factor)})"
-        shape = term.shape.format(f"({self.text(term.form)})")
-        factor = f" * ({self.text(term.factor)})" * (term.factor != 1)
-        return f"(({self.text(term.weight)}){factor} * {shape})"
-
     def total(self, terms: Iterable[Term]) -> str:
         """Return a sum of terms."""
-        return " + ".join(map(self.term, terms)) or "0"
+        return " + ".join(term.text(self.text) for term in terms) or "0"
 
     def lemma(self, name: str, claim: str, proof: str, hint: bool = True) -> None:
         """Write a lemma on every run i."""
@@ -236,16 +229,15 @@ class File:
             f"follows (T i) (V i) (fun t => {fall})",
             "sum_of (V_rate i) V loss",
         )
-        on = "forall t, on (T i) t ->"
         self.lemma(
-            "V_parts", f"{on} V i t = {self.total(case.terms)}", "parts_of V", False
+            "V_parts", f"{ON} V i t = {self.total(case.terms)}", "parts_of V", False
         )
-        claim = f"{on} 0 <= V i t"
+        claim = f"{ON} 0 <= V i t"
         self.theorem("definite", "V_nonneg", claim, "nonneg_of (V_parts i)")
         if case.below is not None:
             self.level()
         self.lemma(
-            "loss_nonneg", f"{on} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
+            "loss_nonneg", f"{ON} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
         )
         known = "(V_sum i) (V_nonneg i) (loss_nonneg i)"
         if case.push == 0:
@@ -253,13 +245,13 @@ class File:
             self.theorem(
                 "falls", "V_falls", claim, "falls_of (V_sum i) (loss_nonneg i)"
             )
-            spent = f"forall L, follows (T i) L (loss i) -> {on} L t - L 0 <= V i 0"
+            spent = f"forall L, follows (T i) L (loss i) -> {ON} L t - L 0 <= V i 0"
             self.theorem("spent", "spent", spent, f"spent_of {known}")
             self.exponential()
         elif case.decay != 0:
             decay = text(case.decay)
             claim = (
-                f"forall c, (forall t, on (T i) t -> {text(case.push)} <= c) ->\n  {on} "
+                f"forall c, (forall t, on (T i) t -> {text(case.push)} <= c) ->\n  {ON} "
                 f"V i t <= c / ({decay}) + (V i 0 - c / ({decay})) * exp (- ({decay}) * t)"
             )
             self.theorem("decays", "V_decays", claim, f"decays_of ({decay}) {known}")
@@ -267,7 +259,7 @@ class File:
             claim = (
                 "forall L P, follows (T i) L (loss i) ->\n"
                 f"  follows (T i) P (fun t => {text(case.push)}) ->\n"
-                f"  {on} L t - L 0 <= V i 0 + (P t - P 0)"
+                f"  {ON} L t - L 0 <= V i 0 + (P t - P 0)"
             )
             self.theorem("spent", "spent", claim, f"mean_of {known}")
 
@@ -275,36 +267,25 @@ class File:
         """Write that V stays below the level where it begins."""
         level = self.text(self.case.below)
         room = self.text(sympy.expand(self.case.below - self.case.V))
-        on = "forall t, on (T i) t ->"
-        claim = f"{on} V i t < {level}"
+        claim = f"{ON} V i t < {level}"
         proof = f"stays_of ({level}) (V_sum i) (begins i) V loss (fun t => {room})"
         self.theorem("stays", "V_stays", claim, proof)
         if self.case.below == sympy.Rational(f"{self.verdict.level:.4g}"):
             self.claims["level"] = []  # that of the verdict, not part of it
-        claim = f"{on} 0 <= {room}"
+        claim = f"{ON} 0 <= {room}"
         self.lemma("room", claim, "room_of (V_stays i) V")
 
     def exponential(self) -> None:
         """Write that V falls exponentially, if each of its forms is lost."""
-        lost = {
-            (t.form, t.shape): t.weight
-            for t in reversed(self.case.losses)
-            if self.is_shape(t)
-        }
+        losses = filter(self.is_shape, reversed(self.case.losses))
+        lost = {(t.form, t.shape): t.weight for t in losses}
         pairs = [(t.weight, lost.get((t.form, t.shape))) for t in self.case.terms]
         if not pairs or any(weight is None for _, weight in pairs):
             return
         rates = [f"c * ({self.text(a)}) <= {self.text(b)} -> " for a, b in pairs]
-        claim = (
-            f"forall c, 0 < c -> {''.join(rates)}\n"
-            "  forall t, on (T i) t -> V i t <= V i 0 * exp (- c * t)"
-        )
-        self.theorem(
-            "exponential",
-            "V_exponential",
-            claim,
-            "exponential_of (V_sum i) (V_parts i) loss",
-        )
+        claim = f"forall c, 0 < c -> {''.join(rates)}\n  {ON} V i t <= V i 0 * exp (- c * t)"
+        proof = "exponential_of (V_sum i) (V_parts i) loss"
+        self.theorem("exponential", "V_exponential", claim, proof)
 
     def is_shape(self, term: Term) -> bool:
         """Return whether a term is a positive multiple of a shape of its form."""
@@ -318,7 +299,7 @@ class File:
         for k, term in enumerate(self.case.terms):
             if not self.is_shape(term):
                 continue
-            claim = f"forall t, on (T i) t -> {self.term(term)} <= V i 0"
+            claim = f"forall t, on (T i) t -> {term.text(self.text)} <= V i 0"
             self.theorem(
                 "definite", f"bound_{k}", claim, "bound_of (V_falls i) (V_parts i)"
             )
@@ -404,9 +385,9 @@ class File:
         for k, term in enumerate(self.case.losses):
             if not self.is_steady(term.value):
                 continue
-            part, on = self.term(term), "forall t, on (T i) t ->"
+            part = term.text(self.text)
             self.lemma(
-                f"part_{k}", f"{on} - loss i t <= - {part}", "part_of loss", False
+                f"part_{k}", f"{ON} - loss i t <= - {part}", "part_of loss", False
             )
             proof = f"lost_of (V_sum i) (V_nonneg i) (part_{k} i)"
             self.lemma(f"lost_{k}", f"vanishes (T i) (fun t => {part})", proof)
@@ -445,8 +426,11 @@ class File:
         kept = []
         for factor in Mul.make_args(sympy.factor(e)):
             base, power = factor.as_base_exp()
-            if factor.free_symbols - self.fixed and not is_above_zero(base, self.fixed):
-                kept.append((base, power))
+            if is_above_zero(base, self.fixed):
+                continue
+            if not factor.free_symbols - self.fixed:
+                return
+            kept.append((base, power))
         if len(kept) != 1 or not (kept[0][1].is_Integer and kept[0][1].is_positive):
             return
         ((base, power),) = kept
@@ -517,7 +501,7 @@ class File:
         for name, text in starts.items():
             claim = f"{small} (fun i t => {text})"
             self._small(f"start_{name}", claim, "start_of near")
-        at_0 = " + ".join(map(self.term, case.terms)).replace(" i t", " i 0")
+        at_0 = self.total(case.terms).replace(" i t", " i 0")
         proof = f"small_V_of near_le V_parts (fun i (t : R) => {at_0})"
         self._small("small_V", f"{small} (fun i t => V i 0)", proof)
         for k, term in enumerate(case.terms):

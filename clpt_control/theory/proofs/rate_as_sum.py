@@ -48,6 +48,14 @@ class Term(NamedTuple):
         """The term as an expression."""
         return self.weight * self.factor * shape_of(self.shape)(self.form)
 
+    def text(self, text: Callable[[Expr], str]) -> str:
+        """Return the term in Coq, its weight times the shape of its form."""
+        if self.form == 1:
+            return f"({text(self.weight * self.factor)})"
+        shape = self.shape.format(f"({text(self.form)})")
+        factor = f" * ({text(self.factor)})" * (self.factor != 1)
+        return f"(({text(self.weight)}){factor} * {shape})"
+
     @property
     def function(self) -> str:
         """The shape as a function of Coq."""
@@ -71,6 +79,7 @@ class Case:
 
 
 SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tanh, sympy.Abs)
+WAVES = (sympy.sin, sympy.cos, sympy.tanh, sympy.log)  # of numbers: not computed in Coq
 PARTS = tuple(
     sympy.Rational(n, 20) for n in (20, 19, 16, 10)
 )  # of a level, tried in turn
@@ -251,6 +260,9 @@ def in_region(region: Any, case: Any, level: float) -> Ways:
 def checked(way: Callable[[], Case]) -> Case:
     """Return a case whose sum is V', in exact arithmetic."""
     case = way()
+    for term in (*case.terms, *case.losses):
+        if term.weight.has(*WAVES):
+            raise NotASum(f"the sign of {term.weight} is not known to Coq")
     total = Add(*(term.value for term in case.losses), case.decay * case.V, case.rate)
     if not vanishes(total - case.push):
         raise NotASum("V' is less than the sum")
@@ -325,7 +337,7 @@ def with_symbols(case: Case) -> Case:
 def is_above_zero(base: Expr, fixed: set) -> bool:
     """Return whether a divisor has a positive least value, or is a parameter with a sign."""
     if not base.free_symbols - fixed:
-        return bool(base.is_nonzero)
+        return bool(base.is_nonzero) and not base.has(*WAVES)
     if base.is_Pow and base.base != sympy.E:
         return is_above_zero(base.base, fixed)
     constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
