@@ -21,6 +21,7 @@ import numpy as np
 
 from ..base.errors import ScenarioError
 from ..engine.model.ports import ports_of
+from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
 from ..simulation.dataset import BY_FUNCTION, VARIABLES, unit_of
 from ..simulation.dataset_template import Axes, Series
@@ -149,8 +150,8 @@ def summaries_of(varied: Any) -> list[tuple[str, Series]]:
         series = Series(tuple(dims.split()), getattr(LoopBatch, name), attributes)
         summaries.append((name, series))
     for name in TRAJECTORIES:
-        port, long_name, lengths, rates = VARIABLES[name]
-        unit = unit_of(scenario.units, lengths, rates)
+        port, long_name = VARIABLES[name]
+        unit = unit_of(scenario.units, *POWERS[port])
         of = partial(LoopBatch.trajectory, port=port)
         attributes = {"long_name": long_name, "units": unit}
         summaries.append(

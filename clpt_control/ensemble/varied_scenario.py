@@ -13,6 +13,7 @@ import numpy as np
 from ..base.errors import DiagramError
 from ..engine.codegen.directional_derivatives import Place
 from ..engine.diagram.interconnection import wiring_of_blocks
+from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_to_text
 from ..paper.scenario.quantities import (
@@ -23,9 +24,10 @@ from ..paper.scenario.quantities import (
     keys_of,
     keys_of_law,
 )
+from ..simulation.dataset import unit_of
 from ..simulation.dataset_template import Series
 from ..simulation.initial_states import state_columns, state_of
-from ..simulation.loop_blocks import changed_blocks, units_of_ports
+from ..simulation.loop_blocks import changed_blocks
 from ..simulation.user_components import LAW, UNCHANGED, Changes, functions_of
 from .loop_summaries import (
     TRAJECTORIES,
@@ -187,11 +189,11 @@ class VariedScenario:
         """Return dimensions and attributes of the values of a key."""
         quantity, units = QUANTITIES.get(key, Quantity()), self.scenario.units
         attributes = {"long_name": f"{key}, which varies"}
-        unit = {"time": units.time, **units_of_ports(units)}.get(
-            quantity.unit or quantity.state
-        )
-        if unit is not None:
-            attributes["units"] = unit
+        port = quantity.unit or quantity.state
+        if port == "time":
+            attributes["units"] = units.time
+        elif port:
+            attributes["units"] = unit_of(units, *POWERS[port])
         return quantity.axes.split() or ["axis", "basis"][:ndim], attributes
 
 

@@ -19,6 +19,7 @@ from ..engine.model.on_arrays import on_arrays
 from ..engine.model.ports import labels as labels_of_ports
 from ..engine.model.ports import ports_of
 from ..paper.blocks.localization import TRUE
+from ..paper.blocks.ports import POWERS
 from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P
 from ..paper.scenario.experiment import Scenario
@@ -28,28 +29,25 @@ from ..paper.scenario.tables import Units
 from .dataset_template import DatasetTemplate, Series, Signals, port_variables
 from .user_components import LAW
 
-VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
-    "position": ("x", "true position", 1, 0),
-    "predicted_position": ("z", "predicted position", 1, 0),
-    "clpe": ("e", "controlled Lagrangian prediction error", 1, 0),
-    "reference": ("zc", "desired position", 1, 0),
-    "feedback_gain": ("K", "adapted feedback gain", 0, 1),
-    "feedforward_gain": ("Gamma", "adapted feedforward gain", 0, 1),
-    "alpha": ("alpha", "adapted parameter alpha", 1, 1),
-    "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
+VARIABLES = {  # name -> (port, long name)
+    "position": ("x", "true position"),
+    "predicted_position": ("z", "predicted position"),
+    "clpe": ("e", "controlled Lagrangian prediction error"),
+    "reference": ("zc", "desired position"),
+    "feedback_gain": ("K", "adapted feedback gain"),
+    "feedforward_gain": ("Gamma", "adapted feedforward gain"),
+    "alpha": ("alpha", "adapted parameter alpha"),
+    "true_flow": ("flow_x", "true flow at the vehicle"),
 }
-SPEEDS = ("flow_z", "v_x", "v_c", "v_z", "psi", "delta", "unflown")
-# ports without a variable: powers of length and 1/time
-OTHER_PORTS = {"fix": (1, 0), **dict.fromkeys(SPEEDS, (1, 1))}
 LIMITED = {  # of a vehicle with a speed limit
-    "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
-    "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
+    "velocity": ("v_x", "velocity through the water, as flown"),
+    "commanded_velocity": ("v_c", "velocity through the water, as commanded"),
 }
 MEASURED_CLPE = "controlled Lagrangian prediction error, of the measured position"
 MEASURED = {  # of a vehicle that reads its position with noise
-    "position": (TRUE, "true position", 1, 0),
-    "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
-    "clpe": ("e", MEASURED_CLPE, 1, 0),
+    "position": (TRUE, "true position"),
+    "measured_position": ("x", "measured position, which the vehicle reads"),
+    "clpe": ("e", MEASURED_CLPE),
 }
 REFERENCES = (
     "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
@@ -84,10 +82,10 @@ def scenario_template(
 
     table = _table(signals)
     variables = {}
-    for name, (port, long_name, lengths, rates) in table.items():
+    for name, (port, long_name) in table.items():
         shape = (2, N) if port == "alpha" else (2,)
         dims = BY_FUNCTION[: 1 + len(shape)]
-        unit = unit_of(units, lengths, rates)
+        unit = unit_of(units, *POWERS[port])
         variables[name] = _series(dims, signals.of(port, *shape), long_name, unit)
     if scenario.origin is not None and "position" in table:
         variables |= _coordinates(scenario, signals.of(table["position"][0], 2))
@@ -96,14 +94,14 @@ def scenario_template(
     variables |= truths
 
     # ports without a variable
-    in_table = {port for port, *_ in table.values()}
+    in_table = {port for port, _ in table.values()}
     extra_ports = {
         port: port_columns
         for port, port_columns in ports_of(signals.column).items()
         if port in ports and port not in in_table
     }
     port_units = {
-        port: unit or unit_of(units, *OTHER_PORTS.get(port, (0, 0)))
+        port: unit or unit_of(units, *POWERS.get(port, (0, 0)))
         for port, unit in ports.items()
     }
     dim_names = {N: "basis", 2: "axis"}
@@ -123,7 +121,7 @@ def scenario_template(
     )
 
 
-def _table(signals: Signals) -> dict[str, tuple[str, str, int, int]]:
+def _table(signals: Signals) -> dict[str, tuple[str, str]]:
     """Return the rows of `VARIABLES` that apply to a vehicle."""
     table = dict(VARIABLES)
     if f"{TRUE}[0]" in signals.column:

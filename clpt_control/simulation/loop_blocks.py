@@ -24,8 +24,6 @@ from ..paper.blocks import (
 )
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.tables import Units
-from .dataset import LIMITED, MEASURED, OTHER_PORTS, VARIABLES, unit_of
 from .user_components import UNCHANGED, Changes, functions_of, inserted, replaced
 
 
@@ -175,17 +173,6 @@ def _injection(scenario: Scenario, law: Part | None, alpha_M: np.ndarray) -> Blo
     if row.makes_estimate and law_has_estimate:
         return learner.known_flow_injection(alpha_M)
     return learner.learned_flow_injection(alpha_M)
-
-
-def units_of_ports(units: Units) -> dict[str, str]:
-    """Return the unit of each port of the paper's blocks that has one."""
-    tables = (VARIABLES, MEASURED, LIMITED)
-    powers = OTHER_PORTS | {
-        port: (lengths, rates)
-        for table in tables
-        for port, _, lengths, rates in table.values()
-    }
-    return {port: unit_of(units, *powers[port]) for port in powers}
 
 
 def remaining_blocks(

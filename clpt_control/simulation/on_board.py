@@ -19,7 +19,7 @@ from ..base.errors import DiagramError
 from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
 from ..engine.diagram.wiring import Part, input_ports, output_ports
-from ..paper.blocks.ports import paper_block
+from ..paper.blocks.ports import POWERS, paper_block
 from ..paper.laws.fix_bound import largest_gain
 from ..paper.scenario.experiment import Scenario
 from .c_export import FILE, RUNGE_KUTTA, CFile, as_lines, c_file
@@ -30,13 +30,13 @@ from .loops import ClosedLoop
 TEMPLATES = (resources.files("clpt_control.data") / "learner.c").read_text("utf-8")
 HEAD, FIXES, MIDDLE, SAMPLES, FIX = map(Template, TEMPLATES.split("//\n"))
 THEOREMS = resources.files("clpt_control") / "theory" / "coq"
-INPUTS = {  # of learners: meaning, powers of length and of 1/time
-    "x": ("measured position", 1, 0),
-    "fix": ("position of the fix, read when it arrives", 1, 0),
-    "v_x": ("velocity through the water, as flown", 1, 1),
-    "v_c": ("velocity through the water, as commanded", 1, 1),
-    "flow_x": ("true flow at the vehicle", 1, 1),
-    "zc": ("desired position", 1, 0),  # if it is an external port of the loop
+INPUTS = {  # of learners, and their meaning
+    "x": "measured position",
+    "fix": "position of the fix, read when it arrives",
+    "v_x": "velocity through the water, as flown",
+    "v_c": "velocity through the water, as commanded",
+    "flow_x": "true flow at the vehicle",
+    "zc": "desired position",  # if it is an external port of the loop
 }
 
 
@@ -121,8 +121,8 @@ class LearnerFile(CFile):
         """Yield a line for each input: its name, size, meaning and unit."""
         sizes = Counter(label.partition("[")[0] for label in self.labels["u"])
         for port, size in sizes.items():
-            meaning, *powers = INPUTS.get(port, ("as in the scenario", 0, 0))
-            unit = unit_of(scenario.units, *powers)
+            meaning = INPUTS.get(port, "as in the scenario")
+            unit = unit_of(scenario.units, *POWERS.get(port, (0, 0)))
             yield f"    {port}[{size}]: {meaning}, {unit}".rstrip(", ")
 
     def _first_jumps(self, sampled: list[int]) -> Iterator[str]:

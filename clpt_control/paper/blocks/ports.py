@@ -1,4 +1,4 @@
-"""Ports of the paper's diagram: the shape of each quantity.  A law declares its states' shapes.
+"""Ports of the paper's diagram: shapes and units.  A law declares its states' shapes.
 
     paper_block("vehicle_controller", "x zc phi_x -> v_x", parameters, output=controller)
 
@@ -15,20 +15,27 @@ import numpy as np
 
 from ...engine.model.block import Block
 
-OF_AXES = (
-    *("x", "x_true", "z", "zc", "e", "fix", "eta_3", "eta_4", "K", "Gamma"),
-    *("flow_x", "flow_z", "v_x", "v_z", "v_c", "unflown", "psi", "delta"),
+
+def _by_name(groups: Mapping[Any, str]) -> dict[str, Any]:
+    """Return the fact of each name of groups of names."""
+    return {name: fact for fact, names in groups.items() for name in names.split()}
+
+
+POWERS = _by_name(  # of the units of length and of 1/time
+    {
+        (1, 0): "x x_true z zc e fix",
+        (0, 1): "K Gamma",
+        (1, 1): "flow_x flow_z v_x v_z v_c unflown psi delta alpha",
+    }
 )
-SHAPES: dict[str, Any] = {
-    **dict.fromkeys(OF_AXES, 2),
-    **dict.fromkeys(
-        ("phi_x", "phi_x_true", "phi_z", "widths", "frequencies", "phases"), "N"
-    ),
-    **dict.fromkeys(
-        ("alpha", "alpha_0", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")
-    ),
-    **{"centers": ("N", 2), "information": "N", "taken": 1, "V": 1},
-}
+SHAPES = dict.fromkeys([*POWERS, "eta_3", "eta_4"], 2) | _by_name(
+    {
+        "N": "phi_x phi_x_true phi_z widths frequencies phases information",
+        (2, "N"): "alpha alpha_0 alpha_M theta theta_hat eta",
+        ("N", 2): "centers",
+        1: "taken V",
+    }
+)
 
 
 def shapes_of(names: Iterable[str]) -> dict[str, Any]:
