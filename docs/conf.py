@@ -29,7 +29,6 @@ extensions = [
     "notebook_downloads",
     "public_names",
     "repository_links",
-    "scenario_rows",
     "thumbnails",
 ]
 exclude_patterns = ["_extensions"]

@@ -81,9 +81,9 @@ def simulate(
         number falls to 0; if it returns a truth value, such as ``y.angle < 1``, where the value
         becomes false.
     method : str, optional
-        ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5;
-        ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps; or
-        ``"auto"``: DOP853, and Rodas5P from where the equations are stiff. The scenario's own, or
+        ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps;
+        ``"auto"``: DOP853, and Rodas5P from where the equations are stiff; or another one of
+        ``run.method`` in the file of `clpt init`, as ``"rodas5p"``. The scenario's own, or
         ``"auto"`` for a diagram. The attribute ``method`` says what ran, and from when.
     max_step, first_step : float, optional
         The longest step, and the first that is tried. What happens for a short time and is not

@@ -32,3 +32,9 @@ class Method:
     def ends_at_samples(self) -> bool:
         """True if each sample ends a step, so that steps depend on the samples."""
         return self.implicit or self.discrete
+
+    @property
+    def text(self) -> str:
+        """Kind and order, for lists of methods."""
+        kind = "implicit, for stiff equations" if self.implicit else "explicit"
+        return f"{kind}, order {self.order}"

@@ -17,10 +17,12 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
+from ...engine.methods.table import BY_NAME
 from ..blocks.disturbance import KINDS
 from ..blocks.flow import KERNELS
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .run_constants import BEYOND, FORM, OWN_PARTS, TEAM
+from .tidal_periods import SPEEDS
 
 LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read
@@ -209,10 +211,15 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
 
 
 def paper_text() -> str:
-    """Return the paper's scenario as commented TOML text, kernels and disturbances named."""
-    kernels = "; ".join(f"{name}: {row.formula}" for name, row in KERNELS.items())
+    """Return the paper's scenario as commented TOML text, with names from tables."""
     text = (resources.files("clpt_control.data") / "paper.toml").read_text("utf-8")
-    return text.replace("{kernels}", kernels).replace("{kinds}", ", ".join(KINDS))
+    kernels = [f"{name}: {row.formula}" for name, row in KERNELS.items()]
+    methods = [f"{name} ({row.text})" for name, row in BY_NAME.items()]
+    rows = {"kernel": "; ".join(kernels), "# kind": ", ".join(KINDS)}
+    rows |= {"# method": ", ".join(methods), "# constituents": " ".join(SPEEDS)}
+    for key, names in rows.items():
+        text = re.sub(f"(?m)^{key} = .*", rf"\g<0>: {names}", text)
+    return text
 
 
 def paper_scenario() -> Scenario:

@@ -1,12 +1,9 @@
 """Integration methods are rows of facts: one more is one file and one entry."""
 
-import re
-
 import control
 import numpy as np
 import pytest
 from engine_runs import METHODS, ROWS
-from paths import ROOT
 from tsit5 import ERROR, LAST, TIMES, TSIT5, A
 
 import clpt_control as clpt
@@ -89,15 +86,3 @@ def test_a_row_runs_in_python_too(row):
     assert compiled.attrs["method"] == row.name
     assert run.attrs["method"] == ("LSODA" if row.implicit else "DOP853")
     assert np.abs(run.states - compiled.states).max() < 1e-5
-
-
-@EACH
-def test_a_row_is_named_where_users_look(row):
-    page = (ROOT / "docs" / "scenario.md").read_text("utf-8")
-    (line,) = re.findall(r".*`run\.method`.*", page)
-    name = row.name.lower()
-    assert f"`{name}`" in line
-    example = (ROOT / "clpt_control" / "data" / "paper.toml").read_text("utf-8")
-    (line,) = re.findall(r".*\bmethod = .*", example)
-    assert name in line
-    assert f'``"{name}"``' in clpt.simulate.__doc__

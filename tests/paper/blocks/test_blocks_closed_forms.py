@@ -81,7 +81,7 @@ def test_the_text_of_a_kernel_is_its_formula(kernel):
 def test_the_example_names_each_kernel_with_its_formula():
     (comment,) = re.findall(r"(?m)^kernel = .*# (.*)", paper_text())
     rows = [f"{name}: {row.formula}" for name, row in flow.KERNELS.items()]
-    assert comment.split("; ") == rows
+    assert comment == f"of the distance d and the width s: {'; '.join(rows)}"
 
 
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
