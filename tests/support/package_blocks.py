@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from loop_scenarios import LOOPS
 from small_scenarios import paper_of
 
 from clpt_control import parts
@@ -137,7 +138,23 @@ def shelf():
         )
 
 
+def functions(block):
+    """The equations of a block."""
+    return block.output_function, block.update_function, block.jump_function
+
+
+def of_loops(known):
+    """Blocks of the paper's loop with other equations than the known ones."""
+    tested = {functions(block) for block in known}
+    for _, blocks in LOOPS:
+        for block in blocks:
+            if block.name != "adaptation" and functions(block) not in tested:
+                tested.add(functions(block))
+                yield block
+
+
 MADE = [*of_no_size(), *shelf(), *of_size(3)]
+MADE += of_loops(MADE)
 RARE = [block for N in (1, 2, 5) for block in of_size(N)]  # asked by `make test-slow`
 BLOCKS = [*MADE, *RARE]
 EACH = [

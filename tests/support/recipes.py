@@ -56,6 +56,11 @@ KIND = Recipe(
                 ),
             ),
         ),
+        Step(
+            "page of scenarios",
+            "test_the_page_is_current",
+            (("docs/scenario.md", "square, noise", "square, noise, half"),),
+        ),
     ),
     """
     import clpt_control as clpt
@@ -66,6 +71,7 @@ KIND = Recipe(
     (
         "tests/paper/blocks/test_disturbance_kinds.py::"
         "test_the_docstring_and_the_example_name_each_kind",
+        "tests/test_scenario_page.py",
     ),
 )
 FORMULAS = "tests/paper/blocks/test_blocks_closed_forms.py"
@@ -99,6 +105,17 @@ KERNEL = Recipe(
                 ),
             ),
         ),
+        Step(
+            "page of scenarios",
+            "test_the_page_is_current",
+            (
+                (
+                    "docs/scenario.md",
+                    "exp(-d²/s)",
+                    "exp(-d²/s); rational: 1/(1 + d²/s²)",
+                ),
+            ),
+        ),
     ),
     """
     import clpt_control as clpt
@@ -106,7 +123,12 @@ KERNEL = Recipe(
     clpt.check(scenario.basis_block())
     assert clpt.simulate(scenario, [0.0, 20.0]).attrs["engine"] == "native"
     """,
-    (FORMULAS, "-k", "each_kernel or many_places or functions_ or of_a_kernel"),
+    (
+        FORMULAS,
+        "tests/test_scenario_page.py",
+        "-k",
+        "each_kernel or many_places or functions_ or of_a_kernel or page_is",
+    ),
 )
 LAW = Recipe(
     "Add a law",

@@ -161,24 +161,7 @@ BLOCK = Recipe(
         Step(
             "port",
             "flow_meter",
-            (
-                (
-                    "clpt_control/paper/blocks/ports.py",
-                    '"flow_z", ',
-                    '"flow_z", "flow_meter", ',
-                ),
-            ),
-        ),
-        Step(
-            "variable",
-            "flow_meter",
-            (
-                (
-                    "clpt_control/simulation/dataset.py",
-                    "VARIABLES = {",
-                    'VARIABLES = {\n    "metered_flow": ("flow_meter", "metered flow", 1, 1),',
-                ),
-            ),
+            (("clpt_control/paper/blocks/ports.py", "flow_z ", "flow_z flow_meter "),),
         ),
         Step(
             "key",
@@ -206,7 +189,7 @@ BLOCK = Recipe(
         ),
         Step(
             "example",
-            "example)",
+            "test_the_example_has_a_sentence_for_each_key",
             (
                 (
                     "clpt_control/data/paper.toml",
@@ -217,12 +200,12 @@ BLOCK = Recipe(
         ),
         Step(
             "page of scenarios",
-            "page)",
+            "test_the_page_is_current",
             (
                 (
                     "docs/scenario.md",
-                    "| `reference.kind`",
-                    "| `vehicle.meter_scale` | a current meter | none |\n| `reference.kind`",
+                    "`vehicle.max_speed`",
+                    "`vehicle.meter_scale` | a current meter\n`vehicle.max_speed`",
                 ),
             ),
         ),
@@ -238,18 +221,6 @@ BLOCK = Recipe(
             ),
         ),
         Step(
-            "conformance",
-            "['current_meter'",
-            (
-                (CONFORMANCE, "    lyapunov,\n", "    lyapunov,\n    meter,\n"),
-                (
-                    CONFORMANCE,
-                    "*(clpe.clpe(),",
-                    "*(meter.current_meter(1.1), clpe.clpe(),",
-                ),
-            ),
-        ),
-        Step(
             "closed form",
             "test_another_test_has_numbers_of_each_block",
             (
@@ -261,8 +232,8 @@ BLOCK = Recipe(
 
                         def test_a_meter_scales_the_flow():
                             scenario = PAPER.with_values({"vehicle.meter_scale": 1.5})
-                            run = clpt.simulate(scenario, [0.0, 5.0])
-                            np.testing.assert_allclose(run.metered_flow, 1.5 * run.true_flow)
+                            run = clpt.simulate(clpt.closed_loop(scenario), [0.0, 5.0])
+                            np.testing.assert_allclose(run.flow_meter, 1.5 * run.true_flow)
                         """
                     ),
                 ),
@@ -273,14 +244,14 @@ BLOCK = Recipe(
     import clpt_control as clpt
     scenario = clpt.paper_scenario().with_values({"vehicle.meter_scale": 2.0})
     run = clpt.simulate(clpt.closed_loop(scenario), [0.0, 1.0])
-    assert hasattr(run, "flow_meter") or hasattr(run, "metered_flow"), "no meter"
+    assert hasattr(run, "flow_meter"), "no meter"
     """,
     (
         "tests/simulation/test_blocks_of_the_loop.py",
-        "tests/test_documentation.py",
+        "tests/test_scenario_page.py",
         FORMULAS,
         "-k",
-        "blocks_of_the_loop or stands_on_its_page or a_meter",
+        "blocks_of_the_loop or scenario_page or a_meter",
     ),
 )
 BLOCKS = {"part": PART, "block": BLOCK}

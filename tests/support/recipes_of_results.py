@@ -32,28 +32,12 @@ INTEGRATOR = Recipe(
         ),
         Step(
             "page of scenarios",
-            "test_a_row_is_named_where_users_look[Tsit5]",
-            (("docs/scenario.md", "`rodas5p`, for", "`tsit5`, `rodas5p`, for"),),
-        ),
-        Step(
-            "example",
-            "test_a_row_is_named_where_users_look[Tsit5]",
+            "test_the_page_is_current",
             (
                 (
-                    "clpt_control/data/paper.toml",
-                    "dop853 for others",
-                    "dop853 and tsit5 for others",
-                ),
-            ),
-        ),
-        Step(
-            "docstring",
-            "test_a_row_is_named_where_users_look[Tsit5]",
-            (
-                (
-                    "clpt_control/simulation/integrate.py",
-                    '``"rodas5p"``, for',
-                    '``"tsit5"``, ``"rodas5p"``, for',
+                    "docs/scenario.md",
+                    "order 8), ",
+                    "order 8), tsit5 (explicit, order 5), ",
                 ),
             ),
         ),
@@ -64,7 +48,12 @@ INTEGRATOR = Recipe(
     run = clpt.simulate(clpt.paper_scenario().with_values(values))
     assert run.attrs["method"] == "Tsit5"
     """,
-    ("tests/engine/solver/test_methods.py", "-k", "a_row"),
+    (
+        "tests/engine/solver/test_methods.py",
+        "tests/test_scenario_page.py",
+        "-k",
+        "a_row or scenario_page",
+    ),
 )
 TRACKS = "clpt_control/app/cli/tracks.py"
 OPTION = Recipe(
