@@ -123,7 +123,8 @@ class OutputBatch(MemberBatch):
 
     def user_summary(self, name: str, user: Callable) -> np.ndarray:
         """Return the user's number of each member; NaN if the member failed."""
-        template = DatasetTemplate(*self.varied.ports, {})
+        variables, axes = self.varied.ports
+        template = DatasetTemplate(variables, axes, {})
         numbers = np.full(len(self.y), np.nan)
         for m in np.flatnonzero(np.isin(self.run.status, COMPLETED)).tolist():
             times, y = self.stops.get(m, (self.varied.times, self.y[m]))

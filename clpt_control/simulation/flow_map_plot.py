@@ -4,7 +4,7 @@ Arrows are the learned flow and, where known, the true flow, both on one scale. 
 standard error of an estimate, or the error of a run whose true flow is known.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,10 +36,10 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     ax = axes_for(ax, 6.4, 5.2)
     flow = map_of(learned).isel(time=0)
     y, x = (flow[name] for name in flow.u.dims)
-    track = learned.track.T
+    easting, northing = learned.track.T
     if learned.plane is not None:
-        track = learned.plane.to_earth(*track)[::-1]
-    shade = {
+        northing, easting = learned.plane.to_earth(easting, northing)
+    shade: dict[str, Any] = {
         "cmap": "Purples",
         "vmin": 0.0,
         "alpha": 0.4,
@@ -47,7 +47,7 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     }
     for name in SHADES & flow.keys():
         flow[name].plot.pcolormesh(ax=ax, **shade)
-    ax.plot(*track, color=BLUE, linewidth=0.9, label="track")
+    ax.plot(easting, northing, color=BLUE, linewidth=0.9, label="track")
     arrows = flow.isel(dict.fromkeys(flow.u.dims, slice(0, None, BETWEEN)))
     fastest = float(f"{np.hypot(flow.u, flow.v).max():.1g}") or 1.0
     for prefix, label, color, width in ARROWS:
@@ -58,7 +58,12 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
                 arrows[f"{prefix}u"],
                 arrows[f"{prefix}v"],
             )
-            style = {"label": label, "color": color, "width": width, "zorder": 3}
+            style: dict[str, Any] = {
+                "label": label,
+                "color": color,
+                "width": width,
+                "zorder": 3,
+            }
             drawn = ax.quiver(*at, scale=9 * fastest, **style)
     ax.quiverkey(drawn, 0.8, 1.03, fastest, f"{fastest:g} {learned.unit}", labelpos="E")
     ax.set(xlabel=f"{x.name} ({x.units})", ylabel=f"{y.name} ({y.units})", title="")

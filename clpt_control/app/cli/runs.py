@@ -389,7 +389,11 @@ def tune(
         clpt tune mine.toml --waypoints --out better.toml --max-speed 1.5
     """
     if waypoints:
-        search = {"length": length, "max_speed": max_speed, "area": area}
+        search: dict[str, Any] = {
+            "length": length,
+            "max_speed": max_speed,
+            "area": area,
+        }
         search |= {"window": window, "start": start, "goal": goal, "seed": seed}
         tune_waypoints(scenario, out, search, figure, as_json)
         return

@@ -25,7 +25,7 @@ Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
 Start = tuple[Sliding | None, float, ndarray]  # of a leg: its switches, time and state
 
 
-def may_go_on(diagram: Any) -> list[int]:
+def may_go_on(diagram: Any) -> list[Status]:
     """Return the statuses of first legs that others may follow."""
     at_level = [Status.GUARD_LEFT] if diagram.resetting else []
     switching = [Status.CHATTERING, *STUCK] if diagram.code.program.decided else []

@@ -311,18 +311,15 @@ class File:
                     f"bounded_by_shape (bound_{k} i) {term.function}",
                 )
                 forms.setdefault(term.form, f"{k}")
-        found = True
-        while found:
-            found = next(self.solved(forms, self.bounded, self.is_bounded), None)
-            if found:
-                s, form, value = found
-                self.by_forms.append((s, form, value))
-                self.bounded |= {s, self.off[s]}
-                if form != s:
-                    value += f" + ({self.text(s - self.off[s])})" * (self.off[s] != s)
-                    claim = f"bounded (T i) {self.function(s)}"
-                    proof = f"bounded_as (fun t => {value})"
-                    self.lemma(f"bounded_{self.name[s]}", claim, proof)
+        while found := next(self.solved(forms, self.bounded, self.is_bounded), None):
+            s, form, value = found
+            self.by_forms.append((s, form, value))
+            self.bounded |= {s, self.off[s]}
+            if form != s:
+                value += f" + ({self.text(s - self.off[s])})" * (self.off[s] != s)
+                claim = f"bounded (T i) {self.function(s)}"
+                proof = f"bounded_as (fun t => {value})"
+                self.lemma(f"bounded_{self.name[s]}", claim, proof)
         self.lags()
         for s, rate in self.motion.items():
             if self.is_bounded(rate):
