@@ -120,11 +120,6 @@ def flow_map(
     return map_of(learned_flow(source), latitude, longitude, time)
 
 
-def learned_flow(source: "xarray.Dataset") -> _Learned:
-    """Return the learned flow of a run or an estimate."""
-    return _of_estimate(source) if kind_of(source) == "fixes" else _of_run(source)
-
-
 def map_of(
     learned: _Learned, latitude: Any = None, longitude: Any = None, time: Any = None
 ) -> "xarray.Dataset":
@@ -217,7 +212,10 @@ def _dataset(
     return xarray.Dataset(data, coordinates, attributes)
 
 
-def _of_run(run: "xarray.Dataset") -> _Learned:
+def learned_flow(run: "xarray.Dataset") -> _Learned:
+    """Return the learned flow of a run, or of an estimate."""
+    if kind_of(run) == "fixes":
+        return _of_estimate(run)
     scenario = scenario_of_run(run)
     check_run(run, scenario, "time", "position", "flow_parameters_estimate")
     unknown = unknown_parts(run)

@@ -4,7 +4,7 @@ Arrows are the learned flow and, where known, the true flow, both on one scale. 
 standard error of an estimate, or the error of a run whose true flow is known.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -39,32 +39,23 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     easting, northing = learned.track.T
     if learned.plane is not None:
         northing, easting = learned.plane.to_earth(easting, northing)
-    shade: dict[str, Any] = {
-        "cmap": "Purples",
-        "vmin": 0.0,
-        "alpha": 0.4,
-        "cbar_kwargs": {"shrink": 0.7},
-    }
     for name in SHADES & flow.keys():
-        flow[name].plot.pcolormesh(ax=ax, **shade)
+        shade = flow[name].plot.pcolormesh
+        shade(ax=ax, cmap="Purples", vmin=0, alpha=0.4, cbar_kwargs={"shrink": 0.7})
     ax.plot(easting, northing, color=BLUE, linewidth=0.9, label="track")
     arrows = flow.isel(dict.fromkeys(flow.u.dims, slice(0, None, BETWEEN)))
     fastest = float(f"{np.hypot(flow.u, flow.v).max():.1g}") or 1.0
     for prefix, label, color, width in ARROWS:
         if f"{prefix}u" in flow:
-            at = (
-                arrows[x.name],
-                arrows[y.name],
-                arrows[f"{prefix}u"],
-                arrows[f"{prefix}v"],
+            names = (x.name, y.name, f"{prefix}u", f"{prefix}v")
+            drawn = ax.quiver(
+                *(arrows[name] for name in names),
+                scale=9 * fastest,
+                label=label,
+                color=color,
+                width=width,
+                zorder=3,
             )
-            style: dict[str, Any] = {
-                "label": label,
-                "color": color,
-                "width": width,
-                "zorder": 3,
-            }
-            drawn = ax.quiver(*at, scale=9 * fastest, **style)
     ax.quiverkey(drawn, 0.8, 1.03, fastest, f"{fastest:g} {learned.unit}", labelpos="E")
     ax.set(xlabel=f"{x.name} ({x.units})", ylabel=f"{y.name} ({y.units})", title="")
     ax.set_aspect(1 / np.cos(np.radians(y.mean())) if learned.is_geographic else 1.0)
