@@ -241,7 +241,7 @@ def test_files_of_tests_have_names_of_their_own():
 TOKENS = {
     "": 239,
     "app": 1042,
-    "app.cli": 12710,
+    "app.cli": 12718,
     "app.notebook": 1868,
     "app.pages": 6627,
     "base": 11596,
@@ -256,7 +256,7 @@ TOKENS = {
     "engine.record": 8869,
     "engine.solver": 41285,
     "engine.trace": 41253,
-    "ensemble": 21517,
+    "ensemble": 21523,
     "ocean.estimation": 22316,
     "ocean.forecast": 23412,
     "ocean.gliders": 26142,
@@ -267,13 +267,13 @@ TOKENS = {
     "parts": 5474,
     "plots": 14,
     "plots.drawing": 6383,
-    "simulation": 43426,
+    "simulation": 43399,
     "theory.algebra": 19363,
     "theory.coq": 2395,
     "theory.design": 5654,
     "theory.excitation": 11948,
     "theory.laws": 16828,
-    "theory.proofs": 45868,
+    "theory.proofs": 45861,
     "theory.theorems": 8187,
 }
 LAID_OUT = {
