@@ -66,11 +66,11 @@ class Members:
         return self.schedules[self.group[m]]
 
     def inputs_along(self, times: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the inputs of members at times, (m, ninputs, ntimes)."""
+        """Return the inputs of members at times, (m or 1, ntimes, ninputs)."""
         inputs = [self.runners[m][1] for m in rows.tolist()]
         if all(item is inputs[0] for item in inputs):
             inputs = inputs[:1]
-        return np.array([item.along(times) for item in inputs])
+        return np.array([item.along(times).T for item in inputs])
 
 
 class Ensemble:
@@ -209,7 +209,11 @@ class Ensemble:
         # 2. members with more legs, as single runs
         for m in alone.tolist():
             run = NativeRun(self.native, times, members.schedule(m), self.options)
-            batch = run.batch(members.x0[m], members.P[m])
+            try:
+                batch = run.batch(members.x0[m], members.P[m])
+            except SimulationError:  # it begins where its jump is not defined
+                result.status[m] = Status.GUARD_LEFT
+                continue
             for array, rows in zip(result, batch.results, strict=True):
                 array[m] = rows[0]
         return result
