@@ -56,7 +56,8 @@ class OutputBatch(MemberBatch):
         times, wires = varied.state_times, varied.wiring.outputs
         y = np.full((len(status), len(wires), len(times)), np.nan)
         for rows, signals in self.ensemble.signals(self.members, self.run):
-            y[rows] = self._outputs(signals, self.members.inputs_along(times, rows))
+            u = self.members.inputs_along(times, rows)
+            y[rows] = np.moveaxis(varied.wiring.outputs_of(signals, u), 1, 2)
         not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         status = np.where(not_finite, Status.NOT_FINITE, status)
         self.y = y[..., varied.skipped :]
@@ -70,15 +71,6 @@ class OutputBatch(MemberBatch):
                 self.y[m][:, np.isin(varied.times, times)] = y[:, is_sample]
         self.run = self.run._replace(status=status)
 
-    def _outputs(self, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return outputs (m, outputs, times) of signals (m, times, signals) and inputs."""
-        wires = self.varied.wiring.outputs
-        y = np.zeros((len(signals), len(wires), signals.shape[1]))
-        for row, sources in enumerate(wires):
-            for k, gain in sources.items():  # added in their order, for equal rounding
-                y[:, row] += gain * (signals[..., k] if k >= 0 else u[:, ~k])
-        return y
-
     def _stop(self, m: int) -> tuple[np.ndarray, np.ndarray] | None:
         """Return times and outputs of a member to its stop, None if its guard is an error."""
         runner, arguments = self.ensemble.single(self.values, m)
@@ -89,8 +81,8 @@ class OutputBatch(MemberBatch):
         except SimulationError:
             return None
         first = min(self.varied.skipped, len(signals) - 1)
-        u = inputs.along(solution.t)
-        return solution.t[first:], self._outputs(signals[None], u[None])[0, :, first:]
+        y = self.varied.wiring.outputs_of(signals, inputs.along(solution.t).T)
+        return solution.t[first:], y[first:].T
 
     @cached_property
     def statistics(self) -> Values:

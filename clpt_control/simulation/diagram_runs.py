@@ -9,7 +9,6 @@ run; that of any other diagram has a variable for each port.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from operator import invert
 from typing import TYPE_CHECKING, Any
 from warnings import catch_warnings, simplefilter
 
@@ -178,12 +177,10 @@ class DiagramRun(SystemRun):
             steps = request.steps[request.steps < len(solution.t)]
             solution = replace(solution, t=solution.t[steps], x=solution.x[steps])
             signals = signals[steps]
-        if self.wiring.ninputs:
-            u = request.inputs.along(solution.t).T
-            signals = np.hstack([signals, u])
-        if self._signal_map is not None:
-            signals = (self._signal_map @ signals.T).T
-        return solution, signals
+        u = request.inputs.along(solution.t).T
+        if not self._outputs_are_signals:
+            signals = self.wiring.outputs_of(signals, u)
+        return solution, np.hstack([signals, u]) if self.wiring.ninputs else signals
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution, outputs and inputs with names, units and attributes."""
@@ -217,13 +214,10 @@ class DiagramRun(SystemRun):
         return {OWN_PARTS: ", ".join(filter(None, changes))}
 
     @cached_property
-    def _signal_map(self) -> Any:
-        """The matrix from all block outputs and inputs to outputs, then inputs; None for unity."""
-        inputs = tuple({~k: 1.0} for k in range(self.wiring.ninputs))
-        rows = self.wiring.outputs + inputs
-        columns = [*range(self.runner.nsignals), *map(invert, range(len(inputs)))]
-        is_unity = rows == tuple({column: 1.0} for column in columns)
-        return None if is_unity else self.wiring.matrix_of(rows)
+    def _outputs_are_signals(self) -> bool:
+        """True if the outputs are all outputs of blocks, in their order."""
+        all_signals = range(self.runner.nsignals)
+        return self.wiring.outputs == tuple({column: 1.0} for column in all_signals)
 
     @cached_property
     def template(self) -> DatasetTemplate:

@@ -143,11 +143,11 @@ class SensitivityRun:
 
         # arrays of shape (nt, count, 1 + nparameters)
         blocks = runner.signals(solution, self.inputs)
-        blocks = blocks.reshape(len(blocks), len(x), -1).transpose(0, 2, 1)
-        inputs = np.zeros((len(blocks), self.wiring.ninputs, len(x)))
-        inputs[..., 0] = self.inputs.along(solution.t).T
-        signals = np.concatenate([blocks, inputs], axis=1)[self.skipped :]
-        outputs = np.array([self.wiring.output_map @ sample for sample in signals])
+        blocks = blocks.reshape(len(blocks), len(x), -1)
+        inputs = np.zeros((len(blocks), len(x), self.wiring.ninputs))
+        inputs[:, 0] = self.inputs.along(solution.t).T
+        outputs = self.wiring.outputs_of(blocks, inputs).transpose(0, 2, 1)
+        outputs = outputs[self.skipped :]
         states = solution.x.reshape(len(blocks), *x.shape).transpose(0, 2, 1)[
             self.skipped :
         ]

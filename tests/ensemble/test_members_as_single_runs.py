@@ -170,3 +170,44 @@ def test_members_go_on_as_simulate_does(name, threads):
             found = data[state][m].values
             assert found.tobytes() == alone[state].values.tobytes()
     assert words in alone.attrs["method"]
+
+
+@pytest.mark.parametrize("outputs", [["y"], ["y", "z"]])
+def test_zeros_of_members_have_the_sign_of_simulate(outputs):
+    """The output -k x of k = 0 is -0.0, as it is in `simulate` and in NumPy."""
+    system = control.nlsys(
+        lambda t, x, u, p: [-x[0]],
+        lambda t, x, u, p: [-p["k"] * x[0], x[0]][: len(outputs)],
+        inputs=0,
+        outputs=outputs,
+        states=1,
+        params={"k": 1.0},
+        name="decay",
+    )
+    given = {"timepts": [0.0, 1.0], "initial_state": [1.0]}
+    data = clpt.run_ensemble(system, {"k": [0.0, 1.0]}, trajectories=True, **given)
+    alone = clpt.simulate(system, params={"k": 0.0}, **given)
+    for run in (alone.y, data.y[0], data.y_final[0]):
+        assert (run == 0.0).all()
+        assert np.signbit(run).all()
+
+
+@pytest.mark.parametrize("count", [2, 9])
+def test_a_member_that_begins_outside_its_jumps_fails_alone(count):
+    """A height 1 falls to 1 - g t^2 / 2; no ball begins below the floor."""
+    ball = clpt.Block(
+        "ball",
+        update=lambda t, x, u, p: [x.v, -9.81],
+        output=lambda t, x, u, p: x.h,
+        outputs={"height": 1},
+        states={"h": 1, "v": 1},
+        guard=clpt.Guard(lambda t, x, u, p: x.h, "jump"),
+        jump=lambda t, x, u, p: [0.0, -0.8 * x.v],
+    )
+    heights = np.array([1.0] * count)
+    heights[1] = -1e-12
+    with pytest.warns(UserWarning, match="member 1: .* outside of the guard of ball"):
+        data = clpt.run_ensemble(ball, {"h[0]": heights}, timepts=[0.0, 0.1])
+    assert (data.status == 1).values.tolist() == (heights == 1.0).tolist()
+    np.testing.assert_allclose(data.height_final[heights == 1.0], 1.0 - 0.04905)
+    assert np.isnan(data.height_final[1])

@@ -360,11 +360,7 @@ def _linearized(
                 )
     except Unread as error:
         raise DiagramError(f"{error}") from None
-    all_slopes = np.vstack([Y, about.unit_vectors[n:]])
-    is_finite = np.isfinite(all_slopes)
-    CD = wiring.output_map @ np.where(is_finite, all_slopes, 0.0)
-    is_used = wiring.output_map != 0.0
-    CD[is_used @ ~is_finite] = np.nan
+    CD = wiring.outputs_of(Y.T, about.unit_vectors[n:].T).T
     states = system.state_labels
     labels = [*states, *system.input_labels]
     for rows, names in ((AB + jumps, states), (CD, system.output_labels)):

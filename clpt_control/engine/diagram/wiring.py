@@ -26,7 +26,6 @@ from ..model.sampled import Sampled
 from ..model.system import System, linear
 from .evaluation_order import order_of
 
-MOST_DENSE = 40_000  # entries of the largest matrix that is not sparse
 Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
 Params = Mapping[str, Any] | None  # call-time parameters, as python-control has them
 # of states and inputs, for a system that leaves them open
@@ -109,23 +108,17 @@ class Wiring:
         """The blocks with their names."""
         return [(node.name, node.system) for node in self.nodes]
 
-    @cached_property
-    def output_map(self) -> Any:
-        """The matrix from block outputs and inputs to the diagram's outputs."""
-        return self.matrix_of(self.outputs)
-
-    def matrix_of(self, rows: Sequence[Row]) -> Any:
-        """Return rows as a matrix, of all block outputs and then all inputs; sparse if large."""
-        from scipy.sparse import dok_array
-
-        signals = self.nodes[-1].outputs.stop
-        shape = len(rows), signals + self.ninputs
-        is_small = shape[0] * shape[1] <= MOST_DENSE
-        matrix: Any = np.zeros(shape) if is_small else dok_array(shape)
-        for to, row in enumerate(rows):
-            for k, gain in row.items():
-                matrix[to, k if k >= 0 else signals + ~k] = gain
-        return matrix if is_small else matrix.tocsr()
+    def outputs_of(self, signals: Any, inputs: Any) -> np.ndarray:
+        """Return the diagram's outputs; signals of blocks and inputs are on last axes."""
+        y = np.zeros((*np.shape(signals)[:-1], len(self.outputs)))
+        for to, row in enumerate(self.outputs):
+            terms = [
+                gain * (signals[..., k] if k >= 0 else inputs[..., ~k])
+                for k, gain in row.items()
+            ]
+            if terms:  # added in their order, for equal rounding; the first keeps its sign of zero
+                y[..., to] = sum(terms[1:], terms[0])
+        return y
 
 
 # --- nested diagrams as one list of blocks -------------------------------------------------------

@@ -238,8 +238,7 @@ class Sweep:
 
     def outputs(self) -> ndarray:
         """Return the diagram's outputs of the last pass."""
-        sources = np.concatenate([self.signals, self._external])
-        return self.wiring.output_map @ sources
+        return self.wiring.outputs_of(self.signals, self._external)
 
     @np.errstate(all="ignore")
     def margin(
