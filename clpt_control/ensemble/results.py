@@ -77,7 +77,7 @@ def attributes_of(
     }
 
 
-class Results:
+class EnsembleResults:
     """Arrays of an ensemble by name, in memory; chunks of members are written into them."""
 
     path: Any = None
@@ -98,7 +98,7 @@ class Results:
     @classmethod
     def in_memory(
         cls, attributes: Mapping[str, Any], variables: "Mapping[str, xarray.Variable]"
-    ) -> "Results":
+    ) -> "EnsembleResults":
         """Return arrays without the numbers of any chunk."""
         copies = {name: variable.copy() for name, variable in variables.items()}
         arrays = {name: variable.values for name, variable in copies.items()}

@@ -36,7 +36,7 @@ from ..base.progress.processes import processes
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
-from .results import COMPLETED, STATUS, Results, arrays_of, attributes_of
+from .results import COMPLETED, STATUS, EnsembleResults, arrays_of, attributes_of
 from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
 from .store import begun_or_made, open_store
 from .varied_diagram import VariedDiagram
@@ -301,7 +301,11 @@ def available_threads() -> int:
 
 
 def _run_here(
-    ensemble: Ensemble, store: Results, missing: list[int], threads: int, report: Report
+    ensemble: Ensemble,
+    store: EnsembleResults,
+    missing: list[int],
+    threads: int,
+    report: Report,
 ) -> None:
     """Run the missing chunks on threads, and write each chunk when its batches are done."""
     members = store.count(missing)
@@ -382,7 +386,7 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
 
 def _run_elsewhere(
     work: tuple,
-    store: Results,
+    store: EnsembleResults,
     missing: list[int],
     address: str,
     workers: int,

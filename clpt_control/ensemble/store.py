@@ -24,7 +24,7 @@ from ..base.errors import DataError, import_optional
 from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from .members import Values
-from .results import ARGUMENTS, CODE, Results, labelled
+from .results import ARGUMENTS, CODE, EnsembleResults, labelled
 
 if TYPE_CHECKING:
     import xarray
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 DIGESTS, DONE = "digests", "done"
 
 
-class Store(Results):
+class Store(EnsembleResults):
     """Arrays of an ensemble in a folder."""
 
     def __init__(self, group: Any, path: Path):
@@ -137,10 +137,10 @@ def begun_or_made(
     path: Path | None,
     attributes: Mapping[str, Any],
     variables: "Mapping[str, xarray.Variable]",
-) -> Results:
+) -> EnsembleResults:
     """Open the store of the same ensemble, begun by the same code, or make one, or use memory."""
     if path is None:
-        return Results.in_memory(attributes, variables)
+        return EnsembleResults.in_memory(attributes, variables)
     if not path.exists() or (path.is_dir() and not any(path.iterdir())):
         return create_store(path, attributes, variables)
     store = open_store(path)
