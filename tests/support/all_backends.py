@@ -199,7 +199,7 @@ class _CFunctions:
     def values(self, t: float, x: Any, u: Any) -> Values:
         """Return rates and outputs."""
         signals = self._call("signals", t, x, u)[: len(self.sweep.signals)]
-        outputs = self.sweep.wiring.output_map @ np.concatenate([signals, u])
+        outputs = self.sweep.wiring.outputs_of(signals, u)
         return self._call("rates", t, x, u)[: len(x)], outputs
 
     def jumped(self, t: float, x: Any, u: Any) -> np.ndarray:
@@ -276,7 +276,7 @@ class _MachineCode:
                 begin = native.decided_at
                 self.P[begin : begin + decided] = self.D[:decided]
         signals = self.W[: native.nsignals, -1]
-        outputs = native.wiring.output_map @ np.concatenate([signals, u])
+        outputs = native.wiring.outputs_of(signals, u)
         states = self.D[: native.nstates, -1].copy()
         return states, outputs
 
