@@ -143,6 +143,7 @@ LEGS = {  # rates, times, k, initial state, and the words of a run's method
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("name", LEGS)
 def test_members_go_on_as_simulate_does(name, threads):

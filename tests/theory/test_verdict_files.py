@@ -105,6 +105,7 @@ def test_file_says_what_the_sentence_says(name):
     assert not re.search(r"\b(Admitted|Axiom|Parameter|Abort)\b", text)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", REGIONS)
 def test_file_of_a_region_says_what_is_not_left(name):
     verdict = judged_in_region(name)

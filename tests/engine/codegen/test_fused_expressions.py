@@ -93,6 +93,7 @@ def as_python(diagram, points):
         np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-13, err_msg=name)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("update", PROGRAMS)
 def test_every_form_is_numpys(update):
     block = block_of(update)

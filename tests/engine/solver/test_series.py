@@ -333,6 +333,7 @@ def test_sensitivities_of_roots_by_series(name):
     )
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     "norm", [np.linalg.norm, lambda x: np.hypot(x[0], x[1]), lambda x: (x @ x) ** 0.5]
 )
@@ -350,6 +351,7 @@ def test_sensitivities_of_norms_by_series(norm):
     np.testing.assert_allclose(slopes, turned(3.0, np.array(start)), atol=1e-6)
 
 
+@pytest.mark.long
 def test_orbits_in_space_have_series():
     """Kepler's motion keeps the derivatives of energy and angular momentum by the start."""
 

@@ -349,6 +349,7 @@ def test_a_vehicle_that_shuttles_between_two_piers_is_learned():
     assert learned.flow == pytest.approx((0.2, 0.0), abs=2e-3)
 
 
+@pytest.mark.long
 def test_the_example_goes_on_after_a_restart(nmea):
     """With all sentences again: the same numbers. With lost sentences: a leg begins."""
     log = []
@@ -371,6 +372,7 @@ def test_a_speed_that_cannot_be_makes_the_motion_unknown(nmea):
     assert "begins a leg" not in answers[2]["note"]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     ("body", "count"),
     [
