@@ -26,9 +26,9 @@ from .vectors import (
     BIT,
     DOUBLE,
     INT32,
-    SEARCHES,
     WORD,
     calculate,
+    calculate_on_row,
     constant,
     declared,
     elements,
@@ -388,8 +388,8 @@ class LLVMPrinter(LoopPrinter):
                 results.append(builder.load(address))
                 continue
             sizes = [ir.Constant(WORD, size) for size in (stride * columns, count)]
-            function = SEARCHES[name](builder.module)
-            results.append(builder.call(function, [address, *sizes, *numbers]))
+            arguments = [address, *sizes, *numbers]
+            results.append(calculate_on_row(builder, name, arguments))
         result = gathered(builder, results)
         if is_pick:  # NaN where there is no such element
             return number("where", inside, result, float("nan"))

@@ -3,7 +3,7 @@
 About thirty operations are primitives: instructions, intrinsics and functions of the C library.
 The others are functions in NumPy (`elementary`), which are traced and printed as primitives.  Every
 primitive follows IEEE 754 for each number.  Nothing is reassociated or contracted, so a result does
-not depend on the processor or on other lanes.  `SEARCHES` has the functions of rows of numbers.
+not depend on the processor or on other lanes.  Functions of rows of numbers are LLVM's text.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,7 +19,7 @@ from ..record.operations import TABLE
 from ..trace.arrays import Tape, operand
 from .elementary import FUNCTIONS, MAGIC
 from .fused_expressions import OUT_OF_LINE
-from .machine import LANES, scales
+from .machine import LANES, ROWS, scales
 
 DOUBLE = ir.DoubleType()
 BIT = ir.IntType(1)
@@ -323,102 +323,36 @@ def calculate_tape(
 
 
 # --- rows of numbers -------------------------------------------------------------------------
-#
-# search(row, stride, count, value, right)    how many numbers of a sorted row are below a value,
-#                                             or equal to it if `right`; 0 for NaN
-# argmin(row, stride, count)                  index of the least number, or of the first NaN
-
-ROW = (DOUBLE.as_pointer(), WORD, WORD)
 
 
-def _function(
-    module: ir.Module, name: str, arguments: tuple[ir.Type, ...]
-) -> tuple[Any, bool]:
-    """Return a function of the module, and whether it is still to be written."""
-    if name in module.globals:
-        return module.globals[name], False
-    signature = ir.FunctionType(DOUBLE, arguments)
-    function = ir.Function(module, signature, name)
-    function.linkage = "internal"
-    return function, True
+BODIES = {  # by name
+    head.partition("@")[2].partition("(")[0]: body
+    for head, _, body in (
+        text.partition("{") for text in ROWS.read_text("utf-8").split("\n}\n")
+    )
+}
 
 
-def _number_at(builder: ir.IRBuilder, row: Any, stride: Any, position: Any) -> Any:
-    offset = builder.mul(position, stride)
-    address = builder.gep(row, [offset])
-    return builder.load(address)
+class RowFunction(ir.Function):
+    """A function of a row of numbers, with its body in `rows.ll`."""
+
+    def __init__(self, module: ir.Module, name: str, arguments: Sequence[Any]):
+        types = [argument.type for argument in arguments]
+        super().__init__(module, ir.FunctionType(DOUBLE, types), name)
+        self.linkage = "internal"
+        self.append_basic_block()  # in whose place the body is printed
+        names = ("row", "stride", "count", "value", "right")
+        for argument, argument_name in zip(self.args, names, strict=False):
+            argument.name = argument_name
+
+    def descr_body(self, buf: list[str]) -> None:
+        """Print the body."""
+        buf += [BODIES[self.name], "\n"]
 
 
-def search(module: ir.Module) -> Any:
-    """Return the function that bisects a sorted row."""
-    function, is_new = _function(module, "search", (*ROW, DOUBLE, DOUBLE))
-    if not is_new:
-        return function
-    row, stride, count, value, counts_equal = function.args
-    entry, loop, body, end = (function.append_basic_block() for _ in range(4))
-    builder = ir.IRBuilder(entry)
-    also_equal = builder.fcmp_ordered(">", counts_equal, ir.Constant(DOUBLE, 0.5))
-    builder.branch(loop)
-    builder.position_at_end(loop)
-    # the result is from low to high
-    low = builder.phi(WORD)
-    high = builder.phi(WORD)
-    low.add_incoming(ir.Constant(WORD, 0), entry)
-    high.add_incoming(count, entry)
-    is_open = builder.icmp_signed("<", low, high)
-    builder.cbranch(is_open, body, end)
-    builder.position_at_end(body)
-    low_and_high = builder.add(low, high)
-    middle = builder.lshr(low_and_high, ir.Constant(WORD, 1))
-    number = _number_at(builder, row, stride, middle)
-    is_equal = builder.fcmp_ordered("==", number, value)
-    counts = builder.and_(also_equal, is_equal)
-    is_less = builder.fcmp_ordered("<", number, value)
-    below = builder.or_(is_less, counts)
-    after = builder.add(middle, ir.Constant(WORD, 1))
-    new_low = builder.select(below, after, low)
-    new_high = builder.select(below, high, middle)
-    low.add_incoming(new_low, body)
-    high.add_incoming(new_high, body)
-    builder.branch(loop)
-    builder.position_at_end(end)
-    builder.ret(builder.sitofp(low, DOUBLE))
-    return function
-
-
-def argmin(module: ir.Module) -> Any:
-    """Return the function that finds the least number of a row."""
-    function, is_new = _function(module, "argmin", ROW)
-    if not is_new:
-        return function
-    row, stride, count = function.args
-    entry, body, end = (function.append_basic_block() for _ in range(3))
-    builder = ir.IRBuilder(entry)
-    first_number = builder.load(row)
-    builder.branch(body)
-    builder.position_at_end(body)
-    position = builder.phi(WORD)
-    best = builder.phi(WORD)
-    least = builder.phi(DOUBLE)
-    zero = ir.Constant(WORD, 0)
-    position.add_incoming(zero, entry)
-    best.add_incoming(zero, entry)
-    least.add_incoming(first_number, entry)
-    number = _number_at(builder, row, stride, position)
-    is_number = builder.fcmp_ordered("ord", least, least)  # a NaN stays the least
-    is_less = builder.fcmp_unordered("<", number, least)
-    better = builder.and_(is_number, is_less)
-    new_best = builder.select(better, position, best)
-    new_least = builder.select(better, number, least)
-    following = builder.add(position, ir.Constant(WORD, 1))
-    position.add_incoming(following, body)
-    best.add_incoming(new_best, body)
-    least.add_incoming(new_least, body)
-    continues = builder.icmp_signed("<", following, count)
-    builder.cbranch(continues, body, end)
-    builder.position_at_end(end)
-    builder.ret(builder.sitofp(new_best, DOUBLE))
-    return function
-
-
-SEARCHES: dict[str, Callable[[ir.Module], Any]] = {"search": search, "argmin": argmin}
+def calculate_on_row(builder: ir.IRBuilder, name: str, arguments: Sequence[Any]) -> Any:
+    """Return the value of a function of a row: its address, stride and count, and numbers."""
+    module = builder.module
+    if name not in module.globals:
+        RowFunction(module, name, arguments)
+    return builder.call(module.globals[name], arguments)

@@ -9,7 +9,7 @@ import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy import ndarray
@@ -135,8 +135,9 @@ def run_compared(
     except SimulationError as error:
         at_start = Solution(times[:1], start[None])
         why = difference(runner, at_start, inputs)
-        if not why:
-            why = difference_ahead(runner, error.points, times, inputs)
+        if not why and error.points and not _is_of_package(runner):
+            segments = runner.schedule(times, inputs)
+            why = Comparison(runner, segments, inputs).ahead(error.points)
         if not why and Status.NOT_FINITE.sentence in str(error):
             # blocks in Python find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
@@ -162,7 +163,7 @@ STRIDE = 7919  # a prime: samples of the runs that follow
 def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str:
     """Return a sentence on the function that was misread; "" where all agrees."""
     n = len(solution.t)
-    if not n or all(node.system.of_package for node in runner.wiring.nodes):
+    if not n or _is_of_package(runner):
         return ""
     # four samples of the first run, and of each later one another sample
     samples = sorted({0, n // 3, 2 * n // 3, n - 1})
@@ -170,6 +171,11 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
         samples = [runner.comparisons * STRIDE % n]
     runner.comparisons += 1
     return difference_at(samples, runner, solution, inputs)
+
+
+def _is_of_package(runner: Runner) -> bool:
+    """Return whether all functions are the package's own, which are not compared."""
+    return all(node.system.of_package for node in runner.wiring.nodes)
 
 
 def difference_at(
@@ -180,100 +186,77 @@ def difference_at(
 ) -> str:
     """Return a sentence on the function that differs at a sample of a solution, or ""."""
     # compare the samples, then states next to those that differ
-    segments = runner.segments_of(solution, inputs)
+    compared = Comparison(runner, runner.segments_of(solution, inputs), inputs)
+    t, x = solution.t, solution.x
     solution.signals = runner.evaluate(solution, inputs)
-    signals = solution.signals[samples]
-    agrees = _agrees(
-        runner, segments, solution.t[samples], solution.x[samples], inputs, signals
-    )
-    for k in np.array(samples)[~agrees]:
-        why = _difference_beside(runner, segments, solution.t[k], solution.x[k], inputs)
-        if why:
-            return why
-    return ""
+    agrees = compared.agrees(t[samples], x[samples], solution.signals[samples])
+    beside = (compared.beside(t[k], x[k]) for k in np.array(samples)[~agrees])
+    return next(filter(None, beside), "")
 
 
-def _difference_beside(
-    runner: NativeDiagram,
-    segments: Schedule,
-    t: float,
-    x: ndarray,
-    inputs: Inputs | None,
-) -> str:
-    """Return a sentence on the function that differs at all states next to x too, or ""."""
-    # equal directions might stay at rest
-    scaled = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))
-    for distance in DISTANCES:
-        time = np.array([t + 1e-3 * distance])
-        moved = x + distance * scaled
-        if _agrees(runner, segments, time, moved[None], inputs)[0]:
-            return ""
-    misread = misread_function(runner, float(t), moved, inputs)
-    return misread or f"at t = {t:.6g} its rates are not those of its functions"
+class Comparison(NamedTuple):
+    """Machine code and Python, compared at points of a run."""
 
+    runner: NativeDiagram
+    segments: Schedule
+    inputs: Inputs | None
 
-def difference_ahead(
-    runner: NativeDiagram, points: Any, times: Any, inputs: Inputs | None
-) -> str:
-    """Return where Python gives a number, and machine code none, ahead of a stopped run."""
-    if not points or all(node.system.of_package for node in runner.wiring.nodes):
+    def agrees(self, times: ndarray, x: ndarray, signals: Any = None) -> ndarray:
+        """Return at which times and states Python and machine code give the same.
+
+        That is the same signals, which machine code may have given before, the same rates, the same
+        states after all jumps, and the same distances of guards.  Derivatives along directions,
+        behind them, are not compared.
+        """
+        runner, segments, inputs = self
+        sweep = runner.sweep
+        machine = runner.results(times, x, segments, signals)
+        states = x[:, : sweep.nstates]
+        run = times[-1] - times[0]
+        python = [
+            sweep.results(t, state, inputs_at(inputs, t), run)
+            for t, state in zip(times.tolist(), states, strict=True)
+        ]
+        agrees = np.ones(len(times), dtype=bool)
+        for rows, compiled in zip(zip(*python, strict=True), machine, strict=True):
+            compiled = compiled[:, : len(rows[0])]
+            if (compiled == rows).all():  # most often
+                continue
+            for k, *_ in differences(compiled, rows):
+                agrees[k] = False
+        return agrees
+
+    def beside(self, t: float, x: ndarray) -> str:
+        """Return a sentence on the function that differs at all states next to x too, or ""."""
+        # equal directions might stay at rest
+        scaled = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))
+        for distance in DISTANCES:
+            moved = x + distance * scaled
+            if self.agrees(np.array([t + 1e-3 * distance]), moved[None])[0]:
+                return ""
+        misread = self.misread(float(t), moved)
+        return misread or f"at t = {t:.6g} its rates are not those of its functions"
+
+    def ahead(self, points: Any) -> str:
+        """Return where Python gives a number, and machine code none, ahead of a stopped run."""
+        for t, x in points:
+            if np.isfinite(x).all() and not self.agrees(np.array([t]), x[None])[0]:
+                return self.misread(float(t), x)
         return ""
-    segments = runner.schedule(times, inputs)
-    for t, x in points:
-        time = np.array([t])
-        is_finite = np.isfinite(x).all()
-        if is_finite and not _agrees(runner, segments, time, x[None], inputs)[0]:
-            return misread_function(runner, float(t), x, inputs)
-    return ""
 
-
-def _agrees(
-    runner: NativeDiagram,
-    segments: Schedule,
-    times: ndarray,
-    x: ndarray,
-    inputs: Inputs | None,
-    signals: ndarray | None = None,
-) -> ndarray:
-    """Return at which times and states Python and machine code give the same.
-
-    That is the same signals, which machine code may have given before, the same rates, the same
-    states after all jumps, and the same distances of guards.  Derivatives along directions, behind
-    them, are not compared.
-    """
-    sweep = runner.sweep
-    machine = runner.results(times, x, segments, signals)
-    states = x[:, : sweep.nstates]
-    run = times[-1] - times[0]
-    python = [
-        sweep.results(t, state, inputs_at(inputs, t), run)
-        for t, state in zip(times.tolist(), states, strict=True)
-    ]
-    agrees = np.ones(len(times), dtype=bool)
-    for rows, compiled in zip(zip(*python, strict=True), machine, strict=True):
-        compiled = compiled[:, : len(rows[0])]
-        if (compiled == rows).all():  # most often
-            continue
-        for k, *_ in differences(compiled, rows):
-            agrees[k] = False
-    return agrees
-
-
-@np.errstate(all="ignore")  # as a sweep runs them
-def misread_function(
-    runner: Runner, t: float, x: ndarray, inputs: Inputs | None
-) -> str:
-    """Return a sentence on the function whose record differs from it, or ""."""
-    sweep = runner.sweep
-    x = x[: sweep.nstates]
-    sweep.derivative(t, x, inputs_at(inputs, t))
-    for k, node in enumerate(runner.wiring.nodes):
-        block = node.system
-        arguments = t, x[node.states], sweep.fed(k), sweep.parameters[k]
-        for role in block._roles:
-            with suppress(Unread):
-                values = on_arrays(block, role, *arguments)
-                expected = block.values(role, len(values), *arguments)
-                if differ(values, expected).any():
-                    return f"{node.name}.{role} gives other numbers in Python"
-    return ""
+    @np.errstate(all="ignore")  # as a sweep runs them
+    def misread(self, t: float, x: ndarray) -> str:
+        """Return a sentence on the function whose record differs from it, or ""."""
+        sweep = self.runner.sweep
+        x = x[: sweep.nstates]
+        sweep.derivative(t, x, inputs_at(self.inputs, t))
+        for k, node in enumerate(sweep.nodes):
+            block = node.system
+            arguments = t, x[node.states], sweep.fed(k), sweep.parameters[k]
+            for role in block._roles:
+                with suppress(Unread):
+                    values = on_arrays(block, role, *arguments)
+                    expected = block.values(role, len(values), *arguments)
+                    if differ(values, expected).any():
+                        return f"{node.name}.{role} gives other numbers in Python"
+        return ""
