@@ -24,8 +24,8 @@ from ..model.ports import ports_of
 from ..record.graph import reached
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
-from ..trace.derivative import Direction
-from ..trace.elementwise import elementwise, lifted
+from ..trace.derivative import OF_ROOTS, Direction
+from ..trace.elementwise import lifted
 from .diagram_record import DiagramRecord, is_read
 from .switching_conditions import Port
 
@@ -44,26 +44,6 @@ class Directions(NamedTuple):
     def copies(self) -> int:
         """Number of vectors as long as the state: the state and its derivatives."""
         return 1 + len(self.parameters)
-
-
-class _FiniteDirection(Direction):
-    """Direction along which a root of squares, |x|, has the derivative 0 at x = 0, not 0/0.
-
-    The same goes for a power of |x|, as in |x|^0.5 x.
-    """
-
-    def _slope(self, k: int) -> Any:
-        slope = super()._slope(k)
-        if slope is None or self.tape.operations[k].kind not in (
-            "sqrt",
-            "hypot",
-            "pow",
-        ):
-            return slope
-        is_zero = self.tape.value(k) == 0.0
-        is_nan = slope != slope
-        undefined = is_zero & is_nan
-        return elementwise("where", undefined, 0.0, slope)
 
 
 def add_derivatives(record: DiagramRecord, form: Directions) -> None:
@@ -110,7 +90,7 @@ def _direction(
             end = offset + prod(shape)
             numbers = parameter_slopes[offset:end]
             slopes[k] = lifted(tape, numbers.reshape(shape)) if numbers.any() else None
-    return _FiniteDirection(tape, slopes)
+    return Direction(tape, slopes, undefined=OF_ROOTS)
 
 
 # --- names of varied values -----------------------------------------------------------------

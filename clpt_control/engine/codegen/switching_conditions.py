@@ -147,11 +147,7 @@ class Decisions:
         operation = -1  # of those that decide
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
-        fed: set[Ref] = set()  # entries that depend on states, or on inputs
-        driven: set[Ref] = set()  # on inputs
-        moved: set[Ref] = set()  # on states
-        timely: set[Ref] = set()  # on time, and not on inputs
-        inputs = len(record.layout.P)
+        timely: set[Ref] = set()  # entries that depend on time, and not on inputs
 
         def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
@@ -159,21 +155,17 @@ class Decisions:
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
             kind, exact, shape, at = record.entries[k]
             refs = [argument for argument in exact if type(argument) is int]
-            array, offset = at if kind == "load" else ("", 0)
-            is_input = array == "P" and offset >= inputs
-            if array == "X" or is_input or fed.intersection(refs):
-                fed.add(k)
+            array = at[0] if kind == "load" else ""
+            sources = self._arrays_of([k])
             peaked = {ref for ref in refs if kind != "div" or ref == exact[1]}
-            if array == "X" or moved.intersection(refs):
-                moved.add(k)
-            if is_input or driven.intersection(refs):
-                driven.add(k)
-                by_inputs = driven.intersection(peaked) - moved
-                self.ramped |= kind in PEAKED and bool(by_inputs)
-            elif array == "t" or timely.intersection(refs):
+            if kind not in PEAKED:
+                peaked = set()
+            ramps = ({"U", "X"} & self._arrays_of([ref]) for ref in peaked)
+            self.ramped |= {"U"} in ramps
+            if "U" not in sources and (array == "t" or timely.intersection(refs)):
                 if kind not in COMPARED:
                     timely.add(k)
-                self.timed |= kind in PEAKED and not timely.isdisjoint(peaked)
+                self.timed |= not timely.isdisjoint(peaked)
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))
@@ -187,7 +179,7 @@ class Decisions:
             operation += decides
             if decides and operation not in passed:
                 self.operations.append(self.count)
-                self.timed |= k not in fed
+                self.timed |= sources.isdisjoint("UX")
                 locked[k], settled[k] = self._lock(
                     k, arguments, exact_settled, fixed, flipped, is_shared
                 )
@@ -331,7 +323,9 @@ class Decisions:
         if name in COMPARED and of[1] != 0.0:
             threshold_size = add("fabs", of[1])
             size = add("add", size, threshold_size)
-        least = add("mul", size, OF_TIME if self._is_of_time(of) else ROUNDING)
+        arrays = self._arrays_of(of)
+        is_of_time = "t" in arrays and arrays <= {*"tPU"}
+        least = add("mul", size, OF_TIME if is_of_time else ROUNDING)
         if name in COMPARED:
             difference = add("sub", *of)
             if COMPARED[name] < 0:
@@ -398,18 +392,18 @@ class Decisions:
         rounding = add("mul", size, ROUNDING)
         return add("sub", second_least, least), rounding
 
-    def _is_of_time(self, refs: Sequence[Ref]) -> bool:
-        """Return whether values are computed of time and parameters alone."""
+    def _arrays_of(self, refs: Sequence[Ref]) -> frozenset[str]:
+        """Return the arrays that values are computed of: t, X, P and T; U of inputs in P."""
         entries = self.record.entries
         for k in sorted(reached(entries, refs, self._sources)):
             kind, arguments, _, at = entries[k]
             own = at[0] if kind == "load" else ""
-            self._sources[k] = self._arrays_of(arguments).union(own)
-        arrays = self._arrays_of(refs)
-        return "t" in arrays and arrays <= {"t", "P"}
+            if own == "P" and at[1] >= len(self.record.layout.P):
+                own = "U"
+            self._sources[k] = self._union_of(arguments).union(own)
+        return self._union_of(refs)
 
-    def _arrays_of(self, refs: Sequence[Ref]) -> frozenset[str]:
-        """Return the arrays that values are computed of."""
+    def _union_of(self, refs: Sequence[Ref]) -> frozenset[str]:
         sources = [self._sources[ref] for ref in refs if type(ref) is int]
         return frozenset[str]().union(*sources)
 

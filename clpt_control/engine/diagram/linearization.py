@@ -28,7 +28,7 @@ from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
-from ..trace.derivative import Direction, OverflowingDirection
+from ..trace.derivative import OF_OVERFLOW, Direction
 from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord
@@ -72,7 +72,7 @@ class _About:
         self.unit_vectors = np.eye(self.count)
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
-        self.direction = OverflowingDirection(self.tape, {})
+        self.direction = Direction(self.tape, {}, undefined=OF_OVERFLOW)
         self.parameters = {}
         for node, p in zip(wiring.nodes, block_parameters, strict=True):
             self.parameters[node.name] = p

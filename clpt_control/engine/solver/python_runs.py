@@ -34,7 +34,7 @@ from .termination import (
     edge,
     in_discrete_time,
     points_ahead,
-    stopped,
+    stopped_between,
     trouble_at,
     without_states,
 )
@@ -164,7 +164,9 @@ class PythonRun:
             method=(DOP853 if self.short else self.method).__name__,
             pieces=self.schedule,
         )
-        return solution if self.end is None else self._stopped(solution, *self.end)
+        if self.end is None:
+            return solution
+        return stopped_between(self.sweep, solution, *self.end, self.inputs)
 
     def _rates(self, t: float, x: ndarray) -> ndarray:
         self.evaluations += 1
@@ -284,16 +286,6 @@ class PythonRun:
                 end = edge(lambda t: self._margin(t, within(t)), low, high)
                 self.end = end, within(end)
                 return
-
-    def _stopped(self, solution: Solution, t: float, x: ndarray) -> Solution:
-        """Return a solution up to the time and state at which a guard is left."""
-        _, policy, sentence = self.sweep.margin(t, x, inputs_at(self.inputs, t))
-        near = abs(self.times - t) <= rounding(t, self.run)
-        end = self.times[near][0] if near.any() else t
-        inner = (self.times < t) & ~near
-        times = np.append(self.times[inner], end)
-        states = np.vstack([self.states[inner], x])
-        return stopped(solution, policy, sentence, times, states)
 
     # --- errors -----------------------------------------------------------------------------
 

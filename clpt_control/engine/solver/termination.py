@@ -85,9 +85,9 @@ def ended(diagram: Any, batch: Batch, inputs: Inputs | None) -> Solution:
         return solution
     sweep = diagram.sweep
     if status == Status.GUARD_LEFT:
-        t, x, policy, sentence = _crossing(sweep, last, inputs)
-        times, states = _until(solution, t, x)
-        return stopped(solution, policy, sentence, times, states)
+        t, x = stopped_at(last)
+        sweep.enter(last.now)
+        return stopped_between(sweep, solution, t, x, inputs)
     reason = Status(status).sentence
     if status == Status.ACCUMULATING:
         reason = f"{', '.join(sweep.resetting)} {reason}"
@@ -265,23 +265,18 @@ def stopped_at(batch: Batch) -> tuple[float, ndarray]:
     return t, state_within(batch, share)
 
 
-def _crossing(
-    sweep: Sweep, batch: Batch, inputs: Inputs | None
-) -> tuple[float, ndarray, str, str]:
-    """Return time, state, policy and sentence where that step leaves a guard."""
-    t, state = stopped_at(batch)
-    sweep.enter(batch.now)
-    _, policy, sentence = sweep.margin(t, state[: sweep.nstates], inputs_at(inputs, t))
-    return t, state, policy, sentence
-
-
-def _until(solution: Solution, t: float, x: ndarray) -> tuple[ndarray, ndarray]:
-    """Return the samples up to the end of a run that a guard stopped, and that end."""
+def stopped_between(
+    sweep: Sweep, solution: Solution, t: float, x: ndarray, inputs: Inputs | None
+) -> Solution:
+    """Return a solution up to the time and state at which a guard is left, or raise its error."""
+    state = x[: sweep.nstates]
+    _, policy, sentence = sweep.margin(t, state, inputs_at(inputs, t))
     near = rounding(t, solution.t[-1] - solution.t[0])
     times = solution.t[solution.t < t - near]
     at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end
     end = at_end[0] if len(at_end) else t
-    return np.append(times, end), np.array([*solution.x[: len(times)], x])
+    states = np.array([*solution.x[: len(times)], x])
+    return stopped(solution, policy, sentence, np.append(times, end), states)
 
 
 def sampled_start(

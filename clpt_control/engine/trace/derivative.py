@@ -33,8 +33,18 @@ def _chosen(condition, a, b):
     return elementwise("where", condition, *slopes)
 
 
+# where the derivative of an operation is 0, not 0/0 or 0 inf; by operation, of result and arguments
+# of a / b where b overflows, as in a steep logistic function, 1 / (1 + exp(3000))
+OF_OVERFLOW = {"div": lambda f, a, b: (np.fabs(b) == np.inf) & (f == 0.0)}
+# of a root of squares, |x|, at x = 0, and of a power of |x|, as in |x|^0.5 x
+OF_ROOTS = dict.fromkeys(("sqrt", "hypot", "pow"), lambda f, *_: f == 0.0)
+
+
 class Direction:
-    """Derivatives along a direction, given for each leaf that changes: an array or a number."""
+    """Derivatives along a direction, given for each leaf that changes: an array or a number.
+
+    A derivative that is NaN is 0 where `undefined` says so.
+    """
 
     def __init__(
         self,
@@ -42,8 +52,10 @@ class Direction:
         slopes: Mapping[int, Any],
         smooth: bool = False,
         bound: bool = False,
+        undefined: Mapping[str, Any] = {},
     ):
         self.tape = tape
+        self.undefined = undefined
         self.smooth = smooth
         self.bound = bound  # add the sizes of all terms: by how much a value may change
         self.known: dict[int, Any] = dict(slopes)
@@ -55,11 +67,20 @@ class Direction:
             return 0.0
         new = reached(self.tape.operations, [ref], self.known)
         for k in sorted(new):
-            self.known[k] = self._slope(k)
+            self.known[k] = self._finite(k, self._slope(k))
         slope = self.known[ref]
         if slope is None:
             return 0.0
         return spread(self.tape, slope, self.tape.operations[ref].shape)
+
+    def _finite(self, k: int, slope: Any) -> Any:
+        """Return a derivative, 0 where it is undefined."""
+        kind, arguments, *_ = self.tape.operations[k]
+        if slope is None or kind not in self.undefined:
+            return slope
+        values = map(self.tape.value, (k, *arguments))
+        is_undefined = self.undefined[kind](*values) & (slope != slope)
+        return elementwise("where", is_undefined, 0.0, slope)
 
     def _slope(self, k: int) -> Any:
         kind, arguments, shape, at = self.tape.operations[k]
@@ -106,20 +127,3 @@ class Direction:
 
     def _refused(self, kind: str) -> Any:
         raise Unread(f"the derivative of `{kind}`, which jumps or is not known")
-
-
-class OverflowingDirection(Direction):
-    """Direction along which a / b has the derivative 0, not 0 inf, where b overflows.
-
-    So has a steep logistic function, 1 / (1 + exp(3000)).
-    """
-
-    def _slope(self, k: int) -> Any:
-        slope = super()._slope(k)
-        kind, arguments, *_ = self.tape.operations[k]
-        if slope is None or kind != "div":
-            return slope
-        divisor = self.tape.value(arguments[1])
-        overflows = (np.fabs(divisor) == np.inf) & (self.tape.value(k) == 0.0)
-        undefined = overflows & (slope != slope)
-        return elementwise("where", undefined, 0.0, slope)

@@ -254,17 +254,9 @@ __merge_paths__({STATEMENT})
 
     # --- expressions ------------------------------------------------------------------------
 
-    def visit_IfExp(self, node: ast.IfExp) -> Any:
-        """Make a conditional expression a function whose paths are merged."""
+    def visit_IfExp(self, node: ast.IfExp | ast.BoolOp) -> ast.expr:
+        """Make a conditional expression, `and` or `or` a function whose paths are merged."""
         self.generic_visit(node)
-        return self._merged(node)
-
-    def visit_BoolOp(self, node: ast.BoolOp) -> Any:
-        """Make `and` and `or` a function whose paths are merged."""
-        self.generic_visit(node)
-        return self._merged(node)
-
-    def _merged(self, node: ast.expr) -> ast.expr:
         walked = {type(inner) for inner in ast.walk(node)}
         if self.function is None or walked & {
             ast.NamedExpr,
@@ -276,6 +268,8 @@ __merge_paths__({STATEMENT})
         function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
         function.body = node
         return self._call("__merge_paths__", node, [function])
+
+    visit_BoolOp = visit_IfExp
 
     def visit_Subscript(self, node: ast.Subscript) -> Any:
         """Read items by a function, which takes signals as indices of lists."""
