@@ -131,12 +131,10 @@ def places_of(
             locations[name] = [Place((field,)) for field in fields]
         else:
             locations[name] = [Place(tuple(fields))]
-    for name, positions in _positions(states).items():
-        location = Place(states=positions)
-        locations.setdefault(name, []).append(location)
-    for name, positions in _positions(inputs).items():
-        location = Place(inputs=positions)
-        locations.setdefault(name, []).append(location)
+    for kind, labels in (("states", states), ("inputs", inputs)):
+        for name, positions in _positions(labels).items():
+            fields: Any = {kind: positions}
+            locations.setdefault(name, []).append(Place(**fields))
     return locations
 
 

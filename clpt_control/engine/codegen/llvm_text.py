@@ -307,13 +307,8 @@ class LLVMPrinter(LoopPrinter):
         after = builder.append_basic_block()
         builder.branch(inside)
         builder.position_at_end(inside)
-        index_phi = builder.phi(WORD)
-        index_phi.add_incoming(ir.Constant(WORD, indices.start), before)
-        sum_phis = []
-        for start in sums:
-            phi = builder.phi(start.type)
-            phi.add_incoming(start, before)
-            sum_phis.append(phi)
+        index_phi = self.phi(ir.Constant(WORD, indices.start), before)
+        sum_phis = [self.phi(start, before) for start in sums]
         # print an iteration, or two side by side if it is a long chain
         self.has_chain = False
         results = body(index_phi, sum_phis)
@@ -339,6 +334,12 @@ class LLVMPrinter(LoopPrinter):
         for index in remaining:
             results = body(index, results)
         return results
+
+    def phi(self, value: Any, block: Any) -> Any:
+        """Return a value that begins as that of a block."""
+        node = self.builder.phi(value.type)
+        node.add_incoming(value, block)
+        return node
 
     # --- operations -----------------------------------------------------------------------
 

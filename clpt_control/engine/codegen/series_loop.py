@@ -269,12 +269,6 @@ class SeriesPrinter(Coefficients):
         bits = self.builder.bitcast(condition, kind)
         return self.builder.icmp_unsigned("!=", bits, ir.Constant(kind, 0))
 
-    def phi(self, value: Any, block: Any) -> Any:
-        """Return a value that begins as that of a block."""
-        node = self.builder.phi(value.type)
-        node.add_incoming(value, block)
-        return node
-
     def set_parameters(self, segment: Any, count: Any) -> None:
         """Write the numbers of a segment into P."""
         builder = self.builder

@@ -30,12 +30,6 @@ def other_equations(*arguments):
     raise NotImplementedError
 
 
-def inner_parameters(block: "Sampled", p: Any) -> Parameters:
-    """Return the inner block's parameters, from the parameters of the sampled block."""
-    fields = block.inner.parameters._fields
-    return Parameters(**{field: getattr(p, field) for field in fields})
-
-
 @public
 class Sampled(Block):
     """A block that updates an inner block at multiples of a period.
@@ -129,7 +123,8 @@ class Sampled(Block):
             return np.zeros(size)
         inner = self.inner
         n = inner.nstates
-        parameters = inner_parameters(self, p)
+        fields = inner.parameters._fields
+        parameters = Parameters(**{field: getattr(p, field) for field in fields})
         x, inputs = np.split(np.asarray(x), [n])
         if role == "output":
             t = p.interval * self.period

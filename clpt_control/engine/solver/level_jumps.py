@@ -23,9 +23,8 @@ from .solver_layout import (
     LOW,
     ROUNDING,
     STATE,
-    TRIAL_SIZE,
 )
-from .termination import state_within
+from .termination import stopped_at
 
 RESOLVED = 1e-13  # times that differ by so much of the run are one instant
 MOST_SOON = 30  # jumps in a row, each sooner after the other than `SHORT` of the run
@@ -64,11 +63,11 @@ def jump_at_level(
         return now[DECISION], later[DECISION], np.where(np.isfinite(edges), edges, 0.0)
 
     # 1. the edge, or the point behind it where the distance itself jumps there
-    times, states = _bracket(batch)
-    t, x = times[-1], states[-1]
+    points = _bracket(batch)
+    t, x = points[-1]
     now, later, edges = distances(t, x)
     if not (now < -edges).any():
-        t, x = times[0], states[0]
+        t, x = points[0]
         now, later, edges = distances(t, x)
     # 2. guards that are left at this instant, by rounding: the distance falls to 0
     own = guarded.index(block)
@@ -114,13 +113,11 @@ def _guarded(diagram: Any) -> list[int]:
     return [k for k, node in enumerate(nodes) if node.system.guard is not None]
 
 
-def _bracket(batch: Batch) -> tuple[list[float], ndarray]:
-    """Return times and states right before and behind an edge, or where a segment begins."""
+def _bracket(batch: Batch) -> list[tuple[float, ndarray]]:
+    """Return time and state right before and behind an edge, or where a segment begins."""
     if batch.lane[HIGH, 0] == 0.0:
-        return [batch.now], batch.states[STATE, :, 0][None].copy()
-    shares = batch.lane[[LOW, HIGH], 0].tolist()
-    times = [batch.now + share * float(batch.lane[TRIAL_SIZE, 0]) for share in shares]
-    return times, np.array([state_within(batch, share) for share in shares])
+        return [(batch.now, batch.states[STATE, :, 0].copy())]
+    return [stopped_at(batch, edge) for edge in (LOW, HIGH)]
 
 
 def requesting(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:

@@ -251,18 +251,12 @@ def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
     return None
 
 
-def state_within(batch: Batch, share: float) -> ndarray:
-    """Return the state at a share of the step that was not taken."""
-    n = batch.callee.nstates
-    values = [interpolate(batch.states, i, 0, share) for i in range(n)]
-    return np.array(values)
-
-
-def stopped_at(batch: Batch) -> tuple[float, ndarray]:
-    """Return time and state where that step leaves a guard."""
-    share = float(batch.lane[HIGH, 0])
+def stopped_at(batch: Batch, edge: int = HIGH) -> tuple[float, ndarray]:
+    """Return time and state where the step that was not taken leaves a guard, or before it."""
+    share = float(batch.lane[edge, 0])
     t = batch.now + share * float(batch.lane[TRIAL_SIZE, 0])
-    return t, state_within(batch, share)
+    n = batch.callee.nstates
+    return t, np.array([interpolate(batch.states, i, 0, share) for i in range(n)])
 
 
 def stopped_between(

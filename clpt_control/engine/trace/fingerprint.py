@@ -66,17 +66,8 @@ from .references import (
     words,
 )
 
-TABLE_FIELDS = (  # data of an interpolator of SciPy
-    "x",
-    "y",
-    "c",
-    "points",
-    "grid",
-    "values",
-    "method",
-    "fill_value",
-    "extrapolate",
-    "bounds_error",
+TABLE_FIELDS = words(  # data of an interpolator of SciPy
+    "x y c points grid values method fill_value extrapolate bounds_error"
 )
 CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
 NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
@@ -400,8 +391,10 @@ class _Walk:
 
     def attributes(self) -> Iterator[Any]:
         """Yield the keys of the attributes of all owners that the referenced code names."""
-        while True:
-            count = len(self.names), len(self.owners), len(self._numbers)
+        counted: Any = None
+        growing: list[Any] = [self.names, self.owners, self._numbers]
+        while counted != (count := [*map(len, growing)]):
+            counted = count
             for owner in [*self.owners.values()]:
                 for name, value in owner.namespace().items():
                     if name not in owner.names and self._is_named(owner, name, value):
@@ -415,8 +408,6 @@ class _Walk:
                         )
                         yield owner.number, name, self.key_of(value)
                         self.trusted = trusted
-            if count == (len(self.names), len(self.owners), len(self._numbers)):
-                return
 
     def _is_named(self, owner: _Owner, name: str, value: Any) -> bool:
         """Return whether the referenced code may reach an attribute."""

@@ -265,25 +265,25 @@ class Joining:
     def value(self, values: Sequence[Any]) -> Any:
         """Return one value for those of all paths; note the contents that it gets."""
         leading = values[0]
-        if all(value is leading for value in values):
-            if isinstance(leading, Array):
-                self._contents([leading._root] * len(values))
-                return leading
-            return self._contents(values)
-        if all(map(_is_number, values)):
-            return self._number(values)
-        if all(isinstance(value, Array) for value in values):
-            return self._array(values)
-        if type(leading) in PLAIN and _all_equal(values):
-            return leading
-        return self._contents(values)
-
-    def _contents(self, values: Sequence[Any]) -> Any:
-        """Return the value of the first path for all; note the content that it gets."""
-        leading = values[0]
         key = (*map(id, values),)
         if key in self._joined:
             return self._joined[key]
+        if all(value is leading for value in values):
+            root = leading._root if isinstance(leading, Array) else leading
+            if root is leading:
+                return self._contents(key, leading)
+            self.value([root] * len(values))
+            return leading
+        if all(map(_is_number, values)):
+            return self._number(values)
+        if all(isinstance(value, Array) for value in values):
+            return self._array(key, values)
+        if type(leading) in PLAIN and _all_equal(values):
+            return leading
+        return self._contents(key, leading)
+
+    def _contents(self, key: tuple[int, ...], leading: Any) -> Any:
+        """Return the value of the first path for all; note the content that it gets."""
         is_same = len({*key}) == 1
         entries = [heap.get(k) for heap, k in zip(self.heaps, key, strict=True)]
         if is_same and entries[0] is None:
@@ -351,12 +351,9 @@ class Joining:
         elements = (joined(self.tape, self.tree, values, where) for values in columns)
         return np.fromiter(elements, object).reshape(array.shape)
 
-    def _array(self, values: Sequence[Array]) -> Array:
+    def _array(self, key: tuple[int, ...], values: Sequence[Array]) -> Array:
         """Return one array for arrays that are read-only, or were made on their paths."""
         leading = values[0]
-        key = (*map(id, values),)
-        if key in self._joined:
-            return self._joined[key]
         facts = {(value.shape, value._is_condition, value._boxed) for value in values}
         fixed = [bool(value._root._fixed) or value._is_condition for value in values]
         older = [id(value._root) in self.before for value in values]

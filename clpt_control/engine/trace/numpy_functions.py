@@ -27,6 +27,7 @@ from .elementwise import (
     where,
 )
 from .interpolators import interpolated, searched
+from .references import words
 from .ufuncs import (
     LONG_ROW,
     accumulated,
@@ -518,7 +519,7 @@ METHODS: dict[str, Callable] = {  # which are no functions of NumPy
     "is_integer": lambda a: np.floor(a) == a,
 }
 # methods that differ from NumPy's functions of these names
-DIFFERENT = frozenset({"sort", "partition", "resize", "compress", "conj", "conjugate"})
+DIFFERENT = words("sort partition resize compress conj conjugate")
 
 
 def method(name: str) -> Callable | None:

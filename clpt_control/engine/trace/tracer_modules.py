@@ -38,7 +38,7 @@ from .elementwise import (
 )
 from .interpolators import function_of, searched
 from .numpy_functions import apply_function
-from .references import OF_LOGGING, UNSEEDED
+from .references import OF_LOGGING, UNSEEDED, words
 from .ufuncs import COMPOSED, LONG_ROW, apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
@@ -249,21 +249,11 @@ MATH: dict[str, Callable] = {
     "dist": lambda a, b: hypot(*map(np.subtract, a, b)),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
-RAISING = frozenset(  # if a number is out of range
-    {
-        "sqrt",
-        "log",
-        "log2",
-        "log10",
-        "log1p",
-        "asin",
-        "acos",
-        "acosh",
-        "atanh",
-        "exp",
-        "exp2",
-    }
-    | {"expm1", "sinh", "cosh", "pow", "fmod", "remainder"}
+RAISING = words(  # if a number is out of range
+    """
+    sqrt log log2 log10 log1p asin acos acosh atanh exp exp2 expm1 sinh cosh pow fmod
+    remainder
+    """
 )
 
 

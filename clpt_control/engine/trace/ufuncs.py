@@ -20,6 +20,7 @@ from .elementwise import (
     total,
     where,
 )
+from .references import words
 from .views import (
     converted,
     copied,
@@ -206,9 +207,7 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_xor: np.not_equal,
     np.invert: lambda a: np.logical_not(a) if is_of_python(a) is False else refuse("~"),
 }
-TAKING_TRUTHS = frozenset(
-    {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
-)
+TAKING_TRUTHS = words("logical_xor isnan isfinite isinf square conjugate rint")
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, -1),
     **dict.fromkeys(("matmul", "matvec"), matmul),
