@@ -131,10 +131,10 @@ def places_of(
             locations[name] = [Place((field,)) for field in fields]
         else:
             locations[name] = [Place(tuple(fields))]
-    for kind, labels in (("states", states), ("inputs", inputs)):
-        for name, positions in _positions(labels).items():
-            fields: Any = {kind: positions}
-            locations.setdefault(name, []).append(Place(**fields))
+    for name, positions in _positions(states).items():
+        locations.setdefault(name, []).append(Place(states=positions))
+    for name, positions in _positions(inputs).items():
+        locations.setdefault(name, []).append(Place(inputs=positions))
     return locations
 
 
