@@ -14,8 +14,6 @@ import numpy as np
 
 from ...base.arguments import attribute_of, brief, has, nearest, public
 from ...base.errors import BlockError, DiagramError
-from ...base.html import shortened
-from ...base.notebook_display import diagram_html
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import (
@@ -75,12 +73,16 @@ class Diagram(control.InterconnectedSystem):
     origin: Any = None
 
     def __repr__(self) -> str:
+        from ...base.html import shortened
+
         ports = (self.input_labels, self.output_labels)
         flows = " -> ".join(ports_line(counts_of(labels)) for labels in ports)
         size = f"{len(self.syslist)} blocks, {self.nstates or 0} states"
         return f"<Diagram {shortened(self.name, 60)}: {size}; {flows}>"
 
     def _repr_html_(self) -> str | None:
+        from ...base.notebook_display import diagram_html
+
         return diagram_html(self)
 
     def _repr_markdown_(self) -> None:

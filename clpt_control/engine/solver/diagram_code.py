@@ -8,10 +8,8 @@ from typing import Any
 from ...base.errors import DiagramError, Uncompiled
 from ..codegen.diagram_record import FORMS, DiagramRecord, Layout
 from ..codegen.directional_derivatives import Directions, add_derivatives
-from ..codegen.llvm_text import print_program
 from ..codegen.machine import Machine, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
-from ..codegen.series_loop import print_series
 from ..diagram.wiring import Wiring
 from ..record.operations import ELEMENTWISE
 from ..record.unread import Unread
@@ -67,13 +65,13 @@ class Code:
             program = self.program
             text = repr((program._replace(tables=NO_TABLES), missing, lanes))
             large = len(program.components) > UNOPTIMISED
-            machine = Machine(
-                missing,
-                text,
-                lambda: print_program(program, missing, lanes),
-                large,
-                0 if large else 3,
-            )
+
+            def module() -> Any:
+                from ..codegen.llvm_text import print_program  # unless it is cached
+
+                return print_program(program, missing, lanes)
+
+            machine = Machine(missing, text, module, large, 0 if large else 3)
             for name in missing:
                 self._machines[name, lanes] = machine
         return [self._machines[name, lanes].addresses[name] for name in names]
@@ -85,9 +83,13 @@ class Code:
         if key not in self._machines:
             program = self.program
             text = repr((program._replace(tables=NO_TABLES), key))
-            self._machines[key] = Machine(
-                ["series"], text, lambda: print_series(program, lanes, order)
-            )
+
+            def module() -> Any:
+                from ..codegen.series_loop import print_series
+
+                return print_series(program, lanes, order)
+
+            self._machines[key] = Machine(["series"], text, module)
         return self._machines[key]
 
 

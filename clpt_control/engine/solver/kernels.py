@@ -1,11 +1,11 @@
 """Formulas of a method as machine code, for a number of states and of lanes."""
 
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
 from ..codegen.fused_expressions import Components
-from ..codegen.llvm_text import print_program
 from ..codegen.machine import Machine, once
 from ..codegen.plan import Planner, Program
 from ..codegen.switching_conditions import Port
@@ -41,12 +41,13 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
 def kernels(n: int, lanes: int, method: Method) -> Machine:
     """Return the formulas of a method for n states as machine code."""
     named = method.formulas()
-    return Machine(
-        named,
-        f"formulas {n} {lanes} {method.name}",
-        lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
-        plain=True,
-    )
+
+    def module() -> Any:
+        from ..codegen.llvm_text import print_program  # unless it is cached
+
+        return print_program(program_of_formulas(named, n), tuple(named), lanes)
+
+    return Machine(named, f"formulas {n} {lanes} {method.name}", module, plain=True)
 
 
 def with_formulas(callee: Callee) -> Callee:

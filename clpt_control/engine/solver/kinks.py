@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .batch import Batch
-from .event_location import NEGLIGIBLE
 from .solver_layout import (
     BEGINNING,
     DECISION,
@@ -84,6 +83,10 @@ def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | 
 
 def _kinks(diagram: Any, batch: Batch, rtol: float, atol: float) -> set[int]:
     """Return the operations that are kinks in the next events of a run."""
+    from .event_location import (
+        NEGLIGIBLE,
+    )  # a page of the solver, as machine code elsewhere
+
     firsts = np.array(diagram.code.decided_operations)
     kinks: set[int] = set()
     jumps: set[int] = set()
