@@ -27,7 +27,6 @@ from .legs import Legs
 from .level_jumps import requesting
 from .runner import Runner, RunOptions
 from .schedule import Schedule
-from .series_runs import series_solution
 from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
 from .termination import STUCK, Solution, ended, sampled_start, without_states
 
@@ -149,6 +148,8 @@ class NativeDiagram(Runner):
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
         if options.method == TAYLOR:
+            from .series_runs import series_solution
+
             return series_solution(self, start, times, inputs, options)
         segments = self.schedule(times, inputs)
         return NativeRun(self, times, segments, options).solution(start, inputs)
