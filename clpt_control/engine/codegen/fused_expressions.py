@@ -19,7 +19,7 @@ import numpy as np
 
 from ...base.errors import Uncompiled
 from ..record.graph import Operation
-from ..record.operations import CONDITIONS, LOGICAL, named
+from ..record.operations import CONDITIONS, LOGICAL, ON_ROWS, named
 from ..record.scalar_graph import Elements
 from .diagram_record import LARGE, Ref
 from .switching_conditions import Port
@@ -30,7 +30,7 @@ MOST_POWER = 8.0  # the largest exponent of a power that is products
 # a function each, printed once a module
 OUT_OF_LINE = named(lambda row: row.numpy and row.llvm == "function")
 LIBRARY = named(lambda row: row.llvm == "libm")
-LONG = OUT_OF_LINE | LIBRARY | {"div", "sqrt", "pick", "search", "argmin"}  # costly
+LONG = OUT_OF_LINE | LIBRARY | ON_ROWS | {"div", "sqrt"}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -149,15 +149,10 @@ class Components(Elements):
             return self.load(array, offset, zip(index, row_strides(shape), strict=True))
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
-        if kind == "pick":
-            value = self.at(arguments[1], index)
-            return self.add("pick", value, self._row(arguments[0]))
-        if kind == "search":
-            value = self.at(arguments[1], index)
-            is_right = float(at[0] == "right")
-            return self.add(kind, value, self._row(arguments[0]), is_right)
-        if kind == "argmin":
-            return self.add(kind, self._row(arguments[0]))
+        if kind in ON_ROWS:
+            values = [self.at(argument, index) for argument in arguments[1:]]
+            is_right = [float(at[0] == "right")] if kind == "search" else []
+            return self.add(kind, *values, self._row(arguments[0]), *is_right)
         is_generic = not all(type(i) is int for i in index)
         is_array = kind in ("constant", "stack", "join") and is_generic
         if is_array and self.source(ref, index) is None:

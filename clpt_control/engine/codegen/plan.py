@@ -85,13 +85,19 @@ class Planner:
         }
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
-        constants = tuple(components.constants)
-        sizes = components.prepared, components.room, decisions.count
-        tables = np.concatenate([NO_TABLES, *components.tables])
-        short_steps = decisions.timed, decisions.ramped
-        of_decisions = *sizes, tuple(decisions.of), *short_steps, tables
-        operations = tuple(self.all)
-        return Program(operations, functions, self.prepared, constants, *of_decisions)
+        return Program(
+            components=tuple(self.all),
+            functions=functions,
+            prepared=self.prepared,
+            constants=tuple(components.constants),
+            parameters=components.prepared,
+            room=components.room,
+            decided=decisions.count,
+            deciding=tuple(decisions.of),
+            timed=decisions.timed,
+            ramped=decisions.ramped,
+            tables=np.concatenate([NO_TABLES, *components.tables]),
+        )
 
     # --- what is prepared -----------------------------------------------------------------
 

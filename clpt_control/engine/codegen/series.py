@@ -154,10 +154,7 @@ class Coefficients(LLVMPrinter):
                 if type(argument) is tuple
                 else argument
             )
-        key = argument[0], k
-        if key not in self.coefficients:
-            self.coefficients[key] = self.coefficient(argument, k)
-        return self.coefficients[key]
+        return self.cached((argument[0], k), partial(self.coefficient, argument, k))
 
     def degree(self, argument: Any) -> int:
         """Return the degree of an argument as a polynomial; a function has that of its argument."""

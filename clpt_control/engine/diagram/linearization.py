@@ -10,7 +10,7 @@ Kinks and jumps are found by comparing values near the point with the linear pre
 without effect, as in the drag w |w| at w = 0, is neither.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -136,7 +136,7 @@ class _About:
         return np.concatenate([no_rows, *rows])
 
     @np.errstate(all="ignore")  # of a slope that is not finite
-    def slopes(self, values: list[Any], point: Any = None) -> np.ndarray:
+    def slopes(self, values: Collection[Any], point: Any = None) -> np.ndarray:
         """Return the derivatives of values, a row for each element, at the point or another."""
         slopes = [self.direction.of(value) for value in values]
         leaves = self.values if point is None else self.leaves_at(point[:, None])
@@ -334,23 +334,21 @@ def _linearized(
             about = _About(
                 system, wiring, block_parameters, t, about.with_samples(x, blocks), u
             )
-        ports = [
-            (node, port)
+        signals = {
+            f"{node.name}.{port}": about.record.signals[node.name, port]
             for node in wiring.nodes
             for port in node.system.declared["outputs"]
-        ]
-        signals = [about.record.signals[node.name, port] for node, port in ports]
-        rates = [about.record.rates[port] for port in about.states]
-        AB = about.slopes(rates)
-        Y = about.slopes(signals)
+        }
+        rates = {
+            f"the rate of {'.'.join(path)}": about.record.rates[path]
+            for path in about.states
+        }
+        AB = about.slopes(rates.values())
+        Y = about.slopes(signals.values())
         jumps = np.zeros_like(AB)
         for position, values in about.sampled_values(blocks):
             jumps[position] = about.slopes([values])
-        checked = {}
-        for (node, port), signal in zip(ports, signals, strict=True):
-            checked[f"{node.name}.{port}"] = signal
-        for path, rate in zip(about.states, rates, strict=True):
-            checked[f"the rate of {'.'.join(path)}"] = rate
+        checked = {**signals, **rates}
         about.check(checked)
         for (name, _), level in about.record.levels.items():
             if about.is_at_level(level):
@@ -367,12 +365,10 @@ def _linearized(
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:
             raise DiagramError(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
-                f"this point{_advice(about, [*rates, *signals], labels)}"
+                f"this point{_advice(about, checked.values(), labels)}"
             )
-    A = AB[:, :n]
-    B = AB[:, n:]
-    C = CD[:, :n]
-    D = CD[:, n:]
+    A, B = np.split(AB, [n], axis=1)
+    C, D = np.split(CD, [n], axis=1)
     dt = wiring.dt
     if blocks:
         dt = common_period(blocks)
@@ -395,7 +391,7 @@ def _linearized(
     return minimal_of(linear) if minimal else linear
 
 
-def _advice(about: _About, values: list[Any], labels: list[str]) -> str:
+def _advice(about: _About, values: Collection[Any], labels: list[str]) -> str:
     """Return the kernel's centre where values have no slope, and a point beside it that has."""
     beside = [float(f"{x + 0.01 * (1 + abs(x)):g}") for x in about.point]
     moved = np.ones(about.count, bool)

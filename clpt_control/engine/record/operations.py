@@ -349,4 +349,5 @@ def named(fact: Callable[[Row], Any]) -> frozenset[str]:
 COMPARISONS = named(lambda row: row.llvm.startswith("compare"))
 LOGICAL = frozenset({"and", "or", "not"})  # of truth values
 CONDITIONS = LOGICAL | COMPARISONS  # truth values
+ON_ROWS = named(lambda row: row.numpy is None)  # the first argument is a row of numbers
 STEPS = named(lambda row: row.smoothness == STEP)

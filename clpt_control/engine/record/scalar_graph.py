@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from .graph import Operation, Record, Ref, Shape, bound, is_known
+from .operations import ON_ROWS
 from .unread import Unread
 
 # an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
@@ -127,15 +128,10 @@ class Elements:
             return self.at(*source)
         if kind == "sum":
             return self._sum(ref, arguments[0], static, index)
-        if kind == "pick":
-            position = self.at(arguments[1], index)
-            elements = [position, *self.all_of(arguments[0])]
-        elif kind == "search":
-            elements = [self.at(arguments[1], index)]
-        elif kind == "argmin":
-            elements = self.all_of(arguments[0])
-        else:
-            elements = [self.at(argument, index) for argument in arguments]
+        single = arguments[kind in ON_ROWS :]
+        elements = [self.at(argument, index) for argument in single]
+        if kind in ("pick", "argmin"):
+            elements += self.all_of(arguments[0])
         return self.apply(ref, kind, tuple(elements))
 
     def all_of(self, ref: Ref) -> list[Any]:

@@ -83,9 +83,8 @@ def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | 
 
 def _kinks(diagram: Any, batch: Batch, rtol: float, atol: float) -> set[int]:
     """Return the operations that are kinks in the next events of a run."""
-    from .event_location import (
-        NEGLIGIBLE,
-    )  # a page of the solver, as machine code elsewhere
+    # a page of the solver, which other runs have as machine code alone
+    from .event_location import NEGLIGIBLE
 
     firsts = np.array(diagram.code.decided_operations)
     kinks: set[int] = set()
