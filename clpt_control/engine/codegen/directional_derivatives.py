@@ -20,7 +20,7 @@ import numpy as np
 from ..diagram.evaluation_order import unsampled
 from ..diagram.wiring import Wiring, call_names
 from ..model.block import Block
-from ..model.ports import ports_of
+from ..model.ports import indices_by_name
 from ..record.graph import reached
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
@@ -131,18 +131,11 @@ def places_of(
             locations[name] = [Place((field,)) for field in fields]
         else:
             locations[name] = [Place(tuple(fields))]
-    for name, positions in _positions(states).items():
-        locations.setdefault(name, []).append(Place(states=positions))
-    for name, positions in _positions(inputs).items():
-        locations.setdefault(name, []).append(Place(inputs=positions))
+    for name, indices in indices_by_name(states).items():
+        locations.setdefault(name, []).append(Place(states=tuple(indices)))
+    for name, indices in indices_by_name(inputs).items():
+        locations.setdefault(name, []).append(Place(inputs=tuple(indices)))
     return locations
-
-
-def _positions(labels: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """Return the positions of each label and of each port."""
-    by_label = {label: [k] for k, label in enumerate(labels)}
-    by_name = by_label | ports_of(labels)
-    return {name: tuple(positions) for name, positions in by_name.items()}
 
 
 def place_of(

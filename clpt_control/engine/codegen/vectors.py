@@ -14,7 +14,7 @@ from typing import Any
 from llvmlite import ir
 
 from ...base.errors import BlockError
-from ..record.graph import Operation
+from ..record.graph import Operation, Record, compact, replayed
 from ..record.operations import TABLE
 from ..trace.arrays import Tape, operand
 from .elementary import FUNCTIONS, MAGIC
@@ -262,8 +262,8 @@ PRIMITIVES: dict[str, Primitive] = {
 
 
 @cache
-def tape_of(name: str, count: int) -> list[Operation]:
-    """Return the operations of a function of `count` leaves; the last one is its value."""
+def record_of(name: str, count: int) -> Record:
+    """Return the record of a function of `count` leaves."""
     if name not in FUNCTIONS:
         raise BlockError(
             f"{name}: has no machine code. Write it in engine/codegen/elementary.py and enter it "
@@ -271,9 +271,7 @@ def tape_of(name: str, count: int) -> list[Operation]:
         )
     tape = Tape()
     leaves = [tape.add("leaf", (), (), ("u", k)) for k in range(count)]
-    value = FUNCTIONS[name](*leaves)
-    last_index = operand(value)
-    return tape.operations[: last_index + 1]
+    return compact(tape.operations, [operand(FUNCTIONS[name](*leaves))])
 
 
 def calculate(
@@ -290,9 +288,9 @@ def calculate(
     values = [constant(a, width) if type(a) is float else a for a in arguments]
     if name in PRIMITIVES:
         return PRIMITIVES[name](builder, *values)
-    operations = tape_of(name, len(values))
+    record = record_of(name, len(values))
     if inline or name not in OUT_OF_LINE:
-        return calculate_tape(builder, operations, width, values)
+        return _calculate_record(builder, record, width, values)
     function_name = f"{name}.{width}"
     functions = builder.module.globals
     if function_name not in functions:
@@ -300,26 +298,21 @@ def calculate(
         function = ir.Function(builder.module, signature, function_name)
         function.linkage = "internal"
         inner = ir.IRBuilder(function.append_basic_block())
-        result = calculate_tape(inner, operations, width, function.args)
+        result = _calculate_record(inner, record, width, function.args)
         inner.ret(result)
     return builder.call(functions[function_name], values)
 
 
-def calculate_tape(
-    builder: ir.IRBuilder,
-    operations: Sequence[Operation],
-    width: int,
-    leaves: Sequence[Any],
+def _calculate_record(
+    builder: ir.IRBuilder, record: Record, width: int, leaves: Sequence[Any]
 ) -> Any:
-    """Return the last value of a tape."""
-    values: list[Any] = []
-    for name, arguments, _, at in operations:
-        if name == "leaf":
-            values.append(leaves[at[1]])
-        else:
-            operands = [values[a] if type(a) is int else a for a in arguments]
-            values.append(calculate(builder, name, width, operands))
-    return values[-1]
+    """Return the value of a record."""
+
+    def put(operation: Operation, operands: list[Any]) -> Any:
+        return calculate(builder, operation.kind, width, operands)
+
+    (value,) = replayed(record, lambda group, k, shape: leaves[k], put)
+    return value
 
 
 # --- rows of numbers -------------------------------------------------------------------------

@@ -7,18 +7,19 @@ import numpy as np
 
 from ...base.arguments import nearest, numbers
 from ...base.errors import ArgumentError
-from ..model.ports import ports_of
+from ..model.ports import indices_by_name, ports_of
 
 
 def columns_of(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
     """Return the columns of a label or port; refuse an unknown name."""
-    ports = ports_of(labels)
-    names = {**ports, **{label: [k] for k, label in enumerate(labels)}}
+    names = indices_by_name(labels)
     for known in (name, str(name).replace(".", "_")):  # plant.angle is plant_angle
         if known in names:
             return names[known]
     close = nearest(str(name), names)
-    advice = f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}"
+    advice = (
+        f"Did you mean '{close}'?" if close else f"It has {', '.join(ports_of(labels))}"
+    )
     raise ArgumentError(
         f"{diagram.name}: has no {kind} '{name}'. {advice if names else 'It has none'}"
     )

@@ -21,7 +21,7 @@ import numpy as np
 from ...base.arguments import has
 from ...base.errors import DiagramError
 from ..model.block import Block
-from ..model.ports import ports_of
+from ..model.ports import port_of, ports_of
 from ..model.sampled import Sampled
 from ..model.system import System, linear
 from .evaluation_order import order_of
@@ -68,7 +68,7 @@ class Node:
             (
                 k
                 for k, name in enumerate(self.system.input_labels)
-                if name.partition("[")[0] == port
+                if port_of(name) == port
             ),
             None,
         )

@@ -182,6 +182,12 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     return ports
 
 
+def indices_by_name(labels: Sequence[str]) -> dict[str, list[int]]:
+    """Return the indices of signals by label, and by port where no label has its name."""
+    by_label = {label: [k] for k, label in enumerate(labels)}
+    return by_label | ports_of(labels) | by_label
+
+
 def bare_labels(labels: Sequence[str]) -> list[str]:
     """Return labels, of a port of one signal its name: ``r[0]`` is ``r``."""
     bare = [*labels]
