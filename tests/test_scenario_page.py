@@ -13,13 +13,14 @@ PRINTED = runpy.run_path(str(ROOT / "tools" / "print_scenario_page.py"))
 PAGE = (ROOT / "docs" / "scenario.md").read_text("utf-8")
 
 
-def test_the_page_is_current():
+def test_the_pages_are_current():
     assert PRINTED["page"]() == PAGE
+    assert PRINTED["example"]() == PRINTED["EXAMPLE"].read_text("utf-8")
 
 
 def test_the_example_has_a_sentence_for_each_key():
     """Laws' own tables are listed by `clpt laws`; flow.basis has the keys of basis."""
-    sentences = dict(PRINTED["sentences"]())
+    sentences = PRINTED["sentences"]()
     assert [key for key, sentence in sentences.items() if not sentence] == []
     fields = dict(PRINTED["fields_of"](PRINTED["Scenario"]))
     tables = {key.rpartition(".")[0] for key in fields}
@@ -35,7 +36,7 @@ def test_no_braces_of_a_template_are_left():
 
 
 def test_methods_are_named_with_their_order():
-    sentence = dict(PRINTED["sentences"]())["run.method"]
+    sentence = PRINTED["sentences"]()["run.method"]
     for name, row in BY_NAME.items():
         kind = "implicit" if row.implicit else "explicit"
         assert re.search(rf"\b{name} \({kind}.*?, order {row.order}\)", sentence)

@@ -1,24 +1,33 @@
-"""Table of the keys of a scenario: docs/scenario.md, from the file that `clpt init` writes.
+"""Pages of the keys of a scenario: data/paper.toml, which `clpt init` writes, and docs/scenario.md.
 
-A key's sentence is the comment of its line in the file; its default is that of its field.
-`tests/test_scenario_page.py` checks that the page is current; print it anew by
+Both are made from the fields of the tables in `paper/scenario`.  The string below a field is its
+line, or the header of its table, in data/paper.toml: the name, the value of the paper or, commented
+out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are current;
+print them anew by
 
     python tools/print_scenario_page.py
 """
 
-import re
+import ast
+import inspect
 from collections.abc import Iterator
+from functools import cache
+from itertools import pairwise
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from clpt_control.paper.scenario.experiment import Scenario
-from clpt_control.paper.scenario.file import paper_text
-from clpt_control.paper.scenario.tables import Table
+from clpt_control.paper.scenario.file import with_names
+from clpt_control.paper.scenario.tables import Table, tables_in
 
-PAGE = Path(__file__).parents[1] / "docs" / "scenario.md"
-LINE = re.compile(
-    r"(?:# )?(?:\[(?P<table>[\w.]+)\]|(?P<key>\w+) = [^#]*?) *(?:# (?P<sentence>.*))?"
-)
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs" / "scenario.md"
+EXAMPLE = ROOT / "clpt_control" / "data" / "paper.toml"
+TITLE = """\
+# The experiment of Cho, Zhang and Edwards (2016), section IV.
+# Run it: clpt run THIS_FILE --out run.nc
+"""
+COLUMN = 46  # of the sentences in data/paper.toml
 LINKS = {  # words of sentences: pages
     "`clpt laws`": "laws.md",
     "of known-flow": "laws.md#source-of-a-given-flow",
@@ -27,21 +36,49 @@ LINKS = {  # words of sentences: pages
 }
 
 
-def tables_in(annotation: Any) -> Iterator[type[Table]]:
-    """Yield the tables among the types of a field."""
-    if isinstance(annotation, type) and issubclass(annotation, Table):
-        yield annotation
-    for part in get_args(annotation):
-        yield from tables_in(part)
+@cache
+def lines_of(table: type[Table]) -> dict[str, str]:
+    """Return the strings below the fields that a table's class declares, by name."""
+    (made,) = ast.parse(inspect.getsource(table)).body
+    return {
+        field.target.id: " ".join(below.value.value.split())
+        for field, below in pairwise(made.body)
+        if isinstance(field, ast.AnnAssign) and isinstance(below, ast.Expr)
+    }
 
 
 def fields_of(table: type[Table], before: str = "") -> Iterator[tuple[str, Any]]:
     """Yield each key of a scenario, dotted, and its field."""
     for name, field in table.model_fields.items():
-        tables = [*tables_in(field.annotation)]
         yield f"{before}{name}", field
-        for inner in tables:
+        for inner in tables_in(field.annotation):
             yield from fields_of(inner, f"{before}{name}.")
+
+
+def rows_of(table: type[Table], before: str = "") -> Iterator[tuple[str, str]]:
+    """Yield each key and table of the file, dotted, and its line; keys before inner tables."""
+    lines = lines_of(table)
+    for name in sorted(lines, key=lambda name: lines[name].lstrip("# ")[0] == "["):
+        key = f"{before}{name}"
+        yield key, lines[name]
+        if lines[name].lstrip("# ").startswith(f"[{key}]"):
+            for inner in tables_in(table.model_fields[name].annotation):
+                yield from rows_of(inner, f"{key}.")
+        else:
+            assert lines[name].removeprefix("# ").startswith(f"{name} = "), key
+
+
+def example() -> str:
+    """Return the file that `clpt init` writes, without names from other tables."""
+    text = TITLE
+    for _, line in rows_of(Scenario):
+        commented = "# " if line.startswith("# ") else ""
+        left, _, sentence = line.removeprefix("# ").partition(" # ")
+        left = commented + left
+        text += "\n" * left.removeprefix("# ").startswith("[")
+        gap = " " * max(COLUMN - len(left), 2) + "# "
+        text += left + (gap + sentence) * bool(sentence) + "\n"
+    return text
 
 
 def default_of(field: Any) -> str:
@@ -65,26 +102,20 @@ def linked(sentence: str) -> str:
     return sentence
 
 
-def sentences() -> Iterator[tuple[str, str]]:
-    """Yield each key of the file, dotted, and each table that may be left out; and its sentence."""
-    table = ""
-    for line in paper_text().splitlines():
-        found = LINE.fullmatch(line)
-        if found is None:
-            continue
-        if found["table"]:
-            table = f"{found['table']}."
-            if line.startswith("#"):
-                yield found["table"], found["sentence"]
-        elif found["key"]:
-            yield table + found["key"], found["sentence"] or ""
+def sentences() -> dict[str, str]:
+    """Return the sentence of each key and of each table that may be left out."""
+    found = {}
+    for key, line in rows_of(Scenario):
+        if not line.startswith("["):
+            found[key] = with_names(line).removeprefix("# ").partition(" # ")[2]
+    return found
 
 
 def rows() -> str:
     """Return the table of keys."""
     fields = dict(fields_of(Scenario))
     lines = ["key | meaning | default", "---|---|---"]
-    for key, sentence in sentences():
+    for key, sentence in sentences().items():
         cells = [f"`{key}`", linked(sentence), default_of(fields[key])]
         lines.append(" | ".join(filter(None, cells)))
     return "\n".join(lines) + "\n"
@@ -97,4 +128,5 @@ def page() -> str:
 
 
 if __name__ == "__main__":
+    EXAMPLE.write_text(example(), "utf-8")
     PAGE.write_text(page(), "utf-8")

@@ -25,7 +25,6 @@ from ..laws.law import LawContext
 from ..laws.table import LAWS
 from . import tables
 from .learning import Learning
-from .quantities import QUANTITIES
 from .run_constants import MOST_BYTES
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
@@ -57,18 +56,30 @@ class Scenario(tables.Table):
     """
 
     title: str = ""
+    """title = "Cho, Zhang, Edwards 2016, section IV" # text"""
     origin: tables.Pair | None = None
+    """# origin = [41.2, -69.5] # latitude and longitude of (0, 0); runs and maps then have
+    degrees"""
     units: tables.Units = tables.Units()
+    """[units] # every number below is in these"""
     basis: tables.Basis
+    """[basis] # flow basis functions, Eq. (5); one entry per function"""
     flow: tables.Flow = tables.left_out("flow")
+    """[flow] # the true flow, Eq. (3): parameters, field or basis"""
     model: tables.Model = tables.Model()
+    """[model] # the modelled flow, Eq. (4)"""
     vehicle: tables.Vehicle = tables.left_out("vehicle")
+    """[vehicle] # vehicle and controller, Eqs. (1) and (7)"""
     reference: Annotated[
         tables.Circle | tables.Waypoints, Field(discriminator="kind")
     ] = tables.left_out("reference")
+    """[reference] # waypoints zc(t)"""
     learning: Learning
+    """[learning] # the adaptive law"""
     localization: tables.Localization | None = None
+    """# [localization] # noise on the position that the vehicle reads, or fixes"""
     run: tables.Run = tables.left_out("run")
+    """[run]"""
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
@@ -161,7 +172,7 @@ class Scenario(tables.Table):
         )
 
     def _shape_mistakes(self) -> Iterator[str]:
-        for key, quantity in QUANTITIES.items():
+        for key, quantity in self.quantities():
             is_given = key.partition(".")[0] not in self.left_out
             has_rows = is_given and quantity.axes == "axis basis"
             rows = attrgetter(key)(self) if has_rows else None

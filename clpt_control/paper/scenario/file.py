@@ -210,9 +210,8 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
     return {entry.partition(":")[0] for entry in entries}
 
 
-def paper_text() -> str:
-    """Return the paper's scenario as commented TOML text, with names from tables."""
-    text = (resources.files("clpt_control.data") / "paper.toml").read_text("utf-8")
+def with_names(text: str) -> str:
+    """Return lines of the paper's scenario with names from tables."""
     kernels = [f"{name}: {row.formula}" for name, row in KERNELS.items()]
     methods = [f"{name} ({row.text})" for name, row in BY_NAME.items()]
     rows = {"kernel": "; ".join(kernels), "# kind": ", ".join(KINDS)}
@@ -220,6 +219,12 @@ def paper_text() -> str:
     for key, names in rows.items():
         text = re.sub(f"(?m)^{key} = .*", rf"\g<0>: {names}", text)
     return text
+
+
+def paper_text() -> str:
+    """Return the paper's scenario as commented TOML text."""
+    path = resources.files("clpt_control.data") / "paper.toml"
+    return with_names(path.read_text("utf-8"))
 
 
 def paper_scenario() -> Scenario:

@@ -9,7 +9,7 @@ import difflib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, NamedTuple, Self, get_args
 
 import numpy as np
 import pydantic
@@ -23,7 +23,6 @@ from ...engine.methods.table import METHODS
 from ..blocks.disturbance import KINDS, DisturbanceKind
 from ..blocks.flow import KERNELS
 from ..laws.law import Fixes
-from .quantities import key_hint
 from .tidal_periods import period
 
 
@@ -36,6 +35,23 @@ def _one_sentence(name: str) -> Iterator[None]:
         problems = sorted(error.errors(), key=lambda p: p["type"] != "unknown_key")
         count = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
         raise ScenarioError(f"{name}: {sentence(problems[0])}{count}") from None
+
+
+class Quantity(NamedTuple):
+    """The names of one quantity, separated by spaces, in addition to its key."""
+
+    parameters: str = ""  # parameters of blocks that have this value
+    context: str = ""  # attributes of `LawContext` that have or contain it
+    symbol: str = ""  # in the paper
+    state: str = ""  # the state whose initial value it is
+    axes: str = ""  # dimensions of an array of several axes or functions
+    unit: str = ""  # the port that has its unit, if not its state; or time
+    jumps: bool = False  # True if breakpoints depend on it
+
+
+def quantity(default: Any, parameters: str = "", **names: Any) -> Any:
+    """Return a field with the names of a quantity; the default ... is of a required key."""
+    return Field(default, json_schema_extra={"parameters": parameters, **names})
 
 
 class Table(pydantic.BaseModel):
@@ -55,9 +71,8 @@ class Table(pydantic.BaseModel):
         for key, value in values.items() if isinstance(values, dict) else ():
             if key not in cls.model_fields:
                 inner = value if isinstance(value, dict) else ()
-                call_time_hint = next(
-                    filter(None, (key_hint(f"{key}.{name}") for name in inner)), ""
-                )
+                names = [f"{key}.{name}" for name in inner]
+                call_time_hint = next(filter(None, map(cls._key_hint, names)), "")
                 close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
                 hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
                 allowed = f"{hint} here: {', '.join(cls.model_fields)}"
@@ -85,12 +100,40 @@ class Table(pydantic.BaseModel):
                 yield f"{before}{name}", value, is_set
 
     @classmethod
+    def quantities(cls, before: str = "") -> Iterator[tuple[str, Quantity]]:
+        """Yield each key, dotted, that is a quantity, and its names."""
+        for name, field in cls.model_fields.items():
+            if isinstance(field.json_schema_extra, dict):
+                yield f"{before}{name}", Quantity(**field.json_schema_extra)  # type: ignore
+            for table in tables_in(field.annotation):
+                yield from table.quantities(f"{before}{name}.")
+
+    @classmethod
+    def _key_hint(cls, name: str) -> str:
+        """Return a hint on the key for a call-time name, or ""."""
+        keys = [key for key, q in cls.quantities() if name in q.parameters.split()]
+        return (
+            f"{name} is the name at call time, in params; the scenario's key is "
+            f"{' or '.join(dict.fromkeys(keys))}"
+            if keys
+            else ""
+        )
+
+    @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
         """Return a table from nested dicts; ``context["name"]`` is its name in errors."""
         with _one_sentence(
             (options.get("context") or {}).get("name", cls.__name__.lower())
         ):
             return super().model_validate(obj, **options)
+
+
+def tables_in(annotation: Any) -> Iterator[type[Table]]:
+    """Yield the tables among the types of a field."""
+    if isinstance(annotation, type) and issubclass(annotation, Table):
+        yield annotation
+    for part in get_args(annotation):
+        yield from tables_in(part)
 
 
 def sentence(problem: Any) -> str:
@@ -167,18 +210,35 @@ class Units(Table):
     """Units of length and time of every number here."""
 
     length: Literal["m", "km"] = "m"
+    """length = "m" # m or km"""
     time: Literal["s", "min", "h", "d"] = "s"
+    """time = "s" # s, min, h or d"""
 
 
 class Basis(Table):
     """The flow basis functions of Eq. (5), one entry per function."""
 
     kernel: Literal[*KERNELS]  # type: ignore[valid-type]
-    centers: Annotated[tuple[Pair, ...], Field(min_length=1)]
-    widths: tuple[Positive, ...]
-    periods: tuple[Period, ...] | None = None
+    """kernel = "exponential" # of the distance d and the width s"""
+    centers: Annotated[tuple[Pair, ...], Field(min_length=1)] = quantity(
+        ...,
+        "basis_x.centers basis_z.centers basis_x_true.centers",
+        axes="basis axis",
+        unit="x",
+    )
+    """centers = [[0, 0], [10, 10], [5, 5]] # centres c_i, length; functions may share one"""
+    widths: tuple[Positive, ...] = quantity(
+        ..., "basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"
+    )
+    """widths = [5, 5, 5] # widths sigma_i, length, positive"""
+    periods: tuple[Period, ...] | None = quantity(None, axes="basis", unit="time")
+    """periods = [12.42, 10.42, 24.42] # tidal periods, time; inf is steady"""
     constituents: tuple[str, ...] | None = None
-    phases: Row | None = None
+    """# constituents = ["M2", "K1", "steady"] # in place of periods, names"""
+    phases: Row | None = quantity(
+        None, "basis_x.phases basis_z.phases basis_x_true.phases", axes="basis"
+    )
+    """phases = [0, 0, 0] # radians: cos(2 pi t/period + phase); -1.5707963267948966 makes a sine"""
 
     @property
     def N(self) -> int:
@@ -223,6 +283,12 @@ class TrueBasis(Basis):
     """Functions of the true flow that are not those of the learner, and their parameters."""
 
     parameters: TwoRows
+    """# parameters = [[1.0], [0.9]] # their theta"""
+
+    @classmethod
+    def quantities(cls, before: str = "") -> Iterator[tuple[str, Quantity]]:
+        """Yield nothing: the names of `Basis` are the learner's."""
+        yield from ()
 
     def _mistakes(self) -> Iterator[str]:
         for mistake in super()._mistakes():
@@ -235,9 +301,15 @@ class Disturbance(Table):
     """The unmodelled flow Delta of Eq. (32)."""
 
     kind: Literal[*KINDS]  # type: ignore[valid-type]
-    amplitude: Pair
-    period: Positive | None = None
-    seed: Seed | None = None
+    """# kind = "square" # one of"""
+    amplitude: Pair = quantity(..., "disturbance.amplitude", unit="v_x")
+    """# amplitude = [0.05, 0.0] # each axis, length/time"""
+    period: Positive | None = quantity(
+        None, "disturbance.period", unit="time", jumps=True
+    )
+    """# period = 1.7951958 # time; required but for constant"""
+    seed: Seed | None = quantity(None, "disturbance.seed")
+    """# seed = 1 # for noise"""
 
     @property
     def row(self) -> DisturbanceKind:
@@ -256,11 +328,25 @@ class Disturbance(Table):
 class Flow(Table):
     """The true flow: parameters theta of Eq. (3), a gridded field, or functions of its own."""
 
-    parameters: TwoRows | None = None
+    parameters: TwoRows | None = quantity(
+        None,
+        "true_flow.theta lyapunov.theta",
+        symbol="theta",
+        axes="axis basis",
+        unit="alpha",
+    )
+    """parameters = [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]] # theta, length/time: a row for each axis"""
     field: str | None = None
+    """# field = "currents.nc" # a NetCDF file as `clpt fit` writes, path relative to the scenario:
+    u and v over (time, y, x), even steps, no gaps, units on all five, time from 0"""
     basis: TrueBasis | None = None
+    """# [flow.basis] # in place of both: other functions than the learner's; the keys of basis, and
+    parameters"""
     outside: Literal["raise", "clip", "stop"] = "raise"
+    """# outside = "raise" # with field, in space and time: raise, clip (hold the edge's value) or
+    stop (end the run there)"""
     disturbance: Disturbance | None = None
+    """# [flow.disturbance] # unmodelled flow Delta, Eq. (32)"""
 
     def _mistakes(self) -> Iterator[str]:
         given = (self.parameters, self.field, self.basis)
@@ -273,17 +359,42 @@ class Flow(Table):
 class Model(Table):
     """The modelled flow, alpha_M of Eq. (4); zero if left out."""
 
-    parameters: TwoRows | None = None
+    parameters: TwoRows | None = quantity(
+        None,
+        "modeled_flow.alpha_M vehicle_controller.alpha_M injection.alpha_M adaptation.alpha_M",
+        context="alpha_M theta_estimate",
+        symbol="alpha_M",
+        axes="axis basis",
+        unit="alpha",
+    )
+    """parameters = [[0, 0, 0], [0, 0, 0]] # alpha_M, length/time; 0 where left out"""
 
 
 class Vehicle(Table):
     """The vehicle, its controller, Eqs. (1) and (7), and its maximum speed."""
 
-    feedback: PositivePair
-    feedforward: Pair
-    position: Pair = (0.0, 0.0)
+    feedback: PositivePair = quantity(
+        ...,
+        "vehicle_controller.KD lyapunov.KD error_system.KD",
+        context="KD",
+        symbol="KD",
+        unit="K",
+    )
+    """feedback = [1, 1] # KD, diagonal, 1/time, positive"""
+    feedforward: Pair = quantity(
+        ...,
+        "vehicle_controller.GammaD lyapunov.GammaD",
+        context="GammaD",
+        symbol="GammaD",
+        unit="Gamma",
+    )
+    """feedforward = [1, 1] # GammaD, diagonal, 1/time"""
+    position: Pair = quantity((0.0, 0.0), context="position", state="x")
+    """position = [0, 0] # x(0), length"""
     position_lat_lon: Pair | None = None
-    max_speed: Positive | None = None
+    """# position_lat_lon = [41.2, -69.5] # x(0) in degrees"""
+    max_speed: Positive | None = quantity(None, "speed_limit.max_speed", unit="v_x")
+    """# max_speed = 1.5 # through the water, length/time, positive; left out: no limit"""
 
     def _mistakes(self) -> Iterator[str]:
         yield from start_mistakes("vehicle", self)
@@ -298,22 +409,31 @@ def start_mistakes(name: str, table: Table) -> Iterator[str]:
         )
 
 
+DWELL = quantity(..., "reference.dwell", context="dwell", unit="time", jumps=True)
+
+
 class Circle(Table):
     """Waypoints on a circle, section IV."""
 
     kind: Literal["circle"]
+    """kind = "circle" # circle with radius and count, or waypoints"""
     radius: Positive
+    """radius = 3 # length"""
     count: Count
-    dwell: Positive
+    """count = 10 # number of waypoints"""
+    dwell: Positive = DWELL
+    """dwell = 20 # time at each waypoint"""
 
 
 class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
-    points: Points | None = None
-    points_lat_lon: Points | None = None
-    dwell: Positive
+    points: Points | None = quantity(None, axes="waypoint axis", unit="x")
+    """# points = [[3, 0], [0, 3]] # of waypoints, length"""
+    points_lat_lon: Points | None = quantity(None, axes="waypoint axis")
+    """# points_lat_lon = [[41.2, -69.5]] # of waypoints, degrees, with origin"""
+    dwell: Positive = DWELL
 
     def _mistakes(self) -> Iterator[str]:
         if (self.points is None) == (self.points_lat_lon is None):
@@ -331,12 +451,31 @@ class Localization(Table):
     them.
     """
 
-    interval: NotNegative = 0.0
-    noise: NotNegative = 0.0
-    noise_period: Positive | None = None
-    dropouts: Annotated[Number, Field(ge=0, lt=1)] = 0.0
-    latency: NotNegative = 0.0
-    seed: Seed | None = None
+    noise: NotNegative = quantity(
+        0.0, "measurement.noise fixes.noise", context="fixes.noise", unit="x"
+    )
+    """# noise = 0.02 # standard deviation of each axis, length"""
+    noise_period: Positive | None = quantity(
+        None, "measurement.period", unit="time", jumps=True
+    )
+    """# noise_period = 1 # how long a value is held, time; required with interval 0"""
+    seed: Seed | None = quantity(None, "measurement.seed fixes.seed")
+    """# seed = 1 # of noise and missing fixes"""
+    interval: NotNegative = quantity(
+        0.0,
+        "fixes.between adaptation.between",
+        context="fixes.interval",
+        unit="time",
+        jumps=True,
+    )
+    """# interval = 5 # time between fixes, with law = "fix-regression"; with latency at most the
+    run; 0: position at all times"""
+    dropouts: Annotated[Number, Field(ge=0, lt=1)] = quantity(0.0, "fixes.dropouts")
+    """# dropouts = 0.1 # share of fixes that are missing, below 1"""
+    latency: NotNegative = quantity(
+        0.0, "adaptation.latency", context="fixes.latency", unit="time", jumps=True
+    )
+    """# latency = 1 # time from a fix to its arrival, below interval"""
 
     @property
     def spans(self) -> dict[str, float]:
@@ -398,10 +537,16 @@ class Run(Table):
     """Duration, output step and tolerances of a run."""
 
     duration: Positive
+    """duration = 2000 # time"""
     output_step: Positive = 1.0
+    """output_step = 1 # time between recorded samples"""
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
+    """rtol = 1e-8 # relative tolerance of the integrator"""
     atol: Positive = 1e-10
+    """atol = 1e-10 # absolute tolerance"""
     method: Literal[*METHODS] = "auto"  # type: ignore[valid-type]
+    """# method = "rodas5p" # auto: explicit, and implicit from where the run is stiff; taylor:
+    series of smooth equations; others"""
 
     @property
     def solver(self) -> dict[str, Any]:
