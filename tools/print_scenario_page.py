@@ -1,18 +1,15 @@
 """Pages of the keys of a scenario: data/paper.toml, which `clpt init` writes, and docs/scenario.md.
 
-Both are made from the fields of the tables in `paper/scenario`.  The string below a field is its
-line, or the header of its table, in data/paper.toml: the name, the value of the paper or, commented
-out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are current;
+Both are made from the fields of the tables in `paper/scenario`.  The comment `#:` above a field
+is its line, or the header of its table, in data/paper.toml: the name, the value of the paper or,
+commented out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are current;
 print them anew by
 
     python tools/print_scenario_page.py
 """
 
-import ast
 import inspect
 from collections.abc import Iterator
-from functools import cache
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -36,15 +33,16 @@ LINKS = {  # words of sentences: pages
 }
 
 
-@cache
 def lines_of(table: type[Table]) -> dict[str, str]:
-    """Return the strings below the fields that a table's class declares, by name."""
-    (made,) = ast.parse(inspect.getsource(table)).body
-    return {
-        field.target.id: " ".join(below.value.value.split())
-        for field, below in pairwise(made.body)
-        if isinstance(field, ast.AnnAssign) and isinstance(below, ast.Expr)
-    }
+    """Return the comments `#:` above the fields that a table's class declares, by name."""
+    found, line = {}, ""
+    for text in inspect.getsource(table).splitlines():
+        if comment := re.match(r" +#: (.*)", text):
+            line = f"{line} {comment[1]}".strip()
+        elif field := re.match(r" +(\w+): ", text):
+            found[field[1]] = line
+            line = ""
+    return {name: line for name, line in found.items() if line}
 
 
 def fields_of(table: type[Table], before: str = "") -> Iterator[tuple[str, Any]]:

@@ -16,14 +16,8 @@ from ..engine.diagram.interconnection import wiring_of_blocks
 from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_to_text
-from ..paper.scenario.quantities import (
-    QUANTITIES,
-    STARTS,
-    Quantity,
-    key_hint,
-    keys_of,
-    keys_of_law,
-)
+from ..paper.scenario.quantities import QUANTITIES, STARTS, keys_of, keys_of_law
+from ..paper.scenario.tables import Quantity
 from ..simulation.dataset import unit_of
 from ..simulation.dataset_template import Series
 from ..simulation.initial_states import state_columns, state_of
@@ -109,7 +103,7 @@ class VariedScenario:
     def why_not(self, key: str) -> str:
         """Return the reason for which a key cannot vary."""
         is_replaced = key.split(".")[0] in self.changes.names
-        if not is_replaced and (hint := key_hint(key)):
+        if not is_replaced and (hint := Scenario.key_hint(key)):
             return f"vary: {hint}"
         keys = self.scenario.every_key()
         if any(name == key and isinstance(value, str) for name, value, _ in keys):

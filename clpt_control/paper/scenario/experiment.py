@@ -55,31 +55,30 @@ class Scenario(tables.Table):
     (3, 0.8)
     """
 
+    #: title = "Cho, Zhang, Edwards 2016, section IV" # text
     title: str = ""
-    """title = "Cho, Zhang, Edwards 2016, section IV" # text"""
+    #: # origin = [41.2, -69.5] # latitude and longitude of (0, 0); runs and maps then have degrees
     origin: tables.Pair | None = None
-    """# origin = [41.2, -69.5] # latitude and longitude of (0, 0); runs and maps then have
-    degrees"""
+    #: [units] # every number below is in these
     units: tables.Units = tables.Units()
-    """[units] # every number below is in these"""
+    #: [basis] # flow basis functions, Eq. (5); one entry per function
     basis: tables.Basis
-    """[basis] # flow basis functions, Eq. (5); one entry per function"""
+    #: [flow] # the true flow, Eq. (3): parameters, field or basis
     flow: tables.Flow = tables.left_out("flow")
-    """[flow] # the true flow, Eq. (3): parameters, field or basis"""
+    #: [model] # the modelled flow, Eq. (4)
     model: tables.Model = tables.Model()
-    """[model] # the modelled flow, Eq. (4)"""
+    #: [vehicle] # vehicle and controller, Eqs. (1) and (7)
     vehicle: tables.Vehicle = tables.left_out("vehicle")
-    """[vehicle] # vehicle and controller, Eqs. (1) and (7)"""
+    #: [reference] # waypoints zc(t)
     reference: Annotated[
         tables.Circle | tables.Waypoints, Field(discriminator="kind")
     ] = tables.left_out("reference")
-    """[reference] # waypoints zc(t)"""
+    #: [learning] # the adaptive law
     learning: Learning
-    """[learning] # the adaptive law"""
+    #: # [localization] # noise on the position that the vehicle reads, or fixes
     localization: tables.Localization | None = None
-    """# [localization] # noise on the position that the vehicle reads, or fixes"""
+    #: [run]
     run: tables.Run = tables.left_out("run")
-    """[run]"""
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:

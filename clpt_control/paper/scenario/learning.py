@@ -47,11 +47,9 @@ NOT_AT_FIXES = (
 class LearningGains(Table):
     """A gain each for alpha, K and Gamma; the law does not adapt a parameter without a gain."""
 
-    parameters: _Gain = quantity(None, "adaptation.gain", context="gains.parameters")
-    feedback: _Gain = quantity(None, "adaptation.gain_K", context="gains.feedback")
-    feedforward: _Gain = quantity(
-        None, "adaptation.gain_Gamma", context="gains.feedforward"
-    )
+    parameters: _Gain = quantity(None, "adaptation.gain", "gains.parameters")
+    feedback: _Gain = quantity(None, "adaptation.gain_K", "gains.feedback")
+    feedforward: _Gain = quantity(None, "adaptation.gain_Gamma", "gains.feedforward")
 
 
 def _own_table(law: Law) -> tuple[Any, None]:
@@ -84,50 +82,50 @@ def _law(name: str) -> str:
 class Learning(OwnTables):
     """The adaptive law, its gains, its own table and its initial values."""
 
+    #: law = "learned-flow" # learned-flow: Eqs. (20)-(23); known-flow: Eqs. (13)-(15); `clpt laws`
+    #: lists all
     law: Annotated[str, AfterValidator(_law)]
-    """law = "learned-flow" # learned-flow: Eqs. (20)-(23); known-flow: Eqs. (13)-(15); `clpt laws`
-    lists all"""
+    #: gain = 0.8 # gamma of alpha, K and Gamma, positive; required unless `clpt laws` names the
+    #: law's own; 0, with the paper's two laws: no learning
     gain: Annotated[NotNegative, _Squared] | None = quantity(
         None,
         "adaptation.gain adaptation.gain_K adaptation.gain_Gamma parameter_system.gain "
         "lyapunov.gain lyapunov.gain_K lyapunov.gain_Gamma",
-        context="gains.parameters gains.feedback gains.feedforward",
+        "gains.parameters gains.feedback gains.feedforward",
         symbol="gamma",
     )
-    """gain = 0.8 # gamma of alpha, K and Gamma, positive; required unless `clpt laws` names the
-    law's own; 0, with the paper's two laws: no learning"""
+    #: # gains = { parameters = 0.8, feedback = 0.3, feedforward = 0.3 } # in place of gain, for
+    #: alpha, K and Gamma
     gains: LearningGains | None = None
-    """# gains = { parameters = 0.8, feedback = 0.3, feedforward = 0.3 } # in place of gain, for
-    alpha, K and Gamma"""
+    #: # adapt_gains = false # false holds K and Gamma at feedback and feedforward
     adapt_gains: Annotated[bool, Strict()] = True
-    """# adapt_gains = false # false holds K and Gamma at feedback and feedforward"""
+    #: # hedging = false # with max_speed; false: no hedging, the learner is not told what could
+    #: not be flown; left out: true
     hedging: Annotated[bool, Strict()] | None = None
-    """# hedging = false # with max_speed; false: no hedging, the learner is not told what could not
-    be flown; left out: true"""
+    #: # sample = 0.02 # period of a sampled law by Euler's step; left out: continuous time
     sample: Positive | None = None
-    """# sample = 0.02 # period of a sampled law by Euler's step; left out: continuous time"""
+    #: # theta_estimate = [[1, 0, 1], [1, 0, 1]] # of known-flow, length/time
     theta_estimate: TwoRows | None = quantity(
         None,
         "injection.theta_hat",
-        context="theta_estimate",
-        symbol="theta_hat",
+        "theta_estimate",
+        "theta_hat",
         axes="axis basis",
         unit="alpha",
     )
-    """# theta_estimate = [[1, 0, 1], [1, 0, 1]] # of known-flow, length/time"""
+    #: position = [0, 0] # z(0), length
     position: Pair = quantity((0.0, 0.0), state="z")
-    """position = [0, 0] # z(0), length"""
+    #: # position_lat_lon = [41.2, -69.5] # z(0) in degrees
     position_lat_lon: Pair | None = None
-    """# position_lat_lon = [41.2, -69.5] # z(0) in degrees"""
+    #: parameters = [[0, 0, 0], [0, 0, 0]] # alpha(0), length/time; driven to -theta; 0 where left
+    #: out
     parameters: TwoRows | None = quantity(
         None, context="alpha", state="alpha", axes="axis basis"
     )
-    """parameters = [[0, 0, 0], [0, 0, 0]] # alpha(0), length/time; driven to -theta; 0 where left
-    out"""
+    #: feedback = [0, 0] # K(0), 1/time
     feedback: Pair = quantity((0.0, 0.0), state="K")
-    """feedback = [0, 0] # K(0), 1/time"""
+    #: feedforward = [0, 0] # Gamma(0), 1/time
     feedforward: Pair = quantity((0.0, 0.0), state="Gamma")
-    """feedforward = [0, 0] # Gamma(0), 1/time"""
 
     @property
     def row(self) -> Law:

@@ -49,9 +49,9 @@ class Quantity(NamedTuple):
     jumps: bool = False  # True if breakpoints depend on it
 
 
-def quantity(default: Any, parameters: str = "", **names: Any) -> Any:
-    """Return a field with the names of a quantity; the default ... is of a required key."""
-    return Field(default, json_schema_extra={"parameters": parameters, **names})
+def quantity(default: Any, *names: str, **facts: Any) -> Any:
+    """Return a field that is a `Quantity`; the default ... is of a required key."""
+    return Field(default, json_schema_extra=Quantity(*names, **facts)._asdict())
 
 
 class Table(pydantic.BaseModel):
@@ -72,7 +72,7 @@ class Table(pydantic.BaseModel):
             if key not in cls.model_fields:
                 inner = value if isinstance(value, dict) else ()
                 names = [f"{key}.{name}" for name in inner]
-                call_time_hint = next(filter(None, map(cls._key_hint, names)), "")
+                call_time_hint = next(filter(None, map(cls.key_hint, names)), "")
                 close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
                 hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
                 allowed = f"{hint} here: {', '.join(cls.model_fields)}"
@@ -101,15 +101,16 @@ class Table(pydantic.BaseModel):
 
     @classmethod
     def quantities(cls, before: str = "") -> Iterator[tuple[str, Quantity]]:
-        """Yield each key, dotted, that is a quantity, and its names."""
+        """Yield each key, dotted, that the class declares as a quantity, and its names."""
         for name, field in cls.model_fields.items():
-            if isinstance(field.json_schema_extra, dict):
-                yield f"{before}{name}", Quantity(**field.json_schema_extra)  # type: ignore
+            names: Any = field.json_schema_extra
+            if names and name in cls.__annotations__:
+                yield f"{before}{name}", Quantity(**names)
             for table in tables_in(field.annotation):
                 yield from table.quantities(f"{before}{name}.")
 
     @classmethod
-    def _key_hint(cls, name: str) -> str:
+    def key_hint(cls, name: str) -> str:
         """Return a hint on the key for a call-time name, or ""."""
         keys = [key for key, q in cls.quantities() if name in q.parameters.split()]
         return (
@@ -209,36 +210,36 @@ SHORT = 1e-6  # share of the interval; closer times are treated as equal
 class Units(Table):
     """Units of length and time of every number here."""
 
+    #: length = "m" # m or km
     length: Literal["m", "km"] = "m"
-    """length = "m" # m or km"""
+    #: time = "s" # s, min, h or d
     time: Literal["s", "min", "h", "d"] = "s"
-    """time = "s" # s, min, h or d"""
 
 
 class Basis(Table):
     """The flow basis functions of Eq. (5), one entry per function."""
 
+    #: kernel = "exponential" # of the distance d and the width s
     kernel: Literal[*KERNELS]  # type: ignore[valid-type]
-    """kernel = "exponential" # of the distance d and the width s"""
+    #: centers = [[0, 0], [10, 10], [5, 5]] # centres c_i, length; functions may share one
     centers: Annotated[tuple[Pair, ...], Field(min_length=1)] = quantity(
         ...,
         "basis_x.centers basis_z.centers basis_x_true.centers",
         axes="basis axis",
         unit="x",
     )
-    """centers = [[0, 0], [10, 10], [5, 5]] # centres c_i, length; functions may share one"""
+    #: widths = [5, 5, 5] # widths sigma_i, length, positive
     widths: tuple[Positive, ...] = quantity(
         ..., "basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"
     )
-    """widths = [5, 5, 5] # widths sigma_i, length, positive"""
+    #: periods = [12.42, 10.42, 24.42] # tidal periods, time; inf is steady
     periods: tuple[Period, ...] | None = quantity(None, axes="basis", unit="time")
-    """periods = [12.42, 10.42, 24.42] # tidal periods, time; inf is steady"""
+    #: # constituents = ["M2", "K1", "steady"] # in place of periods, names
     constituents: tuple[str, ...] | None = None
-    """# constituents = ["M2", "K1", "steady"] # in place of periods, names"""
+    #: phases = [0, 0, 0] # radians: cos(2 pi t/period + phase); -1.5707963267948966 makes a sine
     phases: Row | None = quantity(
         None, "basis_x.phases basis_z.phases basis_x_true.phases", axes="basis"
     )
-    """phases = [0, 0, 0] # radians: cos(2 pi t/period + phase); -1.5707963267948966 makes a sine"""
 
     @property
     def N(self) -> int:
@@ -282,13 +283,8 @@ class Basis(Table):
 class TrueBasis(Basis):
     """Functions of the true flow that are not those of the learner, and their parameters."""
 
+    #: # parameters = [[1.0], [0.9]] # their theta
     parameters: TwoRows
-    """# parameters = [[1.0], [0.9]] # their theta"""
-
-    @classmethod
-    def quantities(cls, before: str = "") -> Iterator[tuple[str, Quantity]]:
-        """Yield nothing: the names of `Basis` are the learner's."""
-        yield from ()
 
     def _mistakes(self) -> Iterator[str]:
         for mistake in super()._mistakes():
@@ -300,16 +296,16 @@ class TrueBasis(Basis):
 class Disturbance(Table):
     """The unmodelled flow Delta of Eq. (32)."""
 
+    #: # kind = "square" # one of
     kind: Literal[*KINDS]  # type: ignore[valid-type]
-    """# kind = "square" # one of"""
+    #: # amplitude = [0.05, 0.0] # each axis, length/time
     amplitude: Pair = quantity(..., "disturbance.amplitude", unit="v_x")
-    """# amplitude = [0.05, 0.0] # each axis, length/time"""
+    #: # period = 1.7951958 # time; required but for constant
     period: Positive | None = quantity(
         None, "disturbance.period", unit="time", jumps=True
     )
-    """# period = 1.7951958 # time; required but for constant"""
+    #: # seed = 1 # for noise
     seed: Seed | None = quantity(None, "disturbance.seed")
-    """# seed = 1 # for noise"""
 
     @property
     def row(self) -> DisturbanceKind:
@@ -328,6 +324,7 @@ class Disturbance(Table):
 class Flow(Table):
     """The true flow: parameters theta of Eq. (3), a gridded field, or functions of its own."""
 
+    #: parameters = [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]] # theta, length/time: a row for each axis
     parameters: TwoRows | None = quantity(
         None,
         "true_flow.theta lyapunov.theta",
@@ -335,18 +332,17 @@ class Flow(Table):
         axes="axis basis",
         unit="alpha",
     )
-    """parameters = [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]] # theta, length/time: a row for each axis"""
+    #: # field = "currents.nc" # a NetCDF file as `clpt fit` writes, path relative to the scenario:
+    #: u and v over (time, y, x), even steps, no gaps, units on all five, time from 0
     field: str | None = None
-    """# field = "currents.nc" # a NetCDF file as `clpt fit` writes, path relative to the scenario:
-    u and v over (time, y, x), even steps, no gaps, units on all five, time from 0"""
+    #: # [flow.basis] # in place of both: other functions than the learner's; the keys of basis,
+    #: and parameters
     basis: TrueBasis | None = None
-    """# [flow.basis] # in place of both: other functions than the learner's; the keys of basis, and
-    parameters"""
+    #: # outside = "raise" # with field, in space and time: raise, clip (hold the edge's value) or
+    #: stop (end the run there)
     outside: Literal["raise", "clip", "stop"] = "raise"
-    """# outside = "raise" # with field, in space and time: raise, clip (hold the edge's value) or
-    stop (end the run there)"""
+    #: # [flow.disturbance] # unmodelled flow Delta, Eq. (32)
     disturbance: Disturbance | None = None
-    """# [flow.disturbance] # unmodelled flow Delta, Eq. (32)"""
 
     def _mistakes(self) -> Iterator[str]:
         given = (self.parameters, self.field, self.basis)
@@ -359,42 +355,38 @@ class Flow(Table):
 class Model(Table):
     """The modelled flow, alpha_M of Eq. (4); zero if left out."""
 
+    #: parameters = [[0, 0, 0], [0, 0, 0]] # alpha_M, length/time; 0 where left out
     parameters: TwoRows | None = quantity(
         None,
         "modeled_flow.alpha_M vehicle_controller.alpha_M injection.alpha_M adaptation.alpha_M",
-        context="alpha_M theta_estimate",
-        symbol="alpha_M",
+        "alpha_M theta_estimate",
+        "alpha_M",
         axes="axis basis",
         unit="alpha",
     )
-    """parameters = [[0, 0, 0], [0, 0, 0]] # alpha_M, length/time; 0 where left out"""
 
 
 class Vehicle(Table):
     """The vehicle, its controller, Eqs. (1) and (7), and its maximum speed."""
 
+    #: feedback = [1, 1] # KD, diagonal, 1/time, positive
     feedback: PositivePair = quantity(
-        ...,
-        "vehicle_controller.KD lyapunov.KD error_system.KD",
-        context="KD",
-        symbol="KD",
-        unit="K",
+        ..., "vehicle_controller.KD lyapunov.KD error_system.KD", "KD", "KD", unit="K"
     )
-    """feedback = [1, 1] # KD, diagonal, 1/time, positive"""
+    #: feedforward = [1, 1] # GammaD, diagonal, 1/time
     feedforward: Pair = quantity(
         ...,
         "vehicle_controller.GammaD lyapunov.GammaD",
-        context="GammaD",
-        symbol="GammaD",
+        "GammaD",
+        "GammaD",
         unit="Gamma",
     )
-    """feedforward = [1, 1] # GammaD, diagonal, 1/time"""
+    #: position = [0, 0] # x(0), length
     position: Pair = quantity((0.0, 0.0), context="position", state="x")
-    """position = [0, 0] # x(0), length"""
+    #: # position_lat_lon = [41.2, -69.5] # x(0) in degrees
     position_lat_lon: Pair | None = None
-    """# position_lat_lon = [41.2, -69.5] # x(0) in degrees"""
+    #: # max_speed = 1.5 # through the water, length/time, positive; left out: no limit
     max_speed: Positive | None = quantity(None, "speed_limit.max_speed", unit="v_x")
-    """# max_speed = 1.5 # through the water, length/time, positive; left out: no limit"""
 
     def _mistakes(self) -> Iterator[str]:
         yield from start_mistakes("vehicle", self)
@@ -409,30 +401,30 @@ def start_mistakes(name: str, table: Table) -> Iterator[str]:
         )
 
 
-DWELL = quantity(..., "reference.dwell", context="dwell", unit="time", jumps=True)
+DWELL = quantity(..., "reference.dwell", "dwell", unit="time", jumps=True)
 
 
 class Circle(Table):
     """Waypoints on a circle, section IV."""
 
+    #: kind = "circle" # circle with radius and count, or waypoints
     kind: Literal["circle"]
-    """kind = "circle" # circle with radius and count, or waypoints"""
+    #: radius = 3 # length
     radius: Positive
-    """radius = 3 # length"""
+    #: count = 10 # number of waypoints
     count: Count
-    """count = 10 # number of waypoints"""
+    #: dwell = 20 # time at each waypoint
     dwell: Positive = DWELL
-    """dwell = 20 # time at each waypoint"""
 
 
 class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
+    #: # points = [[3, 0], [0, 3]] # of waypoints, length
     points: Points | None = quantity(None, axes="waypoint axis", unit="x")
-    """# points = [[3, 0], [0, 3]] # of waypoints, length"""
+    #: # points_lat_lon = [[41.2, -69.5]] # of waypoints, degrees, with origin
     points_lat_lon: Points | None = quantity(None, axes="waypoint axis")
-    """# points_lat_lon = [[41.2, -69.5]] # of waypoints, degrees, with origin"""
     dwell: Positive = DWELL
 
     def _mistakes(self) -> Iterator[str]:
@@ -451,31 +443,31 @@ class Localization(Table):
     them.
     """
 
+    #: # noise = 0.02 # standard deviation of each axis, length
     noise: NotNegative = quantity(
-        0.0, "measurement.noise fixes.noise", context="fixes.noise", unit="x"
+        0.0, "measurement.noise fixes.noise", "fixes.noise", unit="x"
     )
-    """# noise = 0.02 # standard deviation of each axis, length"""
+    #: # noise_period = 1 # how long a value is held, time; required with interval 0
     noise_period: Positive | None = quantity(
         None, "measurement.period", unit="time", jumps=True
     )
-    """# noise_period = 1 # how long a value is held, time; required with interval 0"""
+    #: # seed = 1 # of noise and missing fixes
     seed: Seed | None = quantity(None, "measurement.seed fixes.seed")
-    """# seed = 1 # of noise and missing fixes"""
+    #: # interval = 5 # time between fixes, with law = "fix-regression"; with latency at most the
+    #: run; 0: position at all times
     interval: NotNegative = quantity(
         0.0,
         "fixes.between adaptation.between",
-        context="fixes.interval",
+        "fixes.interval",
         unit="time",
         jumps=True,
     )
-    """# interval = 5 # time between fixes, with law = "fix-regression"; with latency at most the
-    run; 0: position at all times"""
+    #: # dropouts = 0.1 # share of fixes that are missing, below 1
     dropouts: Annotated[Number, Field(ge=0, lt=1)] = quantity(0.0, "fixes.dropouts")
-    """# dropouts = 0.1 # share of fixes that are missing, below 1"""
+    #: # latency = 1 # time from a fix to its arrival, below interval
     latency: NotNegative = quantity(
-        0.0, "adaptation.latency", context="fixes.latency", unit="time", jumps=True
+        0.0, "adaptation.latency", "fixes.latency", unit="time", jumps=True
     )
-    """# latency = 1 # time from a fix to its arrival, below interval"""
 
     @property
     def spans(self) -> dict[str, float]:
@@ -536,17 +528,17 @@ def left_out(table: str) -> Any:
 class Run(Table):
     """Duration, output step and tolerances of a run."""
 
+    #: duration = 2000 # time
     duration: Positive
-    """duration = 2000 # time"""
+    #: output_step = 1 # time between recorded samples
     output_step: Positive = 1.0
-    """output_step = 1 # time between recorded samples"""
+    #: rtol = 1e-8 # relative tolerance of the integrator
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
-    """rtol = 1e-8 # relative tolerance of the integrator"""
+    #: atol = 1e-10 # absolute tolerance
     atol: Positive = 1e-10
-    """atol = 1e-10 # absolute tolerance"""
+    #: # method = "rodas5p" # auto: explicit, and implicit from where the run is stiff; taylor:
+    #: series of smooth equations; others
     method: Literal[*METHODS] = "auto"  # type: ignore[valid-type]
-    """# method = "rodas5p" # auto: explicit, and implicit from where the run is stiff; taylor:
-    series of smooth equations; others"""
 
     @property
     def solver(self) -> dict[str, Any]:
