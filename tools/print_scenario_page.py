@@ -2,13 +2,14 @@
 
 Both are made from the fields of the tables in `paper/scenario`.  The comment `#:` above a field
 is its line, or the header of its table, in data/paper.toml: the name, the value of the paper or,
-commented out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are current;
-print them anew by
+commented out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are
+current; print them anew by
 
     python tools/print_scenario_page.py
 """
 
 import inspect
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

@@ -171,7 +171,7 @@ class Scenario(tables.Table):
         )
 
     def _shape_mistakes(self) -> Iterator[str]:
-        for key, quantity in self.quantities():
+        for key, quantity in self.quantities().items():
             is_given = key.partition(".")[0] not in self.left_out
             has_rows = is_given and quantity.axes == "axis basis"
             rows = attrgetter(key)(self) if has_rows else None

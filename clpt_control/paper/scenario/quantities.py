@@ -10,7 +10,7 @@ from typing import Any
 from ..laws.law import Fixes, Gains, Setting
 from .experiment import Scenario
 
-QUANTITIES = dict(Scenario.quantities())
+QUANTITIES = Scenario.quantities()
 CALL_TIME_NAMES = {
     key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters
 }

@@ -9,6 +9,7 @@ import difflib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from typing import Annotated, Any, Literal, NamedTuple, Self, get_args
 
 import numpy as np
@@ -49,7 +50,7 @@ class Quantity(NamedTuple):
     jumps: bool = False  # True if breakpoints depend on it
 
 
-def quantity(default: Any, *names: str, **facts: Any) -> Any:
+def quantity(default: Any, *names: Any, **facts: Any) -> Any:
     """Return a field that is a `Quantity`; the default ... is of a required key."""
     return Field(default, json_schema_extra=Quantity(*names, **facts)._asdict())
 
@@ -100,25 +101,26 @@ class Table(pydantic.BaseModel):
                 yield f"{before}{name}", value, is_set
 
     @classmethod
-    def quantities(cls, before: str = "") -> Iterator[tuple[str, Quantity]]:
-        """Yield each key, dotted, that the class declares as a quantity, and its names."""
+    @cache
+    def quantities(cls) -> dict[str, Quantity]:
+        """Return the names of each key, dotted, that a class declares as a quantity."""
+        found = {}
         for name, field in cls.model_fields.items():
             names: Any = field.json_schema_extra
             if names and name in cls.__annotations__:
-                yield f"{before}{name}", Quantity(**names)
+                found[name] = Quantity(**names)
             for table in tables_in(field.annotation):
-                yield from table.quantities(f"{before}{name}.")
+                inner = table.quantities().items()
+                found |= {f"{name}.{key}": quantity for key, quantity in inner}
+        return found
 
     @classmethod
     def key_hint(cls, name: str) -> str:
         """Return a hint on the key for a call-time name, or ""."""
-        keys = [key for key, q in cls.quantities() if name in q.parameters.split()]
-        return (
-            f"{name} is the name at call time, in params; the scenario's key is "
-            f"{' or '.join(dict.fromkeys(keys))}"
-            if keys
-            else ""
-        )
+        quantities = cls.quantities().items()
+        keys = [key for key, names in quantities if name in names.parameters.split()]
+        says = "is the name at call time, in params; the scenario's key is"
+        return f"{name} {says} {' or '.join(keys)}" if keys else ""
 
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
