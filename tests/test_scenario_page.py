@@ -1,4 +1,4 @@
-"""The page of scenario keys, and the example of `clpt init`, against the fields."""
+"""The pages of scenario keys and blocks, and the example of `clpt init`, against declarations."""
 
 import re
 import runpy
@@ -16,6 +16,7 @@ PAGE = (ROOT / "docs" / "scenario.md").read_text("utf-8")
 def test_the_pages_are_current():
     assert PRINTED["page"]() == PAGE
     assert PRINTED["example"]() == PRINTED["EXAMPLE"].read_text("utf-8")
+    assert PRINTED["block_rows"]() in PRINTED["BLOCKS"].read_text("utf-8")
 
 
 def test_the_example_has_a_sentence_for_each_key():

@@ -1,25 +1,33 @@
-"""Pages of the keys of a scenario: data/paper.toml, which `clpt init` writes, and docs/scenario.md.
+"""Pages of the keys of a scenario and of the blocks of its loop, from their declarations.
 
-Both are made from the fields of the tables in `paper/scenario`.  The comment `#:` above a field
-is its line, or the header of its table, in data/paper.toml: the name, the value of the paper or,
-commented out, of an example, and a sentence.  `tests/test_scenario_page.py` checks that both are
-current; print them anew by
+- data/paper.toml, which `clpt init` writes, and docs/scenario.md: from the fields of the tables in
+  `paper/scenario`.  The comment `#:` above a field is its line in data/paper.toml, or the header of
+  its table: name, value of the paper or, commented out, of an example, and a sentence.
+- The table of docs/blocks.md: from the blocks of all laws and of each example.  The equation is the
+  docstring of a block's function.
+
+`tests/test_scenario_page.py` checks that all are current; print them anew by
 
     python tools/print_scenario_page.py
 """
 
 import inspect
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import clpt_control as clpt
+from clpt_control.engine.diagram.wiring import output_ports
+from clpt_control.paper.blocks.ports import SHAPES
 from clpt_control.paper.scenario.experiment import Scenario
 from clpt_control.paper.scenario.file import with_names
 from clpt_control.paper.scenario.tables import Table, tables_in
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "scenario.md"
+BLOCKS = ROOT / "docs" / "blocks.md"
 EXAMPLE = ROOT / "clpt_control" / "data" / "paper.toml"
 TITLE = """\
 # The experiment of Cho, Zhang and Edwards (2016), section IV.
@@ -120,12 +128,77 @@ def rows() -> str:
     return "\n".join(lines) + "\n"
 
 
+def with_table(path: Path, table: str) -> str:
+    """Return a page with the table of the same first line printed anew."""
+    head = table[: table.index("\n") + 1]
+    before, _, rest = path.read_text("utf-8").partition(head)
+    return before + table + rest[rest.index("\n\n") + 1 :]
+
+
 def page() -> str:
-    """Return the page with its table of keys printed anew."""
-    before, _, rest = PAGE.read_text("utf-8").partition("key | meaning | default\n")
-    return before + rows() + rest[rest.index("\n\n") + 1 :]
+    """Return the page of a scenario with its table of keys printed anew."""
+    return with_table(PAGE, rows())
+
+
+def blocks_of_loops() -> dict[str, list[tuple[Scenario, Any]]]:
+    """Return the scenarios and blocks of each name, those of the paper first."""
+    sys.path += [str(ROOT / "tests" / "support"), str(ROOT / "tests")]
+    from loop_scenarios import scenarios
+
+    found: dict[str, list[tuple[Scenario, Any]]] = {}
+    for scenario in (clpt.paper_scenario(), *scenarios()):
+        for block in clpt.paper_blocks(scenario):
+            found.setdefault(block.name, []).append((scenario, block))
+    return found
+
+
+def condition_of(scenarios: list[Scenario]) -> str:
+    """Return the key that the scenarios set and the paper does not, or ""."""
+    keys = [{key for key, _, is_set in one.every_key() if is_set} for one in scenarios]
+    paper = {key for key, _, is_set in clpt.paper_scenario().every_key() if is_set}
+    keys_of_all = sorted(set.intersection(*keys) - paper)
+    return f", with `{keys_of_all[0]}`" if keys_of_all else ""
+
+
+def ports_text(ports: list[str]) -> str:
+    """Return the ports with their sizes."""
+    sizes = (str(SHAPES[port]).strip("()").replace(", ", "") for port in ports)
+    texts = (
+        f"`{port}[{size}]`".replace("'", "")
+        for port, size in zip(ports, sizes, strict=True)
+    )
+    return ", ".join(texts)
+
+
+def block_rows() -> str:
+    """Return the table of blocks; the law is that of the paper."""
+    lines = ["block | equation | inputs | states | outputs", "---|---|---|---|---"]
+    for name, made in blocks_of_loops().items():
+        scenarios, blocks = zip(
+            *made[: 1 if name == "adaptation" else None], strict=True
+        )
+        function = blocks[0].update_function or blocks[0].output_function
+        equation = inspect.getdoc(function).partition("\n")[0].rstrip(".")
+        ports = [
+            ports_text(
+                [*dict.fromkeys(port for block in blocks for port in ports_of(block))]
+            )
+            for ports_of in (
+                lambda block: block.input_ports,
+                lambda block: block.state_ports,
+                output_ports,
+            )
+        ]
+        cells = [
+            f"`{name}`{condition_of(scenarios)}",
+            equation.replace("|", "\\|"),
+            *ports,
+        ]
+        lines.append(" | ".join(cells))
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
     EXAMPLE.write_text(example(), "utf-8")
     PAGE.write_text(page(), "utf-8")
+    BLOCKS.write_text(with_table(BLOCKS, block_rows()), "utf-8")

@@ -169,38 +169,27 @@ BLOCK = Recipe(
             (
                 (
                     "clpt_control/paper/scenario/tables.py",
-                    "    max_speed: Positive | None = None\n",
-                    "    max_speed: Positive | None = None\n"
-                    "    meter_scale: Positive | None = None\n",
-                ),
-            ),
-        ),
-        Step(
-            "names of the quantity",
-            "test_a_parameter_in_place_of_a_key_is_answered_with_the_key[current_meter]",
-            (
-                (
-                    "clpt_control/paper/scenario/quantities.py",
-                    "QUANTITIES = {",
-                    "QUANTITIES = {\n"
-                    '    "vehicle.meter_scale": Quantity("current_meter.scale"),',
+                    "    #: # max_speed = 1.5",
+                    "    #: # meter_scale = 1.1 # a current meter\n"
+                    '    meter_scale: Positive | None = quantity(None, "current_meter.scale")\n'
+                    "    #: # max_speed = 1.5",
                 ),
             ),
         ),
         Step(
             "example",
-            "test_the_example_has_a_sentence_for_each_key",
+            "test_the_pages_are_current",
             (
                 (
                     "clpt_control/data/paper.toml",
                     "# max_speed",
-                    "# meter_scale = 1.1  # a current meter\n# max_speed",
+                    "# meter_scale = 1.1                           # a current meter\n# max_speed",
                 ),
             ),
         ),
         Step(
             "page of scenarios",
-            "test_the_page_is_current",
+            "test_the_pages_are_current",
             (
                 (
                     "docs/scenario.md",
@@ -215,8 +204,9 @@ BLOCK = Recipe(
             (
                 (
                     "docs/blocks.md",
-                    "| `clpe` |",
-                    "| `current_meter` | (3) | `flow_x` | | `flow_meter[2]` |\n| `clpe` |",
+                    "`speed_limit`",
+                    "`current_meter`, with `vehicle.meter_scale` | m = s F_R, F_R of Eq. (3) "
+                    "| `flow_x[2]` |  | `flow_meter[2]`\n`speed_limit`",
                 ),
             ),
         ),
