@@ -26,7 +26,7 @@ from ..engine.codegen.directional_derivatives import (
     put,
     value_at,
 )
-from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
@@ -244,6 +244,9 @@ class VariedDiagram:
                 f"vary: {key} is not an element of {name}, counted from 0; or {name} is more than "
                 "one of a parameter, an initial state and an input: name one of a block"
             )
+        hints = (hint_of(key, {*self.names}) for hint_of in PARAMETER_HINTS)
+        for hint in filter(None, hints):
+            return f"vary: {hint}"
         return cannot_vary(key, self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:

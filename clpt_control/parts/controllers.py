@@ -18,6 +18,7 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import BlockError
+from ..engine.diagram.interconnection import PARAMETER_HINTS
 from ..engine.model.block import Block
 from .common import check_order, check_positive, make_block, with_constants
 
@@ -75,6 +76,19 @@ def next_states(t, x, u, p, dt, ki):
 def sampled_command(t, x, u, p, dt):
     """u_k = min(max(v_k, low), high) (Astrom and Murray 2008, section 10.5)."""
     return np.clip(unlimited(x, u, p, difference(x, u, p, dt)), p.low, p.high)
+
+
+def gain_hint(key: str, parameters: set[str]) -> str:
+    """Return a hint on a gain of 0, which is no parameter of its controller, or ""."""
+    block, gain = key[:-2], key[-2:]
+    if gain not in ("ki", "kd") or not {f"{block}kp", f"{block}low"} <= parameters:
+        return ""
+    return (
+        f"{key}: a gain of 0 is no parameter. Give {gain} in parts.pid(..., {gain}=...)"
+    )
+
+
+PARAMETER_HINTS.append(gain_hint)
 
 
 @public

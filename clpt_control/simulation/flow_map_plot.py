@@ -59,6 +59,8 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     ax.quiverkey(drawn, 0.8, 1.03, fastest, f"{fastest:g} {learned.unit}", labelpos="E")
     ax.set(xlabel=f"{x.name} ({x.units})", ylabel=f"{y.name} ({y.units})", title="")
     ax.set_aspect(1 / np.cos(np.radians(y.mean())) if learned.is_geographic else 1.0)
+    ax.ticklabel_format(style="plain", useOffset=False)
+    ax.locator_params(nbins=4)
     ax.set_title("Learned flow at the end", **TITLE)
     legend_below(ax, 3)
     return ax

@@ -26,10 +26,11 @@ if TYPE_CHECKING:
     import xarray
 
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
-NO_REPLAY = (
-    "is a replay of dives, which has no map of the flow. Its track is track.kml beside it, "
-    "clpt report draws it"
-)
+NOT_RUNS = {  # kind of a dataset: what is done with its file
+    "fixes": "is an estimate from fixes. Open it with xarray.open_dataset",
+    "replay": "is a replay of dives. Open it with xarray.open_dataset, or make its page with: "
+    "clpt report",
+}
 
 
 @public
@@ -63,7 +64,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     True
     """
     if "clpe" not in run.variables and not is_response(run):
-        raise DataError(f"{path}: {NO_RUN}; Make a run with clpt.simulate")
+        raise DataError(f"{path}: {NO_RUN}. Make a run with clpt.simulate")
     if not set(run.data_vars) - {"states"}:
         raise DataError(f"{path}: the run has no signal. Give its system outputs")
     write_file(path, as_written(run, Path(path)))
@@ -113,8 +114,8 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     with open_netcdf(Path(path), MOST_BYTES) as data:
         file.check_form(data.attrs, path)
         if "clpe" not in data.variables and not is_response(data):
-            why = NO_REPLAY if kind_of(data) == "replay" else NO_RUN
-            raise DataError(f"{path}: {why}; Make a run with: clpt run")
+            why = NOT_RUNS.get(kind_of(data), f"{NO_RUN}. Make a run with: clpt run")
+            raise DataError(f"{path}: {why}")
         run = data.load()
     try:
         if is_response(run):

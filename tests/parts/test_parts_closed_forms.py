@@ -291,6 +291,15 @@ def test_a_gain_of_zero_has_no_state(dt, engine):
     assert [*parts.pid(2.0, 0.0, 1.0, dt=dt).state_shapes] == of_a_derivative
 
 
+def test_a_gain_of_zero_is_given_to_the_maker():
+    loop = clpt.connect([parts.pid(2.0), parts.lag(10.0)], external="r")
+    said = r"pid.ki: a gain of 0 is no parameter. Give ki in parts.pid\(..., ki=...\)"
+    with pytest.raises(clpt.BlockError, match=said):
+        clpt.simulate(loop, [0.0, 1.0], 1.0, params={"pid.ki": 0.1})
+    with pytest.raises(clpt.ScenarioError, match=f"vary: {said}"):
+        clpt.run_ensemble(loop, {"pid.ki": [0.1]}, timepts=[0.0, 1.0], inputs=1.0)
+
+
 @pytest.mark.parametrize("dt", [None, 0.5])
 def test_a_member_without_integral_charges_none(dt):
     """10 y' = min(1.5 (r - y), 0.8) - y: y comes to 1.5/2.5; with an integral to 0.8."""

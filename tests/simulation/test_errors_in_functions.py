@@ -94,6 +94,14 @@ def test_in_the_middle_of_a_run(engine):
     assert re.search("q.update: <lambda>, line.*ValueError: ", said)
 
 
+def test_a_function_of_math_of_a_port_of_two_signals():
+    """Its message names the function of NumPy."""
+    cosh = lambda t, x, u, p: {"x": -math.cosh(x.x)}  # noqa: E731
+    said = told(lambda: clpt.Block("q", cosh, states={"x": 2}), clpt.BlockError)
+    advice = "math.cosh takes one number. Use np.cosh, or an element of the port"
+    assert said.endswith(advice)
+
+
 NO_NUMBERS = {
     lambda t, x, u, p: [u[0] + "1"]: TypeError,
     lambda t, x, u, p: [wibble(x[0])]: NameError,  # noqa: F821

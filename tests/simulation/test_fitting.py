@@ -266,6 +266,32 @@ def test_noise_is_noise(seed):
     assert "not noise" not in repr(found)
 
 
+def test_an_input_that_was_held_goes_through_a_hold():
+    """y' = b u - a y with u held for h = 0.2: y(k + 1) = e^-ah y(k) + (1 - e^-ah) b/a u(k)."""
+    a, b, h, times = 1.0, 2.0, 0.2, 0.2 * np.arange(101)
+    u = np.where(times % 8 < 4, 1.0, 0.0)
+    y = np.zeros(101)
+    for k in range(100):
+        y[k + 1] = np.exp(-a * h) * y[k] + (1 - np.exp(-a * h)) * b / a * u[k]
+    data = {"y": y + 0.003 * np.random.default_rng(0).standard_normal(101)}
+    plant = control.nlsys(
+        lambda t, x, u, p: [p["b"] * u[0] - p["a"] * x[0]],
+        name="plant",
+        states=["y"],
+        inputs=["u"],
+        outputs=["y"],
+        params={"a": 1.0, "b": 1.0},
+    )
+    found = clpt.fit_parameters(plant, data, {"a": 0.8, "b": 1.5}, times, u)
+    assert "residuals are not noise" in repr(found)
+    held = clpt.connect([clpt.parts.hold(h, u="r", y="u"), plant], external="r")
+    begin = {"plant.a": 0.8, "plant.b": 1.5}
+    found = clpt.fit_parameters(held, data, begin, times, u)
+    assert "not noise" not in repr(found)
+    for name, true in (("plant.a", a), ("plant.b", b)):
+        assert abs(found.values[name] - true) < 4 * found.errors[name]
+
+
 def test_exact_data_have_no_residuals_to_speak_of():
     run = pushed()
     found = fit({"place": run.place.values})

@@ -32,7 +32,7 @@ from .declaration import (
     check_units,
     checked_parameters,
 )
-from .locations import located
+from .locations import advice_on_math, located
 from .on_arrays import on_arrays
 from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vector
 from .traced_block import READ, ReadBlock
@@ -402,7 +402,8 @@ class Block(ReadBlock):
         function, _ = self._plan[role]
         message = " ".join(str(error).splitlines())  # an assertion may have none
         text = ": ".join(filter(None, [type(error).__name__, message]))
-        return f"{self.name}.{role}: {located(function, error)}{text}"
+        where = f"{self.name}.{role}: {located(function, error)}"
+        return where + text + advice_on_math(error)
 
     def _evaluate(
         self, role: str, size: int, t: float, x: Any, u: Any, p: Any

@@ -1,7 +1,8 @@
 """Functions and lines of the user's code, for the sentences of errors."""
 
+import re
 import sys
-from traceback import walk_tb
+from traceback import extract_tb, walk_tb
 from types import CodeType, FrameType
 from typing import Any
 
@@ -43,6 +44,15 @@ def located(function: Any, *errors: BaseException) -> str:
         if lines:
             return lines[-1]
     return f"{attribute_of(function, '__name__', 'it')}: "
+
+
+def advice_on_math(error: BaseException) -> str:
+    """Return advice on a function of `math` that was given several numbers, or ""."""
+    line = extract_tb(error.__traceback__)[-1].line or ""
+    name = re.search(r"\bmath\.(\w+)", line)
+    if name is None or not isinstance(error, TypeError):
+        return ""
+    return f". {name[0]} takes one number. Use np.{name[1]}, or an element of the port"
 
 
 def _name_in_source(code: CodeType) -> str:

@@ -1,10 +1,12 @@
 """Plots on given axes, and films."""
 
 from functools import partial
+from itertools import pairwise
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray
 from error_sentences import says
 from film_frames import frame_of
 from gridded_currents import uniform_field
@@ -90,6 +92,29 @@ def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(
 
     monkeypatch.setattr(plt, "figure", closed)
     assert made["run"].clpt.plot("track").has_data()
+
+
+def test_degrees_of_a_small_map_are_written_out_and_apart(made):
+    places = {"run.duration": 40, "origin": [41.2, -69.5]}
+    run = clpt.simulate(clpt.paper_scenario().with_values(places))
+    ax = run.clpt.plot("map")
+    ax.figure.draw_without_rendering()
+    for axis in (ax.xaxis, ax.yaxis):
+        assert axis.get_offset_text().get_text() == ""
+        low, high = sorted(axis.get_view_interval())
+        texts = [one.get_text() for one in axis.get_ticklabels()]
+        numbers = [float(text.replace("\N{MINUS SIGN}", "-")) for text in texts]
+        assert sum(low <= one <= high for one in numbers) >= 2
+    boxes = [one.get_window_extent() for one in ax.get_xticklabels()]
+    assert all(a.x1 < b.x0 for a, b in pairwise(boxes))
+
+
+def test_an_estimate_is_opened_by_xarray(made, tmp_path):
+    made["fixes"].to_netcdf(tmp_path / "fixes.nc")
+    said = "is an estimate from fixes. Open it with xarray.open_dataset"
+    says(clpt.DataError, said, clpt.load_run, tmp_path / "fixes.nc")
+    with xarray.open_dataset(tmp_path / "fixes.nc") as opened:
+        assert opened.clpt.plot("map").has_data()
 
 
 def test_what_is_no_run_is_one_sentence(made):
