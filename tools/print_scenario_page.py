@@ -20,10 +20,13 @@ from typing import Any
 
 import clpt_control as clpt
 from clpt_control.engine.diagram.wiring import output_ports
+from clpt_control.engine.methods.table import BY_NAME
+from clpt_control.paper.blocks.disturbance import KINDS
+from clpt_control.paper.blocks.flow import KERNELS
 from clpt_control.paper.blocks.ports import SHAPES
 from clpt_control.paper.scenario.experiment import Scenario
-from clpt_control.paper.scenario.file import with_names
 from clpt_control.paper.scenario.tables import Table, tables_in
+from clpt_control.paper.scenario.tidal_periods import SPEEDS
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "scenario.md"
@@ -62,12 +65,22 @@ def fields_of(table: type[Table], before: str = "") -> Iterator[tuple[str, Any]]
             yield from fields_of(inner, f"{before}{name}.")
 
 
+NAMES = {  # key: names from tables, after its sentence
+    "basis.kernel": "; ".join(
+        f"{name}: {row.formula}" for name, row in KERNELS.items()
+    ),
+    "basis.constituents": " ".join(SPEEDS),
+    "flow.disturbance.kind": ", ".join(KINDS),
+    "run.method": ", ".join(f"{name} ({row.text})" for name, row in BY_NAME.items()),
+}
+
+
 def rows_of(table: type[Table], before: str = "") -> Iterator[tuple[str, str]]:
     """Yield each key and table of the file, dotted, and its line; keys before inner tables."""
     lines = lines_of(table)
     for name in sorted(lines, key=lambda name: lines[name].lstrip("# ")[0] == "["):
         key = f"{before}{name}"
-        yield key, lines[name]
+        yield key, ": ".join(filter(None, [lines[name], NAMES.get(key)]))
         if lines[name].lstrip("# ").startswith(f"[{key}]"):
             for inner in tables_in(table.model_fields[name].annotation):
                 yield from rows_of(inner, f"{key}.")
@@ -76,7 +89,7 @@ def rows_of(table: type[Table], before: str = "") -> Iterator[tuple[str, str]]:
 
 
 def example() -> str:
-    """Return the file that `clpt init` writes, without names from other tables."""
+    """Return the file that `clpt init` writes."""
     text = TITLE
     for _, line in rows_of(Scenario):
         commented = "# " if line.startswith("# ") else ""
@@ -114,7 +127,7 @@ def sentences() -> dict[str, str]:
     found = {}
     for key, line in rows_of(Scenario):
         if not line.startswith("["):
-            found[key] = with_names(line).removeprefix("# ").partition(" # ")[2]
+            found[key] = line.removeprefix("# ").partition(" # ")[2]
     return found
 
 

@@ -58,8 +58,15 @@ KIND = Recipe(
         ),
         Step(
             "page of scenarios",
-            "test_the_page_is_current",
-            (("docs/scenario.md", "square, noise", "square, noise, half"),),
+            "test_the_pages_are_current",
+            (
+                ("docs/scenario.md", "square, noise", "square, noise, half"),
+                (
+                    "clpt_control/data/paper.toml",
+                    "square, noise",
+                    "square, noise, half",
+                ),
+            ),
         ),
     ),
     """
@@ -107,12 +114,17 @@ KERNEL = Recipe(
         ),
         Step(
             "page of scenarios",
-            "test_the_page_is_current",
+            "test_the_pages_are_current",
             (
                 (
                     "docs/scenario.md",
                     "exp(-d²/s)",
                     "exp(-d²/s); rational: 1/(1 + d²/s²)",
+                ),
+                (
+                    "clpt_control/data/paper.toml",
+                    "exp(-d^2/s)",
+                    "exp(-d^2/s); rational: 1/(1 + d^2/s^2)",
                 ),
             ),
         ),
@@ -127,7 +139,7 @@ KERNEL = Recipe(
         FORMULAS,
         "tests/test_scenario_page.py",
         "-k",
-        "each_kernel or many_places or functions_ or of_a_kernel or page_is",
+        "each_kernel or many_places or functions_ or of_a_kernel or pages_are",
     ),
 )
 LAW = Recipe(

@@ -32,10 +32,15 @@ INTEGRATOR = Recipe(
         ),
         Step(
             "page of scenarios",
-            "test_the_page_is_current",
+            "test_the_pages_are_current",
             (
                 (
                     "docs/scenario.md",
+                    "order 8), ",
+                    "order 8), tsit5 (explicit, order 5), ",
+                ),
+                (
+                    "clpt_control/data/paper.toml",
                     "order 8), ",
                     "order 8), tsit5 (explicit, order 5), ",
                 ),

@@ -17,12 +17,8 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
-from ...engine.methods.table import BY_NAME
-from ..blocks.disturbance import KINDS
-from ..blocks.flow import KERNELS
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .run_constants import BEYOND, FORM, OWN_PARTS, TEAM
-from .tidal_periods import SPEEDS
 
 LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read
@@ -210,21 +206,9 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
     return {entry.partition(":")[0] for entry in entries}
 
 
-def with_names(text: str) -> str:
-    """Return lines of the paper's scenario with names from tables."""
-    kernels = [f"{name}: {row.formula}" for name, row in KERNELS.items()]
-    methods = [f"{name} ({row.text})" for name, row in BY_NAME.items()]
-    rows = {"kernel": "; ".join(kernels), "# kind": ", ".join(KINDS)}
-    rows |= {"# method": ", ".join(methods), "# constituents": " ".join(SPEEDS)}
-    for key, names in rows.items():
-        text = re.sub(f"(?m)^{key} = .*", rf"\g<0>: {names}", text)
-    return text
-
-
 def paper_text() -> str:
     """Return the paper's scenario as commented TOML text."""
-    path = resources.files("clpt_control.data") / "paper.toml"
-    return with_names(path.read_text("utf-8"))
+    return (resources.files("clpt_control.data") / "paper.toml").read_text("utf-8")
 
 
 def paper_scenario() -> Scenario:
