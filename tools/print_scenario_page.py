@@ -170,7 +170,7 @@ def condition_of(scenarios: list[Scenario]) -> str:
     keys = [{key for key, _, is_set in one.every_key() if is_set} for one in scenarios]
     paper = {key for key, _, is_set in clpt.paper_scenario().every_key() if is_set}
     keys_of_all = sorted(set.intersection(*keys) - paper)
-    return f", with `{keys_of_all[0]}`" if keys_of_all else ""
+    return f" with `{keys_of_all[0]}`" if keys_of_all else ""
 
 
 def ports_text(ports: list[str]) -> str:
@@ -184,30 +184,25 @@ def ports_text(ports: list[str]) -> str:
 
 
 def block_rows() -> str:
-    """Return the table of blocks; the law is that of the paper."""
-    lines = ["block | equation | inputs | states | outputs", "---|---|---|---|---"]
+    """Return the table of blocks, one row for each equation; the law is that of the paper."""
+    names: dict[str, list[str]] = {}
+    blocks_of: dict[str, list[Any]] = {}
     for name, made in blocks_of_loops().items():
-        scenarios, blocks = zip(
-            *made[: 1 if name == "adaptation" else None], strict=True
-        )
+        scenarios, blocks = zip(*made, strict=True)
+        if name == "adaptation":
+            blocks = blocks[:1]
         function = blocks[0].update_function or blocks[0].output_function
         equation = inspect.getdoc(function).partition("\n")[0].rstrip(".")
-        ports = [
-            ports_text(
-                [*dict.fromkeys(port for block in blocks for port in ports_of(block))]
-            )
-            for ports_of in (
-                lambda block: block.input_ports,
-                lambda block: block.state_ports,
-                output_ports,
-            )
-        ]
-        cells = [
-            f"`{name}`{condition_of(scenarios)}",
-            equation.replace("|", "\\|"),
-            *ports,
-        ]
-        lines.append(" | ".join(cells))
+        names.setdefault(equation, []).append(f"`{name}`{condition_of(scenarios)}")
+        blocks_of.setdefault(equation, []).extend(blocks)
+    lines = ["block | equation | inputs | outputs | states", "---|---|---|---|---"]
+    for equation, blocks in blocks_of.items():
+        inputs = [port for block in blocks for port in block.input_ports]
+        states = [port for block in blocks for port in block.state_ports]
+        outputs = [port for block in blocks for port in output_ports(block)]
+        ports = (ports_text([*dict.fromkeys(p)]) for p in (inputs, outputs, states))
+        cells = [", ".join(names[equation]), equation.replace("|", "\\|"), *ports]
+        lines.append(" | ".join(cells).rstrip(" |"))
     return "\n".join(lines) + "\n"
 
 

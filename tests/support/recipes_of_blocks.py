@@ -205,8 +205,8 @@ BLOCK = Recipe(
                 (
                     "docs/blocks.md",
                     "`speed_limit`",
-                    "`current_meter`, with `vehicle.meter_scale` | m = s F_R, F_R of Eq. (3) "
-                    "| `flow_x[2]` |  | `flow_meter[2]`\n`speed_limit`",
+                    "`current_meter` with `vehicle.meter_scale` | m = s F_R, F_R of Eq. (3) "
+                    "| `flow_x[2]` | `flow_meter[2]`\n`speed_limit`",
                 ),
             ),
         ),

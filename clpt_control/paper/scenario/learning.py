@@ -86,7 +86,7 @@ class Learning(OwnTables):
     #: lists all
     law: Annotated[str, AfterValidator(_law)]
     #: gain = 0.8 # gamma of alpha, K and Gamma, positive; required unless `clpt laws` names the
-    #: law's own; 0, with the paper's two laws: no learning
+    #: law's own; 0: no learning, of the paper's laws
     gain: Annotated[NotNegative, _Squared] | None = quantity(
         None,
         "adaptation.gain adaptation.gain_K adaptation.gain_Gamma parameter_system.gain "
@@ -99,8 +99,7 @@ class Learning(OwnTables):
     gains: LearningGains | None = None
     #: # adapt_gains = false # false holds K and Gamma at feedback and feedforward
     adapt_gains: Annotated[bool, Strict()] = True
-    #: # hedging = false # with max_speed; false: no hedging, the learner is not told what could
-    #: not be flown; left out: true
+    #: # hedging = false # with max_speed; false: no hedging of what was not flown; left out: true
     hedging: Annotated[bool, Strict()] | None = None
     #: # sample = 0.02 # period of a sampled law by Euler's step; left out: continuous time
     sample: Positive | None = None

@@ -340,8 +340,7 @@ class Flow(Table):
     #: # [flow.basis] # in place of both: other functions than the learner's; the keys of basis,
     #: and parameters
     basis: TrueBasis | None = None
-    #: # outside = "raise" # with field, in space and time: raise, clip (hold the edge's value) or
-    #: stop (end the run there)
+    #: # outside = "raise" # beyond the field: raise, clip (hold the edge's value) or stop
     outside: Literal["raise", "clip", "stop"] = "raise"
     #: # [flow.disturbance] # unmodelled flow Delta, Eq. (32)
     disturbance: Disturbance | None = None
