@@ -84,8 +84,8 @@ def rows_of(table: type[Table], before: str = "") -> Iterator[tuple[str, str]]:
         if lines[name].lstrip("# ").startswith(f"[{key}]"):
             for inner in tables_in(table.model_fields[name].annotation):
                 yield from rows_of(inner, f"{key}.")
-        else:
-            assert lines[name].removeprefix("# ").startswith(f"{name} = "), key
+        elif not lines[name].removeprefix("# ").startswith(f"{name} = "):
+            raise ValueError(f"{key}: the comment above it is '{lines[name]}'")
 
 
 def example() -> str:
