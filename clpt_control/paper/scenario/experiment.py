@@ -30,6 +30,7 @@ from .run_constants import MOST_BYTES
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
 STARTING = "vehicle", "learning"  # tables that have a position
+LENGTHS = ("reference.points", "basis.centers", "vehicle.position", "learning.position")
 DEGREES = 3.0  # lengths this near to the origin's latitude and longitude are degrees
 FINE = 2000  # samples of a run in addition to those of its output
 SPANS = (  # keys of times from one jump to the next
@@ -97,47 +98,30 @@ class Scenario(tables.Table):
 
     def _place_mistakes(self) -> Iterator[str]:
         """Yield mistakes of latitudes and longitudes, also of those given as lengths."""
-        given = dict(self)
-        for name in self.left_out:
-            given[name] = None
-        reference = given["reference"]
-        points = getattr(reference, "points_lat_lon", None) or ()
-        keys = {
-            "origin": () if self.origin is None else (self.origin,),
-            "reference.points_lat_lon": points,
-        }
-        for name in STARTING:
-            start = getattr(given[name], "position_lat_lon", None)
-            keys[f"{name}.position_lat_lon"] = () if start is None else (start,)
-        for key, places in keys.items():
-            for lat, lon in places:
+        values = {key: v for key, v, _ in self.every_key() if v is not None}
+        degrees = [key for key in values if key.endswith(("origin", "_lat_lon"))]
+        for key in degrees:
+            for lat, lon in np.reshape(values[key], (-1, 2)):
                 if not is_place(lat, lon):
                     yield f"{key}: [{lat}, {lon}] must be latitude and longitude in degrees"
                     return
         if self.origin is None:
-            for key in [key for key, places in keys.items() if places][:1]:
+            for key in degrees[:1]:
                 yield (
                     f"origin: is required with {key}. Give the latitude and "
                     "longitude of the plane's origin above all tables: origin = [41.2, -69.5]"
                 )
             return
-        lengths = {
-            "reference.points": getattr(reference, "points", None) or (),
-            "basis.centers": self.basis.centers,
-            "vehicle.position": (
-                () if given["vehicle"] is None else (self.vehicle.position,)
-            ),
-            "learning.position": (self.learning.position,),
-        }
-        for key, pairs in lengths.items():
-            if pairs and all(self._is_near_origin_in_degrees(*pair) for pair in pairs):
+        for key in filter(values.get, LENGTHS):
+            pairs = np.reshape(values[key], (-1, 2)).tolist()
+            if all(self._is_near_origin_in_degrees(*pair) for pair in pairs):
                 yield (
-                    f"{key} = {list(pairs[0])}: looks like degrees, but is in "
+                    f"{key} = {pairs[0]}: looks like degrees, but is in "
                     f"{self.units.length} from the origin {list(self.origin)}. Give degrees as "
                     "reference.points_lat_lon or as position_lat_lon"
                 )
         yield from self._place_starts()
-        if reference is None:
+        if "reference" in self.left_out:
             return
         try:
             self.waypoints  # noqa: B018 - too far from the origin
