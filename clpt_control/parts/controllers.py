@@ -80,8 +80,8 @@ def sampled_command(t, x, u, p, dt):
 
 def gain_hint(key: str, parameters: set[str]) -> str:
     """Return a hint on a gain of 0, which is no parameter of its controller, or ""."""
-    block, gain = key[:-2], key[-2:]
-    if gain not in ("ki", "kd") or not {f"{block}kp", f"{block}low"} <= parameters:
+    gain = key[-2:]
+    if gain not in ("ki", "kd") or f"{key[:-2]}kp" not in parameters:
         return ""
     return (
         f"{key}: a gain of 0 is no parameter. Give {gain} in parts.pid(..., {gain}=...)"

@@ -49,8 +49,8 @@ def located(function: Any, *errors: BaseException) -> str:
 def advice_on_math(error: BaseException) -> str:
     """Return advice on a function of `math` that was given several numbers, or ""."""
     line = extract_tb(error.__traceback__)[-1].line or ""
-    name = re.search(r"\bmath\.(\w+)", line)
-    if name is None or not isinstance(error, TypeError):
+    name = isinstance(error, TypeError) and re.search(r"\bmath\.(\w+)", line)
+    if not name:
         return ""
     return f". {name[0]} takes one number. Use np.{name[1]}, or an element of the port"
 
