@@ -131,17 +131,16 @@ class Scenario(tables.Table):
     def _place_starts(self) -> Iterator[str]:
         """Set positions that are given in degrees, in lengths; yield those too far away."""
         for name in STARTING:
-            left_out = name in self.left_out
-            start = None if left_out else getattr(self, name).position_lat_lon
-            if start is None:
+            table = getattr(self, name)
+            if name in self.left_out or table.position_lat_lon is None:
                 continue
             try:
-                x1, x2 = self.plane.to_plane(*start)
+                x1, x2 = self.plane.to_plane(*table.position_lat_lon)
             except DataError as error:
                 yield f"{name}.position_lat_lon: {error}"
                 return
             # a copy, as the table may be that of another scenario; the key is not set in it
-            table = getattr(self, name).model_copy()
+            table = table.model_copy()
             table.__dict__["position"] = float(x1), float(x2)
             self.__dict__[name] = table
 

@@ -143,11 +143,8 @@ def sentence(problem: Any) -> str:
     """Return the sentence of one entry of pydantic's errors."""
     tags = ("circle", "waypoints") if problem["loc"][:1] == ("reference",) else ()
     path = [step for step in problem["loc"] if step not in tags]
-    key = ""
-    for step in path:
-        key += (
-            f"[{step}]" if isinstance(step, int) else f".{step}" if key else str(step)
-        )
+    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
+    key = "".join(steps).removeprefix(".")
     message = (
         problem["msg"]
         .replace("Input should be", "must be")
