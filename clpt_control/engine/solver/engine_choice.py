@@ -81,7 +81,10 @@ def run_in_python(
     inputs: Inputs | None,
     options: RunOptions,
 ) -> tuple[Solution, ndarray]:
-    """Run a diagram in Python; return the solution and all signals along it."""
+    """Run a diagram in Python; return the solution and all signals along it.
+
+    One with hidden state runs again with a tenth of rtol, and a warning has the difference.
+    """
     try:
         solution = runner.solve(start, times, inputs, options)
     except SimulationError as error:
@@ -90,35 +93,21 @@ def run_in_python(
         raise
     signals = runner.signals(solution, inputs)
     if runner.hidden_state and runner.nstates and not runner.wiring.dt:
-        given = start, times, inputs, options
-        _warn_of_order(runner, name, given, solution, signals)
+        rtol, atol = 0.1 * options.rtol, 0.1 * options.atol
+        exact = replace(options, rtol=rtol, atol=atol, progress=None)
+        again = runner.solve(start, times, inputs, exact)
+        following = runner.signals(again, inputs)
+        n = min(len(signals), len(following))
+        difference = max(
+            np.abs(solution.x[:n] - again.x[:n]).max(initial=0.0),
+            np.abs(signals[:n] - following[:n]).max(initial=0.0),
+        )
+        warn(
+            f"{name}: a function has hidden state, so the result depends on the order of calls. "
+            f"With rtol / 10 states and signals differ by up to {difference:.2g}. Replace the "
+            "function by parts.backlash, parts.relay or a state"
+        )
     return solution, signals
-
-
-def _warn_of_order(
-    runner: Runner,
-    name: str,
-    given: tuple[ndarray, ndarray, Inputs | None, RunOptions],
-    solution: Solution,
-    signals: ndarray,
-) -> None:
-    """Run a diagram with hidden state again with a tenth of rtol, and print the difference."""
-    start, times, inputs, options = given
-    exact = replace(
-        options, rtol=0.1 * options.rtol, atol=0.1 * options.atol, progress=None
-    )
-    again = runner.solve(start, times, inputs, exact)
-    following = runner.signals(again, inputs)
-    n = min(len(signals), len(following))
-    difference = max(
-        np.abs(solution.x[:n] - again.x[:n]).max(initial=0.0),
-        np.abs(signals[:n] - following[:n]).max(initial=0.0),
-    )
-    warn(
-        f"{name}: a function has hidden state, so the result depends on the order of calls. With "
-        f"rtol / 10 states and signals differ by up to {difference:.2g}. Replace the function by "
-        "parts.backlash, parts.relay or a state"
-    )
 
 
 def run_compared(

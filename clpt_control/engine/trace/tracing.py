@@ -120,23 +120,17 @@ def read(*arguments: Any, **options: Any) -> Read:
     )
     result = next(matching, None)
     if result is None:
-        result, names = _result(request, reached)
+        try:
+            result = _traced(request, reached)
+            names = result.pinned
+        except (Unread, BlockError) as error:
+            result = error
+            names = frozenset(request.shapes)
         values = _values(request.parameters, names)
         cached[MOST_VALUES:] = [(names, values, result, reached.referenced)]
     if isinstance(result, Exception):
         raise type(result)(str(result)) from None
     return result
-
-
-def _result(
-    request: Request, reached: Fingerprint
-) -> tuple[Read | Exception, frozenset[str]]:
-    """Trace a function; return the result or error, and the parameters that decide it."""
-    try:
-        result = _traced(request, reached)
-    except (Unread, BlockError) as error:
-        return error, frozenset(request.shapes)
-    return result, result.pinned
 
 
 def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:

@@ -66,7 +66,7 @@ def check_doubles(dtype: Any) -> None:
 
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
-    """Record a method of a ufunc, such as `__call__` or `reduce`."""
+    """Record a method of a ufunc: a call, `reduce` or `accumulate`."""
     if method != "at" and not depends(inputs):
         return on_numbers(tape, getattr(ufunc, method), inputs, options)
     if method == "reduce" and "where" not in options:
@@ -75,11 +75,6 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> A
         return accumulated(ufunc, *inputs, **options)
     if method != "__call__":
         return refuse(f"np.{ufunc.__name__}.{method}")
-    return _apply_call(tape, ufunc, inputs, options)
-
-
-def _apply_call(tape: Tape, ufunc: Any, inputs: Any, options: dict) -> Any:
-    """Record a call of a ufunc."""
     inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
     if ufunc in UFUNCS and not options:
         return elementwise(UFUNCS[ufunc], *inputs)
