@@ -141,19 +141,14 @@ class Planner:
                 else:
                     self.preparation += filling
             if self.is_prepared(c) and c not in self.prepared:
-                self._prepare(c)
+                lengths = self.all[c].lengths
+                offset = self.prepared[c] = self.components.prepared
+                self.components.prepared += prod(lengths)
+                value = whole_value(c, lengths)
+                item = Write("P", offset, row_strides(lengths), lengths, value)
+                self.preparation.append(item)
             stack += [a for a, _ in self.arguments(c)]
         return live, every
-
-    def _prepare(self, c: int) -> None:
-        """Plan the write of a component into the next free numbers of P."""
-        lengths = self.all[c].lengths
-        offset = self.components.prepared
-        self.prepared[c] = offset
-        self.components.prepared += prod(lengths)
-        value = whole_value(c, lengths)
-        item = Write("P", offset, row_strides(lengths), lengths, value)
-        self.preparation.append(item)
 
     # --- levels ---------------------------------------------------------------------------
 

@@ -64,18 +64,12 @@ class Node:
 
     def external_input(self, port: str) -> int | None:
         """Return the input of the diagram that alone feeds a port of one signal, or None."""
-        to = next(
-            (
-                k
-                for k, name in enumerate(self.system.input_labels)
-                if port_of(name) == port
-            ),
-            None,
-        )
-        sources = [] if to is None else [*self.rows[to].items()]
-        if len(sources) != 1 or sources[0][0] >= 0 or sources[0][1] != 1.0:
-            return None
-        return ~sources[0][0]
+        fed = zip(self.system.input_labels, self.rows, strict=False)
+        rows = (row for label, row in fed if port_of(label) == port)
+        sources = [*next(rows, {}).items()]
+        if len(sources) == 1 and sources[0][0] < 0 and sources[0][1] == 1.0:
+            return ~sources[0][0]
+        return None
 
     @cached_property
     def wires(self) -> tuple[Wire, ...]:

@@ -86,11 +86,8 @@ class Record:
 
     def leaves(self, group: str) -> list[str]:
         """Return the names of the leaves of a group that outputs depend on."""
-        leaves = [
-            operation.at for operation in self.operations if operation.kind == "leaf"
-        ]
-        names = [name for leaf_group, name in leaves if leaf_group == group]
-        return list(dict.fromkeys(names))
+        leaves = (line.at for line in self.operations if line.kind == "leaf")
+        return [*dict.fromkeys(name for of_group, name in leaves if of_group == group)]
 
     def values(
         self, leaf: Callable[[str, str], Any], sizes: dict[str, int]

@@ -47,6 +47,7 @@ def jump_at_level(
     rounding.  Refuse a run that begins (`is_first`) outside.
     """
     guarded = _guarded(diagram)
+    nodes = diagram.wiring.nodes
     segments = batch.schedules[0]
     callee = diagram.callee()
     # with the decisions of the step
@@ -75,10 +76,9 @@ def jump_at_level(
     if is_again and batch.lane[HIGH, 0] == 0.0 and -edges[own] <= distance < 0.0:
         return None
     if is_first and batch.lane[HIGH, 0] == 0.0 and distance < -edges[own]:
-        name = diagram.wiring.nodes[block].name
         raise SimulationError(
-            f"at t = {t:.9g}: the run begins outside of the guard of {name}, whose states jump "
-            "where its distance falls to 0. Begin with a distance of 0 or more"
+            f"at t = {t:.9g}: the run begins outside of the guard of {nodes[block].name}, whose "
+            "states jump where its distance falls to 0. Begin with a distance of 0 or more"
         )
     left = (now < -edges) | (later <= 0.0) & (later < now)
     left[own] |= distance >= 0.0
@@ -86,10 +86,10 @@ def jump_at_level(
     jumped: list[int] = []
     while left.any():
         blocks = [k for k, is_left in zip(guarded, left, strict=True) if is_left]
-        jumping = [k for k in blocks if diagram.wiring.nodes[k].system.jumps_at_level]
+        jumping = [k for k in blocks if nodes[k].system.jumps_at_level]
         for k in sorted({*jumped} & {*jumping}):
             raise SimulationError(
-                f"at t = {t:.9g}: the states after the jump of {diagram.wiring.nodes[k].name} are "
+                f"at t = {t:.9g}: the states after the jump of {nodes[k].name} are "
                 "outside of its guard. Return states with a distance of 0 or more"
             )
         if not jumping:
@@ -100,9 +100,8 @@ def jump_at_level(
         now, _, edges_behind = distances(t, x)
         left = now < -np.maximum(edges, edges_behind)
     if not jumped:
-        name = diagram.wiring.nodes[block].name
         raise SimulationError(
-            f"at t = {t:.9g}: the level of {name} could not be located. Lower max_step"
+            f"at t = {t:.9g}: the level of {nodes[block].name} could not be located. Lower max_step"
         )
     return t, x
 

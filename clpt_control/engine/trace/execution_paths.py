@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..model.locations import caller
-from ..record.graph import Ref, compact, reached
+from ..record.graph import Ref, compact
 from ..record.unread import Unread, active
 from .arrays import Array, Tape, moves, operand
 from .elementwise import (
@@ -92,12 +92,8 @@ class AnsweringTape(Tape):
 
     def known(self, ref: Ref) -> np.ndarray:
         """Return the value of an expression of parameters, which are then pinned."""
-        used = reached(self.operations, [ref])
-        leaves = [
-            self.operations[k].at for k in used if self.operations[k].kind == "leaf"
-        ]
-        self.pinned |= {name for _, name in leaves}
         record = compact(self.operations, [ref])
+        self.pinned.update(record.leaves("p"))
         return record.values(lambda group, name: self.parameters[name], {})[0]
 
     def parameter(self, ref: int) -> Any:

@@ -317,7 +317,10 @@ class _Walk:
         self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(
             names
         )
-        spaces = {"global": function.__globals__, "cell": _cells_of(function)}
+        closure = function.__closure__ or ()
+        cells = dict(zip(code.co_freevars, closure, strict=True))
+        variables = {k: c.cell_contents for k, c in cells.items() if c != CellType()}
+        spaces = {"global": function.__globals__, "cell": variables}
         for item in references(code):
             self.where = f"{code.co_name}, line {item.line}: "
             if own_package and item.space != "cell":
@@ -326,9 +329,8 @@ class _Walk:
                 key += [self.key_of(value)] if type(value) is FunctionType else []
             elif item.space in spaces:
                 if item.space == "cell":
-                    position = code.co_freevars.index(item.name)
-                    value = spaces["cell"].get(item.name, UNBOUND)
-                    self.reads.cell((function.__closure__ or ())[position], value)
+                    value = variables.get(item.name, UNBOUND)
+                    self.reads.cell(cells[item.name], value)
                 key.append(self._referenced(item, spaces[item.space]))
             else:
                 self.reads.complete = False
@@ -478,12 +480,6 @@ def _cached_properties(kind: Any) -> frozenset[str]:
         for name, attribute in attributes
         if isinstance(attribute, functools.cached_property)
     )
-
-
-def _cells_of(function: FunctionType) -> dict[str, Any]:
-    """Return the values in the closure of a function, by name."""
-    pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
-    return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
 
 
 BUILTINS: dict[str, Any] = vars(__import__("builtins"))

@@ -160,6 +160,9 @@ UNLISTED = object()
 
 def kind_of(value: Any) -> Kind | None:
     """Return the kind of a value; None if nothing changes it."""
+    if isinstance(value, Array):
+        is_fixed = value._fixed or value._is_condition or _is_number(value)
+        return None if is_fixed else ELEMENTS
     kind = KINDS.get(type(value), UNLISTED)
     if kind is not UNLISTED:
         return kind  # type: ignore[return-value]
@@ -195,15 +198,11 @@ def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
     stack = [*roots]
     while stack:
         value = stack.pop()
-        kind: Kind | None = ELEMENTS
         if isinstance(value, Array):
             value = value._root
-            if value._fixed or value._is_condition or _is_number(value):
-                continue
         if id(value) in heap or id(value) in persistent:
             continue
-        if not isinstance(value, Array):
-            kind = kind_of(value)
+        kind = kind_of(value)
         if kind is None:
             continue
         content = kind.read(value)
