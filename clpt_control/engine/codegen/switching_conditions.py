@@ -12,14 +12,14 @@ condition and begins a new step there, with new decisions.
 Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from math import prod
 from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..record.graph import reached
+from ..record.graph import reached, values_among
 from ..record.operations import SMOOTH, TABLE, named
 from ..record.unread import Unread
 from ..trace.arrays import operand
@@ -139,6 +139,8 @@ class Decisions:
         counted in the order in which they are locked, are not.
         """
         record = self.record
+        entries = sorted(reached(record.entries, [port.ref for port in rates]))
+        self._mark_peaks(entries)
         locked = dict[int, Ref]()
         # entries with fixed decisions on their side, and others as they are
         settled = dict[int, Ref]()
@@ -147,27 +149,15 @@ class Decisions:
         operation = -1  # of those that decide
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
-        timely: set[Ref] = set()  # entries that depend on time, and not on inputs
 
         def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
 
-        for k in sorted(reached(record.entries, [port.ref for port in rates])):
-            kind, exact, shape, at = record.entries[k]
-            refs = [argument for argument in exact if type(argument) is int]
-            array = at[0] if kind == "load" else ""
-            sources = self._arrays_of([k])
-            peaked = {ref for ref in refs if kind != "div" or ref == exact[1]}
-            if kind not in PEAKED:
-                peaked = set()
-            ramps = ({"U", "X"} & self._arrays_of([ref]) for ref in peaked)
-            self.ramped |= {"U"} in ramps
-            if "U" not in sources and (array == "t" or timely.intersection(refs)):
-                if kind not in COMPARED:
-                    timely.add(k)
-                self.timed |= not timely.isdisjoint(peaked)
-            depends_on_moving = bool(moving.intersection(refs))
-            moves = array in ("X", "t") or depends_on_moving
+        for k in entries:
+            kind, exact, _, at = record.entries[k]
+            refs = values_among(exact)
+            is_moving = kind == "load" and at[0] in ("X", "t")
+            moves = is_moving or not moving.isdisjoint(refs)
             arguments = tuple(map(current, exact))
             exact_settled = tuple(
                 settled.get(a, a) if type(a) is int else a for a in exact
@@ -179,20 +169,15 @@ class Decisions:
             operation += decides
             if decides and operation not in passed:
                 self.operations.append(self.count)
-                self.timed |= sources.isdisjoint("UX")
+                self.timed |= self._arrays_of([k]).isdisjoint("UX")
                 locked[k], settled[k] = self._lock(
                     k, arguments, exact_settled, fixed, flipped, is_shared
                 )
                 moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
             elif not locked.keys().isdisjoint(refs):
-                owner = record.owners[k]
-                if is_shared:
-                    locked[k] = self._first[k]
-                else:
-                    locked[k] = record.add(kind, arguments, shape, at, owner)
+                locked[k] = self._first[k] if is_shared else self._of(k, arguments)
             if k not in settled and exact_settled != exact:
-                owner = record.owners[k]
-                settled[k] = record.add(kind, exact_settled, shape, at, owner)
+                settled[k] = self._of(k, exact_settled)
             if moves:
                 moving.add(k)
         if again:
@@ -201,6 +186,30 @@ class Decisions:
             self._first = locked
             self.first_count = self.count
         return [p._replace(ref=current(p.ref)) for p in rates]
+
+    def _mark_peaks(self, entries: Iterable[int]) -> None:
+        """Note whether functions with narrow peaks read time, or inputs without states."""
+        timely: set[int] = set()  # entries that depend on time, and not on inputs
+        for k in entries:
+            kind, arguments, _, at = self.record.entries[k]
+            has_inputs = "U" in self._arrays_of([k])
+            is_time = kind == "load" and at[0] == "t"
+            is_timely = is_time or not timely.isdisjoint(values_among(arguments))
+            if is_timely and not has_inputs and kind not in COMPARED:
+                timely.add(k)
+            if kind not in PEAKED:
+                continue
+            peaked = values_among(
+                arguments[kind == "div" :]
+            )  # of a quotient, the divisor
+            sources = [{"U", "X"} & self._arrays_of([ref]) for ref in peaked]
+            self.ramped |= {"U"} in sources
+            self.timed |= not has_inputs and not timely.isdisjoint(peaked)
+
+    def _of(self, k: int, arguments: tuple[Ref, ...]) -> Ref:
+        """Write an entry again, of other arguments."""
+        kind, _, shape, at = self.record.entries[k]
+        return self.record.add(kind, arguments, shape, at, self.record.owners[k])
 
     def distance_of(self, number: int) -> Ref:
         """Return the distance of a single decision from its switching point."""
@@ -239,10 +248,11 @@ class Decisions:
             return record.add(kind, refs, shape, side, owner)
 
         for position, name in enumerate(TABLE[kind].decisions):
-            first = self.count if self._block == 0 else self._numbers[k, position]
-            self._numbers[k, position] = first
+            first = self._numbers.setdefault((k, position), self.count)
             number = first + self._block
             numbers = np.arange(first, first + size).reshape(shape)
+            is_fixed = np.isin(numbers, fixed)
+            stays |= is_fixed
             H = record.load("P", self.first + number, shape)
             # the decision now, and its distance from the decision in force
             now, distance, least = H, 1.0, 0.0
@@ -261,9 +271,8 @@ class Decisions:
                     least = self._unless_nan(compared, least, 0.0, add)
                 self._true.append(Port(number, shape, long, distance))
                 # fixed decisions stay as they are
-                now = self._chosen(np.isin(numbers, fixed), H, now, add)
-                distance = self._chosen(np.isin(numbers, fixed), 1.0, distance, add)
-            stays |= np.isin(numbers, fixed)
+                now = self._chosen(is_fixed, H, now, add)
+                distance = self._chosen(is_fixed, 1.0, distance, add)
             self.now.append(Port(number, shape, long, now))
             self.distances.append(Port(number, shape, long, distance))
             self.least.append(Port(number, shape, long, least))
@@ -286,7 +295,7 @@ class Decisions:
             # 1, or NaN
             return add("mul", value, add("mul", in_force[0], in_force[0]))
 
-        value = k if settled == exact else record.add(kind, settled, shape, at, owner)
+        value = k if settled == exact else self._of(k, settled)
         if stays.any():
             held = locked_value(settled)
             value = self._chosen(stays, held, value, add)
@@ -404,8 +413,9 @@ class Decisions:
         return self._union_of(refs)
 
     def _union_of(self, refs: Sequence[Ref]) -> frozenset[str]:
-        sources = [self._sources[ref] for ref in refs if type(ref) is int]
-        return frozenset[str]().union(*sources)
+        return frozenset[str]().union(
+            *(self._sources[ref] for ref in values_among(refs))
+        )
 
     def rounding_of(self, distance: Ref) -> Ref:
         """Return the rounding error of a guard's distance: of its operands, and of its states."""

@@ -23,7 +23,7 @@ from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
-from ..model.ports import bare_labels, ports_of
+from ..model.ports import bare_labels, places, ports_of
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
@@ -73,24 +73,20 @@ class _About:
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
         self.direction = Direction(self.tape, {}, undefined=OF_OVERFLOW)
-        self.parameters = {}
-        for node, p in zip(wiring.nodes, block_parameters, strict=True):
-            self.parameters[node.name] = p
+        self.parameters = {
+            node.name: node.system.parameters_at(t, p)
+            for node, p in zip(wiring.nodes, block_parameters, strict=True)
+        }
         self.inputs = {}
         n = len(x)
         for port, indices in ports_of(diagram.input_labels).items():
             self.inputs[port] = slice(n + indices[0], n + indices[-1] + 1)
         self.states = {}
         for node in wiring.nodes:
-            start = node.states.start
-            for port, shape in node.system.state_shapes.items():
-                stop = start + prod(shape)
-                self.states[node.name, port] = slice(start, stop)
-                start = stop
-            p = self.parameters[node.name]
-            if node.system.breakpoints_function is not None and p.interval < 0:
-                k = node.system.interval_at(t, p)
-                self.parameters[node.name] = p._replace(interval=k)
+            states = range(node.states.start, node.states.stop)
+            for port, (own, _) in places(node.system.state_shapes).items():
+                position = states[own]
+                self.states[node.name, port] = slice(position.start, position.stop)
         self.record = TapeRecord(
             diagram, wiring, self.leaf, self.input_of, self.tape, closed=True
         )

@@ -128,18 +128,23 @@ def deep() -> Iterator[None]:
         sys.setrecursionlimit(before)
 
 
+def values_among(refs: Iterable[Ref]) -> list[int]:
+    """Return the references that are no constants."""
+    return [ref for ref in refs if type(ref) is int]
+
+
 def reached(
     operations: Iterable[Any], roots: Iterable[Ref], known: Container[int] = ()
 ) -> set[int]:
     """Return the values that roots depend on, except known ones and what these depend on."""
     lines = operations if isinstance(operations, list | tuple) else list(operations)
     values: set[int] = set()
-    stack = [root for root in roots if type(root) is int]
+    stack = values_among(roots)
     while stack:
         value = stack.pop()
         if value not in values and value not in known:
             values.add(value)
-            arguments = [a for a in lines[value].arguments if type(a) is int]
+            arguments = values_among(lines[value].arguments)
             stack += [a for a in arguments if a not in values]
     return values
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from ..record.graph import Operation, Ref, Shape, key_of
+from ..record.graph import Operation, Ref, Shape, key_of, values_among
 from ..record.operations import CONDITIONS, UFUNCS
 from ..record.unread import Unread
 
@@ -67,7 +67,7 @@ class Tape:
         """Record an operation, even if an equal one is on the tape."""
         kind, arguments, _, static = operation
         self.operations.append(operation)
-        values = [a for a in arguments if type(a) is int]
+        values = values_among(arguments)
         # during a run
         changes = kind == "leaf" and (static[0] != "p" or static[1] == "interval")
         self.free.append(changes or any(self.free[a] for a in values))
