@@ -14,7 +14,7 @@ joined.
 
 import functools
 from collections import Counter, OrderedDict, defaultdict, deque
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from enum import Enum
 from itertools import zip_longest
 from types import (
@@ -71,16 +71,16 @@ def decision_tree(paths: Sequence[tuple[int, Answers]], depth: int = 0) -> Tree:
     return condition, yes, no
 
 
-def joined(tape: Tape, tree: Tree, values: Sequence[Any], choose: Callable) -> Any:
+def joined(tape: Tape, tree: Tree, values: Sequence[Any]) -> Any:
     """Return one value for those of all paths, chosen by the decisions."""
     if type(tree) is int:
         return values[tree]
     condition, yes, no = tree
-    a = joined(tape, yes, values, choose)
-    b = joined(tape, no, values, choose)
+    a = joined(tape, yes, values)
+    b = joined(tape, no, values)
     if key_of(operand(a)) == key_of(operand(b)):
         return a
-    return choose(Array(tape, condition, ()), a, b)
+    return where(Array(tape, condition, ()), a, b)
 
 
 # --- kinds of values ------------------------------------------------------------------------------
@@ -327,7 +327,7 @@ class Joining:
         truths = {*map(is_truth, values)}
         if len(truths) > 1:
             raise NotMergeable
-        new = joined(self.tape, self.tree, values, where)
+        new = joined(self.tape, self.tree, values)
         of_python = common(map(is_of_python, values))
         is_integer = common(map(is_whole, values))
         ref = operand(new)
@@ -347,7 +347,7 @@ class Joining:
         old = Array(array._tape, array._node, array.shape)._elements
         rows = [(old() if store is None else store).ravel() for store in stores]
         columns = zip(*rows, strict=True)
-        elements = (joined(self.tape, self.tree, values, where) for values in columns)
+        elements = (joined(self.tape, self.tree, values) for values in columns)
         return np.fromiter(elements, object).reshape(array.shape)
 
     def _array(self, key: tuple[int, ...], values: Sequence[Array]) -> Array:
@@ -372,7 +372,7 @@ class Joining:
         ]
         ends = [Array(self.tape, node, leading.shape) for node in nodes]
         new = Array(
-            self.tape, operand(joined(self.tape, self.tree, ends, where)), leading.shape
+            self.tape, operand(joined(self.tape, self.tree, ends)), leading.shape
         )
         new._boxed = leading._boxed
         new._whole = common(value._root._whole for value in values)

@@ -33,7 +33,7 @@ from ..record.both_sides import conditions_of
 from ..record.graph import Record, Shape, compact, is_known
 from ..record.unread import Unread, reading_on
 from .arrays import REMEMBERS, Array, Tape, objects, operand
-from .elementwise import as_number, filled, lifted, where
+from .elementwise import as_number, filled, lifted
 from .execution_paths import AnsweringTape, Outside, each_path
 from .fingerprint import Fingerprint, reachable
 from .heaps import decision_tree, joined
@@ -278,7 +278,7 @@ class _Tracing:
         answers, values = zip(*self.paths, strict=True)
         tree = decision_tree([*enumerate(answers)])
         ports = zip(*values, strict=True)
-        refs = [operand(joined(tape, tree, value, where)) for value in ports]
+        refs = [operand(joined(tape, tree, value)) for value in ports]
         record = compact(tape.operations, refs, request.out.values())
         texts = frozenset(rebinding.texts)
         names = frozenset(names_read)
