@@ -209,7 +209,12 @@ class ReadBlock(control.NonlinearIOSystem):
 
     def _read_now(self, role: str) -> Record | Unread:
         if role == "output" and self.states_are_outputs:
-            return record_of_states(self.declared["outputs"])
+            tape, shapes = Tape(), self.declared["outputs"]
+            states = [
+                operand(tape.add("leaf", (), shape, ("x", port)))
+                for port, shape in shapes.items()
+            ]
+            return compact(tape.operations, states, shapes.values())
         return self._read(role)
 
     def _read(self, role: str) -> Record | Unread:
@@ -302,12 +307,3 @@ class ReadBlock(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
-
-
-def record_of_states(shapes: Mapping[str, Shape]) -> Record:
-    """Return the record of y = x: the outputs are the states."""
-    tape = Tape()
-    leaves = [
-        tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()
-    ]
-    return compact(tape.operations, [operand(leaf) for leaf in leaves], shapes.values())
