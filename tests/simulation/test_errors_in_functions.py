@@ -97,7 +97,7 @@ def test_in_the_middle_of_a_run(engine):
 def test_a_function_of_math_of_a_port_of_two_signals():
     """Its message names the function of NumPy."""
     cosh = lambda t, x, u, p: {"x": -math.cosh(x.x)}  # noqa: E731
-    said = told(lambda: clpt.Block("q", cosh, states={"x": 2}), clpt.BlockError)
+    said = told(lambda: clpt.Block("q", update=cosh, states={"x": 2}), clpt.BlockError)
     advice = "math.cosh takes one number. Use np.cosh, or an element of the port"
     assert said.endswith(advice)
 
