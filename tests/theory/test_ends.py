@@ -227,6 +227,63 @@ def test_barbalats_lemma_is_applied_to_each_form(text, going):
     assert not found.failed
 
 
+# --- Barbalat's lemma again, for rates: where time or inputs rule out LaSalle ---------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "going"),
+    [
+        ("x' = v; v' = -x - (2 + sin(t))*v", "v, x go"),
+        ("x' = v; v' = 3 - x - (2 + sin(t))*v; V = v**2 + (x - 3)**2; at x = 3", "v, 3 - x go"),
+        ("x' = v; v' = -x**3 - (2 + cos(t))*v; V = v**2/2 + x**4/4", "v, x go"),
+        ("x' = v; v' = -sin(x) - (2 + cos(t))*v; " + TURNED, "v, sin(x) go"),
+        ("x' = v; v' = -tanh(x) - (2 + cos(t))*v; V = v**2/2 + log(cosh(x))", "v, x go"),
+        ("a' = b; b' = c - a; c' = -b - (2 + sin(t))*c", "c, b, a go"),
+        ("x' = (2 + sin(t))*v; v' = -(2 + sin(t))*x - v", "v, x go"),
+        ("x' = v; v' = -x - (2 + sin(u))*v; input u", "v, x go"),  # u' may have no bound
+        ("x' = -(2 + exp(minimum(t, 5)))*x + y; y' = -x", "x, y go"),
+        # x converges, in general not to 0: its rate is at most |v|/(1 + t)^2 or |v| exp(-t)
+        ("x' = v/(1 + t)**2; v' = -x/(1 + t)**2 - v", "v goes"),
+        ("x' = v*exp(-t); v' = -x*exp(-t) - v", "v goes"),
+        ("x' = v*(1 - tanh(t)); v' = -x*(1 - tanh(t)) - v", "v goes"),
+        # u = 0 for ever: x stands still
+        ("x' = v*u; v' = -x*u - v; input u", "v goes"),
+        # y = 0: x stands still
+        ("x' = y*v*(2 + sin(t)); y' = 0*y; v' = -y*x*(2 + sin(t)) - v", "v goes"),
+        # sticks where |x| < 1/2
+        ("x' = v; v' = -x - 0.5*sign(v) - exp(-t)*v", "v goes"),
+    ],
+)  # fmt: skip
+def test_barbalats_lemma_is_applied_to_rates_of_what_goes_to_zero(text, going):
+    _, found = judged(text)
+    assert (found.status, found.conclusion, found.of) == ("proved", ZERO, going), found
+
+
+@pytest.mark.parametrize(
+    ("friction", "motion"),
+    [
+        ("2 + exp(t)", lambda t: 1 + sympy.exp(-t)),
+        ("(1 + t)**2 + 1 + t + 2/(1 + t)", lambda t: 1 + 1 / (1 + t)),
+    ],
+)
+def test_friction_that_grows_may_hold_x_off_zero(friction, motion):
+    """x goes to 1 by its closed form, so no verdict may say that it goes to 0."""
+    plant, found = judged(f"x' = v; v' = -x - ({friction})*v")
+    assert "x" not in found.of
+    t = sympy.Symbol("t")
+    x, v, rate = (sympy.diff(motion(t), t, order) for order in range(3))
+    for now in (0.0, 1.0, 3.0):
+        x_now, v_now, rate_now = (float(e.subs(t, now)) for e in (x, v, rate))
+        rates = plant.dynamics(now, np.array([x_now, v_now]), np.zeros(0))
+        assert rates == pytest.approx([v_now, rate_now])
+
+
+def test_what_goes_to_zero_by_rates_is_named_beyond_the_file():
+    _, found = judged("x' = v; v' = -x - (2 + sin(t))*v")
+    beyond = [step.claim for step in found.beyond_coq()]
+    assert "x goes to zero, as rates of v do" in beyond
+
+
 # --- losses with a step: y > 0 stays, so x does not move -----------------------------------------
 
 GATED = "x' = -x*where(y > 0, 0, 2)**2; y' = -3*y"

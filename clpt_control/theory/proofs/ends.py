@@ -1,6 +1,7 @@
 """Ends of a motion: what goes to zero where V' <= -sum of q^2, and what is left in the end.
 
     int q^2 dt <= V(0), q' bounded          =>  q -> 0                          (Barbalat's lemma)
+    q -> 0, q' = r + z, z -> 0, r' bounded  =>  r -> 0                          (Barbalat again)
     nothing depends on time, V bounds x     =>  x -> where V' = 0 for good:     (LaSalle)
                                                 q = 0, q' = 0, q'' = 0, ...
 
@@ -64,7 +65,7 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
     if len(zero) > len(fall.losses) or (zero and not fall.of):
         of = go(map(candidate.text, zero))
     if not (cases and all(case.is_rest for case in cases)):
-        return barbalat(candidate, fall, motion, of)._replace(cases=cases)
+        return barbalat(candidate, fall, motion, of, cases)
     names = (", ".join(f"{candidate.text(g)} = 0" for g in case.zero) for case in cases)
     claim = f"where V' = 0 for good nothing moves: {' or '.join(names)}"
     shows = "limit still" + " isolated" * all(case.comes_to_one for case in cases)
@@ -72,16 +73,18 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
     return Ends([exact(claim, True, "", shows)], of, cases)
 
 
-def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Ends:
+def barbalat(
+    candidate: Any, fall: Fall, motion: Motion, of: str, cases: "Sequence[Still]"
+) -> Ends:
     """Return the forms q that go to zero, as V' loses q^2 and so its integral is finite.
 
     Premises, form by form: q has no step; if q jumps with the states, it does so at the jumps of
     one block, a period apart; q' is bounded where V is.  In discrete time q^2 has a finite sum and
-    needs no premise.
+    needs no premise.  If LaSalle's principle leaves no `cases`, the lemma is applied to rates too.
     """
     if candidate.eq.discrete:
         step = exact("the sum of what V loses is finite", True, "", "limit")
-        return Ends([step], of)
+        return Ends([step], of, cases)
     claim = "the rate of {} is bounded where V is"
     unmet = {q: _unmet_premise(candidate, motion, q) for q in fall.losses}
     failed = [
@@ -89,15 +92,22 @@ def barbalat(candidate: Any, fall: Fall, motion: Motion, of: str) -> Ends:
         for q, premise in unmet.items()
         if premise
     ]
-    holds = len(failed) < len(unmet)
-    if failed and holds:
-        of = go(candidate.text(q) for q, premise in unmet.items() if not premise)
+    zero = [q for q, premise in unmet.items() if not premise]
+    if failed and zero:
+        of = go(map(candidate.text, zero))
     names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
     names = names or ", ".join(map(candidate.text, fall.losses))
-    if not holds:
-        return Ends([replace(failed[0], claim=claim.format(names))], of)
-    step = exact(claim.format(names), True, "", "limit")
-    return Ends([step, *(replace(step, needed=False) for step in failed)], of)
+    if not zero:
+        return Ends([replace(failed[0], claim=claim.format(names))], of, cases)
+    steps = [exact(claim.format(names), True, "", "limit")]
+    more = [] if cases or fall.of else zero_by_rates(candidate, motion, zero)
+    if more:
+        added = go(map(candidate.text, more))
+        steps.append(
+            exact(f"{added} to zero, as rates of {names} do", True, "", "limit")
+        )
+        of = go(map(candidate.text, [*zero, *more]))
+    return Ends([*steps, *(replace(step, needed=False) for step in failed)], of, cases)
 
 
 def _unmet_premise(candidate: Any, motion: Motion, q: Expr) -> str:
@@ -107,13 +117,47 @@ def _unmet_premise(candidate: Any, motion: Motion, q: Expr) -> str:
     jumping = candidate.jumping(q)
     if len(jumping) > 1 or not jumping <= candidate.periodic:
         return f"it jumps with {' and '.join(sorted(jumping))}, at times of any kind"
-    along_time = {TIME: sympy.S.One, **motion.rates}
-    along_time |= {s: motion.still[f.diff(TIME)] for f, s in motion.inputs.items()}
-    rate = sympy.expand(along(motion.quiet(q), along_time))
+    rate = motion.rate_of(q)
     if loose := motion.not_bounded(rate):
         return f"it holds {', '.join(loose)}, not known to be bounded there"
     motion.driving |= motion.inputs_of([rate])
     return ""
+
+
+def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[Expr]:
+    """Return forms that go to zero because they are left of the rates of forms that do.
+
+    q' = r + z, where r is q' with zero in place of what goes to zero.  q' is continuous, and its
+    slopes in those states are bounded, so z goes to zero; then r does, if r' is bounded, and the
+    one factor of r that may.  Premise: states do not jump, and V bounds them all.
+    """
+    if motion.free or candidate.eq.jumps:
+        return []
+    case = Still(motion.rates, motion.fixed, candidate.V)
+    for q in zero:
+        if (form := _left_of(motion.quiet(q), case, motion)) is not None:
+            case.add(form)
+    known = len(case.zero)
+    for q in case.zero:  # grows
+        rate = motion.rate_of(q)
+        form = _left_of(rate, case, motion) if jumps_nowhere(rate) else None
+        if form is None or terms_of(form) > MOST_OPERATIONS:
+            continue
+        loose = [f for f in sympy.Mul.make_args(factored(form)) if case.may_fade(f)]
+        base, power = sympy.Mul(*loose).as_base_exp()
+        is_one = len(loose) == 1 and power.is_positive and base.has(*motion.rates)
+        if is_one and not _unmet_premise(candidate, motion, form):
+            case.add(base if base.has(TIME) else case.plain(base))
+        if len(case.zero) > MOST_ROUNDS:
+            break
+    return case.zero[known:]
+
+
+def _left_of(e: Expr, case: "Still", motion: Motion) -> Expr | None:
+    """Return an expression where forms are zero, if the difference goes to zero with them."""
+    moved = {s: sympy.Dummy(real=True) for s in case.solved}
+    slopes = (along(part, moved) for part in (e, *case.solved.values()))
+    return None if any(map(motion.not_bounded, slopes)) else case.in_free_states(e)
 
 
 # --- LaSalle --------------------------------------------------------------------------------------
@@ -263,7 +307,7 @@ class Still:
             base = factor.as_base_exp()[0]
             if self._is_never_zero(factor):
                 continue
-            plain = self._plain(base)
+            plain = self.plain(base)
             kept |= dict.fromkeys([base] if plain == base else self.factors(plain))
         signed = {*kept, *(-f for f in kept)}
         is_zero = any(signed >= {*sympy.Mul.make_args(g)} for g in self.zero)
@@ -289,7 +333,13 @@ class Still:
             or (total and total.constant.is_positive)
         )
 
-    def _plain(self, h: Expr) -> Expr:
+    def may_fade(self, factor: Expr) -> bool:
+        """Return whether a bounded factor may go to zero, though it may never be zero."""
+        low, high = interval(factor)
+        is_off = not factor.has(TIME) and self._is_never_zero(factor)
+        return not (is_off or low.is_positive or high.is_negative)
+
+    def plain(self, h: Expr) -> Expr:
         """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""
         if isinstance(h, sympy.Abs):
             return h.args[0]

@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.facts import is_input
-from ..algebra.slopes import degree
+from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import squares
 from .conclusions import Condition, are
 from .steps import How, Step
@@ -67,6 +67,12 @@ class Motion:
     def quiet(self, expression: Expr) -> Expr:
         """Return an expression with a symbol for each input, and for its rate."""
         return expression.xreplace(self.still)
+
+    def rate_of(self, form: Expr) -> Expr:
+        """Return the rate of a form of states, inputs and time, expanded."""
+        along_time = {TIME: sympy.S.One, **self.rates}
+        along_time |= {s: self.still[f.diff(TIME)] for f, s in self.inputs.items()}
+        return sympy.expand(along(self.quiet(form), along_time))
 
     # --- states that V does not contain ------------------------------------------------------
 
