@@ -1,7 +1,7 @@
-(* Barbalat's lemma in three forms. *)
+(* Barbalat's lemma in three forms, by Runs.v. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Clpt Require Import Calculus.
+From Clpt Require Import Runs Calculus.
 Open Scope R_scope.
 
 (* as in textbooks: F has a limit and F' is uniformly continuous, then F' -> 0 *)
@@ -12,25 +12,9 @@ Theorem barbalat (F f : R -> R) (l : R) :
      forall s t, 0 <= s -> 0 <= t -> Rabs (t - s) < delta -> Rabs (f t - f s) < eps) ->
   is_lim f p_infty 0.
 Proof.
-  intros D L U. apply is_lim_spec. apply is_lim_spec in L. intros [eps He]. simpl.
-  destruct (U (eps / 2) ltac:(lra)) as [delta [Hd Hu]].
-  assert (P : 0 < eps * delta / 8) by nra.
-  destruct (L (mkposreal _ P)) as [T HT]. simpl in HT.
-  exists (Rmax T 0). intros t Ht.
-  assert (T < t) by (eapply Rle_lt_trans; [apply Rmax_l|apply Ht]).
-  assert (0 < t) by (eapply Rle_lt_trans; [apply Rmax_r|apply Ht]).
-  destruct (MVT_gen F t (t + delta / 2) f) as [c [Hc E]];
-    rewrite ?Rmin_left, ?Rmax_right in * by lra.
-  - intros s Hs. apply D. lra.
-  - intros s Hs. apply continuity_pt_filterlim. apply @ex_derive_continuous.
-    exists (f s). apply D. lra.
-  - assert (A := HT t ltac:(lra)). assert (B := HT (t + delta / 2) ltac:(lra)).
-    apply Rabs_lt_between in A. apply Rabs_lt_between in B.
-    assert (Cc : Rabs (f t - f c) < eps / 2).
-    { apply Hu; [lra|lra|]. apply Rabs_lt_between. lra. }
-    apply Rabs_lt_between in Cc.
-    assert (Fc : - (eps / 2) < f c < eps / 2) by (split; nra).
-    apply Rabs_lt_between. lra.
+  intros D. apply Runs.barbalat_limit. split.
+  - intros t [Ht _]. apply @ex_derive_continuous. exists (f t). auto.
+  - intros S _. exists nil. intros t Ht _. apply D. lra.
 Qed.
 
 Definition Lipschitz (g : R -> R) : Prop :=
@@ -45,39 +29,9 @@ Theorem barbalat_dissipation (V dV g : R -> R) :
   Lipschitz g ->
   is_lim g p_infty 0.
 Proof.
-  intros F V0 g0 D [L HL]. apply is_lim_spec. intros [eps He]. simpl.
-  assert (Fall : forall s t, 0 <= s <= t -> V t <= V s).
-  { intros s t Hst. apply (falls V dV); auto. intros u Hu.
-    assert (dV u <= - g u) by (apply D; lra). assert (0 <= g u) by (apply g0; lra). lra. }
-  destruct (ex_finite_lim_seq_decr (fun n => V (INR n)) 0) as [l Hl].
-  { intros n. apply Fall. rewrite S_INR. assert (0 <= INR n) by apply pos_INR. lra. }
-  { intros n. apply V0, pos_INR. }
-  set (h := eps / (2 * (Rabs L + 1))). assert (PL : 0 <= Rabs L) by apply Rabs_pos.
-  assert (Hh : 0 < h) by (apply Rdiv_lt_0_compat; lra).
-  assert (Lh : Rabs L * h <= eps / 2).
-  { unfold h. apply (Rmult_le_reg_r (2 * (Rabs L + 1))); [lra|].
-    replace (Rabs L * (eps / (2 * (Rabs L + 1))) * (2 * (Rabs L + 1))) with (Rabs L * eps)
-      by (field; lra). nra. }
-  assert (P : 0 < eps / 2 * h / 2) by nra.
-  apply is_lim_seq_spec in Hl. destruct (Hl (mkposreal _ P)) as [n Hn]. simpl in Hn.
-  assert (Near : forall t, INR n <= t -> l - eps / 2 * h / 2 < V t < l + eps / 2 * h / 2).
-  { intros t Ht. assert (0 <= INR n) by apply pos_INR. split.
-    - destruct (nfloor_ex t ltac:(lra)) as [m [Hm1 Hm2]].
-      assert (V (INR (S m)) <= V t) by (apply Fall; rewrite S_INR; lra).
-      assert (n <= S m)%nat by (apply INR_le; rewrite S_INR; lra).
-      assert (B := Hn (S m) ltac:(auto)). apply Rabs_lt_between in B. lra.
-    - assert (V t <= V (INR n)) by (apply Fall; lra).
-      assert (B := Hn n ltac:(auto)). apply Rabs_lt_between in B. lra. }
-  exists (INR n). intros t Ht. rewrite Rminus_0_r. assert (0 <= INR n) by apply pos_INR.
-  rewrite Rabs_pos_eq by (apply g0; lra).
-  destruct (Rlt_le_dec (g t) eps) as [|Big]; auto. exfalso.
-  assert (S : V (t + h) - V t <= - (eps / 2) * (t + h - t)).
-  { apply (slope V dV); auto; [lra|]. intros u Hu.
-    assert (dV u <= - g u) by (apply D; lra).
-    assert (B := HL t u ltac:(lra) ltac:(lra)). rewrite (Rabs_pos_eq (u - t)) in B by lra.
-    apply Rabs_le_between in B. assert (L <= Rabs L) by apply Rle_abs.
-    assert (L * (u - t) <= eps / 2) by nra. lra. }
-  assert (A := Near t ltac:(lra)). assert (B := Near (t + h) ltac:(lra)). nra.
+  rewrite follows_run. intros F V0 g0 D [L H].
+  apply (Runs.barbalat V dV); auto; try (intros t [Ht _]; auto).
+  exists L. intros s t [Hs _] [Ht _]. auto.
 Qed.
 
 (* a Lipschitz g >= 0 with a bounded integral goes to zero *)
@@ -102,9 +56,5 @@ Qed.
 Lemma square_vanishes (k : R) (f : R -> R) :
   0 < k -> is_lim (fun t => k * (f t)^2) p_infty 0 -> is_lim f p_infty 0.
 Proof.
-  intros Hk L. apply is_lim_spec. intros [eps He]. apply is_lim_spec in L. simpl.
-  assert (P : 0 < k * eps^2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
-  destruct (L (mkposreal _ P)) as [T HT]. exists T. intros t Ht. assert (A := HT t Ht). simpl in A.
-  rewrite Rminus_0_r in *. apply Rabs_lt_between in A.
-  assert (Q : (f t)^2 < eps^2) by (simpl; nra). apply Rabs_lt_between. split; nra.
+  intros Hk. apply (fades_shape (fun x => x ^ 2) k (shape_even 0) Hk).
 Qed.

@@ -1,10 +1,12 @@
-(* Finite sums, and functions of time that follow a rate except at finitely many times.
+(* Finite sums, and functions of time that follow a rate except at finitely many times: runs on
+   [0, T) of Runs.v with T infinite.
 
    A waypoint reference jumps, so a trajectory has no derivative there.  [follows f df] says that f
    is continuous for t >= 0 and f' = df but at finitely many times before any T.  (A trajectory on
    t >= 0 is continued to t < 0 by its first value.) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
+From Clpt Require Import Runs.
 Open Scope R_scope.
 
 (* sum of f 0 ... f (n - 1) *)
@@ -55,6 +57,13 @@ Definition follows (f df : R -> R) : Prop :=
   (forall t, 0 <= t -> continuous f t) /\
   (forall T, exists l : list R, forall t, 0 < t < T -> ~ In t l -> is_derive f t (df t)).
 
+(* the same as of a run that has no end *)
+Lemma follows_run f df : follows f df <-> Runs.follows p_infty f df.
+Proof. split; intros [C D]; (split; [intros t Ht; apply C; auto; apply Ht|]).
+  - intros S _. apply D.
+  - intros S. destruct (D (Rmax S 0)) as [l H]; [apply on_all, Rmax_r|]. exists l. intros t Ht.
+    apply H. assert (A := Rmax_l S 0). lra. Qed.
+
 Lemma follows_ext f df g dg :
   (forall t, f t = g t) -> (forall t, 0 < t -> df t = dg t) -> follows f df -> follows g dg.
 Proof. intros Hf Hd [C D]. split.
@@ -63,7 +72,7 @@ Proof. intros Hf Hd [C D]. split.
     rewrite <- Hd by lra. apply (is_derive_ext f); auto. Qed.
 
 Lemma follows_const a : follows (fun _ => a) (fun _ => 0).
-Proof. split; [intros; apply continuous_const|]. intros T. exists nil. intros. apply @is_derive_const. Qed.
+Proof. apply follows_run, Runs.follows_const. Qed.
 
 Lemma follows_smooth f df :
   (forall t, is_derive f t (df t)) -> follows f df.
@@ -72,19 +81,12 @@ Proof. intros H. split; [|intros T; exists nil; auto].
 
 Lemma follows_plus f df g dg :
   follows f df -> follows g dg -> follows (fun t => f t + g t) (fun t => df t + dg t).
-Proof. intros [Cf Df] [Cg Dg]. split.
-  - intros t Ht. apply @continuous_plus; auto.
-  - intros T. destruct (Df T) as [l Hl], (Dg T) as [m Hm]. exists (l ++ m). intros t Ht Hn.
-    apply @is_derive_plus; [apply Hl|apply Hm]; auto; intros Hi; apply Hn, in_or_app; auto. Qed.
+Proof. rewrite !follows_run. apply Runs.follows_plus. Qed.
 
 Lemma follows_mult f df g dg :
   follows f df -> follows g dg ->
   follows (fun t => f t * g t) (fun t => df t * g t + f t * dg t).
-Proof. intros [Cf Df] [Cg Dg]. split.
-  - intros t Ht. apply @continuous_mult; auto.
-  - intros T. destruct (Df T) as [l Hl], (Dg T) as [m Hm]. exists (l ++ m). intros t Ht Hn.
-    apply @is_derive_mult; [apply Hl|apply Hm|intros; apply Rmult_comm]; auto;
-      intros Hi; apply Hn, in_or_app; auto. Qed.
+Proof. rewrite !follows_run. apply Runs.follows_mult. Qed.
 
 Lemma follows_scal a f df : follows f df -> follows (fun t => a * f t) (fun t => a * df t).
 Proof. intros H. apply (follows_ext (fun t => a * f t) (fun t => 0 * f t + a * df t)); auto.
@@ -93,9 +95,7 @@ Proof. intros H. apply (follows_ext (fun t => a * f t) (fun t => 0 * f t + a * d
 
 Lemma follows_minus f df g dg :
   follows f df -> follows g dg -> follows (fun t => f t - g t) (fun t => df t - dg t).
-Proof. intros Hf Hg.
-  apply (follows_ext (fun t => f t + -1 * g t) (fun t => df t + -1 * dg t)); try (intros; ring).
-  apply follows_plus; auto. apply follows_scal; auto. Qed.
+Proof. rewrite !follows_run. apply Runs.follows_minus. Qed.
 
 Lemma follows_sum n (f df : nat -> R -> R) :
   (forall k, (k < n)%nat -> follows (f k) (df k)) ->
@@ -107,33 +107,9 @@ Lemma follows_square f df : follows f df -> follows (fun t => (f t)^2) (fun t =>
 Proof. intros H. apply (follows_ext (fun t => f t * f t) (fun t => df t * f t + f t * df t));
   try (intros; ring). apply follows_mult; auto. Qed.
 
-(* the mean value theorem with exceptions *)
-Lemma slope_list (f df : R -> R) M (l : list R) : forall a b, a <= b ->
-  (forall t, a <= t <= b -> continuous f t) ->
-  (forall t, a < t < b -> ~ In t l -> is_derive f t (df t) /\ df t <= M) ->
-  f b - f a <= M * (b - a).
-Proof. induction l as [|c l IH]; intros a b Hab C D.
-  - destruct (MVT_gen f a b (fun t => Rmin (df t) M)) as [c [Hc E]];
-      rewrite ?Rmin_left, ?Rmax_right in * by lra.
-    + intros t Ht. destruct (D t Ht) as [Dt Lt]; auto. rewrite Rmin_left by exact Lt. exact Dt.
-    + intros t Ht. apply continuity_pt_filterlim, C, Ht.
-    + rewrite E. apply Rmult_le_compat_r; [lra|]. apply Rmin_r.
-  - destruct (Rlt_dec a c) as [Hac|Hac]; [destruct (Rlt_dec c b) as [Hcb|Hcb]|].
-    + assert (f c - f a <= M * (c - a)).
-      { apply IH; [lra|intros; apply C; lra|]. intros t Ht Hn. apply D; [lra|].
-        intros [->|Hi]; [lra|auto]. }
-      assert (f b - f c <= M * (b - c)).
-      { apply IH; [lra|intros; apply C; lra|]. intros t Ht Hn. apply D; [lra|].
-        intros [->|Hi]; [lra|auto]. }
-      nra.
-    + apply IH; auto. intros t Ht Hn. apply D; auto. intros [->|Hi]; [lra|auto].
-    + apply IH; auto. intros t Ht Hn. apply D; auto. intros [->|Hi]; [lra|auto]. Qed.
-
 Lemma slope f df M a b : follows f df -> 0 <= a <= b ->
   (forall t, a < t < b -> df t <= M) -> f b - f a <= M * (b - a).
-Proof. intros [C D] Hab H. destruct (D b) as [l Hl].
-  apply (slope_list f df M l); [lra|intros; apply C; lra|].
-  intros t Ht Hn. split; [apply Hl; auto; lra|auto]. Qed.
+Proof. rewrite follows_run. intros F Hab. apply (Runs.slope p_infty); auto. apply on_all. lra. Qed.
 
 Lemma falls f df a b : follows f df -> 0 <= a <= b ->
   (forall t, a < t < b -> df t <= 0) -> f b <= f a.
@@ -141,35 +117,25 @@ Proof. intros F Hab H. assert (S := slope f df 0 a b F Hab H). lra. Qed.
 
 Lemma lipschitz f df L : follows f df -> (forall t, 0 < t -> Rabs (df t) <= L) ->
   forall s t, 0 <= s -> 0 <= t -> Rabs (f t - f s) <= L * Rabs (t - s).
-Proof. intros F H.
-  assert (W : forall s t, 0 <= s <= t -> Rabs (f t - f s) <= L * Rabs (t - s)).
-  { intros s t Hst. rewrite (Rabs_pos_eq (t - s)) by lra. apply Rabs_le. split.
-    - assert (S := slope _ _ L s t (follows_scal (-1) f df F) Hst).
-      assert (-1 * f t - -1 * f s <= L * (t - s)).
-      { apply S. intros u Hu. assert (B := H u ltac:(lra)). apply Rabs_le_between in B. lra. }
-      lra.
-    - apply (slope f df L s t F Hst). intros u Hu. assert (B := H u ltac:(lra)).
-      apply Rabs_le_between in B. lra. }
-  intros s t Hs Ht. destruct (Rle_lt_dec s t); [apply W; lra|].
-  rewrite (Rabs_minus_sym (f t)), (Rabs_minus_sym t). apply W. lra. Qed.
+Proof. rewrite follows_run. intros F H s t Hs Ht. apply (Lipschitz_by p_infty f df L); auto. Qed.
 
 (* bounded for t >= 0 *)
 Definition bounded (f : R -> R) : Prop := exists M, forall t, 0 <= t -> Rabs (f t) <= M.
 
+Lemma bounded_run f : bounded f <-> Runs.bounded p_infty f.
+Proof. split; intros [M H]; exists M; intros t Ht; apply H; auto; apply Ht. Qed.
+
 Lemma bounded_const a : bounded (fun _ => a).
-Proof. exists (Rabs a). intros; lra. Qed.
+Proof. apply bounded_run, Runs.bounded_const. Qed.
 
 Lemma bounded_plus f g : bounded f -> bounded g -> bounded (fun t => f t + g t).
-Proof. intros [M HM] [L HL]. exists (M + L). intros t Ht.
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; auto. Qed.
+Proof. rewrite !bounded_run. apply Runs.bounded_plus. Qed.
 
 Lemma bounded_mult f g : bounded f -> bounded g -> bounded (fun t => f t * g t).
-Proof. intros [M HM] [L HL]. exists (M * L). intros t Ht. rewrite Rabs_mult.
-  apply Rmult_le_compat; auto using Rabs_pos. Qed.
+Proof. rewrite !bounded_run. apply Runs.bounded_mult. Qed.
 
 Lemma bounded_minus f g : bounded f -> bounded g -> bounded (fun t => f t - g t).
-Proof. intros Hf [L HL]. apply (bounded_plus f (fun t => - g t)); auto.
-  exists L. intros t Ht. rewrite Rabs_Ropp. auto. Qed.
+Proof. rewrite !bounded_run. apply Runs.bounded_minus. Qed.
 
 Lemma bounded_sum n (f : nat -> R -> R) :
   (forall k, (k < n)%nat -> bounded (f k)) -> bounded (fun t => sum n (fun k => f k t)).
@@ -180,33 +146,9 @@ Lemma bounded_ext f g : (forall t, 0 <= t -> f t = g t) -> bounded f -> bounded 
 Proof. intros E [M H]. exists M. intros t Ht. rewrite <- E; auto. Qed.
 
 (* x' = -k x + u with a bounded u: x is bounded *)
-Lemma stable_upper k x u B : 0 < k -> follows x (fun t => - k * x t + u t) ->
-  (forall t, 0 <= t -> u t <= k * B) -> x 0 <= B -> forall t, 0 <= t -> x t <= B.
-Proof. intros Hk F U H0 t Ht.
-  assert (G : follows (fun t => exp (k * t) * (x t - B))
-                      (fun t => k * exp (k * t) * (x t - B) + exp (k * t) * (- k * x t + u t - 0))).
-  { apply follows_mult; [|apply follows_minus; [auto|apply follows_const]].
-    apply follows_smooth. intros s. auto_derive; auto. ring. }
-  assert (L : exp (k * t) * (x t - B) <= exp (k * 0) * (x 0 - B)).
-  { apply (falls _ _ 0 t G); [lra|]. intros s Hs. assert (P := exp_pos (k * s)).
-    assert (u s <= k * B) by (apply U; lra). nra. }
-  rewrite Rmult_0_r, exp_0 in L. assert (P := exp_pos (k * t)). nra. Qed.
-
 Lemma stable k x u : 0 < k -> follows x (fun t => - k * x t + u t) -> bounded u -> bounded x.
-Proof. intros Hk F [U HU]. set (B := Rmax (Rabs (x 0)) (U / k)).
-  assert (A1 : Rabs (x 0) <= B) by apply Rmax_l.
-  assert (A2 : U <= k * B).
-  { assert (U / k <= B) by apply Rmax_r. apply (Rmult_le_compat_l k) in H; [|lra].
-    replace (k * (U / k)) with U in H by (field; lra). lra. }
-  apply Rabs_le_between in A1. exists B. intros t Ht. apply Rabs_le. split.
-  - assert (L : -1 * x t <= B).
-    { apply (stable_upper k (fun t => -1 * x t) (fun t => -1 * u t) B); auto; [| |lra].
-      - apply (follows_ext (fun t => -1 * x t) (fun t => -1 * (- k * x t + u t))); try (intros; ring).
-        apply follows_scal, F.
-      - intros s Hs. assert (S := HU s Hs). apply Rabs_le_between in S. lra. }
-    lra.
-  - apply (stable_upper k x u B); auto; [|lra].
-    intros s Hs. assert (S := HU s Hs). apply Rabs_le_between in S. lra. Qed.
+Proof. rewrite follows_run, !bounded_run. intros Hk F. apply (bounded_lag p_infty k x u Hk).
+  apply (Runs.follows_by _ _ _ _ F). intros. ring. Qed.
 
 (* the rate of an expression, by the rules above: [follow] proves follows f ?df for f made of
    +, -, *, ^2, constants and functions of which [follows] is an assumption *)

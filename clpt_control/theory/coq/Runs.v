@@ -277,18 +277,21 @@ Variable T : Rbar.
 Definition Lipschitz (g : R -> R) : Prop :=
   exists L, forall s t, on T s -> on T t -> Rabs (g t - g s) <= L * Rabs (t - s).
 
-Lemma Lipschitz_rate f df : follows T f df -> bounded T df -> Lipschitz f.
-Proof. intros F [L H]. exists L.
+Lemma Lipschitz_by f df L : follows T f df -> (forall t, 0 < t -> on T t -> Rabs (df t) <= L) ->
+  forall s t, on T s -> on T t -> Rabs (f t - f s) <= L * Rabs (t - s).
+Proof. intros F H.
   assert (W : forall s t, 0 <= s <= t -> on T t -> Rabs (f t - f s) <= L * Rabs (t - s)).
   { intros s t Hst Ht. rewrite (Rabs_pos_eq (t - s)) by lra.
     assert (B : forall u, s < u < t -> - L <= df u <= L).
-    { intros u Hu. apply Rabs_le_between, H, (on_le T u t); auto; lra. }
+    { intros u Hu. apply Rabs_le_between, H; [lra|apply (on_le T u t); auto; lra]. }
     apply Rabs_le. split.
     - assert (S := slope T _ _ L s t (follows_opp T f df F) Hst Ht).
       assert (- f t - - f s <= L * (t - s)); [|lra]. apply S. intros u Hu. assert (C := B u Hu). lra.
     - apply (slope T f df L s t F Hst Ht). intros u Hu. assert (C := B u Hu). lra. }
   intros s t Hs Ht. destruct (Rle_lt_dec s t); [apply W; auto; destruct Hs; lra|].
   rewrite (Rabs_minus_sym (f t)), (Rabs_minus_sym t). apply W; auto. destruct Ht. lra. Qed.
+Lemma Lipschitz_rate f df : follows T f df -> bounded T df -> Lipschitz f.
+Proof. intros F [L H]. exists L. apply (Lipschitz_by f df); auto. Qed.
 Lemma Lipschitz_const a : Lipschitz (fun _ => a).
 Proof. exists 0. intros. rewrite Rminus_eq_0, Rabs_R0. lra. Qed.
 Lemma Lipschitz_time : Lipschitz (fun t => t).
@@ -341,12 +344,13 @@ Definition fades (f : R -> R) : Prop := is_lim f p_infty 0.
 (* V >= 0 loses a Lipschitz g >= 0: g -> 0 (Barbalat) *)
 Theorem barbalat (V dV g : R -> R) :
   follows p_infty V dV -> (forall t, on p_infty t -> 0 <= V t) -> (forall t, on p_infty t -> 0 <= g t) ->
-  (forall t, on p_infty t -> dV t <= - g t) -> Lipschitz p_infty g -> fades g.
+  (forall t, 0 < t -> dV t <= - g t) -> Lipschitz p_infty g -> fades g.
 Proof.
   intros F V0 g0 D [L HL]. apply is_lim_spec. intros [eps He]. simpl.
   assert (Fall : forall s t, 0 <= s <= t -> V t <= V s).
-  { intros s t Hst. apply (falls p_infty V dV); auto; [|apply on_all; lra]. intros u Hu.
-    assert (dV u <= - g u) by (apply D; auto). assert (0 <= g u) by (apply g0; auto). lra. }
+  { intros s t Hst. enough (V t - V s <= 0 * (t - s)) by lra.
+    apply (slope p_infty V dV); auto; [apply on_all; lra|]. intros u Hu.
+    assert (dV u <= - g u) by (apply D; lra). assert (0 <= g u) by (apply g0, on_all; lra). lra. }
   destruct (ex_finite_lim_seq_decr (fun n => V (INR n)) 0) as [l Hl].
   { intros n. apply Fall. rewrite S_INR. assert (0 <= INR n) by apply pos_INR. lra. }
   { intros n. apply V0, on_all, pos_INR. }
@@ -371,40 +375,47 @@ Proof.
   destruct (Rlt_le_dec (g t) eps) as [|Big]; auto. exfalso.
   assert (S : V (t + h) - V t <= - (eps / 2) * (t + h - t)).
   { apply (slope p_infty V dV); auto; [lra|apply on_all; lra|]. intros u Hu.
-    assert (dV u <= - g u) by (apply D, on_all; lra).
+    assert (dV u <= - g u) by (apply D; lra).
     assert (B := HL t u ltac:(apply on_all; lra) ltac:(apply on_all; lra)). rewrite (Rabs_pos_eq (u - t)) in B by lra.
     apply Rabs_le_between in B. assert (L <= Rabs L) by apply Rle_abs.
     assert (L * (u - t) <= eps / 2) by nra. lra. }
   assert (A := Near t ltac:(lra)). assert (B := Near (t + h) ltac:(lra)). nra.
 Qed.
 
-(* q -> 0 with a Lipschitz rate: q' -> 0 *)
-Lemma barbalat_next (q dq : R -> R) : follows p_infty q dq -> fades q -> Lipschitz p_infty dq -> fades dq.
+(* as in textbooks: F has a limit and F' is uniformly continuous, then F' -> 0 *)
+Theorem barbalat_limit (F f : R -> R) (l : R) :
+  follows p_infty F f -> is_lim F p_infty l ->
+  (forall eps, 0 < eps -> exists delta, 0 < delta /\
+     forall s t, 0 <= s -> 0 <= t -> Rabs (t - s) < delta -> Rabs (f t - f s) < eps) -> fades f.
 Proof.
-  intros F Q [L HL]. apply is_lim_spec. intros [eps He]. simpl. apply is_lim_spec in Q.
-  set (h := eps / (2 * (Rabs L + 1))). assert (PL : 0 <= Rabs L) by apply Rabs_pos.
-  assert (Hh : 0 < h) by (apply Rdiv_lt_0_compat; lra).
-  assert (Lh : Rabs L * h <= eps / 2).
-  { unfold h. apply (Rmult_le_reg_r (2 * (Rabs L + 1))); [lra|].
-    replace (Rabs L * (eps / (2 * (Rabs L + 1))) * (2 * (Rabs L + 1))) with (Rabs L * eps)
-      by (field; lra). nra. }
-  assert (P : 0 < eps / 2 * h / 2) by nra. destruct (Q (mkposreal _ P)) as [M HM]. simpl in HM.
+  intros D L U. apply is_lim_spec. apply is_lim_spec in L. intros [eps He]. simpl.
+  destruct (U (eps / 2) ltac:(lra)) as [d [Hd Hu]]. set (h := d / 2).
+  assert (P : 0 < eps / 2 * h / 2) by (unfold h; nra).
+  destruct (L (mkposreal _ P)) as [M HM]. simpl in HM. assert (Hh : 0 < h < d) by (unfold h; lra).
   exists (Rmax M 0). intros t Ht.
   assert (M < t) by (eapply Rle_lt_trans; [apply Rmax_l|apply Ht]).
   assert (0 < t) by (eapply Rle_lt_trans; [apply Rmax_r|apply Ht]).
   assert (A := HM t ltac:(lra)). assert (B := HM (t + h) ltac:(lra)).
   apply Rabs_lt_between in A. apply Rabs_lt_between in B. rewrite Rminus_0_r.
-  assert (Near : forall u, t < u < t + h -> dq t - eps / 2 <= dq u <= dq t + eps / 2).
-  { intros u Hu. assert (C := HL t u ltac:(apply on_all; lra) ltac:(apply on_all; lra)). rewrite (Rabs_pos_eq (u - t)) in C by lra.
-    apply Rabs_le_between in C. assert (L <= Rabs L) by apply Rle_abs.
-    assert (L * (u - t) <= eps / 2) by nra. lra. }
-  assert (U := slope p_infty q dq (dq t + eps / 2) t (t + h) F ltac:(lra) ltac:(apply on_all; lra)
-    ltac:(intros u Hu; apply Near; lra)).
-  assert (W := slope p_infty (fun t => - q t) (fun t => - dq t) (- (dq t - eps / 2)) t (t + h)
-    (follows_opp _ _ _ F) ltac:(lra) ltac:(apply on_all; lra)
-    ltac:(intros u Hu; destruct (Near u Hu); lra)).
+  assert (Near : forall u, t < u < t + h -> f t - eps / 2 <= f u <= f t + eps / 2).
+  { intros u Hu'. assert (C : Rabs (f u - f t) < eps / 2).
+    { apply Hu; [lra|lra|]. rewrite Rabs_pos_eq; lra. }
+    apply Rabs_lt_between in C. lra. }
+  assert (O : on p_infty (t + h)) by (apply on_all; lra).
+  assert (Up := slope p_infty F f (f t + eps / 2) t (t + h) D ltac:(lra) O
+    ltac:(intros u Hu'; apply Near; lra)).
+  assert (W := slope p_infty (fun t => - F t) (fun t => - f t) (- (f t - eps / 2)) t (t + h)
+    (follows_opp _ _ _ D) ltac:(lra) O ltac:(intros u Hu'; destruct (Near u Hu'); lra)).
   apply Rabs_lt_between. split; nra.
 Qed.
+
+(* q -> 0 with a Lipschitz rate: q' -> 0 *)
+Lemma barbalat_next (q dq : R -> R) : follows p_infty q dq -> fades q -> Lipschitz p_infty dq -> fades dq.
+Proof. intros F Q [L HL]. apply (barbalat_limit q dq 0 F Q). intros eps He. assert (PL := Rabs_pos L).
+  exists (eps / (Rabs L + 1)). split; [apply Rdiv_lt_0_compat; lra|]. intros s t Hs Ht H.
+  assert (A := HL s t (on_all s Hs) (on_all t Ht)). assert (B := Rabs_pos (t - s)). assert (C := Rle_abs L).
+  apply (Rmult_lt_compat_r (Rabs L + 1)) in H; [|lra].
+  replace (eps / (Rabs L + 1) * (Rabs L + 1)) with eps in H by (field; lra). nra. Qed.
 
 Lemma fades_ext f g : (forall t, on p_infty t -> f t = g t) -> fades f -> fades g.
 Proof. intros E H. apply (is_lim_ext_loc f); auto. exists 0. intros t Ht. apply E, on_all. lra. Qed.
@@ -569,7 +580,7 @@ Variable T : Rbar.
 (* a part h of what V loses *)
 Lemma vanishes_value V dV h : follows T V dV -> (forall t, on T t -> 0 <= V t) -> (forall t, on T t -> dV t <= - h t) ->
   (forall t, on T t -> 0 <= h t) -> Lipschitz T h -> vanishes T h.
-Proof. intros F V0 D H L ->. apply (barbalat V dV); auto. Qed.
+Proof. intros F V0 D H L ->. apply (barbalat V dV); auto. intros t Ht. apply D, on_all, Rlt_le, Ht. Qed.
 Lemma vanishes_shape g f c : shape g -> 0 < c -> vanishes T (fun t => c * g (f t)) -> vanishes T f.
 Proof. intros G P F E. apply (fades_shape g c); auto. Qed.
 Lemma vanishes_of_abs f : vanishes T (fun t => Rabs (f t)) -> vanishes T f.
