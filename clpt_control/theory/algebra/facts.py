@@ -289,6 +289,12 @@ def interval(e: Expr) -> Interval:
     return Max(low, bounds[0]), Min(high, bounds[1])
 
 
+def stays_off_zero(e: Expr) -> bool:
+    """Return whether an expression stays above a positive number, or below a negative one."""
+    low, high = interval(e)
+    return bool(low.is_positive or high.is_negative)
+
+
 def _product_range(ends: list[Interval]) -> Interval:
     """Return the range of a product."""
     product = ends[0]

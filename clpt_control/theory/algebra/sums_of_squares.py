@@ -16,7 +16,15 @@ from sympy.core.function import AppliedUndef
 from ...engine.diagram.symbol_names import TIME
 from .decided import decided
 from .exact import factored, groups_of, normal_form, vanishes
-from .facts import CLIP, WHERE, functions_in, interval, is_input, sector_of
+from .facts import (
+    CLIP,
+    WHERE,
+    functions_in,
+    interval,
+    is_input,
+    sector_of,
+    stays_off_zero,
+)
 from .gram import sum_of_squares
 from .slopes import along
 
@@ -328,12 +336,7 @@ def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:
 
 def _without_weights(form: Expr) -> Expr:
     """Return a form without the factors that stay away from zero."""
-    ends = {factor: interval(factor) for factor in sympy.Mul.make_args(form)}
-    kept = [
-        f
-        for f, (low, high) in ends.items()
-        if not low.is_positive and not high.is_negative
-    ]
+    kept = [f for f in sympy.Mul.make_args(form) if not stays_off_zero(f)]
     return sympy.Mul(*kept) if kept else form
 
 

@@ -21,7 +21,7 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
-from ..algebra.facts import functions_in, interval
+from ..algebra.facts import functions_in, stays_off_zero
 from ..algebra.slopes import along, jumps_nowhere
 from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_at, zero_of
 from .answers import Definite, Fall
@@ -135,29 +135,22 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
         return []
     case = Still(motion.rates, motion.fixed, candidate.V)
     for q in zero:
-        if (form := _left_of(motion.quiet(q), case, motion)) is not None:
-            case.add(form)
-    known = len(case.zero)
+        case.add(motion.quiet(q))
     for q in case.zero:  # grows
-        rate = motion.rate_of(q)
-        form = _left_of(rate, case, motion) if jumps_nowhere(rate) else None
-        if form is None or terms_of(form) > MOST_OPERATIONS:
+        rate, moved = motion.rate_of(q), {s: sympy.Dummy() for s in case.solved}
+        slopes = [along(e, moved) for e in (rate, *case.solved.values())]
+        is_short = max(len(case.zero), terms_of(rate) / 10) < MOST_ROUNDS
+        if not (is_short and jumps_nowhere(rate)) or any(
+            map(motion.not_bounded, slopes)
+        ):
             continue
-        loose = [f for f in sympy.Mul.make_args(factored(form)) if case.may_fade(f)]
-        base, power = sympy.Mul(*loose).as_base_exp()
-        is_one = len(loose) == 1 and power.is_positive and base.has(*motion.rates)
+        form = case.in_free_states(rate)
+        loose = sympy.Mul(*filter(case.may_fade, sympy.Mul.make_args(factored(form))))
+        base, power = loose.as_base_exp()
+        is_one = base.has(*motion.rates) and not base.is_Mul and power.is_positive
         if is_one and not _unmet_premise(candidate, motion, form):
             case.add(base if base.has(TIME) else case.plain(base))
-        if len(case.zero) > MOST_ROUNDS:
-            break
-    return case.zero[known:]
-
-
-def _left_of(e: Expr, case: "Still", motion: Motion) -> Expr | None:
-    """Return an expression where forms are zero, if the difference goes to zero with them."""
-    moved = {s: sympy.Dummy(real=True) for s in case.solved}
-    slopes = (along(part, moved) for part in (e, *case.solved.values()))
-    return None if any(map(motion.not_bounded, slopes)) else case.in_free_states(e)
+    return case.zero[len(zero) :]
 
 
 # --- LaSalle --------------------------------------------------------------------------------------
@@ -323,21 +316,18 @@ class Still:
         if isinstance(base, sympy.cos):
             sine = self.solved.get(sympy.sin(*base.args))
             return sine is not None and bool((1 - sine**2).is_nonzero)
-        low, high = interval(base)
         total = squares(base, self.fixed) if base.is_Add else None
         return bool(
             exponent.is_negative
-            or low.is_positive
-            or high.is_negative
+            or stays_off_zero(base)
             or base.is_positive
             or (total and total.constant.is_positive)
         )
 
     def may_fade(self, factor: Expr) -> bool:
         """Return whether a bounded factor may go to zero, though it may never be zero."""
-        low, high = interval(factor)
-        is_off = not factor.has(TIME) and self._is_never_zero(factor)
-        return not (is_off or low.is_positive or high.is_negative)
+        is_fixed = not factor.has(TIME) and self._is_never_zero(factor)
+        return not (is_fixed or stays_off_zero(factor))
 
     def plain(self, h: Expr) -> Expr:
         """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""
