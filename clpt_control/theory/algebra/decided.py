@@ -82,15 +82,14 @@ def _simplified(call: Any) -> Any:
 def _without_size(call: Any) -> Any:
     """Return a comparison of |s| with a number or a parameter as two of s."""
     (size, c), name = call.args, call.func.__name__
-    is_small = name in ("lt", "le")
+    other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}
     if isinstance(c, sympy.Abs):
-        size, c, is_small = c, size, not is_small
-        name = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+        size, c, name = c, size, other[name]
     if not isinstance(size, sympy.Abs) or functions_in(c):
         return call
-    other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+    is_small = name in ("lt", "le")
     (s,), word = size.args, sympy.Function("and_" if is_small else "or_", real=True)
-    two = (sympy.Function(f, real=True) for f in (name, other))
+    two = (sympy.Function(f, real=True) for f in (name, other[name]))
     return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
 
 

@@ -60,16 +60,12 @@ class Fact(NamedTuple):
 # --- pieces ---------------------------------------------------------------------------------
 
 
-def _pieces_of_comparison(call: Any, a: Any, b: Any) -> list[Piece]:
-    is_greater = call.func.__name__ in ("gt", "ge")
-    margin = a - b if is_greater else b - a
-    return [([margin], {call: S.One}), ([-margin], {call: S.Zero})]
-
-
-def _pieces_of_extreme(call: Any, a: Any, b: Any) -> list[Piece]:
-    is_maximum = call.func.__name__ == "maximum"
-    margin = a - b if is_maximum else b - a
-    return [([margin], {call: a}), ([-margin], {call: b})]
+def _pieces_of_two(call: Any, a: Any, b: Any) -> list[Piece]:
+    """Return the pieces of a comparison, or of the larger or the smaller of two."""
+    name = call.func.__name__
+    margin = a - b if name in ("gt", "ge", "maximum") else b - a
+    values = (S.One, S.Zero) if name in COMPARISONS else (a, b)
+    return [([margin], {call: values[0]}), ([-margin], {call: values[1]})]
 
 
 def _pieces_of_clip(call: Any, s: Any, low: Any, high: Any) -> list[Piece]:
@@ -131,7 +127,7 @@ def _extreme(function: Any) -> Fact:
     return Fact(
         "kink",
         "as all",
-        pieces=_pieces_of_extreme,
+        pieces=_pieces_of_two,
         range=_monotone(function),
         number=function,
     )
@@ -177,7 +173,7 @@ FACTS: dict[str, Fact] = {
         ("where", "pick"), Fact("choice", "as branches", range=_range_of_choice)
     ),
     **dict.fromkeys(
-        COMPARISONS, Fact("step", "bounded", pieces=_pieces_of_comparison, range=TRUTH)
+        COMPARISONS, Fact("step", "bounded", pieces=_pieces_of_two, range=TRUTH)
     ),
     **dict.fromkeys(LOGIC, Fact("step", "bounded", range=TRUTH)),
 }

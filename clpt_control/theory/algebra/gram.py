@@ -157,23 +157,18 @@ def _meeting(target: PolyElement, blocks: list[Block]) -> list[np.ndarray] | Non
         for _ in range(ROUNDS):
             on_plane = y - inverse @ (A @ y - b)
             inside = _positive(2 * on_plane - y, sizes, off, margin)
-            if np.abs(A @ inside - b).max() < CLOSE:
-                return _matrices(inside * scale / off, sizes)
+            gap = np.abs(A @ inside - b).max()
+            if gap < CLOSE:
+                break
             y = y + inside - on_plane
-    return (
-        _matrices(inside * scale / off, sizes)
-        if np.abs(A @ inside - b).max() < 1e-3
-        else None
-    )
+        if gap < CLOSE:
+            break
+    return _matrices(inside * scale / off, sizes) if gap < 1e-3 else None
 
 
 def _off_diagonal(n: int) -> np.ndarray:
-    return np.array(
-        [
-            1.0 if i == j else np.sqrt(2)
-            for i, j in combinations_with_replacement(range(n), 2)
-        ]
-    )
+    """Return 1 on the diagonal and sqrt(2) off it, of the upper triangle."""
+    return np.where(np.equal(*_upper(n)), 1.0, np.sqrt(2))
 
 
 @cache
@@ -258,7 +253,7 @@ def _exact(
 ) -> list[tuple[Any, PolyElement, PolyElement]] | None:
     """Round matrices to rational ones that meet the equations; None if one is not positive."""
     products = [p for block in blocks for p in block.products()]
-    numbers = np.concatenate([G[np.triu_indices(len(G))] for G in matrices])
+    numbers = np.concatenate([G[_upper(len(G))] for G in matrices])
     y = [_rounded(number, DENOMINATOR) for number in numbers]
     change = _solved(products, target - _combined(y, products))
     if change is None:

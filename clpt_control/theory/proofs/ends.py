@@ -88,7 +88,7 @@ def barbalat(
     claim = "the rate of {} is bounded where V is"
     unmet = {q: _unmet_premise(candidate, motion, q) for q in fall.losses}
     failed = [
-        exact(claim.format(candidate.text(q)), False, premise)
+        replace(exact(claim.format(candidate.text(q)), False, premise), needed=False)
         for q, premise in unmet.items()
         if premise
     ]
@@ -98,7 +98,8 @@ def barbalat(
     names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
     names = names or ", ".join(map(candidate.text, fall.losses))
     if not zero:
-        return Ends([replace(failed[0], claim=claim.format(names))], of, cases)
+        missing = replace(failed[0], claim=claim.format(names), needed=True)
+        return Ends([missing], of, cases)
     steps = [exact(claim.format(names), True, "", "limit")]
     more = [] if cases or fall.of else zero_by_rates(candidate, motion, zero)
     if more:
@@ -107,7 +108,7 @@ def barbalat(
             exact(f"{added} to zero, as rates of {names} do", True, "", "limit")
         )
         of = go(map(candidate.text, [*zero, *more]))
-    return Ends([*steps, *(replace(step, needed=False) for step in failed)], of, cases)
+    return Ends(steps + failed, of, cases)
 
 
 def _unmet_premise(candidate: Any, motion: Motion, q: Expr) -> str:
@@ -139,7 +140,7 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
     for q in case.zero:  # grows
         rate, moved = motion.rate_of(q), {s: sympy.Dummy() for s in case.solved}
         slopes = [along(e, moved) for e in (rate, *case.solved.values())]
-        is_short = max(len(case.zero), terms_of(rate) / 10) < MOST_ROUNDS
+        is_short = len(case.zero) < MOST_ROUNDS and terms_of(rate) < MOST_OPERATIONS
         if not (is_short and jumps_nowhere(rate)) or any(
             map(motion.not_bounded, slopes)
         ):

@@ -143,14 +143,12 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     )
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, Fall([]), steps=steps)
-    conditions = tuple(candidate.conditions(inputs))
-    conclusion = concluded(steps)
     verdict = candidate.verdict(
         "proved",
         claim,
         Fall([]),
-        conclusion=conclusion,
-        conditions=conditions,
+        conclusion=concluded(steps),
+        conditions=tuple(candidate.conditions(inputs)),
         steps=steps,
     )
     ways = partial(in_region, region, candidate, level)

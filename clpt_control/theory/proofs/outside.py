@@ -57,12 +57,8 @@ class Motion:
     @property
     def where(self) -> list[Condition]:
         """The conditions of what was shown so far."""
-        if not self.driving:
-            return self.conditions
-        return [
-            *self.conditions,
-            Condition("bounded inputs", self._names_of(self.driving)),
-        ]
+        driven = Condition("bounded inputs", self._names_of(self.driving))
+        return self.conditions + [driven] * bool(self.driving)
 
     def quiet(self, expression: Expr) -> Expr:
         """Return an expression with a symbol for each input, and for its rate."""

@@ -26,7 +26,7 @@ from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import extent
 from ...paper.scenario.quantities import QUANTITIES
-from ..algebra.facts import interval, is_positive_maximum
+from ..algebra.facts import interval, is_positive_maximum, stays_off_zero
 
 # name in the paper -> fields of blocks
 PAPER_FIELDS = {q.symbol: q.parameters.split() for q in QUANTITIES.values() if q.symbol}
@@ -146,8 +146,7 @@ def _is_nonzero(b: Expr) -> bool:
     """Return whether a divisor is known to be nonzero."""
 
     def excludes_zero(e: Expr) -> bool:
-        low, high = interval(e)
-        return bool(e.is_nonzero or low.is_positive or high.is_negative)
+        return bool(e.is_nonzero) or stays_off_zero(e)
 
     if is_positive_maximum(b) or excludes_zero(sympy.expand(b)):
         return True

@@ -230,11 +230,20 @@ class PointSearch:
         equilibrium = self.numbers(*(self.rest.get(s, S.Zero) for s in self.states))
         return equilibrium.at(values, x.shape[1])
 
+    def scaled(
+        self, x: np.ndarray, factors: tuple[float, ...], fixed: Any = ()
+    ) -> np.ndarray:
+        """Return states (len(factors), n) with the distance from the rest times factors.
+
+        States that are `fixed` are not moved.
+        """
+        is_fixed = [s in fixed for s in self.states]
+        equilibrium = np.where(is_fixed, x, self.rest_at(x[:, None])[:, 0])
+        return self.inside(equilibrium + np.outer(factors, x - equilibrium))
+
     def farther(self, x: np.ndarray, factors: tuple[float, ...]) -> np.ndarray:
-        """Return states (len(factors), n) with the distance from the rest times factors."""
-        equilibrium = self.rest_at(x[:, None])[:, 0]
-        equilibrium = np.where([s in self.rest for s in self.states], equilibrium, x)
-        return equilibrium + np.outer(factors, x - equilibrium)
+        """Return scaled states; those without a rest are not moved."""
+        return self.scaled(x, factors, {*self.states} - self.rest.keys())
 
     def value_at(self, expression: Expr, point: Point) -> float:
         """Return an expression at a point."""
@@ -318,10 +327,7 @@ class PointSearch:
         With `sign` -1, V' is below the claim.
         """
         for highest in self.highest(sign * (rate - claim), still):
-            equilibrium = self.rest_at(highest.x[:, None])[:, 0]
-            states = self.inside(
-                equilibrium + np.outer(ENLARGED, highest.x - equilibrium)
-            )
+            states = self.scaled(highest.x, ENLARGED)
             is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
             is_small[-1] = True  # the point itself
             points = [highest._replace(x=x) for x in states[is_small]]
@@ -333,20 +339,14 @@ class PointSearch:
                     return point, float(value)
         return None
 
-    def rises_far_off(self, rate: Expr, fixed: set) -> Failure | None:
+    def rises_far_off(self, rate: Expr, fixed: Any = ()) -> Failure | None:
         """Return a point, and V', at which V' > 0 also at 10 and 100 times the distance.
 
         Inputs are unchanged, and V' grows with V.  A disturbance that V' < 0 outgrows is skipped:
         it raises V near the rest alone.  States that are `fixed` are not moved.
         """
-        is_fixed = np.array([s in fixed for s in self.states])
         for point in self.highest(rate, still=False):
-            equilibrium = np.where(
-                is_fixed, point.x, self.rest_at(point.x[:, None])[:, 0]
-            )
-            states = self.inside(
-                equilibrium + np.outer(DISTANCES, point.x - equilibrium)
-            )
+            states = self.scaled(point.x, DISTANCES, fixed)
             rises, size, V = self.rates_at(point, states)
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:

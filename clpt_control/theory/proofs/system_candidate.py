@@ -341,7 +341,7 @@ class SystemCandidate(LyapunovCandidate):
 
     def refuted_by_inputs(self) -> Refutation | None:
         """Return a point at which inputs raise V, however far from the rest."""
-        failure = self.search.rises_far_off(self.rate, set())
+        failure = self.search.rises_far_off(self.rate)
         if failure is None:
             return None
         inputs = " = ".join(self.depends_on(self.rate))
@@ -368,7 +368,7 @@ class SystemCandidate(LyapunovCandidate):
         if still is not None:
             return still
         if self.depends_on(rate):
-            return self.search.rises_far_off(self.rate, set())
+            return self.search.rises_far_off(self.rate)
         return self.search.rate_above(rate, zero, still=False)
 
     def _no_least(self) -> Failure | None:
@@ -482,18 +482,12 @@ class SystemCandidate(LyapunovCandidate):
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
-        found = []
-        if has_time(self.V, self.rate):
-            found.append(Condition("t >= 0"))
-        if zeroed:
-            found.append(Condition("zero inputs", " = ".join(zeroed)))
         nodes = wiring_of(self.system).nodes
-        stand_ins = [node.system.approximation for node in nodes]
-        if any(stand_ins):
-            of = ", ".join(filter(None, stand_ins))
-            found.append(Condition("approximation", of))
-        if self.kept:
-            found.append(Condition("start", self.sets))
+        stand_ins = [*filter(None, (node.system.approximation for node in nodes))]
+        found = [Condition("t >= 0")] * has_time(self.V, self.rate)
+        found += [Condition("zero inputs", " = ".join(zeroed))] * bool(zeroed)
+        found += [Condition("approximation", ", ".join(stand_ins))] * bool(stand_ins)
+        found += [Condition("start", self.sets)] * bool(self.kept)
         found += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
         return found + [Condition("values", ", ".join(values))] * self.are_numbers
