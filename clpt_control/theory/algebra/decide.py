@@ -245,13 +245,10 @@ def _by_sectors(group: Expr, variables: set) -> bool:
     polynomial = group.xreplace(dict(zip(outer, ratios, strict=True)))
     if not polynomial.is_polynomial(*ratios):
         return False
-    has_slopes = group.has(sympy.sin, sympy.exp)
-    for by_slope in (False, True) if has_slopes else (False,):
-        tried_sectors = [sector_of(call, by_slope) for call in outer]
-        sectors = [sector for sector in tried_sectors if sector is not None]
-        if len(sectors) < len(outer):
-            continue
-        if _at_sector_ends(polynomial, ratios, sectors, variables):
+    for by_slope in sorted({False, group.has(sympy.sin, sympy.exp)}):
+        sectors = [*filter(None, (sector_of(call, by_slope) for call in outer))]
+        is_known = len(sectors) == len(outer)
+        if is_known and _at_sector_ends(polynomial, ratios, sectors, variables):
             return True
     return False
 

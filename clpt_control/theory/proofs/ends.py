@@ -140,17 +140,16 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
     for q in case.zero:  # grows
         rate, moved = motion.rate_of(q), {s: sympy.Dummy() for s in case.solved}
         slopes = [along(e, moved) for e in (rate, *case.solved.values())]
-        is_short = len(case.zero) < MOST_ROUNDS and terms_of(rate) < MOST_OPERATIONS
-        if not (is_short and jumps_nowhere(rate)) or any(
-            map(motion.not_bounded, slopes)
-        ):
+        is_known = len(case.zero) < MOST_ROUNDS and jumps_nowhere(rate)
+        if not is_known or any(map(motion.not_bounded, slopes)):
             continue
         form = case.in_free_states(rate)
-        loose = sympy.Mul(*filter(case.may_fade, sympy.Mul.make_args(factored(form))))
+        factors = sympy.Mul.make_args(factored(form))
+        loose = sympy.Mul(*(f for f in factors if not case.is_never_zero(f)))
         base, power = loose.as_base_exp()
         is_one = base.has(*motion.rates) and not base.is_Mul and power.is_positive
         if is_one and not _unmet_premise(candidate, motion, form):
-            case.add(base if base.has(TIME) else case.plain(base))
+            case.add(case.plain(base))
     return case.zero[len(zero) :]
 
 
@@ -299,7 +298,7 @@ class Still:
         kept = dict[Expr, None]()
         for factor in sympy.Mul.make_args(factored(numerator)):
             base = factor.as_base_exp()[0]
-            if self._is_never_zero(factor):
+            if self.is_never_zero(factor):
                 continue
             plain = self.plain(base)
             kept |= dict.fromkeys([base] if plain == base else self.factors(plain))
@@ -309,8 +308,13 @@ class Still:
             return [sympy.S.Zero]
         return [*kept]
 
-    def _is_never_zero(self, factor: Expr) -> bool:
-        """Return whether a factor of an expression that is zero cannot be the one that is."""
+    def is_never_zero(self, factor: Expr) -> bool:
+        """Return whether a factor of an expression that is zero cannot be the one that is.
+
+        One that depends on time does not go to zero either.
+        """
+        if factor.has(TIME):
+            return stays_off_zero(factor)
         if not factor.free_symbols - self.fixed:
             return bool(factor.is_nonzero)
         base, exponent = factor.as_base_exp()
@@ -324,11 +328,6 @@ class Still:
             or base.is_positive
             or (total and total.constant.is_positive)
         )
-
-    def may_fade(self, factor: Expr) -> bool:
-        """Return whether a bounded factor may go to zero, though it may never be zero."""
-        is_fixed = not factor.has(TIME) and self._is_never_zero(factor)
-        return not (is_fixed or stays_off_zero(factor))
 
     def plain(self, h: Expr) -> Expr:
         """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""

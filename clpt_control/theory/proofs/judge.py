@@ -320,7 +320,8 @@ class LyapunovCandidate(ABC):
     def moving(self, definite: Definite, zeroed: Mapping[Any, Any]) -> Motion:
         """Return the motion of the states, with some inputs zero."""
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
-        return Motion(self.eq, rates, self.fixed, [*definite.forms], definite.exist)
+        fixed, forms = self.fixed - self.intervals, [*definite.forms]
+        return Motion(self.eq, rates, fixed, self.intervals, forms, definite.exist)
 
 
 @dataclass

@@ -102,8 +102,9 @@ def stays_within(leak: Leak, radial: Radial, motion: Mapping) -> bool:
     """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
     if not motion.keys() >= {*leak.states}:
         return False
-    outward = [f for f in leak.factor.atoms(AppliedUndef) if f.args[-1] == 0]
-    divisor = [f for f in leak.factor.atoms(AppliedUndef) if is_positive_maximum(f)]
+    calls = leak.factor.atoms(AppliedUndef)
+    outward = [f for f in calls if f.args[-1] == 0]
+    divisor = [f for f in calls if is_positive_maximum(f)]
     if len(outward) != 1 or len(divisor) != 1:
         return False
     (outward_part,), (least,) = outward, divisor

@@ -34,6 +34,7 @@ class Motion:
     eq: Equations
     rates: dict[Any, Expr]  # of the states in which V is written
     fixed: set  # symbols of parameters
+    intervals: set  # between breakpoints
     forms: list[Expr]  # that V bounds
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
     free: list[Any] = field(default_factory=list)  # states that nothing bounds
@@ -44,9 +45,6 @@ class Motion:
     driving: set = field(default_factory=set)  # inputs that have to be bounded
 
     def __post_init__(self) -> None:
-        parameters = self.eq.parameters.values()
-        self.intervals = {p.interval for p in parameters if "interval" in p._fields}
-        self.fixed = self.fixed - self.intervals
         functions = {f for port in self.eq.inputs.values() for f in port.flat}
         self.inputs = {f: sympy.Dummy(str(f.func), real=True) for f in functions}
         rates = {f.diff(TIME): sympy.Dummy(f"{f.func}'", real=True) for f in functions}

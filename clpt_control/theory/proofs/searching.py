@@ -170,12 +170,7 @@ def _of_program(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
             crossed.append((product_powers, a, b))
     products = {product_powers for product_powers, *_ in crossed}
 
-    row = {
-        powers: k
-        for k, powers in enumerate(
-            [*roots, *(item for item in falls if item not in roots)]
-        )
-    }
+    row = {powers: k for k, powers in enumerate(dict.fromkeys([*roots, *falls]))}
     squares, n, total = len(roots), len(terms), len(terms) + len(crossed)
     # -V' less the cross terms, of c and q
     shares = scipy.sparse.lil_array((len(falls), total))

@@ -37,10 +37,11 @@ def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
                 f"{eq.name}: {clash} in a function of signals. Rename one"
             )
     symbols = {names[name]: symbols for name, symbols in eq.named.items()}
-    is_allowed = {
-        name: name.isidentifier() and not hasattr(np.ndarray, name) for name in symbols
+    allowed = {
+        name: values
+        for name, values in symbols.items()
+        if name.isidentifier() and not hasattr(np.ndarray, name)
     }
-    allowed = {name: values for name, values in symbols.items() if is_allowed[name]}
     return allowed | {"t": np.array(TIME)}
 
 
