@@ -142,8 +142,8 @@ class Domain(NamedTuple):
     contains: Callable[..., bool | None]
 
 
-def _is_nonzero(b: Expr) -> bool:
-    """Return whether a divisor is known to be nonzero."""
+def _has_quotient(a: Expr, b: Expr) -> bool:
+    """Return whether a divisor b is known to be nonzero."""
 
     def excludes_zero(e: Expr) -> bool:
         return bool(e.is_nonzero) or stays_off_zero(e)
@@ -176,7 +176,7 @@ def _in_row(index: Expr, *row: Expr) -> bool:
     return bool((low + size + 1).is_positive and (size - high).is_positive)
 
 
-QUOTIENT = Domain("divides by {1}, which may be zero", lambda a, b: _is_nonzero(b))
+QUOTIENT = Domain("divides by {1}, which may be zero", _has_quotient)
 EXPONENTIAL = Domain("takes exp of {0}, which may be too large", _no_overflow)
 HYPERBOLIC = Domain(
     "takes sinh or cosh of {0}, which may be too large", lambda a: _no_overflow(a, -a)
@@ -190,9 +190,7 @@ ARC = Domain(
 DOMAINS = {
     "div": QUOTIENT,
     "floordiv": QUOTIENT,
-    "mod": Domain(
-        "takes the remainder by {1}, which may be zero", lambda a, b: _is_nonzero(b)
-    ),
+    "mod": Domain("takes the remainder by {1}, which may be zero", _has_quotient),
     "pow": Domain("raises {0} to the power {1}, which may have no value", _has_power),
     "sqrt": Domain(
         "takes the root of {0}, which may be negative", lambda a: a.is_nonnegative

@@ -311,12 +311,8 @@ class Region:
             falls |= self.range(self.rate, a, b)[1] < 0.0
             falls &= self.stay(a, b)
             undecided = edge | ~falls
-            a, b, edge, floors = (
-                a[undecided],
-                b[undecided],
-                edge[undecided],
-                floor[tried][undecided],
-            )
+            parts = a, b, edge, floor[tried]
+            a, b, edge, floors = (part[undecided] for part in parts)
             middle = 0.5 * a + 0.5 * b
             above = self.range(self.rate, middle, middle)[0] >= 0.0
             above = edge | (above & (not falls_everywhere))

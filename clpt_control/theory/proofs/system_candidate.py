@@ -405,9 +405,8 @@ class SystemCandidate(LyapunovCandidate):
             zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
-            falls = not vanishes(still) and self.never_positive(still)
-            falling = still if falls else None
-            if falls:
+            if not vanishes(still) and self.never_positive(still):
+                falling = still
                 relation = "=" if self.claim is None else "<="
                 claim = f"V' {relation} {short(self.readable_rate(still))}"
         if falling is None:

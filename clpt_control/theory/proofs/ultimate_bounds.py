@@ -61,12 +61,8 @@ def _pull_of(quadratic: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
     a, b = -quadratic.coeff(s, 2), quadratic.coeff(s, 1)
     if sympy.expand(quadratic + a * s**2 - b * s) != 0:
         return None
-    if (
-        not a.is_nonnegative
-        or _moves(a, moves)
-        or _moves(b, moves)
-        or (a == 0 and b != 0)
-    ):
+    is_flat = a == 0 and b != 0
+    if not a.is_nonnegative or _moves(sympy.Tuple(a, b), moves) or is_flat:
         return None
     return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
 
