@@ -57,6 +57,46 @@ SAMPLE = {
         "rest",
     ),
     "a root": ("x' = -x/sqrt(1 + x**2)", "asymptotically stable", ""),
+    "a gain of time": ("x' = -(1 + t)*x; V = x**2/2", "asymptotically stable", "rest"),
+    "a gain that rises": ("x' = -(2 - exp(-t))*x", "asymptotically stable", "rest"),
+    "a gain that dies": ("x' = -x/(1 + t)**2; V = x**2/2", "stable", ""),
+    "a spring of |s| s": (
+        "x' = v; v' = -3*abs(x)*x - v; V = v**2/2 + abs(x)*x**2",
+        "asymptotically stable",
+        "rest",
+    ),
+    "a soft modulus": (
+        "x' = v; v' = -v - x/(1 + abs(x)); V = v**2/2 + abs(x) - log(1 + abs(x))",
+        "asymptotically stable",
+        "",
+    ),
+    "a divisor with a modulus": (
+        "x' = -x/(1 + abs(x)); V = x**2/2", "asymptotically stable", "",
+    ),
+    "a logarithm": ("x' = -x; V = log(1 + x**2)", "asymptotically stable", "all"),
+    "a root in V": (
+        "x' = -x; V = sqrt(1 + x**2) - 1", "asymptotically stable", "",
+    ),
+    "sinh": ("x' = -sinh(x); V = x**2/2", "asymptotically stable", ""),
+    "atan": ("x' = -arctan(x); V = x**2/2", "asymptotically stable", ""),
+    "cosh": (
+        "x' = v; v' = -v - sinh(x); V = v**2/2 + cosh(x) - 1",
+        "asymptotically stable",
+        "",
+    ),
+    "a product in a form": (
+        "x' = -x - y*z; y' = -y; z' = -z; V = (x - y*z)**2/2 + y**2/2 + z**2/2",
+        "asymptotically stable",
+        "",
+    ),
+    "a reference model": (
+        "y' = -y + h*r; m' = -m + r; h' = -(y - m)*r; V = (y - m)**2/2 + (h - 1)**2/2; input r",
+        "goes to zero",
+        "",
+    ),
+    "a cube that pulls back": (
+        "x' = 2*x - x**3; V = x**2/2", "ultimately bounded", "",
+    ),
     "a leak": (
         "e' = -e + h*r; h' = -e*r - h - 1; V = e**2/2 + h**2/2; input r",
         "ultimately bounded",
@@ -67,9 +107,7 @@ TRUSTED = {"values", "running", "exists", "jumps"}  # the record, and that runs 
 NO_FILE = {
     "a clip": ("x' = -np.clip(x, -1, 1)".replace("np.", ""), "has pieces"),
     "a sign": ("x' = -x - sign(x)", "has pieces"),
-    "a modulus in V": (
-        "x' = v; v' = -3*abs(x)*x - v; V = v**2/2 + abs(x)*x**2", "is not printed",
-    ),
+    "a modulus in V": ("x' = -x; V = abs(x)**3*x**2", "has pieces"),
     "a choice": ("x' = -x*where(x > 0, 1, 2)", "has pieces"),
 }  # fmt: skip
 

@@ -935,3 +935,260 @@ Ltac near_of near := unfold near; intros; repeat match goal with A : _ /\ _ |- _
 Ltac start_of near := intros eps He; exists eps; split; [exact He|]; intros i Hi t _; unfold near in Hi; tauto.
 Ltac small_V_of le parts f := apply (small_ext _ _ _ f);
   [intros i t Ht; symmetry; apply parts; apply (on_le _ 0 t Ht); destruct Ht; lra|sml le].
+
+(* --- more functions, and factors of time, by hints --- *)
+Lemma exp_falls u : u <= 0 -> exp u <= 1.
+Proof. intros [H| ->]; [|rewrite exp_0; lra]. rewrite <- exp_0. apply Rlt_le, exp_increasing, H. Qed.
+Ltac in_time := match goal with A : on _ ?t |- _ => assert (0 <= t) by apply A end;
+  repeat match goal with |- context [exp ?u] => lazymatch goal with A : 0 < exp u <= 1 |- _ => fail
+    | _ => assert (0 < exp u <= 1) by (split; [apply exp_pos|apply exp_falls; lra]) end end; lra.
+#[global] Hint Extern 1 (0 <= _) => in_time : clpt.
+#[global] Hint Extern 1 (0 < _) => in_time : clpt.
+
+(* 1/f of a Lipschitz f that stays away from zero, as 1/(1 + |x|) *)
+Lemma Lipschitz_inv T c f : 0 < c -> (forall t, on T t -> c <= f t) -> Lipschitz T f -> Lipschitz T (fun t => / f t).
+Proof. intros P A [L H]. exists (L * (/ c * / c)). intros s t Hs Ht. assert (B := A s Hs). assert (C := A t Ht).
+  replace (/ f t - / f s) with ((f t - f s) * - (/ f t * / f s)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp.
+  assert (D : 0 < / f t * / f s) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra). rewrite (Rabs_pos_eq (_ * _)) by lra.
+  assert (E : / f t * / f s <= / c * / c).
+  { apply Rmult_le_compat; try (apply Rlt_le, Rinv_0_lt_compat; lra); apply Rinv_le_contravar; auto. }
+  assert (F := H s t Hs Ht). assert (Q := Rabs_pos (f t - f s)). assert (0 < / c * / c) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; auto).
+  replace (L * (/ c * / c) * Rabs (t - s)) with (L * Rabs (t - s) * (/ c * / c)) by ring. apply Rmult_le_compat; lra. Qed.
+Ltac lip_more := lazymatch goal with
+  | |- Lipschitz _ (fun t => @?f t + @?g t) => apply (Lipschitz_plus _ f g); lip_more
+  | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip_more
+  | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip_more
+  | |- Lipschitz _ (fun t => @?f t * @?g t) => apply (Lipschitz_mult _ f g); [bnd|bnd|lip_more|lip_more]
+  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip_more|lip_more]
+  | |- Lipschitz _ (fun t => / (@?f t + ?c)) => first [lip | apply (Lipschitz_inv _ c (fun t => f t + c)); [positive|intros t Ht; below|lip]]
+  | |- _ => lip
+  end.
+Lemma ln_nonneg a : 1 <= a -> 0 <= ln a.
+Proof. intros H. rewrite <- ln_1. apply ln_le; lra. Qed.
+#[global] Hint Extern 1 (0 <= ln _) => apply ln_nonneg; below : clpt.
+(* cosh, sinh and atan *)
+Lemma derive_sinh x : is_derive sinh x (cosh x).
+Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
+Lemma derive_cosh x : is_derive cosh x (sinh x).
+Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
+Lemma derive_atan x : is_derive atan x (/ (1 + x ^ 2)).
+Proof. apply is_derive_Reals, derivable_pt_lim_atan. Qed.
+Lemma follows_sinh T f df : follows T f df -> follows T (fun t => sinh (f t)) (fun t => df t * cosh (f t)).
+Proof. apply (follows_in T sinh cosh). intros. apply derive_sinh. Qed.
+Lemma follows_cosh T f df : follows T f df -> follows T (fun t => cosh (f t)) (fun t => df t * sinh (f t)).
+Proof. apply (follows_in T cosh sinh). intros. apply derive_cosh. Qed.
+Lemma follows_atan T f df : follows T f df -> follows T (fun t => atan (f t)) (fun t => df t * / (1 + f t ^ 2)).
+Proof. apply (follows_in T atan (fun x => / (1 + x ^ 2))). intros. apply derive_atan. Qed.
+Lemma bounded_atan T f : bounded T (fun t => atan (f t)).
+Proof. apply (bounded_by T (PI / 2) atan). intros x. assert (A := atan_bound x). apply Rabs_le. lra. Qed.
+Lemma bounded_cosh T f : bounded T f -> bounded T (fun t => cosh (f t)).
+Proof. intros H. apply (bounded_mult T (fun t => exp (f t) + exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
+  apply bounded_plus; apply bounded_exp; auto using bounded_opp. Qed.
+Lemma bounded_sinh T f : bounded T f -> bounded T (fun t => sinh (f t)).
+Proof. intros H. apply (bounded_mult T (fun t => exp (f t) - exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
+  apply bounded_minus; apply bounded_exp; auto using bounded_opp. Qed.
+(* a function that rises through zero *)
+Lemma vanishes_of_rising g T f : (forall x y, x < y -> g x < g y) -> g 0 = 0 -> vanishes T (fun t => g (f t)) -> vanishes T f.
+Proof. intros G Z F E. assert (L := F E). apply is_lim_spec. intros eps. apply is_lim_spec in L. assert (He := cond_pos eps).
+  assert (A := G 0 eps He). assert (B := G (- eps) 0 ltac:(lra)).
+  assert (P : 0 < Rmin (g eps) (- g (- eps))) by (apply Rmin_pos; lra).
+  destruct (L (mkposreal _ P)) as [N HN]. exists N. intros t Ht. assert (Q := HN t Ht). simpl in *. rewrite Rminus_0_r in *.
+  assert (C := Rmin_l (g eps) (- g (- eps))). assert (D := Rmin_r (g eps) (- g (- eps))). apply Rabs_lt_between in Q. apply Rabs_lt_between.
+  split; apply Rnot_le_lt; intros [H|H].
+  - assert (K := G _ _ H). lra. - subst. rewrite <- H in D. rewrite <- H in Q. lra.
+  - assert (K := G _ _ H). lra. - rewrite <- H in Q. lra. Qed.
+Lemma sinh_rises x y : x < y -> sinh x < sinh y.
+Proof. intros H. unfold sinh. assert (A := exp_increasing _ _ H). assert (B := exp_increasing (- y) (- x) ltac:(lra)). lra. Qed.
+Lemma vanishes_of_sinh T f : vanishes T (fun t => sinh (f t)) -> vanishes T f.
+Proof. apply (vanishes_of_rising sinh); [apply sinh_rises|apply sinh_0]. Qed.
+Lemma vanishes_of_atan T f : vanishes T (fun t => atan (f t)) -> vanishes T f.
+Proof. apply (vanishes_of_rising atan); [apply atan_increasing|apply atan_0]. Qed.
+Lemma vanishes_at (g : R -> R) T f : continuous g 0 -> g 0 = 0 -> vanishes T f -> vanishes T (fun t => g (f t)).
+Proof. intros C Z F E. apply is_lim_spec. intros eps. assert (L := F E). apply is_lim_spec in L.
+  destruct (C (ball (g 0) eps) (locally_ball _ _)) as [d Hd]. destruct (L d) as [N HN]. exists N. intros t Ht. simpl in *.
+  assert (A := Hd (f t) (HN t Ht)). change (Rabs (g (f t) - g 0) < eps) in A. rewrite Z in A. exact A. Qed.
+Lemma continuous_of (g : R -> R) (dg x : R) : is_derive g x dg -> continuous g x.
+Proof. intros D. apply @ex_derive_continuous. exists dg. exact D. Qed.
+Lemma continuous_sinh : continuous sinh 0. Proof. apply (continuous_of _ _ _ (derive_sinh 0)). Qed.
+Lemma continuous_cosh : continuous (fun x => cosh x - 1) 0.
+Proof. apply (continuous_of _ (sinh 0 - 0)). apply @is_derive_minus; [apply derive_cosh|apply @is_derive_const]. Qed.
+Lemma continuous_atan_0 : continuous atan 0. Proof. apply (continuous_of _ _ _ (derive_atan 0)). Qed.
+Lemma continuous_sin_0 : continuous sin 0. Proof. apply continuous_sin. Qed.
+Lemma cosh_0_less : cosh 0 - 1 = 0. Proof. rewrite cosh_0. ring. Qed.
+
+(* shapes: cosh(s) - 1, s sinh(s), s atan(s), sqrt(1 + s^2) - 1, |s| - ln(1 + |s|) *)
+Lemma shape_above g h c : shape g -> 0 < c -> (forall x, c * g x <= h x) -> shape h.
+Proof. intros [P [S L]] Hc H. assert (W : forall x, g x <= h x / c).
+  { intros x. apply (Rmult_le_reg_l c); auto. replace (c * (h x / c)) with (h x) by (field; lra). apply H. }
+  repeat split.
+  - intros x. assert (A := P x). assert (B := H x). nra.
+  - intros e He. destruct (S e He) as [d [Hd D]]. exists (c * d). split; [apply Rmult_lt_0_compat; auto|].
+    intros x Hx. apply D. assert (A := H x). apply (Rmult_lt_reg_l c); auto. lra.
+  - intros B. destruct (L (B / c)) as [M HM]. exists M. intros x Hx. apply HM. eapply Rle_trans; [apply W|].
+    apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Hc. Qed.
+Lemma shape_cosh : shape (fun x => cosh x - 1).
+Proof. apply (shape_above _ _ (/ 2) shape_exp); [lra|]. intros x. unfold cosh. assert (A := exp_line (- x)). lra. Qed.
+Lemma cosh_one x : 1 <= cosh x.
+Proof. destruct shape_cosh as [P _]. assert (A := P x). simpl in A. lra. Qed.
+Lemma shape_sinh : shape (fun x => x * sinh x).
+Proof. apply (shape_above _ _ 1 shape_tanh); [lra|]. intros x. rewrite Rmult_1_l. assert (A := tanh_sector x). assert (B := cosh_one x).
+  replace (x * sinh x) with (x * tanh x * cosh x) by (unfold tanh; field; lra). nra. Qed.
+Lemma shape_rising g : (forall x y, x < y -> g x < g y) -> (forall x, g (- x) = - g x) -> shape (fun x => x * g x).
+Proof. intros G O. assert (Z : g 0 = 0). { assert (A := O 0). rewrite Ropp_0 in A. lra. }
+  assert (E : forall x, x * g x = Rabs x * g (Rabs x)). { intros x. unfold Rabs. destruct (Rcase_abs x); auto. rewrite O. ring. }
+  assert (N : forall x, 0 <= x -> 0 <= g x). { intros x [H| <-]; [assert (A := G _ _ H)|]; lra. }
+  apply shape_by.
+  - intros x. rewrite E. apply Rmult_le_pos; [|apply N]; apply Rabs_pos.
+  - intros e He. exists (g e). split; [assert (A := G _ _ He); lra|]. intros x Hx. rewrite E, Rmult_comm.
+    apply Rmult_le_compat_l; [apply Rabs_pos|]. destruct Hx as [Hx| <-]; [apply Rlt_le, G, Hx|lra]. Qed.
+Lemma shape_atan : shape (fun x => x * atan x).
+Proof. apply shape_rising; [apply atan_increasing|apply atan_opp]. Qed.
+Lemma root_above x d e : 0 < e -> d = e / (3 + 3 * e) -> e <= Rabs x -> 1 + d * Rabs x <= sqrt (x ^ 2 + 1).
+Proof. intros He Ed Hx. assert (D : 0 < d <= 1 / 3 /\ d <= e / 3).
+  { subst d. split; [split|].
+    - apply Rdiv_lt_0_compat; lra. - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). lra.
+    - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). nra. }
+  assert (A := Rabs_pos x). rewrite <- (sqrt_pow2 (1 + d * Rabs x)) by nra. apply sqrt_le_1_alt. rewrite <- (pow2_abs x).
+  set (a := Rabs x) in *. enough (a * (2 * d + d * d * a) <= a * a) by nra. apply Rmult_le_compat_l; auto.
+  assert (d * d <= 1 / 9) by nra. nra. Qed.
+Lemma root_one x : 1 <= sqrt (x ^ 2 + 1).
+Proof. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt. assert (A := pow2_ge_0 x). lra. Qed.
+Lemma shape_root : shape (fun x => sqrt (x ^ 2 + 1) - 1).
+Proof. apply shape_by; [intros x; assert (A := root_one x); lra|]. intros e He. exists (e / (3 + 3 * e)). split; [apply Rdiv_lt_0_compat; lra|].
+  intros x Hx. assert (A := root_above x _ e He eq_refl Hx). lra. Qed.
+Lemma soft_exp x : Rabs x - ln (1 + Rabs x) = exp (ln (1 + Rabs x)) - ln (1 + Rabs x) - 1.
+Proof. assert (A := Rabs_pos x). rewrite exp_ln by lra. ring. Qed.
+Lemma ln_above x : 0 <= ln (1 + Rabs x).
+Proof. assert (A := Rabs_pos x). rewrite <- ln_1. apply ln_le; lra. Qed.
+Lemma shape_soft : shape (fun x => Rabs x - ln (1 + Rabs x)).
+Proof. destruct shape_exp as [P [S L]]. repeat split.
+  - intros x. rewrite soft_exp. apply P.
+  - intros e He. assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra). destruct (S _ H) as [d [Hd D]]. exists d. split; auto.
+    intros x Hx. rewrite soft_exp in Hx. assert (A := D _ Hx). rewrite Rabs_pos_eq in A by apply ln_above. assert (B := Rabs_pos x).
+    apply ln_lt_inv in A; lra.
+  - intros B. destruct (L B) as [M HM]. exists (exp M). intros x Hx. rewrite soft_exp in Hx. assert (A := HM _ Hx).
+    rewrite Rabs_pos_eq in A by apply ln_above. assert (C := Rabs_pos x). assert (exp (ln (1 + Rabs x)) <= exp M).
+    { destruct A as [A| ->]; [apply Rlt_le, exp_increasing, A|lra]. } rewrite exp_ln in H by lra. lra. Qed.
+
+(* rates of |s| s^2 and of |s| - ln(1 + |s|) *)
+Lemma derive_flat (g : R -> R) : g 0 = 0 -> (forall x, Rabs x <= 1 -> Rabs (g x) <= x ^ 2) -> is_derive g 0 0.
+Proof. intros Z H. apply is_derive_Reals. intros e He. assert (P : 0 < Rmin 1 e) by (apply Rmin_pos; lra).
+  exists (mkposreal _ P). intros h Nh Hh. simpl in Hh. assert (A := Rmin_l 1 e). assert (B := Rmin_r 1 e).
+  rewrite Rplus_0_l, Z, !Rminus_0_r. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. assert (C := Rabs_pos_lt h Nh).
+  apply (Rle_lt_trans _ (Rabs h)); [|lra]. apply (Rmult_le_reg_r (Rabs h)); auto. rewrite Rmult_assoc, Rinv_l by lra.
+  assert (D := H h ltac:(lra)). rewrite <- (pow2_abs h) in D. lra. Qed.
+Lemma derive_by_sides (g p m d : R -> R) : (forall x, 0 < x -> g x = p x) -> (forall x, x < 0 -> g x = m x) ->
+  (forall x, 0 < x -> is_derive p x (d x)) -> (forall x, x < 0 -> is_derive m x (d x)) -> is_derive g 0 (d 0) ->
+  forall x, is_derive g x (d x).
+Proof. intros Gp Gm P M Z x. destruct (Rtotal_order x 0) as [H|[->|H]]; auto.
+  - apply (is_derive_ext_loc m); auto. exists (mkposreal (- x) ltac:(lra)). intros y Hy. symmetry. apply Gm.
+    change (Rabs (y - x) < - x) in Hy. apply Rabs_lt_between in Hy. lra.
+  - apply (is_derive_ext_loc p); auto. exists (mkposreal x H). intros y Hy. symmetry. apply Gp.
+    change (Rabs (y - x) < x) in Hy. apply Rabs_lt_between in Hy. lra. Qed.
+Lemma derive_cube : forall x, is_derive (fun x => Rabs x * x ^ 2) x (3 * Rabs x * x).
+Proof. apply (derive_by_sides _ (fun x => x * x ^ 2) (fun x => - x * x ^ 2)).
+  - intros x H. rewrite Rabs_pos_eq by lra. ring. - intros x H. rewrite Rabs_left by lra. ring.
+  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; auto; ring. - intros x H. rewrite Rabs_left by lra. auto_derive; auto; ring.
+  - rewrite Rmult_0_r. apply derive_flat; [ring|]. intros x H. rewrite Rabs_mult, Rabs_Rabsolu, (Rabs_pos_eq (x ^ 2)) by apply pow2_ge_0.
+    assert (A := pow2_ge_0 x). nra. Qed.
+Lemma derive_soft : forall x, is_derive (fun x => Rabs x - ln (1 + Rabs x)) x (x / (1 + Rabs x)).
+Proof. apply (derive_by_sides _ (fun x => x - ln (1 + x)) (fun x => - x - ln (1 + - x))).
+  - intros x H. rewrite Rabs_pos_eq by lra. easy. - intros x H. rewrite Rabs_left by lra. easy.
+  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; [lra|field; lra]. - intros x H. rewrite Rabs_left by lra. auto_derive; [lra|field; lra].
+  - unfold Rdiv. rewrite Rmult_0_l. apply derive_flat; [rewrite Rabs_R0, Rplus_0_r, ln_1; ring|]. intros x _. destruct shape_soft as [P _].
+    rewrite Rabs_pos_eq by apply P. rewrite <- (pow2_abs x). assert (A := Rabs_pos x). set (a := Rabs x) in *.
+    assert (B := exp_line (- ln (1 + a))). rewrite exp_Ropp, exp_ln in B by lra.
+    assert (C : / (1 + a) <= 1 - a + a ^ 2). { apply (Rmult_le_reg_l (1 + a)); [lra|]. rewrite Rinv_r by lra. assert (0 <= a ^ 3) by (apply pow_le; auto). nra. }
+    lra. Qed.
+Lemma follows_cube T f df : follows T f df -> follows T (fun t => Rabs (f t) * f t ^ 2) (fun t => df t * (3 * Rabs (f t) * f t)).
+Proof. apply (follows_in T (fun x => Rabs x * x ^ 2) (fun x => 3 * Rabs x * x)). intros. apply derive_cube. Qed.
+Lemma follows_soft T f df : follows T f df -> follows T (fun t => Rabs (f t) - ln (1 + Rabs (f t))) (fun t => df t * (f t / (1 + Rabs (f t)))).
+Proof. apply (follows_in T (fun x => Rabs x - ln (1 + Rabs x)) (fun x => x / (1 + Rabs x))). intros. apply derive_soft. Qed.
+Lemma continuous_soft : continuous (fun x => Rabs x - ln (1 + Rabs x)) 0. Proof. apply (continuous_of _ _ _ (derive_soft 0)). Qed.
+Lemma soft_0 : Rabs 0 - ln (1 + Rabs 0) = 0. Proof. rewrite Rabs_R0, Rplus_0_r, ln_1. ring. Qed.
+Lemma continuous_root : continuous (fun x => sqrt (x ^ 2 + 1) - 1) 0. Proof. apply @ex_derive_continuous. auto_derive. nra. Qed.
+Lemma root_0 : sqrt (0 ^ 2 + 1) - 1 = 0. Proof. rewrite pow_ne_zero, Rplus_0_l, sqrt_1 by lia. ring. Qed.
+
+Ltac follow_more := lazymatch goal with
+  | |- follows _ (fun t => sinh (@?f t)) _ => eapply (follows_sinh _ f _); follow
+  | |- follows _ (fun t => cosh (@?f t)) _ => eapply (follows_cosh _ f _); follow
+  | |- follows _ (fun t => atan (@?f t)) _ => eapply (follows_atan _ f _); follow
+  end.
+#[global] Hint Extern 1 (follows _ _ _) => follow_more : clpt.
+Ltac bounded_more := lazymatch goal with
+  | |- bounded _ (fun t => sinh (@?f t)) => apply (bounded_sinh _ f); bnd
+  | |- bounded _ (fun t => cosh (@?f t)) => apply (bounded_cosh _ f); bnd
+  | |- bounded _ (fun t => atan (@?f t)) => apply (bounded_atan _ f)
+  | |- bounded ?T (fun t => / @?f t) => first [apply (bounded_inv T 1 f); [lra|intros t Ht; solve [above|in_time]]
+      | apply (bounded_inv T (/ 100) f); [lra|intros t Ht; solve [above|in_time]]]
+  end.
+#[global] Hint Extern 1 (bounded _ _) => bounded_more : clpt.
+Ltac vanish_more := lazymatch goal with
+  | |- vanishes ?T (fun t => sinh (@?f t)) => apply (vanishes_at sinh T f continuous_sinh sinh_0); van
+  | |- vanishes ?T (fun t => atan (@?f t)) => apply (vanishes_at atan T f continuous_atan_0 atan_0); van
+  end.
+#[global] Hint Extern 1 (vanishes _ _) => vanish_more : clpt.
+Ltac small_more := lazymatch goal with
+  | |- small _ _ _ (fun i t => cosh (@?f i t) - 1) => apply (small_at _ _ _ _ f continuous_cosh cosh_0_less); leaf
+  | |- small _ _ _ (fun i t => sqrt ((@?f i t) ^ 2 + 1) - 1) => apply (small_at _ _ _ _ f continuous_root root_0); leaf
+  | |- small _ _ _ (fun i t => Rabs (@?f i t) - ln (1 + Rabs (@?f i t))) => apply (small_at _ _ _ _ f continuous_soft soft_0); leaf
+  | |- small _ _ _ (fun i t => sin (@?f i t)) => apply (small_at _ _ _ _ f continuous_sin_0 sin_0); leaf
+  | |- small ?I ?near _ (fun i t => @?f i t * @?g i t) => lazymatch f with (fun _ _ => ?a) => fail | _ =>
+      let le := fresh in assert (le : forall d e i, d <= e -> near d i -> near e i) by eauto with clpt nocore; apply (small_mult _ _ _ le f g); sml le end
+  | |- small _ _ _ (fun i t => sinh (@?f i t)) => apply (small_at _ _ _ _ f continuous_sinh sinh_0); leaf
+  | |- small _ _ _ (fun i t => atan (@?f i t)) => apply (small_at _ _ _ _ f continuous_atan_0 atan_0); leaf
+  end.
+#[global] Hint Extern 1 (small _ _ _ _) => small_more : clpt.
+Ltac shape_of ::= first [exact shape_tanh | exact shape_cube | exact shape_exp | exact shape_cosh | exact shape_root
+  | exact shape_soft | exact shape_sinh | exact shape_atan | exact (shape_even 0) | exact (shape_even 1)
+  | exact (shape_even 2) | exact (shape_even 3) | exact (shape_even 4) | exact (shape_even 5)].
+#[global] Hint Extern 1 (0 <= _ - _) => first [apply (proj1 shape_cosh) | apply (proj1 shape_root) | apply (proj1 shape_soft)] : clpt.
+(* V with |s| s^2 or |s| - ln(1 + |s|), term by term *)
+Ltac follow_terms := lazymatch goal with
+  | |- follows _ (fun t => Rabs (@?f t) * (@?f t) ^ 2) _ => eapply (follows_cube _ f _); follow
+  | |- follows _ (fun t => Rabs (@?f t) - ln (1 + Rabs (@?f t))) _ => eapply (follows_soft _ f _); follow
+  | |- follows _ (fun t => @?f t + @?g t) _ => eapply (follows_plus _ f _ g _); follow_terms
+  | |- follows _ (fun t => @?f t * @?g t) _ => eapply (follows_mult _ f _ g _); follow_terms
+  | |- _ => follow
+  end.
+Ltac rate_of ::= eapply follows_by; [follow_terms|intros t Ht; equal].
+Ltac at_rest ::= first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
+  repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite sinh_0
+    | rewrite cosh_0 | rewrite atan_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
+Ltac next_of zero ::= eapply (vanishes_next _ _ _ zero); [rate_of|lip_more].
+(* functions that rise *)
+Lemma rising_product g a b : (forall x y, x < y -> g x < g y) -> 0 <= (a - b) * (g a - g b).
+Proof. intros G. destruct (Rtotal_order a b) as [H|[->|H]]; [|lra|]; assert (A := G _ _ H); nra. Qed.
+Lemma tanh_increasing x y : x < y -> tanh x < tanh y.
+Proof. intros H. destruct (tanh_rises x y) as [A|E]; [lra|auto|]. destruct (MVT_gen tanh x y (fun x => 1 - tanh x ^ 2)) as [c [_ M]].
+  - intros; apply derive_tanh. - intros. apply continuity_pt_filterlim, (continuous_of _ _ _ (derive_tanh x0)).
+  - assert (Q : tanh c ^ 2 < 1); [|nra]. rewrite tanh_exp. assert (P := exp_pos c). assert (N := exp_pos (- c)).
+    set (a := exp c) in *. set (b := exp (- c)) in *. apply (Rmult_lt_reg_r ((a + b) ^ 2)); [apply pow_lt; lra|].
+    replace (((a - b) / (a + b)) ^ 2 * (a + b) ^ 2) with ((a - b) ^ 2) by (field; lra). nra. Qed.
+Lemma tanh_below x : 0 <= tanh x * (x - tanh x).
+Proof. assert (D : forall u v, u <= v -> u - tanh u <= v - tanh v).
+  { intros u v H. destruct (vanishing_slope (fun x => x - tanh x) (fun x => tanh x ^ 2) u v) as [c [_ E]]; auto.
+    - intros y. replace (tanh y ^ 2) with (1 - (1 - tanh y ^ 2)) by ring. apply @is_derive_minus; [apply @is_derive_id|apply derive_tanh].
+    - assert (A := pow2_ge_0 (tanh c)). nra. }
+  assert (Z := tanh_0). destruct (Rle_lt_dec 0 x) as [H|H].
+  - assert (A := D 0 x H). assert (B := tanh_rises 0 x H). nra.
+  - assert (A := D x 0 ltac:(lra)). assert (B := tanh_rises x 0 ltac:(lra)). nra. Qed.
+Ltac rising := match goal with |- 0 <= _ * (?g _ - _) => apply (rising_product g); first [apply exp_increasing | apply tanh_increasing | apply sinh_rises | apply atan_increasing] end.
+Lemma negative_square b : 0 > b -> 0 < b ^ 2. Proof. nra. Qed.
+Lemma negative_inverse b : 0 > b -> 0 < -1 / b.
+Proof. intros H. replace (-1 / b) with (/ - b) by (field; lra). apply Rinv_0_lt_compat. lra. Qed.
+Ltac known P := lazymatch goal with A : P |- _ => fail | _ => idtac end.
+Ltac signs := repeat match goal with
+  | |- context [?a * sinh ?a] => known (0 <= a * sinh a); assert (0 <= a * sinh a) by apply (proj1 shape_sinh)
+  | |- context [?a * atan ?a] => known (0 <= a * atan a); assert (0 <= a * atan a) by apply (proj1 shape_atan)
+  | |- context [(?a - ?b) * (?g ?a - ?g ?b)] => known (0 <= (a - b) * (g a - g b)); assert (0 <= (a - b) * (g a - g b)) by rising
+  | |- context [tanh ?a * (?a - tanh ?a)] => known (0 <= tanh a * (a - tanh a)); assert (0 <= tanh a * (a - tanh a)) by apply tanh_below
+  | |- context [(?a - tanh ?a) * tanh ?a] => known (0 <= (a - tanh a) * tanh a); assert (0 <= (a - tanh a) * tanh a) by (rewrite Rmult_comm; apply tanh_below)
+  | A : 0 > ?b |- _ => known (0 < b ^ 2); assert (0 < b ^ 2) by apply (negative_square b A); assert (0 < -1 / b) by apply (negative_inverse b A); assert (0 <= -1 / b) by (apply Rlt_le, negative_inverse, A)
+  end.
+Ltac zero_of lost g ::= signs; eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
+Ltac nonneg_loss loss := unfold loss; intros t Ht; signs; nonneg.
+Ltac part_of loss ::= intros t Ht; apply Ropp_le_contravar; unfold loss; signs; below.
+Ltac lost_of sum positive_V part ::= eapply (vanishes_value _ _ _ _ sum positive_V part); [intros t Ht; signs; nonneg|lip_more].
+Ltac exponential_of sum parts loss ::= intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
+  intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; signs; shares.

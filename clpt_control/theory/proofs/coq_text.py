@@ -23,18 +23,21 @@ FUNCTIONS = {
     "log": "ln",
     "maximum": "Rmax",
     "minimum": "Rmin",
-    **{name: name for name in ("exp", "sin", "cos", "tanh", "clip")},
+    **{
+        name: name
+        for name in ["exp", "sin", "cos", "tanh", "sinh", "cosh", "atan", "clip"]
+    },
 }
 KNOWN = sympy.Symbol, sympy.Number, sympy.Add, sympy.Mul, sympy.Pow, sympy.Function
 WORD = r"[A-Za-z_]\w*"
-NAME = re.compile(rf"{WORD}([.:]{WORD})*(\[\w+\])*", re.ASCII).fullmatch
+NAME = re.compile(rf"{WORD}([.:]{WORD})*(\[\w+(,\w+)*\])*", re.ASCII).fullmatch
 
 
 def name_in_coq(name: str) -> tuple[str, list[str]]:
     """Return the name of a signal or a parameter in Coq, and its indices along axes of N."""
     if not NAME(name):
         raise DiagramError(f"{name}: is no name in Coq. Use letters, digits and _")
-    base, *indices = re.findall(r"[^\[\]]+", name)
+    base, *indices = re.findall(r"[^\[\],]+", name)
     fixed = "".join(f"'{index}" for index in indices if index.isdigit())
     text = base.replace(":", "''").replace(".", "'")
     return f"r_{text}{fixed}", [index for index in indices if not index.isdigit()]

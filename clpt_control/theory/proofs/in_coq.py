@@ -17,7 +17,15 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
 from .coq_text import CoqPrinter, name_in_coq, sign_before, without_signs
-from .rate_as_sum import Case, NotASum, Term, is_above_zero, with_symbols, without_calls
+from .rate_as_sum import (
+    RISING,
+    Case,
+    NotASum,
+    Term,
+    is_above_zero,
+    with_symbols,
+    without_calls,
+)
 from .steps import Step
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
@@ -38,7 +46,17 @@ THEOREMS = {
     "region": "level definite stays stable states",
 }
 OUTSIDE = "outside V, bounded"  # condition of a verdict
-UNDONE = {sympy.Abs: "vanishes_of_abs", sympy.tanh: "vanishes_of_tanh"}
+BETWEEN = sympy.sin, sympy.cos, sympy.tanh, sympy.atan  # two numbers
+GROWING = (
+    Add,
+    Mul,
+    sympy.Pow,
+    sympy.exp,
+    sympy.Abs,
+    sympy.sinh,
+    sympy.cosh,
+)  # bounded with arguments
+UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (sympy.Abs, *RISING)}
 
 
 class File:
@@ -218,8 +236,9 @@ class File:
         fall = f"{text(case.push)} - ({text(case.decay)}) * V i t - loss i t"
         if case.push == 0:
             fall = "- loss i t"
+        V = self.total(case.terms) if case.V.has(sympy.Abs) else text(case.V)
         self.lines += [
-            f"Definition V (i : run) (t : R) := {text(case.V)}.",
+            f"Definition V (i : run) (t : R) := {V}.",
             f"Definition loss (i : run) (t : R) := {self.total(case.losses)}.",
         ]
         claim = f"follows (T i) (V i) (fun t => {text(case.rate)})"
@@ -236,9 +255,7 @@ class File:
         self.theorem("definite", "V_nonneg", claim, "nonneg_of (V_parts i)")
         if case.below is not None:
             self.level()
-        self.lemma(
-            "loss_nonneg", f"{ON} 0 <= loss i t", "unfold loss. intros t Ht. nonneg"
-        )
+        self.lemma("loss_nonneg", f"{ON} 0 <= loss i t", "nonneg_loss loss")
         known = "(V_sum i) (V_nonneg i) (loss_nonneg i)"
         if case.push == 0:
             claim = "forall s t, 0 <= s <= t -> on (T i) t -> V i t <= V i s"
@@ -303,7 +320,7 @@ class File:
             self.theorem(
                 "definite", f"bound_{k}", claim, "bound_of (V_falls i) (V_parts i)"
             )
-            if "cos" not in term.shape:
+            if "cos {" not in term.shape:
                 claim = f"bounded (T i) {self.function(term.form)}"
                 self.lemma(
                     f"form_{k}",
@@ -311,6 +328,18 @@ class File:
                     f"bounded_by_shape (bound_{k} i) {term.function}",
                 )
                 forms.setdefault(term.form, f"{k}")
+        for _ in self.motion:
+            self.states_in(forms)
+            self.lags()
+        for s, rate in self.motion.items():
+            if self.is_bounded(rate):
+                name = self.name[s]
+                proof = f"eapply Lipschitz_rate; [exact (H_{name} i)|bnd]"
+                self.lemma(f"moves_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
+                self.steady.add(s)
+
+    def states_in(self, forms: Iterable[Expr]) -> None:
+        """Write that states are bounded, as forms are."""
         while found := next(self.solved(forms, self.bounded, self.is_bounded), None):
             s, form, value = found
             self.by_forms.append((s, form, value))
@@ -320,13 +349,6 @@ class File:
                 claim = f"bounded (T i) {self.function(s)}"
                 proof = f"bounded_as (fun t => {value})"
                 self.lemma(f"bounded_{self.name[s]}", claim, proof)
-        self.lags()
-        for s, rate in self.motion.items():
-            if self.is_bounded(rate):
-                name = self.name[s]
-                proof = f"eapply Lipschitz_rate; [exact (H_{name} i)|bnd]"
-                self.lemma(f"moves_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
-                self.steady.add(s)
 
     def solved(self, forms: Iterable[Expr], known: Any, is_known: Any) -> Any:
         """Yield distances of states from the rest that forms give by what is known."""
@@ -342,7 +364,7 @@ class File:
 
     def lags(self) -> None:
         """Write that states with x' = -k x + u are bounded, as u is."""
-        for s in [*self.motion] * 2:
+        for s in self.motion:
             rate = self.motion[s]
             pull = -sympy.diff(rate, s)
             rest = sympy.expand(rate + pull * s)
@@ -361,14 +383,11 @@ class File:
         """Return whether an expression is made of what is known to be bounded."""
         if not e.free_symbols - self.fixed or e in self.bounded:
             return True
-        if isinstance(e, (sympy.sin, sympy.cos, sympy.tanh)):
+        if isinstance(e, BETWEEN):
             return True
         if e.is_Pow and e.exp.is_negative:
             return is_above_zero(e.base, self.fixed)
-        is_made = (
-            e.is_Add or e.is_Mul or e.is_Pow or isinstance(e, (sympy.exp, sympy.Abs))
-        )
-        return is_made and all(map(self.is_bounded, e.args))
+        return isinstance(e, GROWING) and all(map(self.is_bounded, e.args))
 
     def is_steady(self, e: Expr) -> bool:
         """Return whether an expression is Lipschitz in time by its form."""
@@ -388,7 +407,7 @@ class File:
             )
             proof = f"lost_of (V_sum i) (V_nonneg i) (part_{k} i)"
             self.lemma(f"lost_{k}", f"vanishes (T i) (fun t => {part})", proof)
-            if self.is_shape(term) and "cos" not in term.shape:
+            if self.is_shape(term) and "cos {" not in term.shape:
                 self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {term.function}")
             else:
                 self.factor_to_zero(term.value, part)
@@ -494,6 +513,7 @@ class File:
             f"Definition near (d : R) (i : run) := {near}.",
             "Definition now (i : run) (t : R) := on (T i) t.",
             "Lemma near_le d e i : d <= e -> near d i -> near e i.\nProof. near_of near. Qed.",
+            "#[local] Hint Resolve near_le : clpt.",
         ]
         for name, text in starts.items():
             claim = f"{small} (fun i t => {text})"
@@ -502,7 +522,7 @@ class File:
         proof = f"small_V_of near_le V_parts (fun i (t : R) => {at_0})"
         self._small("small_V", f"{small} (fun i t => V i 0)", proof)
         for k, term in enumerate(case.terms):
-            if "cos" not in term.shape:
+            if "cos {" not in term.shape:
                 claim = f"{small} (fun i t => {self.text(term.form)})"
                 proof = f"small_by_shape small_V bound_{k} {term.function}"
                 self._small(f"near_{k}", claim, proof)

@@ -28,7 +28,8 @@ from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
-from .ultimate_bounds import in_forms, pulled_at_once
+from .outside import CLOCK
+from .ultimate_bounds import Bounding, in_forms, pulled_at_once
 
 
 class NotASum(Exception):
@@ -78,8 +79,9 @@ class Case:
     rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
 
 
-SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.tanh, sympy.Abs)
-WAVES = (sympy.sin, sympy.cos, sympy.tanh, sympy.log)  # of numbers: not computed in Coq
+RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
+SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.cosh, sympy.Abs, *RISING)
+WAVES = (sympy.sin, sympy.cos, sympy.log, *RISING)  # of numbers: not computed in Coq
 PARTS = tuple(
     sympy.Rational(n, 20) for n in (20, 19, 16, 10)
 )  # of a level, tried in turn
@@ -95,6 +97,13 @@ SHAPES: dict[str, Callable[[Expr], Expr]] = {  # as texts of Coq; positive but a
     "(1 - cos {})": lambda s: 1 - sympy.cos(s),  # and at whole turns
     "({0} * tanh {0})": lambda s: s * sympy.tanh(s),
     "(Rabs {0} * {0} ^ 2)": lambda s: sympy.Abs(s) * s**2,
+    "(Rabs {0} - ln (1 + Rabs {0}))": lambda s: (
+        sympy.Abs(s) - sympy.log(1 + sympy.Abs(s))
+    ),
+    "(sqrt ({0} ^ 2 + 1) - 1)": lambda s: sympy.sqrt(1 + s**2) - 1,
+    "(cosh {0} - 1)": lambda s: sympy.cosh(s) - 1,
+    "({0} * sinh {0})": lambda s: s * sympy.sinh(s),
+    "({0} * atan {0})": lambda s: s * sympy.atan(s),
     "(exp {0} - {0} - 1)": lambda s: sympy.exp(s) - s - 1,
 }
 
@@ -131,14 +140,15 @@ def by_facts(expression: Expr) -> list[Term]:
         raise NotASum(f"{short(expression)} is not known as a sum of squares")
     back = {name: call for call, name in names.items()}
     return [
-        Term(weight, form.xreplace(back), factor=fact.xreplace(back))
+        Term(weight, form.xreplace(back), factor=factored(fact.xreplace(back)))
         for weight, fact, form in found.terms
     ]
 
 
 def is_nonnegative(term: Expr) -> bool:
     """Return whether the factors of a term show that it is not negative, such as s tanh(s)."""
-    for call in term.atoms(sympy.tanh):
+    term = term.xreplace({TIME: CLOCK})
+    for call in term.atoms(*RISING):
         powers = term.as_powers_dict()
         if powers[call] % 2 and powers[call.args[0]] % 2:
             term = term / (call * call.args[0])
@@ -164,7 +174,8 @@ def term_of(summand: Expr, fixed: set) -> Term:
         )
     if weight.is_negative:
         weight, varying = -weight, sympy.expand(-varying)
-    arguments = {a for call in varying.atoms(sympy.Function) for a in call.args}
+    calls = varying.atoms(sympy.Function)
+    arguments = {a for call in calls for a in call.args} | varying.free_symbols - fixed
     for text, shape in SHAPES.items():
         for form in sorted(arguments, key=str):
             if sympy.expand(varying - shape(form)) == 0:
@@ -220,8 +231,8 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         terms, written = in_forms(case, definite), system()
         if fall.level is None or terms is None:
             raise NotASum("V' does not pull V back")
-        numbers = pulled_at_once(*terms[:3])
-        if numbers is None:
+        numbers = pulled_at_once(*terms[:3]) or Bounding(case, terms).pulled(terms.rate)
+        if numbers is None or not all(n.is_Rational for n in numbers):
             return pulled(written, *terms)
         loss = numbers.push - numbers.rate * case.V - written.rate
         losses = terms_of(loss, case.fixed)
@@ -263,6 +274,8 @@ def checked(way: Callable[[], Case]) -> Case:
     for term in (*case.terms, *case.losses):
         if term.weight.has(*WAVES):
             raise NotASum(f"the sign of {term.weight} is not known to Coq")
+    if any(t.value.has(sympy.Abs) and t.shape not in SHAPES for t in case.terms):
+        raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
     total = Add(*(term.value for term in case.losses), case.decay * case.V, case.rate)
     if not vanishes(total - case.push):
         raise NotASum("V' is less than the sum")
@@ -275,8 +288,6 @@ def refuse(case: Any) -> None:
     for call in sorted(functions_in(written), key=str):
         if not isinstance(call, SMOOTH) and call.args != (TIME,):
             raise NotASum(f"{short(call)} has pieces, or no lemma in Runs.v")
-    if case.V.has(sympy.Abs):
-        raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
     if case.eq.discrete:
         raise NotASum("time is discrete")
     if case.eq.jumps or written.has(*case.intervals):
