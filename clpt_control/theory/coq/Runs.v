@@ -1189,6 +1189,6 @@ Ltac signs := repeat match goal with
 Ltac zero_of lost g ::= signs; eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
 Ltac nonneg_loss loss := unfold loss; intros t Ht; signs; nonneg.
 Ltac part_of loss ::= intros t Ht; apply Ropp_le_contravar; unfold loss; signs; below.
-Ltac lost_of sum positive_V part ::= eapply (vanishes_value _ _ _ _ sum positive_V part); [intros t Ht; signs; nonneg|lip_more].
 Ltac exponential_of sum parts loss ::= intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
   intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; signs; shares.
+Ltac lost_from sum V loss := eapply (vanishes_value _ _ _ _ sum V); [cbv beta; part_of loss|cbv beta; intros t Ht; signs; nonneg|lip_more].

@@ -58,6 +58,11 @@ class Term(NamedTuple):
         return f"(({text(self.weight)}){factor} * {shape})"
 
     @property
+    def is_periodic(self) -> bool:
+        """True of 1 - cos(s), which bounds no form."""
+        return "cos {" in self.shape
+
+    @property
     def function(self) -> str:
         """The shape as a function of Coq."""
         return f"(fun x => {self.shape.format('x')})"
@@ -77,6 +82,12 @@ class Case:
     decay: Expr = S.Zero
     below: Expr | None = None  # V of a run begins below this level
     rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
+    lost: Iterable[Expr] = ()  # forms that go to zero by the verdict
+
+    @property
+    def falls(self) -> bool:
+        """True if V' = -losses."""
+        return self.push == 0 and self.decay == 0
 
 
 RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
@@ -164,18 +175,13 @@ def apart(term: Expr, fixed: set) -> Iterable[Expr]:
 
 def term_of(summand: Expr, fixed: set) -> Term:
     """Return a summand by the shape that it has."""
-    weight, varying = summand.as_independent(
-        *(summand.free_symbols - fixed), as_Add=False
-    )
-    if varying.is_Add:  # a - a cos(s)
-        common = sympy.factor_terms(summand)
-        weight, varying = common.as_independent(
-            *(summand.free_symbols - fixed), as_Add=False
-        )
+    moving = summand.free_symbols - fixed
+    common = sympy.factor_terms(summand)  # a (1 - cos(s)) of a - a cos(s)
+    weight, varying = common.as_independent(*moving, as_Add=False)
     if weight.is_negative:
         weight, varying = -weight, sympy.expand(-varying)
     calls = varying.atoms(sympy.Function)
-    arguments = {a for call in calls for a in call.args} | varying.free_symbols - fixed
+    arguments = {a for call in calls for a in call.args} | moving
     for text, shape in SHAPES.items():
         for form in sorted(arguments, key=str):
             if sympy.expand(varying - shape(form)) == 0:
@@ -216,12 +222,16 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
 def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     """Return the ways to write V' of a `SystemCandidate`."""
 
+    def read(e: Expr) -> Expr:
+        return without_calls(e.xreplace(fall.zeroed))
+
     def system() -> Case:
         refuse(case)
-        motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
-        terms, rate = terms_of(case.V, case.fixed), case.rate.xreplace(fall.zeroed)
-        rest = definite.least or {}
-        return Case(motion, case.fixed, case.V, rate, terms, rest=rest)
+        motion = {s: read(rate) for s, rate in case.motion.items()}
+        V, rate, lost = read(case.V), read(case.rate), [*map(read, fall.losses)]
+        moves = sympy.Tuple(*(definite.least or {}).values()).has(TIME)
+        written = Case(motion, case.fixed, V, rate, terms_of(V, case.fixed), lost=lost)
+        return written if moves else replace(written, rest=definite.least or {})
 
     def falls() -> Case:
         written = system()
@@ -231,10 +241,11 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         terms, written = in_forms(case, definite), system()
         if fall.level is None or terms is None:
             raise NotASum("V' does not pull V back")
+        terms = terms._replace(rate=without_calls(terms.rate))
         numbers = pulled_at_once(*terms[:3]) or Bounding(case, terms).pulled(terms.rate)
         if numbers is None or not all(n.is_Rational for n in numbers):
             return pulled(written, *terms)
-        loss = numbers.push - numbers.rate * case.V - written.rate
+        loss = numbers.push - numbers.rate * written.V - written.rate
         losses = terms_of(loss, case.fixed)
         return replace(written, losses=losses, decay=numbers.rate, push=numbers.push)
 
@@ -251,15 +262,14 @@ def in_region(region: Any, case: Any, level: float) -> Ways:
         motion = dict(zip(region.states, region.motion, strict=True))
         V, rate = sympy.expand(region.V), sympy.expand(along(region.V, motion))
         offs = [s - region.rest[s] for s in region.states]
-        square = Add(*(off**2 for off in offs))
         for part, weight in product(PARTS, WEIGHTS):
             top = part * sympy.Rational(f"{level:.4g}")
-            known = square * (LEAST + weight * (top - V))
-            found = sum_of_squares(sympy.expand(-rate - known), [sympy.expand(top - V)])
+            room = sympy.expand(top - V)
+            losses = [Term(LEAST, off) for off in offs]
+            losses += [Term(weight, off, factor=room) for off in offs if weight]
+            known = Add(*(term.value for term in losses))
+            found = sum_of_squares(sympy.expand(-rate - known), [room])
             if found is not None:
-                room = sympy.expand(top - V)
-                losses = [Term(LEAST, off) for off in offs]
-                losses += [Term(weight, off, factor=room) for off in offs if weight]
                 losses += [Term(w, form, factor=g) for w, g, form in found.terms]
                 written = Case(motion, set(), V, rate, terms_of(V, set()), losses)
                 return replace(written, below=top, rest=region.rest)
@@ -279,7 +289,10 @@ def checked(way: Callable[[], Case]) -> Case:
     total = Add(*(term.value for term in case.losses), case.decay * case.V, case.rate)
     if not vanishes(total - case.push):
         raise NotASum("V' is less than the sum")
-    return case
+    # in the order of V, so that shares are compared in turn
+    order = [(t.form, t.shape) for t in (*case.terms, *case.losses)]
+    losses = sorted(case.losses, key=lambda t: order.index((t.form, t.shape)))
+    return replace(case, losses=losses)
 
 
 def refuse(case: Any) -> None:
@@ -296,10 +309,7 @@ def refuse(case: Any) -> None:
     if case.kept:
         raise NotASum("V' falls in a set that states do not leave")
     powers = [power.exp for power in written.atoms(sympy.Pow) if power.exp.is_Integer]
-    if (
-        max(map(count_terms, written)) > MOST_TERMS
-        or max(powers, default=0) > MOST_TERMS
-    ):
+    if max(*map(count_terms, written), *powers) > MOST_TERMS:
         raise NotASum("V' or a rate is too long to print")
 
 
@@ -308,41 +318,13 @@ def refuse(case: Any) -> None:
 
 def without_calls(e: Expr) -> Expr:
     """Return an expression with functions of time as symbols."""
-    calls = sympy.sympify(e).atoms(AppliedUndef)
-    return e.xreplace({call: _symbol_of(call) for call in calls})
-
-
-def _symbol_of(call: Any) -> Any:
-    if call.args != (TIME,):
-        raise NotASum(f"{short(call)} is no function of time alone")
-    return sympy.Symbol(str(call.func), real=True, positive=call.is_positive)
-
-
-def with_symbols(case: Case) -> Case:
-    """Return a case with inputs as symbols."""
-    read = without_calls
-    terms, losses = (
-        [
-            t._replace(weight=read(t.weight), form=read(t.form), factor=read(t.factor))
-            for t in part
-        ]
-        for part in (case.terms, case.losses)
-    )
-    if case.push == 0 and case.decay != 0:  # V is lost as well
-        losses += [t._replace(weight=t.weight * case.decay) for t in terms]
-    order = [
-        (t.form, t.shape) for t in terms
-    ]  # of V, so that shares are compared in turn
-    losses.sort(key=lambda t: [*order, (t.form, t.shape)].index((t.form, t.shape)))
-    return replace(
-        case,
-        motion={s: read(rate) for s, rate in case.motion.items()},
-        V=read(case.V),
-        rate=read(case.rate),
-        push=read(case.push),
-        terms=terms,
-        losses=losses,
-    )
+    symbols = {}
+    for call in e.atoms(AppliedUndef):
+        if call.args != (TIME,):
+            raise NotASum(f"{short(call)} is no function of time alone")
+        name = f"{call.func}"
+        symbols[call] = sympy.Symbol(name, real=True, positive=call.is_positive)
+    return e.xreplace(symbols)
 
 
 def is_above_zero(base: Expr, fixed: set) -> bool:
