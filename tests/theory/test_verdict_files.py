@@ -94,6 +94,13 @@ SAMPLE = {
         "goes to zero",
         "",
     ),
+    "a weight of either sign": ("x' = b*x; V = -b*x**2/2; b = -1", "asymptotically stable", ""),
+    "a negative divisor": ("x' = x/b; V = x**2/2; b = -1", "asymptotically stable", ""),
+    "a function that rises": (
+        "x' = -x - exp(x) + exp(y); y' = -y + exp(x) - exp(y); V = x**2/2 + y**2/2",
+        "stable",
+        "",
+    ),
     "a cube that pulls back": (
         "x' = 2*x - x**3; V = x**2/2", "ultimately bounded", "",
     ),
