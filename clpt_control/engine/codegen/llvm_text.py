@@ -231,8 +231,11 @@ class LLVMPrinter(LoopPrinter):
         if self.lanes > 1 and depth == self.current_nest.vector and totals:
             is_long = count > UNROLLED_RUNS
             printer = self._parts_in_memory if is_long else self._unrolled_parts
-            parts = printer(count, body, len(totals))
-            return [sum_of_parts(self.builder, part, count) for part in parts]
+            partial_sums = printer(count, body, len(totals))
+            return [
+                sum_of_parts(self.builder, partial_sum, count)
+                for partial_sum in partial_sums
+            ]
         if depth != self.vector_loop:
             zero = constant(0.0, self.width(self.vector_loop >= 0))
             unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
@@ -252,9 +255,9 @@ class LLVMPrinter(LoopPrinter):
         """Print an unrolled loop of eight runs; return the eight partial sums of each sum."""
         zero = constant(0.0, self.lanes)
         starts = [None if count < LANES else zero] * sums
-        parts = [body(index, starts) for index in range(count)]
-        parts += [[zero] * sums] * (LANES - count)
-        return zip(*parts, strict=True)
+        iterations = [body(index, starts) for index in range(count)]
+        iterations += [[zero] * sums] * (LANES - count)
+        return zip(*iterations, strict=True)
 
     def _parts_in_memory(self, count: int, body: Body, sums: int) -> Iterable[Any]:
         """Print a loop of eight runs; return the eight partial sums of each sum.
@@ -264,29 +267,30 @@ class LLVMPrinter(LoopPrinter):
         builder = self.builder
         zero = constant(0.0, self.lanes)
         first = ir.Constant(WORD, 0)
-        places = [ir.Constant(WORD, k) for k in range(LANES)]
+        positions = [ir.Constant(WORD, k) for k in range(LANES)]
         with builder.goto_entry_block():
             kind = ir.ArrayType(zero.type, LANES)
             arrays = [builder.alloca(kind) for _ in range(sums)]
-        parts = [
-            [builder.gep(array, [first, place]) for place in places] for array in arrays
+        addresses = [
+            [builder.gep(array, [first, position]) for position in positions]
+            for array in arrays
         ]
-        for part in chain(*parts):
-            builder.store(zero, part)
+        for address in chain(*addresses):
+            builder.store(zero, address)
 
         def add_to_parts(index: Any, _: list) -> list:
             if type(index) is int:
-                current = [of_sum[index % LANES] for of_sum in parts]
+                current = [of_sum[index % LANES] for of_sum in addresses]
             else:
-                place = builder.and_(index, ir.Constant(WORD, LANES - 1))
-                current = [builder.gep(array, [first, place]) for array in arrays]
-            totals = body(index, [builder.load(part) for part in current])
-            for total, part in zip(totals, current, strict=True):
-                builder.store(total, part)
+                position = builder.and_(index, ir.Constant(WORD, LANES - 1))
+                current = [builder.gep(array, [first, position]) for array in arrays]
+            totals = body(index, [builder.load(address) for address in current])
+            for total, address in zip(totals, current, strict=True):
+                builder.store(total, address)
             return []
 
         self._loop(range(count), UNROLLED_RUNS, add_to_parts, [])
-        return [[builder.load(part) for part in of_sum] for of_sum in parts]
+        return [[builder.load(address) for address in of_sum] for of_sum in addresses]
 
     def add(self, total, value):
         """Return a sum with one more value, of the active iterations."""
@@ -374,9 +378,9 @@ class LLVMPrinter(LoopPrinter):
 
         is_pick = name == "pick"
         if is_pick:
-            place = number("place", values[0], float(count))
-            inside = number("ge", place, 0.0)
-            values = [number("where", inside, place, 0.0)]
+            position = number("place", values[0], float(count))
+            inside = number("ge", position, 0.0)
+            values = [number("where", inside, position, 0.0)]
         scalars = [elements(builder, value) for value in values]
         results = []
         for lane in range(width):

@@ -421,13 +421,13 @@ class SeriesPrinter(Coefficients):
         Even and odd powers are added side by side, which takes half the time.
         """
         square = self.operate("fmul", at, at)
-        parts = []
+        factors = []
         for first in (0, 1):
             *others, value = map(self.as_value, coefficients[first::2])
             for coefficient in reversed(others):
                 value = self.call("fmuladd", value, square, coefficient)
-            parts.append(value)
-        return self.call("fmuladd", parts[1], at, parts[0])
+            factors.append(value)
+        return self.call("fmuladd", factors[1], at, factors[0])
 
     def write_samples(
         self, values: list[Any], index: Any, is_due: Any, count: Any
@@ -443,6 +443,6 @@ class SeriesPrinter(Coefficients):
             row = builder.select(due, row, behind)
             first = builder.mul(row, ir.Constant(WORD, n))
             for k in range(n):
-                place = builder.add(first, ir.Constant(WORD, k))
-                address = builder.gep(self.arrays["out"], [place])
+                index = builder.add(first, ir.Constant(WORD, k))
+                address = builder.gep(self.arrays["out"], [index])
                 builder.store(by_lane[k][lane], address)

@@ -136,7 +136,7 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     flipped = [set[int](), *({k} for k in range(count))]
     flipped += [{*pair} for pair in combinations(range(count), 2)]
     flipped.append(set(range(count)))
-    numbers = [held.switch for held in switches]
+    numbers = [locked.switch for locked in switches]
     rounding = GRAINS * crossing.rounding[numbers]
     aside = np.maximum(ASIDE * crossing.change[numbers], rounding)
     signs = [[-1.0 if k in flips else 1.0 for k in range(count)] for flips in flipped]
@@ -152,7 +152,9 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     changes = rates - rates[0]
     effective = np.abs(changes[1 : 1 + count]).max(axis=1) > NEGLIGIBLE * largest
     if not effective.all():
-        remaining = [held for held, has in zip(switches, effective, strict=True) if has]
+        remaining = [
+            locked for locked, has in zip(switches, effective, strict=True) if has
+        ]
         return sides_of(crossing, remaining)
     # 3. sides together change the rates as they do one by one
     for flips, change in zip(flipped, changes, strict=True):
@@ -161,8 +163,8 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
             raise Refused("do not act on the rates one by one (not affine)", switches)
     events = callee.events_at(times, states, segments, P)
     decisions = np.tile(events[0, DECISION, : callee.decided], (1 + count, 1))
-    for k, held in enumerate(switches):
-        fixed = [*held.decisions]
+    for k, locked in enumerate(switches):
+        fixed = [*locked.decisions]
         decisions[1 + k, fixed] = events[1 + k, DECISION, fixed]
     slopes = crossing.slopes[:, numbers].T
     matrix = slopes @ changes[1 : 1 + count].T
@@ -173,7 +175,7 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
 
 def normals_of(crossing: Crossing, switches: Sequence[HeldSwitch]) -> ndarray:
     """Return directions along which one distance changes by 1 and no other does."""
-    slopes = crossing.slopes[:, [held.switch for held in switches]]
+    slopes = crossing.slopes[:, [locked.switch for locked in switches]]
     lengths = np.linalg.norm(slopes, axis=0)
     if np.linalg.matrix_rank(slopes / lengths, PARALLEL) < len(switches):
         raise Refused("depend on each other", switches)

@@ -139,11 +139,13 @@ def _sentence(diagram: Any, crossing: Crossing, refused: Refused) -> str:
     nodes = diagram.sweep.nodes
     labels = [label for node in nodes for label in node.system.state_labels]
     names = []
-    for held in refused.switches:
-        turning = np.flatnonzero(crossing.slopes[: len(labels), held.switch])
+    for locked in refused.switches:
+        turning = np.flatnonzero(crossing.slopes[: len(labels), locked.switch])
         states = ", ".join(labels[k] for k in turning)
         program = diagram.code.program
-        names.append(f"{decision_name(diagram.sweep, program, held.switch)} ({states})")
+        names.append(
+            f"{decision_name(diagram.sweep, program, locked.switch)} ({states})"
+        )
     remedies = Status.CHATTERING.sentence.partition(". ")[2]
     if len(names) == 1:
         return f"{names[0]} {Status.CHATTERING.sentence}"

@@ -303,9 +303,9 @@ class NativeRun:
             with suppress(SimulationError):  # the error is that of the first run
                 free = diagram.in_form("free")
                 run = NativeRun(free, self.times, self.segments, self.options)
-                other = run.batch(start, free.parameters(P))
-                if other.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
-                    return other
+                unlocked = run.batch(start, free.parameters(P))
+                if unlocked.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
+                    return unlocked
         return batch
 
     def leg(

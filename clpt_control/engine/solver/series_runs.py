@@ -250,11 +250,11 @@ def series_solution(
     )
     solution.method = f"Taylor {code.order}"
     if arrays.status[0, 0] != series.ARRIVED:
-        rest = arrays.rest(diagram, 0, diagram.parameters(), options)
-        other = ended(diagram, rest, inputs)
-        solution.x[1 - len(other.x) :] = other.x[1:]
-        solution.method += f", from t = {rest.times[0]:.9g} {other.method}"
-        for name, count in other.statistics.items():
+        batch = arrays.rest(diagram, 0, diagram.parameters(), options)
+        continued = ended(diagram, batch, inputs)
+        solution.x[1 - len(continued.x) :] = continued.x[1:]
+        solution.method += f", from t = {batch.times[0]:.9g} {continued.method}"
+        for name, count in continued.statistics.items():
             statistics[name] += count
     if arrays.is_small:
         keep(code.kept, shape, arrays)
@@ -286,6 +286,6 @@ def run_members(diagram: Any, runs: tuple, lanes: int, options: Any) -> Results:
         restarts = np.full(m, len(segments.edges) - 1)
         results.counts[members] = np.transpose([steps, steps, restarts, 0 * steps])
         for row in np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED).tolist():
-            rest = arrays.rest(diagram, row, parameters[members[row]], options)
-            rest.write_into(results, times, members[row])
+            batch = arrays.rest(diagram, row, parameters[members[row]], options)
+            batch.write_into(results, times, members[row])
     return results

@@ -260,18 +260,18 @@ def _of_grid(f: Any) -> Table:
     def table(tape: Tape, *coordinates: Any) -> Any:
         x = _points(tape, len(grid), *coordinates)
         # the value is a weighted mean of the corners of the cell
-        corners: list[Any] = [(1.0, 0.0)]  # weight and place in the values
+        corners: list[Any] = [(1.0, 0.0)]  # weight and offset in the values
         for k, points in enumerate(grid):
             index = place_in(points[1:-1], x[..., k], joints="kinks")
             step = lookup(np.diff(points), index)
             share = (x[..., k] - lookup(points, index)) / step
             corners = [
-                (weight * part, place * len(points) + index + upper)
-                for weight, place in corners
-                for upper, part in enumerate((1.0 - share, share))
+                (weight * portion, offset * len(points) + index + upper)
+                for weight, offset in corners
+                for upper, portion in enumerate((1.0 - share, share))
             ]
         total = reduce(
-            add, [lookup(values.ravel(), place) * weight for weight, place in corners]
+            add, [lookup(values.ravel(), offset) * weight for weight, offset in corners]
         )
         for k, points in enumerate(grid):
             total = _outside(total, x[..., k], points, end, end)
