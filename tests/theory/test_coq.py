@@ -167,7 +167,7 @@ def test_the_step_at_a_fix_is_that_of_the_block(no_coqc, clpt, texts):
 
 
 @pytest.mark.parametrize(
-    "function", [np.sinh, np.sign, lambda z: np.where(z > 0, z, 1)]
+    "function", [np.arccosh, np.sign, lambda z: np.where(z > 0, z, 1)]
 )
 def test_an_unknown_function_is_refused(no_coqc, refused, own_sigma, function):
     own_sigma(lambda rates, u: {"K": rates["K"] + function(u.z)})
