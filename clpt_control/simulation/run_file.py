@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
 NOT_RUNS = {  # kind of a dataset: what is done with its file
     "fixes": "is an estimate from fixes. Open it with xarray.open_dataset",
-    "replay": "is a replay of dives. Open it with xarray.open_dataset, or make its page with: "
-    "clpt report",
+    "replay": "is a replay of dives. Open it with xarray.open_dataset; its track is track.kml "
+    "beside it, and clpt report makes its page",
 }
 
 

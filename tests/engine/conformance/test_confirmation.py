@@ -59,7 +59,7 @@ SENTENCE = (
 @pytest.mark.parametrize("rate", WRONG, ids=lambda one: one.__name__)
 @pytest.mark.parametrize("merges", ["functions", "statements"])
 def test_a_wrong_record_is_used_by_nobody(rate, merges, monkeypatch):
-    first = lambda tape, tree, values, choose: values[0]  # noqa: E731
+    first = lambda tape, tree, values: values[0]  # noqa: E731
     monkeypatch.setattr(heaps, "joined", first)
     monkeypatch.setattr(tracing, "joined", first)
     if merges == "functions":  # and no statements
@@ -86,7 +86,7 @@ def test_records_are_compared_where_the_caller_is(monkeypatch):
             return [-1e5 - x[0] / 1e3]
         return [-1.0]
 
-    first = lambda tape, tree, values, choose: values[0]  # noqa: E731
+    first = lambda tape, tree, values: values[0]  # noqa: E731
     monkeypatch.setattr(tracing, "joined", first)
     monkeypatch.setattr(heaps, "joined", first)
     with pytest.warns(UserWarning, match=SENTENCE):
