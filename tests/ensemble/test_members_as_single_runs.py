@@ -44,6 +44,7 @@ def network(seed):
     ), 0.3 * draw.normal(size=n)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("seed", range(12))
 def test_members_have_the_bits_of_simulate(seed):
     """Eight members run side by side: their sums have the order of one run."""

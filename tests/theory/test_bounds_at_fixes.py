@@ -50,6 +50,7 @@ def surveyed():
     return clpt.certify(survey(), shear=0.08 / 3600, unmodelled=0.01)
 
 
+@pytest.mark.long
 def test_the_survey_has_the_bounds_of_an_independent_computation(surveyed):
     """0.043, 0.047, 0.069, 0.130 and 0.255 m/s, of a track whose corners are cut."""
     assert surveyed.interval.tolist() == [0.5, 1, 2, 3, 4]
@@ -57,12 +58,14 @@ def test_the_survey_has_the_bounds_of_an_independent_computation(surveyed):
     assert surveyed.flow == pytest.approx(expected, rel=0.1)
 
 
+@pytest.mark.long
 def test_made_missions_stay_below(surveyed):
     known = np.isfinite(surveyed.flow)
     assert np.all(surveyed.missions[known] < surveyed.flow[known])
     assert np.all(surveyed.missions[known] > 0)
 
 
+@pytest.mark.long
 def test_the_sentence_names_each_assumption(surveyed):
     for words in (
         "with a fix each 1 h the flow on the last 40 h of the planned track is known to",
@@ -142,6 +145,7 @@ def test_limits_of_the_flow_are_of_fixes_alone():
         clpt.certify(clpt.paper_scenario(), shear=0.1)
 
 
+@pytest.mark.long
 @pytest.mark.long
 def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path):
     import clpt_control

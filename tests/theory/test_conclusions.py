@@ -226,6 +226,7 @@ def test_each_law_of_the_table_is_proved_in_its_own_loop(name):
     assert found.status == "proved"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("sigma", [0.1, 1.0])
 def test_a_leak_in_an_own_loop_has_a_level(sigma):
     """V' <= -am e^2 + sigma b (kr kr* + ky ky* - kr^2 - ky^2): V <= push/rate in the end."""
@@ -248,6 +249,7 @@ def test_no_run_of_the_leak_stays_above_its_level():
     assert values[len(t) // 2 :].max() <= level
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("nu", [0.1, 3.0])
 def test_a_leak_that_e_weighs_has_a_ceiling(nu):
     """V' <= -|e| (am |e| + nu b |k - k*|^2/2 - c), c = nu b |k*|^2/2: the corners bound V."""
@@ -389,6 +391,7 @@ WEAKER = {
 }
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", STRONGER)
 def test_a_right_V_is_proved(name):
     text, strongest, least = STRONGER[name]

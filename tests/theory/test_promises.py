@@ -23,7 +23,7 @@ def of_law(name, **changes):
     return LAWS[name].promises[0]._replace(**changes)
 
 
-@pytest.mark.thirds
+@pytest.mark.long
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_keeps_its_promises_along_runs(name):
     """Each promise is checked in one run at least; with seed 4 one has a uniform flow."""
@@ -64,7 +64,7 @@ NEEDED = [
 ]
 
 
-@pytest.mark.thirds
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "claim", "condition"), NEEDED)
 def test_a_promise_holds_only_under_its_conditions(name, claim, condition):
     (promise,) = (one for one in LAWS[name].promises if one.claim == claim)

@@ -136,6 +136,7 @@ def missing(verdict):
     return {name for name, text in REQUIREMENTS.items() if text in words}
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", SAMPLE)
 def test_file_says_what_the_sentence_says(name):
     verdict = judged(name)

@@ -469,6 +469,7 @@ OFFERED += [(["prove", "sig"], ["sigma"]), (["tune", "--law", "sig"], ["sigma"])
 OFFERED += [(["ensemble", "none.toml", "--vary", "basis.wi"], ["basis.widths="])]
 
 
+@pytest.mark.thirds
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
 @pytest.mark.parametrize(("words", "offered"), OFFERED)
 def test_bash_completes(tmp_path, words, offered):

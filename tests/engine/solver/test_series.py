@@ -47,6 +47,7 @@ FUNCTIONS = [
 ]
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_each_function_has_its_series(function):
     def rates(t, x, u, p):
