@@ -28,12 +28,6 @@ Lemma follows_by f df dg : follows T f df -> (forall t, on T t -> df t = dg t) -
 Proof. intros [C D] E. split; auto. intros S HS. destruct (D S HS) as [l H]. exists l.
   intros t Ht Hn. rewrite <- E by (apply (on_le T t S); auto; lra). auto. Qed.
 
-Lemma follows_as f df g : follows T f df -> (forall t, f t = g t) -> follows T g df.
-Proof. intros [C D] E. split.
-  - intros t Ht. apply (continuous_ext f); auto.
-  - intros S HS. destruct (D S HS) as [l H]. exists l. intros t Ht Hn.
-    apply (is_derive_ext f); auto. Qed.
-
 Lemma follows_const a : follows T (fun _ => a) (fun _ => 0).
 Proof. split; [intros; apply continuous_const|]. intros S _. exists nil. intros. apply @is_derive_const. Qed.
 
@@ -95,8 +89,6 @@ Lemma follows_cos f df : follows T f df -> follows T (fun t => cos (f t)) (fun t
 Proof. apply (follows_in cos (fun x => - sin x)). intros. auto_derive; auto; ring. Qed.
 Lemma follows_exp f df : follows T f df -> follows T (fun t => exp (f t)) (fun t => df t * exp (f t)).
 Proof. apply (follows_in exp exp). intros. auto_derive; auto; ring. Qed.
-Lemma cosh_above x : 0 < cosh x.
-Proof. unfold cosh. assert (A := exp_pos x). assert (B := exp_pos (- x)). lra. Qed.
 Lemma tanh_exp x : tanh x = (exp x - exp (- x)) / (exp x + exp (- x)).
 Proof. assert (A := exp_pos x). assert (B := exp_pos (- x)). unfold tanh, sinh, cosh. field. lra. Qed.
 Lemma derive_tanh x : is_derive tanh x (1 - tanh x ^ 2).
@@ -242,18 +234,6 @@ Proof. intros H. apply (bounded_ext (fun t => exp (- f t))); [intros; apply exp_
 Lemma bounded_inv c f : 0 < c -> (forall t, on T t -> c <= f t) -> bounded (fun t => / f t).
 Proof. intros Hc H. exists (/ c). intros t Ht. assert (c <= f t) by auto.
   rewrite Rabs_pos_eq by (apply Rlt_le, Rinv_0_lt_compat; lra). apply Rinv_le_contravar; auto. Qed.
-(* c f^2n <= B *)
-Lemma bounded_root c f n : 0 < c -> bounded (fun t => c * f t ^ S n) -> bounded f.
-Proof. intros Hc [B H]. exists (1 + B / c). intros t Ht. specialize (H t Ht).
-  rewrite Rabs_mult, (Rabs_pos_eq c), <- RPow_abs in H by lra.
-  assert (Q : Rabs (f t) ^ S n <= B / c).
-  { apply (Rmult_le_reg_l c); auto. replace (c * (B / c)) with B by (field; lra). auto. }
-  assert (A := Rabs_pos (f t)). destruct (Rle_lt_dec (Rabs (f t)) 1).
-  - assert (0 <= Rabs (f t) ^ S n) by (apply pow_le; auto). lra.
-  - assert (1 <= Rabs (f t) ^ n) by (apply pow_R1_Rle; lra). simpl in Q. nra. Qed.
-Lemma bounded_below f B : (forall t, on T t -> 0 <= f t <= B) -> bounded f.
-Proof. intros H. exists B. intros t Ht. specialize (H t Ht). apply Rabs_le. lra. Qed.
-
 (* x' = -k x + u with a bounded u: x is bounded *)
 Lemma bounded_lag k x u : 0 < k -> follows T x (fun t => u t - k * x t) -> bounded u -> bounded x.
 Proof. intros Hk F [U HU]. exists (U / k + Rabs (x 0)). intros t Ht.
@@ -270,6 +250,27 @@ Proof. intros Hk F [U HU]. exists (U / k + Rabs (x 0)). intros t Ht.
   - enough (x t <= U / k + (x 0 - U / k) * exp (- k * t)) by nra. apply P; auto.
     intros s Hs. assert (B' := HU s Hs). apply Rabs_le_between in B'. lra. Qed.
 End Rules.
+(* cosh, sinh and atan *)
+Lemma derive_sinh x : is_derive sinh x (cosh x).
+Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
+Lemma derive_cosh x : is_derive cosh x (sinh x).
+Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
+Lemma derive_atan x : is_derive atan x (/ (1 + x ^ 2)).
+Proof. apply is_derive_Reals, derivable_pt_lim_atan. Qed.
+Lemma follows_sinh T f df : follows T f df -> follows T (fun t => sinh (f t)) (fun t => df t * cosh (f t)).
+Proof. apply (follows_in T sinh cosh). intros. apply derive_sinh. Qed.
+Lemma follows_cosh T f df : follows T f df -> follows T (fun t => cosh (f t)) (fun t => df t * sinh (f t)).
+Proof. apply (follows_in T cosh sinh). intros. apply derive_cosh. Qed.
+Lemma follows_atan T f df : follows T f df -> follows T (fun t => atan (f t)) (fun t => df t * / (1 + f t ^ 2)).
+Proof. apply (follows_in T atan (fun x => / (1 + x ^ 2))). intros. apply derive_atan. Qed.
+Lemma bounded_atan T f : bounded T (fun t => atan (f t)).
+Proof. apply (bounded_by T (PI / 2) atan). intros x. assert (A := atan_bound x). apply Rabs_le. lra. Qed.
+Lemma bounded_cosh T f : bounded T f -> bounded T (fun t => cosh (f t)).
+Proof. intros H. apply (bounded_mult T (fun t => exp (f t) + exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
+  apply bounded_plus; apply bounded_exp; auto using bounded_opp. Qed.
+Lemma bounded_sinh T f : bounded T f -> bounded T (fun t => sinh (f t)).
+Proof. intros H. apply (bounded_mult T (fun t => exp (f t) - exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
+  apply bounded_minus; apply bounded_exp; auto using bounded_opp. Qed.
 
 (* --- limits --- *)
 Section Rates.
@@ -338,6 +339,15 @@ Lemma Lipschitz_tanh f : Lipschitz f -> Lipschitz (fun t => tanh (f t)).
 Proof. apply (Lipschitz_in tanh (fun x => 1 - tanh x ^ 2) 1); [apply derive_tanh|].
   intros x. assert (A := tanh_between x). apply Rabs_le. split; nra. Qed.
 End Rates.
+(* 1/f of a Lipschitz f that stays away from zero, as 1/(1 + |x|) *)
+Lemma Lipschitz_inv T c f : 0 < c -> (forall t, on T t -> c <= f t) -> Lipschitz T f -> Lipschitz T (fun t => / f t).
+Proof. intros P A [L H]. exists (L * (/ c * / c)). intros s t Hs Ht. assert (B := A s Hs). assert (C := A t Ht).
+  replace (/ f t - / f s) with ((f t - f s) * - (/ f t * / f s)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp.
+  assert (D : 0 < / f t * / f s) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra). rewrite (Rabs_pos_eq (_ * _)) by lra.
+  assert (E : / f t * / f s <= / c * / c).
+  { apply Rmult_le_compat; try (apply Rlt_le, Rinv_0_lt_compat; lra); apply Rinv_le_contravar; auto. }
+  assert (F := H s t Hs Ht). assert (Q := Rabs_pos (f t - f s)). assert (0 < / c * / c) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; auto).
+  replace (L * (/ c * / c) * Rabs (t - s)) with (L * Rabs (t - s) * (/ c * / c)) by ring. apply Rmult_le_compat; lra. Qed.
 
 (* f goes to zero for ever *)
 Definition fades (f : R -> R) : Prop := is_lim f p_infty 0.
@@ -447,7 +457,7 @@ Lemma fades_right f g : bounded p_infty f -> fades g -> fades (fun t => f t * g 
 Proof. intros F G. apply (fades_ext (fun t => g t * f t)); [intros; ring|apply fades_left; auto]. Qed.
 Lemma fades_pow n f : bounded p_infty f -> fades f -> fades (fun t => f t ^ S n).
 Proof. intros B F. simpl. apply fades_left; auto using bounded_pow. Qed.
-(* f^n -> 0, f -> 0; and f g -> 0 with |g| above c > 0 *)
+(* f^n -> 0: f -> 0 *)
 Lemma fades_root n f : fades (fun t => f t ^ S n) -> fades f.
 Proof. intros H. apply is_lim_spec. intros [eps He]. apply is_lim_spec in H. simpl.
   assert (P : 0 < eps ^ S n) by (apply pow_lt; auto). destruct (H (mkposreal _ P)) as [N HN].
@@ -455,20 +465,8 @@ Proof. intros H. apply is_lim_spec. intros [eps He]. apply is_lim_spec in H. sim
   rewrite Rminus_0_r in *. rewrite <- RPow_abs in A.
   destruct (Rlt_le_dec (Rabs (f t)) eps); auto.
   assert (eps ^ S n <= Rabs (f t) ^ S n) by (apply pow_incr; lra). lra. Qed.
-Lemma fades_share c f g : 0 < c -> (forall t, on p_infty t -> c <= Rabs (g t)) ->
-  fades (fun t => f t * g t) -> fades f.
-Proof. intros Hc H. apply (fades_le (/ c)). intros t Ht. rewrite Rabs_mult. assert (A := H t Ht).
-  assert (B := Rabs_pos (f t)). apply (Rmult_le_reg_l c); auto.
-  rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra. nra. Qed.
-
 Lemma fades_abs f : fades (fun t => Rabs (f t)) -> fades f.
 Proof. apply (fades_le 1). intros. rewrite Rabs_Rabsolu. lra. Qed.
-(* f g -> 0 with a bounded 1/g *)
-Lemma fades_divided f g h : bounded p_infty h -> (forall t, on p_infty t -> g t * h t = 1) ->
-  fades (fun t => f t * g t) -> fades f.
-Proof. intros H E F. apply (fades_ext (fun t => f t * g t * h t)).
-  - intros t Ht. rewrite Rmult_assoc, E; auto. ring. - apply (fades_left (fun t => f t * g t)); auto. Qed.
-
 Lemma fades_zero : fades (fun _ => 0).
 Proof. apply is_lim_const. Qed.
 
@@ -477,30 +475,20 @@ Lemma even_power n x : 0 <= x ^ (2 * n).
 Proof. rewrite pow_mult. apply pow_le, pow2_ge_0. Qed.
 Lemma one_minus_cos x : 0 <= 1 - cos x. Proof. assert (A := COS_bound x). lra. Qed.
 Lemma one_plus_cos x : 0 <= 1 + cos x. Proof. assert (A := COS_bound x). lra. Qed.
-Lemma tanh_sector x : 0 <= x * tanh x.
-Proof. assert (A := exp_pos x). assert (B := exp_pos (- x)).
-  rewrite tanh_exp. destruct (Rle_lt_dec 0 x) as [[H| <-]|H].
-  - assert (exp (- x) < exp x) by (apply exp_increasing; lra).
-    apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
-  - rewrite Rmult_0_l. lra.
-  - assert (exp x < exp (- x)) by (apply exp_increasing; lra).
-    replace (x * ((exp x - exp (- x)) / (exp x + exp (- x)))) with ((- x) * ((exp (- x) - exp x) / (exp x + exp (- x)))) by (field; lra).
-    apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra. Qed.
 Lemma exp_line x : 0 <= exp x - x - 1.
 Proof. destruct (Req_dec x 0) as [->|H]; [rewrite exp_0; lra|]. assert (A := exp_ineq1 x H). lra. Qed.
 Lemma sin_square x : sin x ^ 2 = 1 - cos x ^ 2.
 Proof. assert (A := sin2_cos2 x). unfold Rsqr in A. simpl. lra. Qed.
-Lemma tanh_rises x y : x <= y -> tanh x <= tanh y.
-Proof. intros [H| ->]; [|lra]. assert (A := exp_pos x). assert (B := exp_pos (- x)). assert (C := exp_pos y). assert (D := exp_pos (- y)).
+Lemma tanh_increasing x y : x < y -> tanh x < tanh y.
+Proof. intros H. assert (A := exp_pos x). assert (B := exp_pos (- x)). assert (C := exp_pos y). assert (D := exp_pos (- y)).
   assert (E := exp_increasing x y H). assert (F := exp_increasing (- y) (- x) ltac:(lra)). rewrite !tanh_exp.
-  apply (Rmult_le_reg_r (exp x + exp (- x))); [lra|]. apply (Rmult_le_reg_r (exp y + exp (- y))); [lra|].
+  apply (Rmult_lt_reg_r (exp x + exp (- x))); [lra|]. apply (Rmult_lt_reg_r (exp y + exp (- y))); [lra|].
   replace ((exp x - exp (- x)) / (exp x + exp (- x)) * (exp x + exp (- x)) * (exp y + exp (- y)))
     with ((exp x - exp (- x)) * (exp y + exp (- y))) by (field; lra).
   replace ((exp y - exp (- y)) / (exp y + exp (- y)) * (exp x + exp (- x)) * (exp y + exp (- y)))
     with ((exp y - exp (- y)) * (exp x + exp (- x))) by (field; lra). nra. Qed.
-Lemma tanh_above x : 0 < x -> 0 < tanh x.
-Proof. intros H. rewrite tanh_exp. assert (A := exp_increasing (- x) x ltac:(lra)). assert (B := exp_pos (- x)).
-  apply Rdiv_lt_0_compat; lra. Qed.
+Lemma tanh_rises x y : x <= y -> tanh x <= tanh y.
+Proof. intros [H| ->]; [apply Rlt_le, tanh_increasing, H|lra]. Qed.
 Lemma tanh_0 : tanh 0 = 0.
 Proof. rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
 Lemma tanh_odd x : tanh (- x) = - tanh x.
@@ -528,11 +516,22 @@ Proof. apply shape_by; [intros; apply even_power|]. intros e He. exists (e ^ (2 
   replace (x ^ (2 * n + 1 + 1)) with (Rabs x ^ (2 * n + 1 + 1)).
   - rewrite (pow_add _ (2 * n + 1) 1), pow_1. apply Rmult_le_compat_r; auto. apply pow_incr. lra.
   - replace (2 * n + 1 + 1)%nat with (2 * S n)%nat by lia. rewrite !pow_mult, pow2_abs. easy. Qed.
-Lemma tanh_sector_abs x : x * tanh x = Rabs x * tanh (Rabs x).
-Proof. unfold Rabs. destruct (Rcase_abs x); auto. rewrite tanh_odd. ring. Qed.
+Lemma shape_rising g : (forall x y, x < y -> g x < g y) -> (forall x, g (- x) = - g x) -> shape (fun x => x * g x).
+Proof. intros G O. assert (Z : g 0 = 0). { assert (A := O 0). rewrite Ropp_0 in A. lra. }
+  assert (E : forall x, x * g x = Rabs x * g (Rabs x)). { intros x. unfold Rabs. destruct (Rcase_abs x); auto. rewrite O. ring. }
+  assert (N : forall x, 0 <= x -> 0 <= g x). { intros x [H| <-]; [assert (A := G _ _ H)|]; lra. }
+  apply shape_by.
+  - intros x. rewrite E. apply Rmult_le_pos; [|apply N]; apply Rabs_pos.
+  - intros e He. exists (g e). split; [assert (A := G _ _ He); lra|]. intros x Hx. rewrite E, Rmult_comm.
+    apply Rmult_le_compat_l; [apply Rabs_pos|]. destruct Hx as [Hx| <-]; [apply Rlt_le, G, Hx|lra]. Qed.
 Lemma shape_tanh : shape (fun x => x * tanh x).
-Proof. apply shape_by; [apply tanh_sector|]. intros e He. exists (tanh e). split; [apply tanh_above; auto|].
-  intros x Hx. rewrite tanh_sector_abs, Rmult_comm. apply Rmult_le_compat_l; [apply Rabs_pos|apply tanh_rises; auto]. Qed.
+Proof. apply shape_rising; [apply tanh_increasing|apply tanh_odd]. Qed.
+Lemma shape_atan : shape (fun x => x * atan x).
+Proof. apply shape_rising; [apply atan_increasing|apply atan_opp]. Qed.
+Lemma sinh_rises x y : x < y -> sinh x < sinh y.
+Proof. intros H. unfold sinh. assert (A := exp_increasing _ _ H). assert (B := exp_increasing (- y) (- x) ltac:(lra)). lra. Qed.
+Lemma shape_sinh : shape (fun x => x * sinh x).
+Proof. apply shape_rising; [apply sinh_rises|]. intros x. unfold sinh. rewrite Ropp_involutive. field. Qed.
 Lemma shape_cube : shape (fun x => Rabs x * x ^ 2).
 Proof. apply shape_by; [intros; apply Rmult_le_pos; [apply Rabs_pos|apply pow2_ge_0]|]. intros e He. exists (e ^ 2).
   split; [apply pow_lt; auto|]. intros x Hx. rewrite Rmult_comm, <- (pow2_abs x).
@@ -558,6 +557,97 @@ Proof. apply shape_by; [apply exp_line|]. intros e He.
   - rewrite Rabs_left in * by auto. destruct (vanishing_slope _ _ x (- h) D ltac:(unfold h; lra)) as [c [Hc E]].
     assert (exp c <= exp (- h)) by (destruct Hc as [_ [?| ->]]; [apply Rlt_le, exp_increasing; auto|lra]).
     assert (F := exp_line (- h)). assert (h <= - x / 2) by (unfold h; lra). nra. Qed.
+
+(* cosh(s) - 1, sqrt(1 + s^2) - 1, |s| - ln(1 + |s|) *)
+Lemma shape_above g h c : shape g -> 0 < c -> (forall x, c * g x <= h x) -> shape h.
+Proof. intros [P [S L]] Hc H. assert (W : forall x, g x <= h x / c).
+  { intros x. apply (Rmult_le_reg_l c); auto. replace (c * (h x / c)) with (h x) by (field; lra). apply H. }
+  repeat split.
+  - intros x. assert (A := P x). assert (B := H x). nra.
+  - intros e He. destruct (S e He) as [d [Hd D]]. exists (c * d). split; [apply Rmult_lt_0_compat; auto|].
+    intros x Hx. apply D. assert (A := H x). apply (Rmult_lt_reg_l c); auto. lra.
+  - intros B. destruct (L (B / c)) as [M HM]. exists M. intros x Hx. apply HM. eapply Rle_trans; [apply W|].
+    apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Hc. Qed.
+Lemma shape_cosh : shape (fun x => cosh x - 1).
+Proof. apply (shape_above _ _ (/ 2) shape_exp); [lra|]. intros x. unfold cosh. assert (A := exp_line (- x)). lra. Qed.
+Lemma root_above x d e : 0 < e -> d = e / (3 + 3 * e) -> e <= Rabs x -> 1 + d * Rabs x <= sqrt (x ^ 2 + 1).
+Proof. intros He Ed Hx. assert (D : 0 < d <= 1 / 3 /\ d <= e / 3).
+  { subst d. split; [split|].
+    - apply Rdiv_lt_0_compat; lra. - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). lra.
+    - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). nra. }
+  assert (A := Rabs_pos x). rewrite <- (sqrt_pow2 (1 + d * Rabs x)) by nra. apply sqrt_le_1_alt. rewrite <- (pow2_abs x).
+  set (a := Rabs x) in *. enough (a * (2 * d + d * d * a) <= a * a) by nra. apply Rmult_le_compat_l; auto.
+  assert (d * d <= 1 / 9) by nra. nra. Qed.
+Lemma root_one x : 1 <= sqrt (x ^ 2 + 1).
+Proof. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt. assert (A := pow2_ge_0 x). lra. Qed.
+Lemma shape_root : shape (fun x => sqrt (x ^ 2 + 1) - 1).
+Proof. apply shape_by; [intros x; assert (A := root_one x); lra|]. intros e He. exists (e / (3 + 3 * e)). split; [apply Rdiv_lt_0_compat; lra|].
+  intros x Hx. assert (A := root_above x _ e He eq_refl Hx). lra. Qed.
+Lemma soft_exp x : Rabs x - ln (1 + Rabs x) = exp (ln (1 + Rabs x)) - ln (1 + Rabs x) - 1.
+Proof. assert (A := Rabs_pos x). rewrite exp_ln by lra. ring. Qed.
+Lemma ln_above x : 0 <= ln (1 + Rabs x).
+Proof. assert (A := Rabs_pos x). rewrite <- ln_1. apply ln_le; lra. Qed.
+Lemma shape_soft : shape (fun x => Rabs x - ln (1 + Rabs x)).
+Proof. destruct shape_exp as [P [S L]]. repeat split.
+  - intros x. rewrite soft_exp. apply P.
+  - intros e He. assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra). destruct (S _ H) as [d [Hd D]]. exists d. split; auto.
+    intros x Hx. rewrite soft_exp in Hx. assert (A := D _ Hx). rewrite Rabs_pos_eq in A by apply ln_above. assert (B := Rabs_pos x).
+    apply ln_lt_inv in A; lra.
+  - intros B. destruct (L B) as [M HM]. exists (exp M). intros x Hx. rewrite soft_exp in Hx. assert (A := HM _ Hx).
+    rewrite Rabs_pos_eq in A by apply ln_above. assert (C := Rabs_pos x). assert (exp (ln (1 + Rabs x)) <= exp M).
+    { destruct A as [A| ->]; [apply Rlt_le, exp_increasing, A|lra]. } rewrite exp_ln in H by lra. lra. Qed.
+(* rates of |s| s^2 and of |s| - ln(1 + |s|) *)
+Lemma derive_flat (g : R -> R) : g 0 = 0 -> (forall x, Rabs x <= 1 -> Rabs (g x) <= x ^ 2) -> is_derive g 0 0.
+Proof. intros Z H. apply is_derive_Reals. intros e He. assert (P : 0 < Rmin 1 e) by (apply Rmin_pos; lra).
+  exists (mkposreal _ P). intros h Nh Hh. simpl in Hh. assert (A := Rmin_l 1 e). assert (B := Rmin_r 1 e).
+  rewrite Rplus_0_l, Z, !Rminus_0_r. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. assert (C := Rabs_pos_lt h Nh).
+  apply (Rle_lt_trans _ (Rabs h)); [|lra]. apply (Rmult_le_reg_r (Rabs h)); auto. rewrite Rmult_assoc, Rinv_l by lra.
+  assert (D := H h ltac:(lra)). rewrite <- (pow2_abs h) in D. lra. Qed.
+Lemma derive_by_sides (g p m d : R -> R) : (forall x, 0 < x -> g x = p x) -> (forall x, x < 0 -> g x = m x) ->
+  (forall x, 0 < x -> is_derive p x (d x)) -> (forall x, x < 0 -> is_derive m x (d x)) -> is_derive g 0 (d 0) ->
+  forall x, is_derive g x (d x).
+Proof. intros Gp Gm P M Z x. destruct (Rtotal_order x 0) as [H|[->|H]]; auto.
+  - apply (is_derive_ext_loc m); auto. exists (mkposreal (- x) ltac:(lra)). intros y Hy. symmetry. apply Gm.
+    change (Rabs (y - x) < - x) in Hy. apply Rabs_lt_between in Hy. lra.
+  - apply (is_derive_ext_loc p); auto. exists (mkposreal x H). intros y Hy. symmetry. apply Gp.
+    change (Rabs (y - x) < x) in Hy. apply Rabs_lt_between in Hy. lra. Qed.
+Lemma derive_cube : forall x, is_derive (fun x => Rabs x * x ^ 2) x (3 * Rabs x * x).
+Proof. apply (derive_by_sides _ (fun x => x * x ^ 2) (fun x => - x * x ^ 2)).
+  - intros x H. rewrite Rabs_pos_eq by lra. ring. - intros x H. rewrite Rabs_left by lra. ring.
+  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; auto; ring. - intros x H. rewrite Rabs_left by lra. auto_derive; auto; ring.
+  - rewrite Rmult_0_r. apply derive_flat; [ring|]. intros x H. rewrite Rabs_mult, Rabs_Rabsolu, (Rabs_pos_eq (x ^ 2)) by apply pow2_ge_0.
+    assert (A := pow2_ge_0 x). nra. Qed.
+Lemma derive_soft : forall x, is_derive (fun x => Rabs x - ln (1 + Rabs x)) x (x / (1 + Rabs x)).
+Proof. apply (derive_by_sides _ (fun x => x - ln (1 + x)) (fun x => - x - ln (1 + - x))).
+  - intros x H. rewrite Rabs_pos_eq by lra. easy. - intros x H. rewrite Rabs_left by lra. easy.
+  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; [lra|field; lra]. - intros x H. rewrite Rabs_left by lra. auto_derive; [lra|field; lra].
+  - unfold Rdiv. rewrite Rmult_0_l. apply derive_flat; [rewrite Rabs_R0, Rplus_0_r, ln_1; ring|]. intros x _. destruct shape_soft as [P _].
+    rewrite Rabs_pos_eq by apply P. rewrite <- (pow2_abs x). assert (A := Rabs_pos x). set (a := Rabs x) in *.
+    assert (B := exp_line (- ln (1 + a))). rewrite exp_Ropp, exp_ln in B by lra.
+    assert (C : / (1 + a) <= 1 - a + a ^ 2). { apply (Rmult_le_reg_l (1 + a)); [lra|]. rewrite Rinv_r by lra. assert (0 <= a ^ 3) by (apply pow_le; auto). nra. }
+    lra. Qed.
+Lemma follows_cube T f df : follows T f df -> follows T (fun t => Rabs (f t) * f t ^ 2) (fun t => df t * (3 * Rabs (f t) * f t)).
+Proof. apply (follows_in T (fun x => Rabs x * x ^ 2) (fun x => 3 * Rabs x * x)). intros. apply derive_cube. Qed.
+Lemma follows_soft T f df : follows T f df -> follows T (fun t => Rabs (f t) - ln (1 + Rabs (f t))) (fun t => df t * (f t / (1 + Rabs (f t)))).
+Proof. apply (follows_in T (fun x => Rabs x - ln (1 + Rabs x)) (fun x => x / (1 + Rabs x))). intros. apply derive_soft. Qed.
+(* functions that rise *)
+Lemma rising_product g a b : (forall x y, x < y -> g x < g y) -> 0 <= (a - b) * (g a - g b).
+Proof. intros G. destruct (Rtotal_order a b) as [H|[->|H]]; [|lra|]; assert (A := G _ _ H); nra. Qed.
+Lemma tanh_below x : 0 <= tanh x * (x - tanh x).
+Proof. assert (D : forall u v, u <= v -> u - tanh u <= v - tanh v).
+  { intros u v H. destruct (vanishing_slope (fun x => x - tanh x) (fun x => tanh x ^ 2) u v) as [c [_ E]]; auto.
+    - intros y. replace (tanh y ^ 2) with (1 - (1 - tanh y ^ 2)) by ring. apply @is_derive_minus; [apply @is_derive_id|apply derive_tanh].
+    - assert (A := pow2_ge_0 (tanh c)). nra. }
+  assert (Z := tanh_0). destruct (Rle_lt_dec 0 x) as [H|H].
+  - assert (A := D 0 x H). assert (B := tanh_rises 0 x H). nra.
+  - assert (A := D x 0 ltac:(lra)). assert (B := tanh_rises x 0 ltac:(lra)). nra. Qed.
+Lemma exp_falls u : u <= 0 -> exp u <= 1.
+Proof. intros [H| ->]; [|rewrite exp_0; lra]. rewrite <- exp_0. apply Rlt_le, exp_increasing, H. Qed.
+Lemma ln_nonneg a : 1 <= a -> 0 <= ln a.
+Proof. intros H. rewrite <- ln_1. apply ln_le; lra. Qed.
+Lemma negative_square b : 0 > b -> 0 < b ^ 2. Proof. nra. Qed.
+Lemma negative_inverse b : 0 > b -> 0 < -1 / b.
+Proof. intros H. replace (-1 / b) with (/ - b) by (field; lra). apply Rinv_0_lt_compat. lra. Qed.
 
 Section Shapes.
 Variables (T : Rbar) (g : R -> R) (c : R).
@@ -585,14 +675,6 @@ Lemma vanishes_shape g f c : shape g -> 0 < c -> vanishes T (fun t => c * g (f t
 Proof. intros G P F E. apply (fades_shape g c); auto. Qed.
 Lemma vanishes_of_abs f : vanishes T (fun t => Rabs (f t)) -> vanishes T f.
 Proof. intros F E. apply fades_abs; auto. Qed.
-Lemma vanishes_of_tanh f : vanishes T (fun t => tanh (f t)) -> vanishes T f.
-Proof. intros F E. assert (L := F E). apply is_lim_spec. intros eps. apply is_lim_spec in L. assert (He := cond_pos eps).
-  destruct (L (mkposreal _ (tanh_above eps He))) as [N HN]. exists N. intros t Ht. assert (A := HN t Ht). simpl in *.
-  rewrite Rminus_0_r in *. destruct (Rlt_le_dec (Rabs (f t)) eps) as [|B]; auto. exfalso. assert (C := tanh_rises _ _ B).
-  assert (D : Rabs (tanh (f t)) = tanh (Rabs (f t))); [|lra].
-  destruct (Rle_lt_dec 0 (f t)) as [S|S].
-  - rewrite (Rabs_pos_eq (f t)) by auto. apply Rabs_pos_eq. rewrite <- tanh_0. apply tanh_rises. auto.
-  - rewrite (Rabs_left (f t)), tanh_odd by auto. apply Rabs_left. assert (Q := tanh_above (- f t) ltac:(lra)). rewrite tanh_odd in Q. lra. Qed.
 Lemma vanishes_next q dq : vanishes T q -> follows T q dq -> Lipschitz T dq -> vanishes T dq.
 Proof. intros Q F L ->. apply (barbalat_next q); auto. Qed.
 Lemma vanishes_ext f g : (forall t, on T t -> f t = g t) -> vanishes T f -> vanishes T g.
@@ -613,232 +695,51 @@ Lemma vanishes_pow n f : bounded T f -> vanishes T f -> vanishes T (fun t => f t
 Proof. intros B F ->. apply fades_pow; auto. Qed.
 Lemma vanishes_root n f : vanishes T (fun t => f t ^ S n) -> vanishes T f.
 Proof. intros F E. apply (fades_root n); auto. Qed.
-Lemma vanishes_in (g dg : R -> R) M f : (forall x, is_derive g x (dg x)) -> (forall x, Rabs (dg x) <= M) -> g 0 = 0 ->
-  vanishes T f -> vanishes T (fun t => g (f t)).
-Proof. intros D B Z F ->. apply (fades_le M _ f); auto. intros t Ht.
-  destruct (MVT_gen g 0 (f t) dg) as [c [_ E]].
-  - intros; apply D. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. eexists. apply D.
-  - rewrite Z, !Rminus_0_r in E. rewrite E, Rabs_mult. apply Rmult_le_compat_r; auto using Rabs_pos. Qed.
-Lemma vanishes_sin f : vanishes T f -> vanishes T (fun t => sin (f t)).
-Proof. apply (vanishes_in sin cos 1); [|intros; apply Rabs_le, COS_bound|apply sin_0].
-  intros. auto_derive; auto. ring. Qed.
-Lemma vanishes_tanh f : vanishes T f -> vanishes T (fun t => tanh (f t)).
-Proof. apply (vanishes_in tanh (fun x => 1 - tanh x ^ 2) 1); [apply derive_tanh| |].
-  - intros x. assert (A := tanh_between x). apply Rabs_le. split; nra.
-  - rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
 End Vanishing.
+(* functions that are continuous and zero at zero *)
+Definition through (g : R -> R) : Prop := continuous g 0 /\ g 0 = 0.
+Lemma through_by (g : R -> R) : ex_derive g 0 -> g 0 = 0 -> through g.
+Proof. intros D Z. split; [apply @ex_derive_continuous, D|exact Z]. Qed.
+Lemma through_sin : through sin.
+Proof. apply through_by; [auto_derive; auto|apply sin_0]. Qed.
+Lemma through_tanh : through tanh.
+Proof. apply through_by; [eexists; apply derive_tanh|apply tanh_0]. Qed.
+Lemma through_sinh : through sinh.
+Proof. apply through_by; [eexists; apply derive_sinh|apply sinh_0]. Qed.
+Lemma through_atan : through atan.
+Proof. apply through_by; [eexists; apply derive_atan|apply atan_0]. Qed.
+Lemma through_cos : through (fun x => 1 - cos x).
+Proof. apply through_by; [auto_derive; auto|rewrite cos_0; ring]. Qed.
+Lemma through_cosh : through (fun x => cosh x - 1).
+Proof. apply through_by; [eexists; apply @is_derive_minus; [apply derive_cosh|apply @is_derive_const]|rewrite cosh_0; ring]. Qed.
+Lemma through_exp : through (fun x => exp x - x - 1).
+Proof. apply through_by; [auto_derive; auto|rewrite exp_0; ring]. Qed.
+Lemma through_root : through (fun x => sqrt (x ^ 2 + 1) - 1).
+Proof. apply through_by; [auto_derive; nra|]. rewrite pow_ne_zero, Rplus_0_l, sqrt_1 by lia. ring. Qed.
+Lemma through_soft : through (fun x => Rabs x - ln (1 + Rabs x)).
+Proof. apply through_by; [eexists; apply derive_soft|]. rewrite Rabs_R0, Rplus_0_r, ln_1. ring. Qed.
+Lemma vanishes_at (g : R -> R) T f : through g -> vanishes T f -> vanishes T (fun t => g (f t)).
+Proof. intros [C Z] F E. apply is_lim_spec. intros eps. assert (L := F E). apply is_lim_spec in L.
+  destruct (C (ball (g 0) eps) (locally_ball _ _)) as [d Hd]. destruct (L d) as [N HN]. exists N. intros t Ht. simpl in *.
+  assert (A := Hd (f t) (HN t Ht)). change (Rabs (g (f t) - g 0) < eps) in A. rewrite Z in A. exact A. Qed.
+(* of a function that rises through zero *)
+Lemma vanishes_of_rising g T f : (forall x y, x < y -> g x < g y) -> g 0 = 0 -> vanishes T (fun t => g (f t)) -> vanishes T f.
+Proof. intros G Z F E. assert (L := F E). apply is_lim_spec. intros eps. apply is_lim_spec in L. assert (He := cond_pos eps).
+  assert (A := G 0 eps He). assert (B := G (- eps) 0 ltac:(lra)).
+  assert (P : 0 < Rmin (g eps) (- g (- eps))) by (apply Rmin_pos; lra).
+  destruct (L (mkposreal _ P)) as [N HN]. exists N. intros t Ht. assert (Q := HN t Ht). simpl in *. rewrite Rminus_0_r in *.
+  assert (C := Rmin_l (g eps) (- g (- eps))). assert (D := Rmin_r (g eps) (- g (- eps))). apply Rabs_lt_between in Q. apply Rabs_lt_between.
+  split; apply Rnot_le_lt; intros [H|H].
+  - assert (K := G _ _ H). lra. - subst. rewrite <- H in D. rewrite <- H in Q. lra.
+  - assert (K := G _ _ H). lra. - rewrite <- H in Q. lra. Qed.
+Lemma vanishes_of_tanh T f : vanishes T (fun t => tanh (f t)) -> vanishes T f.
+Proof. apply (vanishes_of_rising tanh); [apply tanh_increasing|apply tanh_0]. Qed.
+Lemma vanishes_of_sinh T f : vanishes T (fun t => sinh (f t)) -> vanishes T f.
+Proof. apply (vanishes_of_rising sinh); [apply sinh_rises|apply sinh_0]. Qed.
+Lemma vanishes_of_atan T f : vanishes T (fun t => atan (f t)) -> vanishes T f.
+Proof. apply (vanishes_of_rising atan); [apply atan_increasing|apply atan_0]. Qed.
 
-Lemma below_left a b c : a <= b -> 0 <= c -> a <= b + c. Proof. lra. Qed.
-Lemma below_right a b c : a <= c -> 0 <= b -> a <= b + c. Proof. lra. Qed.
-(* --- tactics: each follows the form of its goal, and searches for nothing else --- *)
-Create HintDb clpt.
-(* sines are between -1 and 1 *)
-Ltac above :=
-  repeat match goal with
-  | |- context [sin ?u] => lazymatch goal with A : -1 <= sin u <= 1 |- _ => fail | _ => assert (-1 <= sin u <= 1) by apply SIN_bound end
-  | |- context [cos ?u] => lazymatch goal with A : -1 <= cos u <= 1 |- _ => fail | _ => assert (-1 <= cos u <= 1) by apply COS_bound end
-  | |- context [tanh ?u] => lazymatch goal with A : -1 <= tanh u <= 1 |- _ => fail | _ => assert (-1 <= tanh u <= 1) by apply tanh_between end
-  | |- context [exp ?u] => lazymatch goal with A : 0 < exp u |- _ => fail | _ => assert (0 < exp u) by apply exp_pos end
-  end; lra.
-Ltac positive :=
-  first [assumption |
-  lazymatch goal with
-  | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
-  | |- 0 < ?a / ?b => apply Rdiv_lt_0_compat; positive
-  | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
-  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive]]
-  | |- 0 < _ ^ _ => apply pow_lt; positive
-  | |- 0 < exp _ => apply exp_pos
-  | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
-  | |- _ => first [lra | above | solve [auto with clpt nocore]]
-  end]
-with nonneg :=
-  first [assumption |
-  lazymatch goal with
-  | |- 0 <= ?a * tanh ?a => apply tanh_sector
-  | |- 0 <= 1 - cos _ => apply one_minus_cos
-  | |- 0 <= 1 + cos _ => apply one_plus_cos
-  | |- 0 <= exp ?a - ?a - 1 => apply exp_line
-  | |- 0 <= exp ?a - 1 - ?a => assert (L := exp_line a); lra
-  | |- 0 <= - 1 - ?a + exp ?a => assert (L := exp_line a); lra
-  | |- 0 <= ?a + ?b => first [apply Rplus_le_le_0_compat; nonneg | above | solve [auto with clpt nocore]]
-  | |- 0 <= ?a - ?b => first [above | solve [auto with clpt nocore]]
-  | |- 0 <= ?a * ?a => apply Rle_0_sqr
-  | |- 0 <= ?a * ?b => apply Rmult_le_pos; nonneg
-  | |- 0 <= ?a / ?b => apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive]
-  | |- 0 <= / ?a => apply Rlt_le, Rinv_0_lt_compat; positive
-  | |- 0 <= ?a ^ ?n =>
-      let k := eval compute in (Nat.div2 n) in let odd := eval compute in (Nat.odd n) in
-      lazymatch odd with false => exact (even_power k a) | true => apply pow_le; nonneg end
-  | |- 0 <= Rabs _ => apply Rabs_pos
-  | |- 0 <= sqrt _ => apply sqrt_pos
-  | |- 0 <= exp _ => apply Rlt_le, exp_pos
-  | |- _ => first [lra | apply Rlt_le; positive | solve [auto with clpt nocore]]
-  end].
-Ltac nonzero := first [assumption | apply not_eq_sym, Rlt_not_eq; positive | apply Rlt_not_eq; lra | apply Rgt_not_eq; nra].
-Ltac leaf := first [assumption | eassumption | solve [eauto with clpt nocore]].
-Ltac follow :=
-  lazymatch goal with
-  | |- follows _ (fun _ => ?a) _ => apply follows_const
-  | |- follows _ (fun t => t) _ => apply follows_time
-  | |- follows _ (fun t => @?f t + @?g t) _ => eapply (follows_plus _ f _ g _); follow
-  | |- follows _ (fun t => @?f t - @?g t) _ => eapply (follows_minus _ f _ g _); follow
-  | |- follows _ (fun t => @?f t * @?g t) _ => eapply (follows_mult _ f _ g _); follow
-  | |- follows _ (fun t => - @?f t) _ => eapply (follows_opp _ f _); follow
-  | |- follows _ (fun t => (@?f t) ^ ?n) _ => eapply (follows_pow _ n f _); follow
-  | |- follows _ (fun t => @?f t / @?g t) _ => eapply (follows_div _ f _ g _); [intros; nonzero|follow|follow]
-  | |- follows _ (fun t => / @?f t) _ => eapply (follows_inv _ f _); [intros; nonzero|follow]
-  | |- follows _ (fun t => sin (@?f t)) _ => eapply (follows_sin _ f _); follow
-  | |- follows _ (fun t => cos (@?f t)) _ => eapply (follows_cos _ f _); follow
-  | |- follows _ (fun t => tanh (@?f t)) _ => eapply (follows_tanh _ f _); follow
-  | |- follows _ (fun t => exp (@?f t)) _ => eapply (follows_exp _ f _); follow
-  | |- follows _ (fun t => sqrt (@?f t)) _ => eapply (follows_sqrt _ f _); [intros; positive|follow]
-  | |- follows _ (fun t => ln (@?f t)) _ => eapply (follows_ln _ f _); [intros; positive|follow]
-  | |- follows _ (fun t => ?f t) _ => change (fun t => f t) with f; leaf
-  | |- _ => leaf
-  end.
-(* a term of a sum *)
-Ltac below := first [apply Rle_refl | apply below_left; [below|nonneg] | apply below_right; [below|nonneg]].
-Ltac bounded_inverse f :=
-  match f with
-  | (fun t => @?g t + ?c) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
-  | (fun t => ?c + @?g t) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
-  | (fun t => sqrt (@?g t + ?c)) => apply (bounded_inv _ (sqrt c) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
-  | (fun t => sqrt (@?g t)) => apply (bounded_inv _ (sqrt 1) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
-  | (fun t => (@?g t) ^ ?n) => apply (bounded_ext _ (fun t => (/ g t) ^ n)); [intros t Ht; field; nonzero|apply (bounded_pow _ n (fun t => / g t)); bnd]
-  | (fun t => @?g t * @?h t) => apply (bounded_ext _ (fun t => / g t * / h t)); [intros t Ht; field; repeat split; nonzero|bnd]
-  | _ => apply bounded_const
-  end
-with bnd := first [solve [eauto with clpt nocore] |
-  lazymatch goal with
-  | |- bounded _ (fun _ => ?a) => apply bounded_const
-  | |- bounded _ (fun t => @?f t + @?g t) => apply (bounded_plus _ f g); bnd
-  | |- bounded _ (fun t => @?f t - @?g t) => apply (bounded_minus _ f g); bnd
-  | |- bounded _ (fun t => @?f t * @?g t) => apply (bounded_mult _ f g); bnd
-  | |- bounded _ (fun t => @?f t / @?g t) => apply (bounded_mult _ f (fun t => / g t)); bnd
-  | |- bounded _ (fun t => - @?f t) => apply (bounded_opp _ f); bnd
-  | |- bounded _ (fun t => (@?f t) ^ ?n) => apply (bounded_pow _ n f); bnd
-  | |- bounded _ (fun t => / exp (@?f t)) => apply (bounded_inv_exp _ f); bnd
-  | |- bounded _ (fun t => / @?f t) => first [leaf | bounded_inverse f]
-  | |- bounded _ (fun t => sin (@?f t)) => apply (bounded_sin _ f)
-  | |- bounded _ (fun t => cos (@?f t)) => apply (bounded_cos _ f)
-  | |- bounded _ (fun t => tanh (@?f t)) => apply (bounded_tanh _ f)
-  | |- bounded _ (fun t => exp (@?f t)) => apply (bounded_exp _ f); bnd
-  | |- bounded _ (fun t => sqrt (@?f t)) => apply (bounded_sqrt _ f); bnd
-  | |- bounded _ (fun t => Rabs (@?f t)) => apply (bounded_abs _ f); bnd
-  | |- bounded _ (fun t => ?f t) => change (fun t => f t) with f; leaf
-  | |- _ => leaf
-  end].
-Ltac lip :=
-  lazymatch goal with
-  | |- Lipschitz _ (fun _ => ?a) => apply Lipschitz_const
-  | |- Lipschitz _ (fun t => @?f t + @?g t) => apply (Lipschitz_plus _ f g); lip
-  | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip
-  | |- Lipschitz _ (fun t => / @?f t) => eapply Lipschitz_rate; [follow|bnd]
-  | |- Lipschitz _ (fun t => exp (@?f t)) => eapply Lipschitz_rate; [follow|bnd]
-  | |- Lipschitz _ (fun t => @?f t * @?g t) => lazymatch f with
-      | (fun _ => ?a) => apply (Lipschitz_scal _ a g); lip
-      | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
-      end
-  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
-  | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip
-  | |- Lipschitz _ (fun t => (@?f t) ^ ?n) => apply (Lipschitz_pow _ n f); [bnd|lip]
-  | |- Lipschitz _ (fun t => sin (@?f t)) => apply (Lipschitz_sin _ f); lip
-  | |- Lipschitz _ (fun t => cos (@?f t)) => apply (Lipschitz_cos _ f); lip
-  | |- Lipschitz _ (fun t => tanh (@?f t)) => apply (Lipschitz_tanh _ f); lip
-  | |- Lipschitz _ (fun t => Rabs (@?f t)) => apply (Lipschitz_abs _ f); lip
-  | |- Lipschitz _ (fun t => t) => apply Lipschitz_time
-  | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; leaf
-  | |- _ => first [leaf | eapply Lipschitz_rate; [follow|bnd]]
-  end.
-Ltac van :=
-  first [leaf | lazymatch goal with
-  | |- vanishes _ (fun _ => 0) => apply vanishes_zero
-  | |- vanishes _ (fun t => @?f t + @?g t) => apply (vanishes_plus _ f g); van
-  | |- vanishes _ (fun t => @?f t - @?g t) => apply (vanishes_minus _ f g); van
-  | |- vanishes _ (fun t => - @?f t) => apply (vanishes_opp _ f); van
-  | |- vanishes _ (fun t => @?f t * @?g t) =>
-      first [apply (vanishes_left _ f g); [van|bnd] | apply (vanishes_right _ f g); [bnd|van]]
-  | |- vanishes _ (fun t => @?f t / @?g t) => apply (vanishes_left _ f (fun t => / g t)); [van|bnd]
-  | |- vanishes _ (fun t => (@?f t) ^ ?n) =>
-      let k := eval compute in (pred n) in apply (vanishes_pow _ k f); [bnd|van]
-  | |- vanishes _ (fun t => sin (@?f t)) => apply (vanishes_sin _ f); van
-  | |- vanishes _ (fun t => tanh (@?f t)) => apply (vanishes_tanh _ f); van
-  | |- vanishes _ (fun t => ?f t) => change (fun t => f t) with f; leaf
-  end].
-(* an identity of fractions, with at most two squares of sines, roots or absolute values *)
-Ltac tidy := cbn [Z.of_nat Pos.of_succ_nat Pos.succ pred].
-Ltac field_with := field; repeat split; nonzero.
-Ltac square_of :=
-  match goal with
-  | |- context [sin ?u] => lazymatch goal with A : sin u ^ 2 = _ |- _ => fail | _ => pose proof (sin_square u) end
-  | |- context [Rabs ?u] => lazymatch goal with A : Rabs u ^ 2 = _ |- _ => fail | _ => pose proof (pow2_abs u) end
-  | |- context [sqrt ?u] => lazymatch goal with A : sqrt u ^ 2 = _ |- _ => fail
-      | _ => assert (sqrt u ^ 2 = u) by (apply pow2_sqrt; nonneg) end
-  end.
-Ltac ring_of :=
-  match goal with
-  | A : _ ^ 2 = _, B : _ ^ 2 = _ |- _ => first [ring [A B] | field_simplify_eq; [ring [A B]|repeat split; nonzero..]]
-  | A : _ ^ 2 = _ |- _ => first [ring [A] | field_simplify_eq; [ring [A]|repeat split; nonzero..]]
-  end.
-Lemma exp_inverse a b : a + b = 0 -> exp a = / exp b.
-Proof. intros H. rewrite <- exp_Ropp. f_equal. lra. Qed.
-Lemma exp_double a : exp (2 * a) = exp a ^ 2.
-Proof. replace (2 * a) with (a + a) by ring. rewrite exp_plus. ring. Qed.
-Ltac exponentials := rewrite ?exp_double; repeat match goal with
-  | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
-Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with].
 
-(* --- proofs of files --- *)
-Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact (shape_even 0)
-  | exact (shape_even 1) | exact (shape_even 2) | exact (shape_even 3) | exact (shape_even 4) | exact (shape_even 5)].
-(* the rest *)
-Ltac at_rest := first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
-  repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
-(* V' as a sum *)
-Ltac sum_of rate V loss := eapply follows_by; [exact rate|intros t Ht; unfold V, loss; equal].
-Ltac parts_of V := intros t Ht; unfold V; equal.
-Ltac nonneg_of parts := intros t Ht; rewrite (parts t Ht); nonneg.
-Ltac falls_of sum loss := intros s t Hst Ht; apply (falls _ _ _ sum); auto; intros u Hu; assert (A := loss u Hu); lra.
-Ltac spent_of sum V loss := intros L HL t Ht; assert (F := falls _ _ _ (follows_plus _ _ _ _ _ HL sum) ltac:(intros; lra) 0 t ltac:(destruct Ht; lra) Ht);
-  assert (A := V t Ht); lra.
-Ltac mean_of sum V loss := intros L P HL HP t Ht;
-  assert (F := falls _ _ _ (follows_minus _ _ _ _ _ (follows_plus _ _ _ _ _ HL sum) HP) ltac:(intros u Hu; assert (B := V u Hu); lra) 0 t ltac:(destruct Ht; lra) Ht);
-  assert (A := V t Ht); lra.
-Ltac decays_of d sum V loss := intros c Hc; refine (decays _ _ _ d c _ sum _); [positive|];
-  intros u Hu; assert (A := loss u Hu); assert (B := Hc u Hu); lra.
-(* V <= V(0) exp(-c t), as c V <= loss term by term *)
-Lemma decays_to_zero T V dV c : 0 < c -> follows T V dV -> (forall t, on T t -> c * V t <= - dV t) ->
-  forall t, on T t -> V t <= V 0 * exp (- c * t).
-Proof. intros Hc F H t Ht. assert (A := decays T V dV c 0 Hc F ltac:(intros u Hu; assert (B := H u Hu); lra) t Ht).
-  unfold Rdiv in A. rewrite Rmult_0_l, Rplus_0_l, Rminus_0_r in A. exact A. Qed.
-Lemma larger_share c w l g : c * w <= l -> 0 <= g -> c * (w * g) <= l * g.
-Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. Qed.
-Lemma below_shares c a b d e : c * a <= d -> c * b <= e -> c * (a + b) <= d + e. Proof. lra. Qed.
-Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [shares|nonneg]
-  | apply larger_share; [assumption|nonneg]].
-Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
-  intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
-Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.
-Ltac part_of loss := intros t Ht; apply Ropp_le_contravar; unfold loss; below.
-(* V stays below c; the room to c is printed as a factor of losses *)
-Lemma room_at V c r : V < c -> r = c - V -> 0 <= r. Proof. lra. Qed.
-Ltac room_of stays V := intros t Ht; apply (room_at _ _ _ (stays t Ht)); unfold V; field.
-Lemma loses x : 0 <= x -> - x <= 0. Proof. lra. Qed.
-Ltac stays_of c sum begins V loss room := apply (stays_below _ _ _ c sum); [|exact begins]; intros u Hu L;
-  assert (M : 0 <= room u) by (apply (room_at _ _ _ L); unfold V; field); cbv beta in M |- *; apply loses; unfold loss; nonneg.
-(* V' as it is printed *)
-Ltac rate_of := eapply follows_by; [follow|intros t Ht; equal].
-(* a form that V bounds, as bound says, by its shape g *)
-Ltac bounded_by_shape bound g := eapply (bounded_shape _ g); [shape_of| |intros t Ht; exact (bound t Ht)]; positive.
-(* what V loses goes to zero *)
-Ltac lost_of sum positive_V part := eapply (vanishes_value _ _ _ _ sum positive_V part); [intros t Ht; nonneg|lip].
-Ltac zero_of lost g := eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
-(* the rate of what goes to zero *)
-Ltac next_of zero := eapply (vanishes_next _ _ _ zero); [rate_of|lip].
-(* a form by what goes to zero, is bounded or small *)
-Ltac vanishes_as f := apply (vanishes_ext _ f); [intros t Ht; equal|van].
-Ltac bounded_as f := apply (bounded_ext _ f); [intros t Ht; equal|bnd].
 
 (* --- runs that begin near the rest stay near it --- *)
 Section Small.
@@ -879,47 +780,273 @@ Proof. intros F G eps He. destruct (F 1 ltac:(lra)) as [d [Hd D]], (G eps He) as
 Lemma small_pow n f : small f -> small (fun i t => f i t ^ S n).
 Proof. intros F. induction n; [apply (small_ext f); auto; intros; ring|].
   apply (small_mult f (fun i t => f i t ^ S n)); auto. Qed.
-Lemma small_root c n f g : 0 < c -> (forall i t, now i t -> 0 <= c * f i t ^ S n <= g i t) -> small g -> small f.
-Proof. intros Hc H G eps He. destruct (G (c * eps ^ S n)) as [d [Hd D]].
-  { apply Rmult_lt_0_compat; auto. apply pow_lt; auto. }
-  exists d. split; auto. intros i Hi t Ht. assert (A := D i Hi t Ht). destruct (H i t Ht) as [B0 B].
-  destruct (Rlt_le_dec (Rabs (f i t)) eps); auto. exfalso.
-  assert (eps ^ S n <= Rabs (f i t) ^ S n) by (apply pow_incr; lra).
-  rewrite RPow_abs in H0. assert (C : Rabs (c * f i t ^ S n) = c * Rabs (f i t ^ S n)).
-  { rewrite Rabs_mult, (Rabs_pos_eq c); lra. }
-  rewrite (Rabs_pos_eq (c * _)) in C by auto. assert (E := Rle_abs (g i t)).
-  apply (Rmult_le_compat_l c) in H0; lra. Qed.
-Lemma small_at (g : R -> R) f : continuous g 0 -> g 0 = 0 -> small f -> small (fun i t => g (f i t)).
-Proof. intros C Z F eps He. destruct (C (ball (g 0) (mkposreal eps He)) (locally_ball _ _)) as [d Hd].
+Lemma small_at (g : R -> R) f : through g -> small f -> small (fun i t => g (f i t)).
+Proof. intros [C Z] F eps He. destruct (C (ball (g 0) (mkposreal eps He)) (locally_ball _ _)) as [d Hd].
   destruct (F d (cond_pos d)) as [e [H E]]. exists e. split; auto. intros i Hi t Ht.
   assert (A : ball 0 d (f i t)). { change (Rabs (f i t - 0) < d). rewrite Rminus_0_r. auto. }
   assert (B := Hd _ A). change (Rabs (g (f i t) - g 0) < eps) in B. rewrite Z, Rminus_0_r in B. auto. Qed.
-Lemma small_tanh f : small f -> small (fun i t => tanh (f i t)).
-Proof. apply (small_at tanh). - apply @ex_derive_continuous. eexists. apply derive_tanh.
-  - rewrite tanh_exp, Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
-Lemma small_exp f : small f -> small (fun i t => exp (f i t) - f i t - 1).
-Proof. apply (small_at (fun x => exp x - x - 1)). - apply @ex_derive_continuous. auto_derive. auto. - rewrite exp_0. lra. Qed.
 Lemma small_shape c g f v : shape g -> 0 < c -> (forall i t, now i t -> c * g (f i t) <= v i t) -> small v -> small f.
 Proof. intros [G0 [H _]] P B G eps He. destruct (H eps He) as [d [Hd D]].
   destruct (G (c * d)) as [e [Pe E]]; [apply Rmult_lt_0_compat; auto|]. exists e. split; auto. intros i Hi t Ht. apply D.
   assert (A := E i Hi t Ht). assert (S := B i t Ht). assert (L := Rle_abs (v i t)). apply (Rmult_lt_reg_l c); auto. lra. Qed.
-Lemma small_one_minus_cos f : small f -> small (fun i t => 1 - cos (f i t)).
-Proof. apply (small_le 1); [lra|]. intros i t _. set (x := f i t).
-  destruct (MVT_gen cos 0 x (fun x => - sin x)) as [c [_ E]].
-  - intros. auto_derive; auto; ring. - intros. apply continuity_pt_filterlim, @ex_derive_continuous. auto_derive; auto.
-  - rewrite cos_0 in E. replace (1 - cos x) with (- (cos x - 1)) by ring. rewrite Rabs_Ropp, E, Rabs_mult, Rabs_Ropp, Rminus_0_r.
-    apply Rmult_le_compat_r; [apply Rabs_pos|]. apply Rabs_le, SIN_bound. Qed.
 End Small.
+
+Lemma below_left a b c : a <= b -> 0 <= c -> a <= b + c. Proof. lra. Qed.
+Lemma below_right a b c : a <= c -> 0 <= b -> a <= b + c. Proof. lra. Qed.
+(* --- tactics: each follows the form of its goal, and searches for nothing else --- *)
+Create HintDb clpt.
+(* a fact that is not yet among the assumptions *)
+Tactic Notation "know" constr(P) "by" tactic3(proof) :=
+  lazymatch goal with A : P |- _ => fail | _ => assert P by proof end.
+(* by the ranges of functions and of time *)
+Ltac above :=
+  repeat match goal with
+  | A : on _ ?t |- _ => know (0 <= t) by apply A
+  | |- context [sin ?u] => know (-1 <= sin u <= 1) by apply SIN_bound
+  | |- context [cos ?u] => know (-1 <= cos u <= 1) by apply COS_bound
+  | |- context [tanh ?u] => know (-1 <= tanh u <= 1) by apply tanh_between
+  | |- context [exp ?u] => know (0 < exp u) by apply exp_pos
+  | |- context [exp ?u] => know (exp u <= 1) by (apply exp_falls; lra)
+  end; lra.
+Ltac rising := match goal with |- 0 <= _ * (?g _ - _) => apply (rising_product g);
+  first [apply exp_increasing | apply tanh_increasing | apply sinh_rises | apply atan_increasing] end.
+Ltac positive :=
+  first [assumption |
+  lazymatch goal with
+  | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
+  | |- 0 < ?a / ?b => first [apply Rdiv_lt_0_compat; positive | apply negative_inverse; assumption]
+  | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
+  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive]]
+  | |- 0 < _ ^ _ => first [apply pow_lt; positive | apply negative_square; assumption]
+  | |- 0 < exp _ => apply exp_pos
+  | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
+  | |- _ => first [lra | above | solve [auto with clpt nocore]]
+  end]
+with nonneg :=
+  first [assumption |
+  lazymatch goal with
+  | |- 0 <= ?a * tanh ?a => apply (proj1 shape_tanh)
+  | |- 0 <= ?a * sinh ?a => apply (proj1 shape_sinh)
+  | |- 0 <= ?a * atan ?a => apply (proj1 shape_atan)
+  | |- 0 <= tanh ?a * (?a - tanh ?a) => apply tanh_below
+  | |- 0 <= (?a - tanh ?a) * tanh ?a => rewrite Rmult_comm; apply tanh_below
+  | |- 0 <= 1 - cos _ => apply one_minus_cos
+  | |- 0 <= 1 + cos _ => apply one_plus_cos
+  | |- 0 <= cosh _ - 1 => apply (proj1 shape_cosh)
+  | |- 0 <= sqrt _ - 1 => apply (proj1 shape_root)
+  | |- 0 <= Rabs ?a - ln (1 + Rabs ?a) => apply (proj1 shape_soft)
+  | |- 0 <= exp ?a - ?a - 1 => apply exp_line
+  | |- 0 <= exp ?a - 1 - ?a => assert (L := exp_line a); lra
+  | |- 0 <= - 1 - ?a + exp ?a => assert (L := exp_line a); lra
+  | |- 0 <= ?a + ?b => first [apply Rplus_le_le_0_compat; nonneg | above | solve [auto with clpt nocore]]
+  | |- 0 <= ?a - ?b => first [above | solve [auto with clpt nocore]]
+  | |- 0 <= ?a * ?a => apply Rle_0_sqr
+  | |- 0 <= ?a * ?b => first [apply Rmult_le_pos; nonneg | rising]
+  | |- 0 <= ?a / ?b => first [apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive] | apply Rlt_le; positive]
+  | |- 0 <= / ?a => apply Rlt_le, Rinv_0_lt_compat; positive
+  | |- 0 <= ?a ^ ?n =>
+      let k := eval compute in (Nat.div2 n) in let odd := eval compute in (Nat.odd n) in
+      lazymatch odd with false => exact (even_power k a) | true => apply pow_le; nonneg end
+  | |- 0 <= Rabs _ => apply Rabs_pos
+  | |- 0 <= sqrt _ => apply sqrt_pos
+  | |- 0 <= exp _ => apply Rlt_le, exp_pos
+  | |- 0 <= ln _ => apply ln_nonneg; below
+  | |- _ => first [lra | above | apply Rlt_le; positive | solve [auto with clpt nocore]]
+  end]
+(* a term of a sum *)
+with below := first [apply Rle_refl | apply below_left; [below|nonneg] | apply below_right; [below|nonneg]].
+Ltac nonzero := first [assumption | apply not_eq_sym, Rlt_not_eq; positive | apply Rlt_not_eq; lra | apply Rgt_not_eq; nra].
+Ltac leaf := first [assumption | eassumption | solve [eauto with clpt nocore]].
+Ltac follow :=
+  lazymatch goal with
+  | |- follows _ (fun _ => ?a) _ => apply follows_const
+  | |- follows _ (fun t => t) _ => apply follows_time
+  | |- follows _ (fun t => Rabs (@?f t) * (@?f t) ^ 2) _ => eapply (follows_cube _ f _); follow
+  | |- follows _ (fun t => Rabs (@?f t) - ln (1 + Rabs (@?f t))) _ => eapply (follows_soft _ f _); follow
+  | |- follows _ (fun t => @?f t + @?g t) _ => eapply (follows_plus _ f _ g _); follow
+  | |- follows _ (fun t => @?f t - @?g t) _ => eapply (follows_minus _ f _ g _); follow
+  | |- follows _ (fun t => @?f t * @?g t) _ => eapply (follows_mult _ f _ g _); follow
+  | |- follows _ (fun t => - @?f t) _ => eapply (follows_opp _ f _); follow
+  | |- follows _ (fun t => (@?f t) ^ ?n) _ => eapply (follows_pow _ n f _); follow
+  | |- follows _ (fun t => @?f t / @?g t) _ => eapply (follows_div _ f _ g _); [intros; nonzero|follow|follow]
+  | |- follows _ (fun t => / @?f t) _ => eapply (follows_inv _ f _); [intros; nonzero|follow]
+  | |- follows _ (fun t => sin (@?f t)) _ => eapply (follows_sin _ f _); follow
+  | |- follows _ (fun t => cos (@?f t)) _ => eapply (follows_cos _ f _); follow
+  | |- follows _ (fun t => tanh (@?f t)) _ => eapply (follows_tanh _ f _); follow
+  | |- follows _ (fun t => sinh (@?f t)) _ => eapply (follows_sinh _ f _); follow
+  | |- follows _ (fun t => cosh (@?f t)) _ => eapply (follows_cosh _ f _); follow
+  | |- follows _ (fun t => atan (@?f t)) _ => eapply (follows_atan _ f _); follow
+  | |- follows _ (fun t => exp (@?f t)) _ => eapply (follows_exp _ f _); follow
+  | |- follows _ (fun t => sqrt (@?f t)) _ => eapply (follows_sqrt _ f _); [intros; positive|follow]
+  | |- follows _ (fun t => ln (@?f t)) _ => eapply (follows_ln _ f _); [intros; positive|follow]
+  | |- follows _ (fun t => ?f t) _ => change (fun t => f t) with f; leaf
+  | |- _ => leaf
+  end.
+Ltac bounded_inverse f :=
+  match f with
+  | (fun t => @?g t + ?c) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
+  | (fun t => ?c + @?g t) => apply (bounded_inv _ c f); [positive|intros t Ht; below]
+  | (fun t => sqrt (@?g t + ?c)) => apply (bounded_inv _ (sqrt c) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
+  | (fun t => sqrt (@?g t)) => apply (bounded_inv _ (sqrt 1) f); [positive|intros t Ht; apply sqrt_le_1_alt; below]
+  | (fun t => (@?g t) ^ ?n) => apply (bounded_ext _ (fun t => (/ g t) ^ n)); [intros t Ht; field; nonzero|apply (bounded_pow _ n (fun t => / g t)); bnd]
+  | (fun t => @?g t * @?h t) => apply (bounded_ext _ (fun t => / g t * / h t)); [intros t Ht; field; repeat split; nonzero|bnd]
+  | _ => apply bounded_const
+  end
+with bnd := first [solve [eauto with clpt nocore] |
+  lazymatch goal with
+  | |- bounded _ (fun _ => ?a) => apply bounded_const
+  | |- bounded _ (fun t => @?f t + @?g t) => apply (bounded_plus _ f g); bnd
+  | |- bounded _ (fun t => @?f t - @?g t) => apply (bounded_minus _ f g); bnd
+  | |- bounded _ (fun t => @?f t * @?g t) => apply (bounded_mult _ f g); bnd
+  | |- bounded _ (fun t => @?f t / @?g t) => apply (bounded_mult _ f (fun t => / g t)); bnd
+  | |- bounded _ (fun t => - @?f t) => apply (bounded_opp _ f); bnd
+  | |- bounded _ (fun t => (@?f t) ^ ?n) => apply (bounded_pow _ n f); bnd
+  | |- bounded _ (fun t => / exp (@?f t)) => apply (bounded_inv_exp _ f); bnd
+  | |- bounded _ (fun t => / @?f t) => first [leaf | bounded_inverse f
+      | apply (bounded_inv _ 1 f); [lra|intros t Ht; above] | apply (bounded_inv _ (/ 100) f); [lra|intros t Ht; above]]
+  | |- bounded _ (fun t => sin (@?f t)) => apply (bounded_sin _ f)
+  | |- bounded _ (fun t => cos (@?f t)) => apply (bounded_cos _ f)
+  | |- bounded _ (fun t => tanh (@?f t)) => apply (bounded_tanh _ f)
+  | |- bounded _ (fun t => sinh (@?f t)) => apply (bounded_sinh _ f); bnd
+  | |- bounded _ (fun t => cosh (@?f t)) => apply (bounded_cosh _ f); bnd
+  | |- bounded _ (fun t => atan (@?f t)) => apply (bounded_atan _ f)
+  | |- bounded _ (fun t => exp (@?f t)) => apply (bounded_exp _ f); bnd
+  | |- bounded _ (fun t => sqrt (@?f t)) => apply (bounded_sqrt _ f); bnd
+  | |- bounded _ (fun t => Rabs (@?f t)) => apply (bounded_abs _ f); bnd
+  | |- bounded _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  | |- _ => leaf
+  end].
+Ltac lip :=
+  lazymatch goal with
+  | |- Lipschitz _ (fun _ => ?a) => apply Lipschitz_const
+  | |- Lipschitz _ (fun t => @?f t + @?g t) => apply (Lipschitz_plus _ f g); lip
+  | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip
+  | |- Lipschitz _ (fun t => / @?f t) => first [eapply Lipschitz_rate; [follow|bnd] | lazymatch f with
+      | (fun t => _ + ?c) => apply (Lipschitz_inv _ c f); [positive|intros t Ht; below|lip] end]
+  | |- Lipschitz _ (fun t => exp (@?f t)) => eapply Lipschitz_rate; [follow|bnd]
+  | |- Lipschitz _ (fun t => @?f t * @?g t) => lazymatch f with
+      | (fun _ => ?a) => apply (Lipschitz_scal _ a g); lip
+      | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+      end
+  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
+  | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip
+  | |- Lipschitz _ (fun t => (@?f t) ^ ?n) => apply (Lipschitz_pow _ n f); [bnd|lip]
+  | |- Lipschitz _ (fun t => sin (@?f t)) => apply (Lipschitz_sin _ f); lip
+  | |- Lipschitz _ (fun t => cos (@?f t)) => apply (Lipschitz_cos _ f); lip
+  | |- Lipschitz _ (fun t => tanh (@?f t)) => apply (Lipschitz_tanh _ f); lip
+  | |- Lipschitz _ (fun t => Rabs (@?f t)) => apply (Lipschitz_abs _ f); lip
+  | |- Lipschitz _ (fun t => t) => apply Lipschitz_time
+  | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  | |- _ => first [leaf | eapply Lipschitz_rate; [follow|bnd]]
+  end.
+Ltac van :=
+  first [leaf | lazymatch goal with
+  | |- vanishes _ (fun _ => 0) => apply vanishes_zero
+  | |- vanishes _ (fun t => @?f t + @?g t) => apply (vanishes_plus _ f g); van
+  | |- vanishes _ (fun t => @?f t - @?g t) => apply (vanishes_minus _ f g); van
+  | |- vanishes _ (fun t => - @?f t) => apply (vanishes_opp _ f); van
+  | |- vanishes _ (fun t => @?f t * @?g t) =>
+      first [apply (vanishes_left _ f g); [van|bnd] | apply (vanishes_right _ f g); [bnd|van]]
+  | |- vanishes _ (fun t => @?f t / @?g t) => apply (vanishes_left _ f (fun t => / g t)); [van|bnd]
+  | |- vanishes _ (fun t => (@?f t) ^ ?n) =>
+      let k := eval compute in (pred n) in apply (vanishes_pow _ k f); [bnd|van]
+  | |- vanishes _ (fun t => sin (@?f t)) => apply (vanishes_at sin _ f through_sin); van
+  | |- vanishes _ (fun t => tanh (@?f t)) => apply (vanishes_at tanh _ f through_tanh); van
+  | |- vanishes _ (fun t => sinh (@?f t)) => apply (vanishes_at sinh _ f through_sinh); van
+  | |- vanishes _ (fun t => atan (@?f t)) => apply (vanishes_at atan _ f through_atan); van
+  | |- vanishes _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  end].
+(* an identity of fractions, with at most two squares of sines, roots or absolute values *)
+Ltac tidy := cbn [Z.of_nat Pos.of_succ_nat Pos.succ pred].
+Ltac field_with := field; repeat split; nonzero.
+Ltac square_of :=
+  match goal with
+  | |- context [sin ?u] => know (sin u ^ 2 = 1 - cos u ^ 2) by apply sin_square
+  | |- context [Rabs ?u] => know (Rabs u ^ 2 = u ^ 2) by apply pow2_abs
+  | |- context [sqrt ?u] => know (sqrt u ^ 2 = u) by (apply pow2_sqrt; nonneg)
+  end.
+Ltac ring_of :=
+  match goal with
+  | A : _ ^ 2 = _, B : _ ^ 2 = _ |- _ => first [ring [A B] | field_simplify_eq; [ring [A B]|repeat split; nonzero..]]
+  | A : _ ^ 2 = _ |- _ => first [ring [A] | field_simplify_eq; [ring [A]|repeat split; nonzero..]]
+  end.
+Lemma exp_inverse a b : a + b = 0 -> exp a = / exp b.
+Proof. intros H. rewrite <- exp_Ropp. f_equal. lra. Qed.
+Lemma exp_double a : exp (2 * a) = exp a ^ 2.
+Proof. replace (2 * a) with (a + a) by ring. rewrite exp_plus. ring. Qed.
+Ltac exponentials := rewrite ?exp_double; repeat match goal with
+  | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
+Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with].
+
+(* --- proofs of files --- *)
+Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact shape_cosh | exact shape_root
+  | exact shape_soft | exact shape_sinh | exact shape_atan | exact (shape_even 0) | exact (shape_even 1)
+  | exact (shape_even 2) | exact (shape_even 3) | exact (shape_even 4) | exact (shape_even 5)].
+(* the rest *)
+Ltac at_rest := first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
+  repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite sinh_0
+    | rewrite cosh_0 | rewrite atan_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
+(* V' as a sum *)
+Ltac sum_of rate V loss := eapply follows_by; [exact rate|intros t Ht; unfold V, loss; equal].
+Ltac parts_of V := intros t Ht; unfold V; equal.
+Ltac nonneg_of parts := intros t Ht; rewrite (parts t Ht); nonneg.
+Ltac nonneg_loss loss := unfold loss; intros t Ht; nonneg.
+Ltac falls_of sum loss := intros s t Hst Ht; apply (falls _ _ _ sum); auto; intros u Hu; assert (A := loss u Hu); lra.
+Ltac spent_of sum V loss := intros L HL t Ht; assert (F := falls _ _ _ (follows_plus _ _ _ _ _ HL sum) ltac:(intros; lra) 0 t ltac:(destruct Ht; lra) Ht);
+  assert (A := V t Ht); lra.
+Ltac mean_of sum V loss := intros L P HL HP t Ht;
+  assert (F := falls _ _ _ (follows_minus _ _ _ _ _ (follows_plus _ _ _ _ _ HL sum) HP) ltac:(intros u Hu; assert (B := V u Hu); lra) 0 t ltac:(destruct Ht; lra) Ht);
+  assert (A := V t Ht); lra.
+Ltac decays_of d sum V loss := intros c Hc; refine (decays _ _ _ d c _ sum _); [positive|];
+  intros u Hu; assert (A := loss u Hu); assert (B := Hc u Hu); lra.
+(* V <= V(0) exp(-c t), as c V <= loss term by term *)
+Lemma decays_to_zero T V dV c : 0 < c -> follows T V dV -> (forall t, on T t -> c * V t <= - dV t) ->
+  forall t, on T t -> V t <= V 0 * exp (- c * t).
+Proof. intros Hc F H t Ht. assert (A := decays T V dV c 0 Hc F ltac:(intros u Hu; assert (B := H u Hu); lra) t Ht).
+  unfold Rdiv in A. rewrite Rmult_0_l, Rplus_0_l, Rminus_0_r in A. exact A. Qed.
+Lemma larger_share c w l g : c * w <= l -> 0 <= g -> c * (w * g) <= l * g.
+Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. Qed.
+Lemma below_shares c a b d e : c * a <= d -> c * b <= e -> c * (a + b) <= d + e. Proof. lra. Qed.
+Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [shares|nonneg]
+  | apply larger_share; [assumption|nonneg]].
+Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
+  intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
+Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.
+Ltac part_of loss := intros t Ht; apply Ropp_le_contravar; unfold loss; below.
+(* V stays below c; the room to c is printed as a factor of losses *)
+Lemma room_at V c r : V < c -> r = c - V -> 0 <= r. Proof. lra. Qed.
+Ltac room_of stays V := intros t Ht; apply (room_at _ _ _ (stays t Ht)); unfold V; field.
+Lemma loses x : 0 <= x -> - x <= 0. Proof. lra. Qed.
+Ltac stays_of c sum begins V loss room := apply (stays_below _ _ _ c sum); [|exact begins]; intros u Hu L;
+  assert (M : 0 <= room u) by (apply (room_at _ _ _ L); unfold V; field); cbv beta in M |- *; apply loses; unfold loss; nonneg.
+(* V' as it is printed *)
+Ltac rate_of := eapply follows_by; [follow|intros t Ht; equal].
+(* a form that V bounds, as bound says, by its shape g *)
+Ltac bounded_by_shape bound g := eapply (bounded_shape _ g); [shape_of| |intros t Ht; exact (bound t Ht)]; positive.
+(* what V loses goes to zero *)
+Ltac lost_from sum V loss := eapply (vanishes_value _ _ _ _ sum V); [cbv beta; part_of loss|cbv beta; intros t Ht; nonneg|lip].
+Ltac zero_of lost g := eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
+(* the rate of what goes to zero *)
+Ltac next_of zero := eapply (vanishes_next _ _ _ zero); [rate_of|lip].
+(* a form by what goes to zero, is bounded or small *)
+Ltac vanishes_as f := apply (vanishes_ext _ f); [intros t Ht; equal|van].
+Ltac bounded_as f := apply (bounded_ext _ f); [intros t Ht; equal|bnd].
+
 Ltac sml le := first [solve [eauto with clpt nocore] |
   lazymatch goal with
   | |- small _ _ _ (fun i t => @?f i t + @?g i t) => apply (small_plus _ _ _ le f g); sml le
-  | |- small _ _ _ (fun i t => exp (@?f i t) - @?f i t - 1) => apply (small_exp _ _ _ f); sml le
-  | |- small _ _ _ (fun i t => 1 - cos (@?f i t)) => apply (small_one_minus_cos _ _ _ f); sml le
-  | |- small _ _ _ (fun i t => tanh (@?f i t)) => apply (small_tanh _ _ _ f); sml le
+  | |- small _ _ _ (fun i t => exp (@?f i t) - @?f i t - 1) => apply (small_at _ _ _ _ f through_exp); sml le
+  | |- small _ _ _ (fun i t => 1 - cos (@?f i t)) => apply (small_at _ _ _ _ f through_cos); sml le
+  | |- small _ _ _ (fun i t => cosh (@?f i t) - 1) => apply (small_at _ _ _ _ f through_cosh); sml le
+  | |- small _ _ _ (fun i t => sqrt ((@?f i t) ^ 2 + 1) - 1) => apply (small_at _ _ _ _ f through_root); sml le
+  | |- small _ _ _ (fun i t => Rabs (@?f i t) - ln (1 + Rabs (@?f i t))) => apply (small_at _ _ _ _ f through_soft); sml le
+  | |- small _ _ _ (fun i t => sin (@?f i t)) => apply (small_at _ _ _ _ f through_sin); sml le
+  | |- small _ _ _ (fun i t => tanh (@?f i t)) => apply (small_at _ _ _ _ f through_tanh); sml le
+  | |- small _ _ _ (fun i t => sinh (@?f i t)) => apply (small_at _ _ _ _ f through_sinh); sml le
+  | |- small _ _ _ (fun i t => atan (@?f i t)) => apply (small_at _ _ _ _ f through_atan); sml le
   | |- small _ _ _ (fun i t => @?f i t - @?g i t) => apply (small_minus _ _ _ le f g); sml le
   | |- small _ _ _ (fun _ _ => 0) => apply small_zero
   | |- small _ _ _ (fun i t => ?a * @?g i t) => apply (small_scal _ _ _ a g); sml le
-  | |- small _ _ _ (fun i t => 1 - cos (@?f i t)) => apply (small_one_minus_cos _ _ _ f); sml le
   | |- small _ _ _ (fun i t => @?f i t * @?g i t) => apply (small_mult _ _ _ le f g); sml le
   | |- small _ _ _ (fun i t => @?f i t / ?a) => apply (small_share _ _ _ a f); sml le
   | |- small _ _ _ (fun i t => Rabs (@?f i t)) => apply (small_abs _ _ _ f); sml le
@@ -936,259 +1063,3 @@ Ltac start_of near := intros eps He; exists eps; split; [exact He|]; intros i Hi
 Ltac small_V_of le parts f := apply (small_ext _ _ _ f);
   [intros i t Ht; symmetry; apply parts; apply (on_le _ 0 t Ht); destruct Ht; lra|sml le].
 
-(* --- more functions, and factors of time, by hints --- *)
-Lemma exp_falls u : u <= 0 -> exp u <= 1.
-Proof. intros [H| ->]; [|rewrite exp_0; lra]. rewrite <- exp_0. apply Rlt_le, exp_increasing, H. Qed.
-Ltac in_time := match goal with A : on _ ?t |- _ => assert (0 <= t) by apply A end;
-  repeat match goal with |- context [exp ?u] => lazymatch goal with A : 0 < exp u <= 1 |- _ => fail
-    | _ => assert (0 < exp u <= 1) by (split; [apply exp_pos|apply exp_falls; lra]) end end; lra.
-#[global] Hint Extern 1 (0 <= _) => in_time : clpt.
-#[global] Hint Extern 1 (0 < _) => in_time : clpt.
-
-(* 1/f of a Lipschitz f that stays away from zero, as 1/(1 + |x|) *)
-Lemma Lipschitz_inv T c f : 0 < c -> (forall t, on T t -> c <= f t) -> Lipschitz T f -> Lipschitz T (fun t => / f t).
-Proof. intros P A [L H]. exists (L * (/ c * / c)). intros s t Hs Ht. assert (B := A s Hs). assert (C := A t Ht).
-  replace (/ f t - / f s) with ((f t - f s) * - (/ f t * / f s)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp.
-  assert (D : 0 < / f t * / f s) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; lra). rewrite (Rabs_pos_eq (_ * _)) by lra.
-  assert (E : / f t * / f s <= / c * / c).
-  { apply Rmult_le_compat; try (apply Rlt_le, Rinv_0_lt_compat; lra); apply Rinv_le_contravar; auto. }
-  assert (F := H s t Hs Ht). assert (Q := Rabs_pos (f t - f s)). assert (0 < / c * / c) by (apply Rmult_lt_0_compat; apply Rinv_0_lt_compat; auto).
-  replace (L * (/ c * / c) * Rabs (t - s)) with (L * Rabs (t - s) * (/ c * / c)) by ring. apply Rmult_le_compat; lra. Qed.
-Ltac lip_more := lazymatch goal with
-  | |- Lipschitz _ (fun t => @?f t + @?g t) => apply (Lipschitz_plus _ f g); lip_more
-  | |- Lipschitz _ (fun t => @?f t - @?g t) => apply (Lipschitz_minus _ f g); lip_more
-  | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip_more
-  | |- Lipschitz _ (fun t => @?f t * @?g t) => apply (Lipschitz_mult _ f g); [bnd|bnd|lip_more|lip_more]
-  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip_more|lip_more]
-  | |- Lipschitz _ (fun t => / (@?f t + ?c)) => first [lip | apply (Lipschitz_inv _ c (fun t => f t + c)); [positive|intros t Ht; below|lip]]
-  | |- _ => lip
-  end.
-Lemma ln_nonneg a : 1 <= a -> 0 <= ln a.
-Proof. intros H. rewrite <- ln_1. apply ln_le; lra. Qed.
-#[global] Hint Extern 1 (0 <= ln _) => apply ln_nonneg; below : clpt.
-(* cosh, sinh and atan *)
-Lemma derive_sinh x : is_derive sinh x (cosh x).
-Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
-Lemma derive_cosh x : is_derive cosh x (sinh x).
-Proof. unfold sinh, cosh. auto_derive; auto; field. Qed.
-Lemma derive_atan x : is_derive atan x (/ (1 + x ^ 2)).
-Proof. apply is_derive_Reals, derivable_pt_lim_atan. Qed.
-Lemma follows_sinh T f df : follows T f df -> follows T (fun t => sinh (f t)) (fun t => df t * cosh (f t)).
-Proof. apply (follows_in T sinh cosh). intros. apply derive_sinh. Qed.
-Lemma follows_cosh T f df : follows T f df -> follows T (fun t => cosh (f t)) (fun t => df t * sinh (f t)).
-Proof. apply (follows_in T cosh sinh). intros. apply derive_cosh. Qed.
-Lemma follows_atan T f df : follows T f df -> follows T (fun t => atan (f t)) (fun t => df t * / (1 + f t ^ 2)).
-Proof. apply (follows_in T atan (fun x => / (1 + x ^ 2))). intros. apply derive_atan. Qed.
-Lemma bounded_atan T f : bounded T (fun t => atan (f t)).
-Proof. apply (bounded_by T (PI / 2) atan). intros x. assert (A := atan_bound x). apply Rabs_le. lra. Qed.
-Lemma bounded_cosh T f : bounded T f -> bounded T (fun t => cosh (f t)).
-Proof. intros H. apply (bounded_mult T (fun t => exp (f t) + exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
-  apply bounded_plus; apply bounded_exp; auto using bounded_opp. Qed.
-Lemma bounded_sinh T f : bounded T f -> bounded T (fun t => sinh (f t)).
-Proof. intros H. apply (bounded_mult T (fun t => exp (f t) - exp (- f t)) (fun _ => / 2)); [|apply bounded_const].
-  apply bounded_minus; apply bounded_exp; auto using bounded_opp. Qed.
-(* a function that rises through zero *)
-Lemma vanishes_of_rising g T f : (forall x y, x < y -> g x < g y) -> g 0 = 0 -> vanishes T (fun t => g (f t)) -> vanishes T f.
-Proof. intros G Z F E. assert (L := F E). apply is_lim_spec. intros eps. apply is_lim_spec in L. assert (He := cond_pos eps).
-  assert (A := G 0 eps He). assert (B := G (- eps) 0 ltac:(lra)).
-  assert (P : 0 < Rmin (g eps) (- g (- eps))) by (apply Rmin_pos; lra).
-  destruct (L (mkposreal _ P)) as [N HN]. exists N. intros t Ht. assert (Q := HN t Ht). simpl in *. rewrite Rminus_0_r in *.
-  assert (C := Rmin_l (g eps) (- g (- eps))). assert (D := Rmin_r (g eps) (- g (- eps))). apply Rabs_lt_between in Q. apply Rabs_lt_between.
-  split; apply Rnot_le_lt; intros [H|H].
-  - assert (K := G _ _ H). lra. - subst. rewrite <- H in D. rewrite <- H in Q. lra.
-  - assert (K := G _ _ H). lra. - rewrite <- H in Q. lra. Qed.
-Lemma sinh_rises x y : x < y -> sinh x < sinh y.
-Proof. intros H. unfold sinh. assert (A := exp_increasing _ _ H). assert (B := exp_increasing (- y) (- x) ltac:(lra)). lra. Qed.
-Lemma vanishes_of_sinh T f : vanishes T (fun t => sinh (f t)) -> vanishes T f.
-Proof. apply (vanishes_of_rising sinh); [apply sinh_rises|apply sinh_0]. Qed.
-Lemma vanishes_of_atan T f : vanishes T (fun t => atan (f t)) -> vanishes T f.
-Proof. apply (vanishes_of_rising atan); [apply atan_increasing|apply atan_0]. Qed.
-Lemma vanishes_at (g : R -> R) T f : continuous g 0 -> g 0 = 0 -> vanishes T f -> vanishes T (fun t => g (f t)).
-Proof. intros C Z F E. apply is_lim_spec. intros eps. assert (L := F E). apply is_lim_spec in L.
-  destruct (C (ball (g 0) eps) (locally_ball _ _)) as [d Hd]. destruct (L d) as [N HN]. exists N. intros t Ht. simpl in *.
-  assert (A := Hd (f t) (HN t Ht)). change (Rabs (g (f t) - g 0) < eps) in A. rewrite Z in A. exact A. Qed.
-Lemma continuous_of (g : R -> R) (dg x : R) : is_derive g x dg -> continuous g x.
-Proof. intros D. apply @ex_derive_continuous. exists dg. exact D. Qed.
-Lemma continuous_sinh : continuous sinh 0. Proof. apply (continuous_of _ _ _ (derive_sinh 0)). Qed.
-Lemma continuous_cosh : continuous (fun x => cosh x - 1) 0.
-Proof. apply (continuous_of _ (sinh 0 - 0)). apply @is_derive_minus; [apply derive_cosh|apply @is_derive_const]. Qed.
-Lemma continuous_atan_0 : continuous atan 0. Proof. apply (continuous_of _ _ _ (derive_atan 0)). Qed.
-Lemma continuous_sin_0 : continuous sin 0. Proof. apply continuous_sin. Qed.
-Lemma cosh_0_less : cosh 0 - 1 = 0. Proof. rewrite cosh_0. ring. Qed.
-
-(* shapes: cosh(s) - 1, s sinh(s), s atan(s), sqrt(1 + s^2) - 1, |s| - ln(1 + |s|) *)
-Lemma shape_above g h c : shape g -> 0 < c -> (forall x, c * g x <= h x) -> shape h.
-Proof. intros [P [S L]] Hc H. assert (W : forall x, g x <= h x / c).
-  { intros x. apply (Rmult_le_reg_l c); auto. replace (c * (h x / c)) with (h x) by (field; lra). apply H. }
-  repeat split.
-  - intros x. assert (A := P x). assert (B := H x). nra.
-  - intros e He. destruct (S e He) as [d [Hd D]]. exists (c * d). split; [apply Rmult_lt_0_compat; auto|].
-    intros x Hx. apply D. assert (A := H x). apply (Rmult_lt_reg_l c); auto. lra.
-  - intros B. destruct (L (B / c)) as [M HM]. exists M. intros x Hx. apply HM. eapply Rle_trans; [apply W|].
-    apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Hc. Qed.
-Lemma shape_cosh : shape (fun x => cosh x - 1).
-Proof. apply (shape_above _ _ (/ 2) shape_exp); [lra|]. intros x. unfold cosh. assert (A := exp_line (- x)). lra. Qed.
-Lemma cosh_one x : 1 <= cosh x.
-Proof. destruct shape_cosh as [P _]. assert (A := P x). simpl in A. lra. Qed.
-Lemma shape_sinh : shape (fun x => x * sinh x).
-Proof. apply (shape_above _ _ 1 shape_tanh); [lra|]. intros x. rewrite Rmult_1_l. assert (A := tanh_sector x). assert (B := cosh_one x).
-  replace (x * sinh x) with (x * tanh x * cosh x) by (unfold tanh; field; lra). nra. Qed.
-Lemma shape_rising g : (forall x y, x < y -> g x < g y) -> (forall x, g (- x) = - g x) -> shape (fun x => x * g x).
-Proof. intros G O. assert (Z : g 0 = 0). { assert (A := O 0). rewrite Ropp_0 in A. lra. }
-  assert (E : forall x, x * g x = Rabs x * g (Rabs x)). { intros x. unfold Rabs. destruct (Rcase_abs x); auto. rewrite O. ring. }
-  assert (N : forall x, 0 <= x -> 0 <= g x). { intros x [H| <-]; [assert (A := G _ _ H)|]; lra. }
-  apply shape_by.
-  - intros x. rewrite E. apply Rmult_le_pos; [|apply N]; apply Rabs_pos.
-  - intros e He. exists (g e). split; [assert (A := G _ _ He); lra|]. intros x Hx. rewrite E, Rmult_comm.
-    apply Rmult_le_compat_l; [apply Rabs_pos|]. destruct Hx as [Hx| <-]; [apply Rlt_le, G, Hx|lra]. Qed.
-Lemma shape_atan : shape (fun x => x * atan x).
-Proof. apply shape_rising; [apply atan_increasing|apply atan_opp]. Qed.
-Lemma root_above x d e : 0 < e -> d = e / (3 + 3 * e) -> e <= Rabs x -> 1 + d * Rabs x <= sqrt (x ^ 2 + 1).
-Proof. intros He Ed Hx. assert (D : 0 < d <= 1 / 3 /\ d <= e / 3).
-  { subst d. split; [split|].
-    - apply Rdiv_lt_0_compat; lra. - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). lra.
-    - apply (Rmult_le_reg_r (3 + 3 * e)); [lra|]. replace (e / (3 + 3 * e) * (3 + 3 * e)) with e by (field; lra). nra. }
-  assert (A := Rabs_pos x). rewrite <- (sqrt_pow2 (1 + d * Rabs x)) by nra. apply sqrt_le_1_alt. rewrite <- (pow2_abs x).
-  set (a := Rabs x) in *. enough (a * (2 * d + d * d * a) <= a * a) by nra. apply Rmult_le_compat_l; auto.
-  assert (d * d <= 1 / 9) by nra. nra. Qed.
-Lemma root_one x : 1 <= sqrt (x ^ 2 + 1).
-Proof. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt. assert (A := pow2_ge_0 x). lra. Qed.
-Lemma shape_root : shape (fun x => sqrt (x ^ 2 + 1) - 1).
-Proof. apply shape_by; [intros x; assert (A := root_one x); lra|]. intros e He. exists (e / (3 + 3 * e)). split; [apply Rdiv_lt_0_compat; lra|].
-  intros x Hx. assert (A := root_above x _ e He eq_refl Hx). lra. Qed.
-Lemma soft_exp x : Rabs x - ln (1 + Rabs x) = exp (ln (1 + Rabs x)) - ln (1 + Rabs x) - 1.
-Proof. assert (A := Rabs_pos x). rewrite exp_ln by lra. ring. Qed.
-Lemma ln_above x : 0 <= ln (1 + Rabs x).
-Proof. assert (A := Rabs_pos x). rewrite <- ln_1. apply ln_le; lra. Qed.
-Lemma shape_soft : shape (fun x => Rabs x - ln (1 + Rabs x)).
-Proof. destruct shape_exp as [P [S L]]. repeat split.
-  - intros x. rewrite soft_exp. apply P.
-  - intros e He. assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra). destruct (S _ H) as [d [Hd D]]. exists d. split; auto.
-    intros x Hx. rewrite soft_exp in Hx. assert (A := D _ Hx). rewrite Rabs_pos_eq in A by apply ln_above. assert (B := Rabs_pos x).
-    apply ln_lt_inv in A; lra.
-  - intros B. destruct (L B) as [M HM]. exists (exp M). intros x Hx. rewrite soft_exp in Hx. assert (A := HM _ Hx).
-    rewrite Rabs_pos_eq in A by apply ln_above. assert (C := Rabs_pos x). assert (exp (ln (1 + Rabs x)) <= exp M).
-    { destruct A as [A| ->]; [apply Rlt_le, exp_increasing, A|lra]. } rewrite exp_ln in H by lra. lra. Qed.
-
-(* rates of |s| s^2 and of |s| - ln(1 + |s|) *)
-Lemma derive_flat (g : R -> R) : g 0 = 0 -> (forall x, Rabs x <= 1 -> Rabs (g x) <= x ^ 2) -> is_derive g 0 0.
-Proof. intros Z H. apply is_derive_Reals. intros e He. assert (P : 0 < Rmin 1 e) by (apply Rmin_pos; lra).
-  exists (mkposreal _ P). intros h Nh Hh. simpl in Hh. assert (A := Rmin_l 1 e). assert (B := Rmin_r 1 e).
-  rewrite Rplus_0_l, Z, !Rminus_0_r. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. assert (C := Rabs_pos_lt h Nh).
-  apply (Rle_lt_trans _ (Rabs h)); [|lra]. apply (Rmult_le_reg_r (Rabs h)); auto. rewrite Rmult_assoc, Rinv_l by lra.
-  assert (D := H h ltac:(lra)). rewrite <- (pow2_abs h) in D. lra. Qed.
-Lemma derive_by_sides (g p m d : R -> R) : (forall x, 0 < x -> g x = p x) -> (forall x, x < 0 -> g x = m x) ->
-  (forall x, 0 < x -> is_derive p x (d x)) -> (forall x, x < 0 -> is_derive m x (d x)) -> is_derive g 0 (d 0) ->
-  forall x, is_derive g x (d x).
-Proof. intros Gp Gm P M Z x. destruct (Rtotal_order x 0) as [H|[->|H]]; auto.
-  - apply (is_derive_ext_loc m); auto. exists (mkposreal (- x) ltac:(lra)). intros y Hy. symmetry. apply Gm.
-    change (Rabs (y - x) < - x) in Hy. apply Rabs_lt_between in Hy. lra.
-  - apply (is_derive_ext_loc p); auto. exists (mkposreal x H). intros y Hy. symmetry. apply Gp.
-    change (Rabs (y - x) < x) in Hy. apply Rabs_lt_between in Hy. lra. Qed.
-Lemma derive_cube : forall x, is_derive (fun x => Rabs x * x ^ 2) x (3 * Rabs x * x).
-Proof. apply (derive_by_sides _ (fun x => x * x ^ 2) (fun x => - x * x ^ 2)).
-  - intros x H. rewrite Rabs_pos_eq by lra. ring. - intros x H. rewrite Rabs_left by lra. ring.
-  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; auto; ring. - intros x H. rewrite Rabs_left by lra. auto_derive; auto; ring.
-  - rewrite Rmult_0_r. apply derive_flat; [ring|]. intros x H. rewrite Rabs_mult, Rabs_Rabsolu, (Rabs_pos_eq (x ^ 2)) by apply pow2_ge_0.
-    assert (A := pow2_ge_0 x). nra. Qed.
-Lemma derive_soft : forall x, is_derive (fun x => Rabs x - ln (1 + Rabs x)) x (x / (1 + Rabs x)).
-Proof. apply (derive_by_sides _ (fun x => x - ln (1 + x)) (fun x => - x - ln (1 + - x))).
-  - intros x H. rewrite Rabs_pos_eq by lra. easy. - intros x H. rewrite Rabs_left by lra. easy.
-  - intros x H. rewrite Rabs_pos_eq by lra. auto_derive; [lra|field; lra]. - intros x H. rewrite Rabs_left by lra. auto_derive; [lra|field; lra].
-  - unfold Rdiv. rewrite Rmult_0_l. apply derive_flat; [rewrite Rabs_R0, Rplus_0_r, ln_1; ring|]. intros x _. destruct shape_soft as [P _].
-    rewrite Rabs_pos_eq by apply P. rewrite <- (pow2_abs x). assert (A := Rabs_pos x). set (a := Rabs x) in *.
-    assert (B := exp_line (- ln (1 + a))). rewrite exp_Ropp, exp_ln in B by lra.
-    assert (C : / (1 + a) <= 1 - a + a ^ 2). { apply (Rmult_le_reg_l (1 + a)); [lra|]. rewrite Rinv_r by lra. assert (0 <= a ^ 3) by (apply pow_le; auto). nra. }
-    lra. Qed.
-Lemma follows_cube T f df : follows T f df -> follows T (fun t => Rabs (f t) * f t ^ 2) (fun t => df t * (3 * Rabs (f t) * f t)).
-Proof. apply (follows_in T (fun x => Rabs x * x ^ 2) (fun x => 3 * Rabs x * x)). intros. apply derive_cube. Qed.
-Lemma follows_soft T f df : follows T f df -> follows T (fun t => Rabs (f t) - ln (1 + Rabs (f t))) (fun t => df t * (f t / (1 + Rabs (f t)))).
-Proof. apply (follows_in T (fun x => Rabs x - ln (1 + Rabs x)) (fun x => x / (1 + Rabs x))). intros. apply derive_soft. Qed.
-Lemma continuous_soft : continuous (fun x => Rabs x - ln (1 + Rabs x)) 0. Proof. apply (continuous_of _ _ _ (derive_soft 0)). Qed.
-Lemma soft_0 : Rabs 0 - ln (1 + Rabs 0) = 0. Proof. rewrite Rabs_R0, Rplus_0_r, ln_1. ring. Qed.
-Lemma continuous_root : continuous (fun x => sqrt (x ^ 2 + 1) - 1) 0. Proof. apply @ex_derive_continuous. auto_derive. nra. Qed.
-Lemma root_0 : sqrt (0 ^ 2 + 1) - 1 = 0. Proof. rewrite pow_ne_zero, Rplus_0_l, sqrt_1 by lia. ring. Qed.
-
-Ltac follow_more := lazymatch goal with
-  | |- follows _ (fun t => sinh (@?f t)) _ => eapply (follows_sinh _ f _); follow
-  | |- follows _ (fun t => cosh (@?f t)) _ => eapply (follows_cosh _ f _); follow
-  | |- follows _ (fun t => atan (@?f t)) _ => eapply (follows_atan _ f _); follow
-  end.
-#[global] Hint Extern 1 (follows _ _ _) => follow_more : clpt.
-Ltac bounded_more := lazymatch goal with
-  | |- bounded _ (fun t => sinh (@?f t)) => apply (bounded_sinh _ f); bnd
-  | |- bounded _ (fun t => cosh (@?f t)) => apply (bounded_cosh _ f); bnd
-  | |- bounded _ (fun t => atan (@?f t)) => apply (bounded_atan _ f)
-  | |- bounded ?T (fun t => / @?f t) => first [apply (bounded_inv T 1 f); [lra|intros t Ht; solve [above|in_time]]
-      | apply (bounded_inv T (/ 100) f); [lra|intros t Ht; solve [above|in_time]]]
-  end.
-#[global] Hint Extern 1 (bounded _ _) => bounded_more : clpt.
-Ltac vanish_more := lazymatch goal with
-  | |- vanishes ?T (fun t => sinh (@?f t)) => apply (vanishes_at sinh T f continuous_sinh sinh_0); van
-  | |- vanishes ?T (fun t => atan (@?f t)) => apply (vanishes_at atan T f continuous_atan_0 atan_0); van
-  end.
-#[global] Hint Extern 1 (vanishes _ _) => vanish_more : clpt.
-Ltac small_more := lazymatch goal with
-  | |- small _ _ _ (fun i t => cosh (@?f i t) - 1) => apply (small_at _ _ _ _ f continuous_cosh cosh_0_less); leaf
-  | |- small _ _ _ (fun i t => sqrt ((@?f i t) ^ 2 + 1) - 1) => apply (small_at _ _ _ _ f continuous_root root_0); leaf
-  | |- small _ _ _ (fun i t => Rabs (@?f i t) - ln (1 + Rabs (@?f i t))) => apply (small_at _ _ _ _ f continuous_soft soft_0); leaf
-  | |- small _ _ _ (fun i t => sin (@?f i t)) => apply (small_at _ _ _ _ f continuous_sin_0 sin_0); leaf
-  | |- small ?I ?near _ (fun i t => @?f i t * @?g i t) => lazymatch f with (fun _ _ => ?a) => fail | _ =>
-      let le := fresh in assert (le : forall d e i, d <= e -> near d i -> near e i) by eauto with clpt nocore; apply (small_mult _ _ _ le f g); sml le end
-  | |- small _ _ _ (fun i t => sinh (@?f i t)) => apply (small_at _ _ _ _ f continuous_sinh sinh_0); leaf
-  | |- small _ _ _ (fun i t => atan (@?f i t)) => apply (small_at _ _ _ _ f continuous_atan_0 atan_0); leaf
-  end.
-#[global] Hint Extern 1 (small _ _ _ _) => small_more : clpt.
-Ltac shape_of ::= first [exact shape_tanh | exact shape_cube | exact shape_exp | exact shape_cosh | exact shape_root
-  | exact shape_soft | exact shape_sinh | exact shape_atan | exact (shape_even 0) | exact (shape_even 1)
-  | exact (shape_even 2) | exact (shape_even 3) | exact (shape_even 4) | exact (shape_even 5)].
-#[global] Hint Extern 1 (0 <= _ - _) => first [apply (proj1 shape_cosh) | apply (proj1 shape_root) | apply (proj1 shape_soft)] : clpt.
-(* V with |s| s^2 or |s| - ln(1 + |s|), term by term *)
-Ltac follow_terms := lazymatch goal with
-  | |- follows _ (fun t => Rabs (@?f t) * (@?f t) ^ 2) _ => eapply (follows_cube _ f _); follow
-  | |- follows _ (fun t => Rabs (@?f t) - ln (1 + Rabs (@?f t))) _ => eapply (follows_soft _ f _); follow
-  | |- follows _ (fun t => @?f t + @?g t) _ => eapply (follows_plus _ f _ g _); follow_terms
-  | |- follows _ (fun t => @?f t * @?g t) _ => eapply (follows_mult _ f _ g _); follow_terms
-  | |- _ => follow
-  end.
-Ltac rate_of ::= eapply follows_by; [follow_terms|intros t Ht; equal].
-Ltac at_rest ::= first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
-  repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite sinh_0
-    | rewrite cosh_0 | rewrite atan_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
-Ltac next_of zero ::= eapply (vanishes_next _ _ _ zero); [rate_of|lip_more].
-(* functions that rise *)
-Lemma rising_product g a b : (forall x y, x < y -> g x < g y) -> 0 <= (a - b) * (g a - g b).
-Proof. intros G. destruct (Rtotal_order a b) as [H|[->|H]]; [|lra|]; assert (A := G _ _ H); nra. Qed.
-Lemma tanh_increasing x y : x < y -> tanh x < tanh y.
-Proof. intros H. destruct (tanh_rises x y) as [A|E]; [lra|auto|]. destruct (MVT_gen tanh x y (fun x => 1 - tanh x ^ 2)) as [c [_ M]].
-  - intros; apply derive_tanh. - intros. apply continuity_pt_filterlim, (continuous_of _ _ _ (derive_tanh x0)).
-  - assert (Q : tanh c ^ 2 < 1); [|nra]. rewrite tanh_exp. assert (P := exp_pos c). assert (N := exp_pos (- c)).
-    set (a := exp c) in *. set (b := exp (- c)) in *. apply (Rmult_lt_reg_r ((a + b) ^ 2)); [apply pow_lt; lra|].
-    replace (((a - b) / (a + b)) ^ 2 * (a + b) ^ 2) with ((a - b) ^ 2) by (field; lra). nra. Qed.
-Lemma tanh_below x : 0 <= tanh x * (x - tanh x).
-Proof. assert (D : forall u v, u <= v -> u - tanh u <= v - tanh v).
-  { intros u v H. destruct (vanishing_slope (fun x => x - tanh x) (fun x => tanh x ^ 2) u v) as [c [_ E]]; auto.
-    - intros y. replace (tanh y ^ 2) with (1 - (1 - tanh y ^ 2)) by ring. apply @is_derive_minus; [apply @is_derive_id|apply derive_tanh].
-    - assert (A := pow2_ge_0 (tanh c)). nra. }
-  assert (Z := tanh_0). destruct (Rle_lt_dec 0 x) as [H|H].
-  - assert (A := D 0 x H). assert (B := tanh_rises 0 x H). nra.
-  - assert (A := D x 0 ltac:(lra)). assert (B := tanh_rises x 0 ltac:(lra)). nra. Qed.
-Ltac rising := match goal with |- 0 <= _ * (?g _ - _) => apply (rising_product g); first [apply exp_increasing | apply tanh_increasing | apply sinh_rises | apply atan_increasing] end.
-Lemma negative_square b : 0 > b -> 0 < b ^ 2. Proof. nra. Qed.
-Lemma negative_inverse b : 0 > b -> 0 < -1 / b.
-Proof. intros H. replace (-1 / b) with (/ - b) by (field; lra). apply Rinv_0_lt_compat. lra. Qed.
-Ltac known P := lazymatch goal with A : P |- _ => fail | _ => idtac end.
-Ltac signs := repeat match goal with
-  | |- context [?a * sinh ?a] => known (0 <= a * sinh a); assert (0 <= a * sinh a) by apply (proj1 shape_sinh)
-  | |- context [?a * atan ?a] => known (0 <= a * atan a); assert (0 <= a * atan a) by apply (proj1 shape_atan)
-  | |- context [(?a - ?b) * (?g ?a - ?g ?b)] => known (0 <= (a - b) * (g a - g b)); assert (0 <= (a - b) * (g a - g b)) by rising
-  | |- context [tanh ?a * (?a - tanh ?a)] => known (0 <= tanh a * (a - tanh a)); assert (0 <= tanh a * (a - tanh a)) by apply tanh_below
-  | |- context [(?a - tanh ?a) * tanh ?a] => known (0 <= (a - tanh a) * tanh a); assert (0 <= (a - tanh a) * tanh a) by (rewrite Rmult_comm; apply tanh_below)
-  | A : 0 > ?b |- _ => known (0 < b ^ 2); assert (0 < b ^ 2) by apply (negative_square b A); assert (0 < -1 / b) by apply (negative_inverse b A); assert (0 <= -1 / b) by (apply Rlt_le, negative_inverse, A)
-  end.
-Ltac zero_of lost g ::= signs; eapply (vanishes_shape _ g); [shape_of| |exact lost]; positive.
-Ltac nonneg_loss loss := unfold loss; intros t Ht; signs; nonneg.
-Ltac part_of loss ::= intros t Ht; apply Ropp_le_contravar; unfold loss; signs; below.
-Ltac exponential_of sum parts loss ::= intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
-  intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; signs; shares.
-Ltac lost_from sum V loss := eapply (vanishes_value _ _ _ _ sum V); [cbv beta; part_of loss|cbv beta; intros t Ht; signs; nonneg|lip_more].
