@@ -1,4 +1,4 @@
-"""Expressions of a record as text of Coq.
+"""Expressions of a record as text of Coq, and the parts of a file of a verdict.
 
 A name of a record has the prefix `r_`: no keyword of Coq and no name of the fixed files begins so.
 
@@ -31,6 +31,64 @@ FUNCTIONS = {
 KNOWN = sympy.Symbol, sympy.Number, sympy.Add, sympy.Mul, sympy.Pow, sympy.Function
 WORD = r"[A-Za-z_]\w*"
 NAME = re.compile(rf"{WORD}([.:]{WORD})*(\[\w+(,\w+)*\])*", re.ASCII).fullmatch
+
+# --- files of verdicts, by parts ---
+
+FILE = """\
+{prelude}
+Section Loop.
+{lines}
+(* {comment} *)
+Theorem verdict :
+  {stated}.
+Proof. {proof} Qed.
+End Loop.
+Print Assumptions verdict.
+"""
+RUN = """\
+(* a run on [0, T) *)
+Record run := Run {{
+  {fields} }}.
+#[local] Hint Resolve {facts} : clpt."""
+REST = """\
+(* a run exists: the rest *)
+Lemma a_run : exists i, T i = p_infty.
+Proof. unshelve eexists (Run p_infty {values} {holes}); [at_rest..|reflexivity]. Qed."""
+SUMS = """\
+Definition V (i : run) (t : R) := {V}.
+Definition loss (i : run) (t : R) := {loss}.
+Lemma V_rate : forall i, follows (T i) (V i) (fun t => {rate}).
+Proof. intros i. unfold V. rate_of. Qed.
+Lemma V_sum : forall i, follows (T i) (V i) (fun t => {fall}).
+Proof. intros i. sum_of (V_rate i) V loss. Qed.
+Lemma V_parts : forall i, forall t, on (T i) t -> V i t = {parts}.
+Proof. intros i. parts_of V. Qed.
+Lemma V_nonneg : forall i, forall t, on (T i) t -> 0 <= V i t.
+Proof. intros i. nonneg_of (V_parts i). Qed."""
+FALLS = """\
+Lemma V_falls : forall i, forall s t, 0 <= s <= t -> on (T i) t -> V i t <= V i s.
+Proof. intros i. falls_of (V_sum i) (loss_nonneg i). Qed.
+Lemma spent : forall i, forall L, follows (T i) L (loss i) ->
+  forall t, on (T i) t -> L t - L 0 <= V i 0.
+Proof. intros i. spent_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
+DECAYS = """\
+Lemma V_decays : forall i, forall c, (forall t, on (T i) t -> {push} <= c) ->
+  forall t, on (T i) t -> V i t <= c / ({decay}) + (V i 0 - c / ({decay})) * exp (- ({decay}) * t).
+Proof. intros i. decays_of ({decay}) (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
+SPENT = """\
+Lemma spent : forall i, forall L P, follows (T i) L (loss i) ->
+  follows (T i) P (fun t => {push}) ->
+  forall t, on (T i) t -> L t - L 0 <= V i 0 + (P t - P 0).
+Proof. intros i. mean_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
+NEAR = """\
+Definition near (d : R) (i : run) := {near}.
+Definition now (i : run) (t : R) := on (T i) t.
+Lemma near_le d e i : d <= e -> near d i -> near e i.
+Proof. near_of near. Qed.
+#[local] Hint Resolve near_le : clpt.
+#[local] Hint Extern 1 (small run near now _) => solve [start_of near] : clpt.
+Lemma small_V : small run near now (fun i t => V i 0).
+Proof. small_V_of near_le V_parts (fun i (t : R) => {V}). Qed."""
 
 
 def name_in_coq(name: str) -> tuple[str, list[str]]:

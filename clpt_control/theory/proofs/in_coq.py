@@ -8,6 +8,7 @@ every run on [0, T), T finite or infinite.  The last theorem is the sentence.
 
 import re
 from collections.abc import Iterable
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +18,21 @@ from sympy import Add, Expr, Mul, S
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
-from .coq_text import CoqPrinter, name_in_coq, sign_before, without_signs
-from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero
+from .coq_text import (
+    DECAYS,
+    FALLS,
+    FILE,
+    NEAR,
+    REST,
+    RUN,
+    SPENT,
+    SUMS,
+    CoqPrinter,
+    name_in_coq,
+    sign_before,
+    without_signs,
+)
+from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, total
 from .steps import Step
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
@@ -39,68 +53,12 @@ THEOREMS = {
     "mean": "spent",
     "region": "V_nonneg V_stays stable rest",
 }
-ALWAYS = "bound_", "lag_", "V_stays"  # beginnings of names of theorems
+ALWAYS = "V_rate", "bound_", "lag_", "V_stays"  # beginnings of names of theorems
 OUTSIDE = "outside V, bounded"  # condition of a verdict
 BETWEEN = sympy.sin, sympy.cos, sympy.tanh, sympy.atan  # two numbers
 # bounded where their arguments are
 GROWING = Add, Mul, sympy.Pow, sympy.exp, sympy.Abs, sympy.sinh, sympy.cosh
 UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (sympy.Abs, *RISING)}
-
-FILE = """\
-{prelude}
-Section Loop.
-{lines}
-(* {comment} *)
-Theorem verdict :
-  {stated}.
-Proof. {proof} Qed.
-End Loop.
-Print Assumptions verdict.
-"""
-RUN = """\
-(* a run on [0, T) *)
-Record run := Run {{
-  {fields} }}.
-#[local] Hint Resolve {facts} : clpt."""
-REST = """\
-(* a run exists: the rest *)
-Lemma a_run : exists i, T i = p_infty.
-Proof. unshelve eexists (Run p_infty {values} {holes}); [at_rest..|reflexivity]. Qed."""
-SUMS = """\
-Definition V (i : run) (t : R) := {V}.
-Definition loss (i : run) (t : R) := {loss}.
-Lemma V_rate : forall i, follows (T i) (V i) (fun t => {rate}).
-Proof. intros i. unfold V. rate_of. Qed.
-Lemma V_sum : forall i, follows (T i) (V i) (fun t => {fall}).
-Proof. intros i. sum_of (V_rate i) V loss. Qed.
-Lemma V_parts : forall i, forall t, on (T i) t -> V i t = {parts}.
-Proof. intros i. parts_of V. Qed.
-Lemma V_nonneg : forall i, forall t, on (T i) t -> 0 <= V i t.
-Proof. intros i. nonneg_of (V_parts i). Qed."""
-FALLS = """\
-Lemma V_falls : forall i, forall s t, 0 <= s <= t -> on (T i) t -> V i t <= V i s.
-Proof. intros i. falls_of (V_sum i) (loss_nonneg i). Qed.
-Lemma spent : forall i, forall L, follows (T i) L (loss i) ->
-  forall t, on (T i) t -> L t - L 0 <= V i 0.
-Proof. intros i. spent_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
-DECAYS = """\
-Lemma V_decays : forall i, forall c, (forall t, on (T i) t -> {push} <= c) ->
-  forall t, on (T i) t -> V i t <= c / ({decay}) + (V i 0 - c / ({decay})) * exp (- ({decay}) * t).
-Proof. intros i. decays_of ({decay}) (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
-SPENT = """\
-Lemma spent : forall i, forall L P, follows (T i) L (loss i) ->
-  follows (T i) P (fun t => {push}) ->
-  forall t, on (T i) t -> L t - L 0 <= V i 0 + (P t - P 0).
-Proof. intros i. mean_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
-NEAR = """\
-Definition near (d : R) (i : run) := {near}.
-Definition now (i : run) (t : R) := on (T i) t.
-Lemma near_le d e i : d <= e -> near d i -> near e i.
-Proof. near_of near. Qed.
-#[local] Hint Resolve near_le : clpt.
-#[local] Hint Extern 1 (small run near now _) => solve [start_of near] : clpt.
-Lemma small_V : small run near now (fun i t => V i 0).
-Proof. small_V_of near_le V_parts (fun i (t : R) => {V}). Qed."""
 
 
 class File:
@@ -109,8 +67,7 @@ class File:
     def __init__(self, case: Case, verdict: Any):
         self.verdict, self.case = verdict, case
         self.fixed, self.motion = case.fixed, case.motion
-        values = [term.value for term in (*case.terms, *case.losses)]
-        values += [case.V, case.rate, case.push, *self.motion.values()]
+        values = case.V, case.rate, case.push, case.decay, *self.motion.values()
         symbols = sympy.Tuple(*values).free_symbols | {*self.motion}
         self.parameters = sorted(symbols & self.fixed, key=str)
         self.inputs = sorted(symbols - self.fixed - {*self.motion, TIME}, key=str)
@@ -126,7 +83,7 @@ class File:
         if "rounding" in self.conditions:
             raise NotASum("V' is known to the rounding of numbers only")
         is_bounded = "bounded inputs" in self.conditions and case.falls
-        self.bounded = {*self.inputs} if is_bounded else set[Any]()
+        self.bounded = {s for s in self.inputs if is_bounded}
         self.off = {s: s - case.rest.get(s, 0) for s in self.motion}  # from the rest
         self.zero = dict[Expr, str]()  # form that goes to zero -> its lemma
         self.is_stable = False
@@ -142,10 +99,8 @@ class File:
     # --- text -----------------------------------------------------------------------------------
 
     def __str__(self) -> str:
-        shown = " ".join(THEOREMS[tag] for tag in THEOREMS if tag in self.needed)
-        names = ["V_rate", *shown.split()]
-        names += [name for name in self.statements if name.startswith(ALWAYS)]
-        names = [name for name in dict.fromkeys(names) if name in self.statements]
+        shown = " ".join(THEOREMS.get(tag, "") for tag in self.needed).split()
+        names = [n for n in self.statements if n in shown or n.startswith(ALWAYS)]
         stated = " /\\\n  ".join(f"({self.statements[name]})" for name in names)
         return FILE.format(
             prelude=PRELUDE.read_text("utf-8"),
@@ -163,8 +118,8 @@ class File:
 
     def beyond(self) -> tuple[Step, ...]:
         """Return the steps by which the verdict is stronger than the last theorem."""
-        missing = self.missing
-        return tuple(s for s in self.verdict.steps if missing & {*s.shows.split()})
+        steps = self.verdict.steps
+        return tuple(s for s in steps if self.missing & {*s.shows.split()})
 
     @property
     def missing(self) -> set[str]:
@@ -192,14 +147,9 @@ class File:
 
     def function(self, form: Expr) -> str:
         """Return a form of a run as a function of time."""
-        is_signal = form in self.signals
-        return (
-            f"(r_{self.name[form]} i)" if is_signal else f"(fun t => {self.text(form)})"
-        )
-
-    def total(self, terms: Iterable[Term]) -> str:
-        """Return a sum of terms."""
-        return " + ".join(term.text(self.text) for term in terms) or "0"
+        if form in self.signals:
+            return f"(r_{self.name[form]} i)"
+        return f"(fun t => {self.text(form)})"
 
     def write(self, text: str) -> None:
         """Write text; its lemmas are hints for those that follow."""
@@ -229,24 +179,22 @@ class File:
         for k, factor in enumerate(assumed):
             self.lines.append(f"Hypothesis A_{k} : 0 <= {self.text(factor)}.")
         at_t = CoqPrinter(self.signals).doprint
-        fields = ["T : Rbar"] + [f"r_{self.name[s]} : R -> R" for s in self.signals]
+        fields = {"T": "Rbar"} | {f"r_{self.name[s]}": "R -> R" for s in self.signals}
         facts = {}
-        for s, rate in self.motion.items():
+        for s in self.signals:
             name = self.name[s]
-            facts[f"H_{name}"] = f"follows T r_{name} (fun t => {at_t(rate)})"
-        for s in self.inputs:
-            name = self.name[s]
+            if s in self.motion:
+                rate = at_t(self.motion[s])
+                facts[f"H_{name}"] = f"follows T r_{name} (fun t => {rate})"
+            elif sign_before(s):
+                facts[f"P_{name}"] = f"forall t, {sign_before(s)} r_{name} t"
             if s in self.bounded:
                 facts[f"B_{name}"] = f"bounded T r_{name}"
-            if sign_before(s):
-                facts[f"P_{name}"] = f"forall t, {sign_before(s)} r_{name} t"
         if self.case.below is not None:
             V = CoqPrinter(self.signals, "0").doprint(self.case.V)
             facts["begins"] = f"{V} < {at_t(self.case.below)}"
-        fields += [f"{name} : {fact}" for name, fact in facts.items()]
-        self.lines.append(
-            RUN.format(fields=";\n  ".join(fields), facts=" ".join(facts))
-        )
+        record = ";\n  ".join(map(" : ".join, (fields | facts).items()))
+        self.lines.append(RUN.format(fields=record, facts=" ".join(facts)))
         rest = {s: S.One * bool(sign_before(s)) for s in self.signals}
         rest |= self.case.rest
         if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
@@ -260,15 +208,14 @@ class File:
     def sums(self) -> None:
         """Write V, V' and V' as a sum; what follows from the sum alone."""
         case, text = self.case, self.text
-        push, decay, parts = text(case.push), text(case.decay), self.total(case.terms)
+        push, decay, parts = text(case.push), text(case.decay), total(case.terms, text)
+        pull = f"{push} - ({decay}) * V i t " * (not case.falls)
         self.write(
             SUMS.format(
                 V=parts if case.V.has(sympy.Abs) else text(case.V),
-                loss=self.total(case.losses),
+                loss=total(case.losses, text),
                 rate=text(case.rate),
-                fall="- loss i t"
-                if case.falls
-                else f"{push} - ({decay}) * V i t - loss i t",
+                fall=f"{pull}- loss i t",
                 parts=parts,
             )
         )
@@ -315,11 +262,10 @@ class File:
         is_least = all(form.xreplace(rest) == 0 for form in forms)
         self.is_stable = is_plain and is_least and len(forms) == len(terms)
         if self.is_stable:
-            offs = map(self.text, self.off.values())
+            at_0 = CoqPrinter(self.signals, "i 0").doprint
+            offs = map(at_0, self.off.values())
             near = " /\\ ".join(f"Rabs ({off}) < d" for off in offs)
-            texts = {"near": near, "V": self.total(terms)}
-            texts = {key: text.replace(" i t", " i 0") for key, text in texts.items()}
-            self.lines.append(NEAR.format(**texts))
+            self.lines.append(NEAR.format(near=near, V=total(terms, at_0)))
 
     def small(self, name: str, forms: Iterable[Expr], proof: str) -> None:
         """Write that forms stay small on every run that begins near the rest."""
@@ -471,17 +417,16 @@ class File:
 
     def next_rates(self) -> None:
         """Write that rates of what goes to zero do so (Barbalat again), and what they give."""
-        done = set[Expr]()
-        while forms := [form for form in self.zero if form not in done]:
-            if self.is_at_rest:
+        for k in count():
+            if self.is_at_rest or k == len(self.zero):
                 return
-            done.add(forms[0])
-            rate = sympy.expand(along(forms[0], self.motion))
+            form, name = [*self.zero.items()][k]
+            rate = sympy.expand(along(form, self.motion))
             if rate.count_ops() > MOST_OPERATIONS or not self.is_steady(rate):
                 continue
             text = self.text(rate)
             claim = f"vanishes (T i) (fun t => {text})"
-            self.lemma(f"rate_{len(done)}", claim, f"next_of ({self.zero[forms[0]]} i)")
+            self.lemma(f"rate_{k}", claim, f"next_of ({name} i)")
             at_rest = {s: s - off for s, off in self.off.items() if off in self.zero}
             kept = sympy.expand(rate.xreplace(at_rest))
             gone = sympy.expand(rate - kept)

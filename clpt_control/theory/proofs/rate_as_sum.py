@@ -9,6 +9,7 @@ Relations of a law's states, such as b = theta Q, are put in before.  `invariant
 are kept.
 """
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -36,36 +37,63 @@ class NotASum(Exception):
     """V' is not written as a sum; the message is the reason."""
 
 
+FORM = sympy.Symbol("s", real=True)
+# positive but at 0 (1 - cos at whole turns too), with their texts in Coq
+SHAPES: dict[Expr, str] = {
+    sympy.sympify(text, {"s": FORM, "Rabs": sympy.Abs}): text
+    for text in (
+        "(1 - cos(s))",
+        "(s * tanh(s))",
+        "(Rabs(s) * s^2)",
+        "(Rabs(s) - ln(1 + Rabs(s)))",
+        "(sqrt(s^2 + 1) - 1)",
+        "(cosh(s) - 1)",
+        "(s * sinh(s))",
+        "(s * atan(s))",
+        "(exp(s) - s - 1)",
+    )
+}
+
+
 class Term(NamedTuple):
-    """A term weight factor g(form) that is not negative, g of `SHAPES`."""
+    """A term weight factor g(form) that is not negative, g of `SHAPES` or an even power."""
 
     weight: Expr  # a positive parameter
     form: Expr
-    shape: str = "{} ^ 2"
+    shape: Expr = FORM**2
     factor: Expr = S.One  # not negative
 
     @property
     def value(self) -> Expr:
         """The term as an expression."""
-        return self.weight * self.factor * shape_of(self.shape)(self.form)
+        return self.weight * self.factor * self.shape.subs(FORM, self.form)
 
     def text(self, text: Callable[[Expr], str]) -> str:
         """Return the term in Coq, its weight times the shape of its form."""
         if self.form == 1:
             return f"({text(self.weight * self.factor)})"
-        shape = self.shape.format(f"({text(self.form)})")
         factor = f" * ({text(self.factor)})" * (self.factor != 1)
-        return f"(({text(self.weight)}){factor} * {shape})"
+        return f"(({text(self.weight)}){factor} * {self.shape_at(text(self.form))})"
+
+    def shape_at(self, form: str) -> str:
+        """Return the shape of a form in Coq."""
+        shape = SHAPES.get(self.shape) or f"{self.shape}".replace("**", "^")
+        return re.sub(r"\(s\)|\bs\b", f"({form})", shape)
 
     @property
     def is_periodic(self) -> bool:
         """True of 1 - cos(s), which bounds no form."""
-        return "cos {" in self.shape
+        return self.shape.has(sympy.cos)
 
     @property
     def function(self) -> str:
         """The shape as a function of Coq."""
-        return f"(fun x => {self.shape.format('x')})"
+        return f"(fun x => {self.shape_at('x')})"
+
+
+def total(terms: Iterable[Term], text: Callable[[Expr], str]) -> str:
+    """Return a sum of terms in Coq."""
+    return " + ".join(term.text(text) for term in terms) or "0"
 
 
 @dataclass
@@ -103,27 +131,6 @@ Ways = list[Callable[[], Case]]
 
 
 # --- sums of squares -----------------------------------------------------------------------------
-
-SHAPES: dict[str, Callable[[Expr], Expr]] = {  # as texts of Coq; positive but at 0
-    "(1 - cos {})": lambda s: 1 - sympy.cos(s),  # and at whole turns
-    "({0} * tanh {0})": lambda s: s * sympy.tanh(s),
-    "(Rabs {0} * {0} ^ 2)": lambda s: sympy.Abs(s) * s**2,
-    "(Rabs {0} - ln (1 + Rabs {0}))": lambda s: (
-        sympy.Abs(s) - sympy.log(1 + sympy.Abs(s))
-    ),
-    "(sqrt ({0} ^ 2 + 1) - 1)": lambda s: sympy.sqrt(1 + s**2) - 1,
-    "(cosh {0} - 1)": lambda s: sympy.cosh(s) - 1,
-    "({0} * sinh {0})": lambda s: s * sympy.sinh(s),
-    "({0} * atan {0})": lambda s: s * sympy.atan(s),
-    "(exp {0} - {0} - 1)": lambda s: sympy.exp(s) - s - 1,
-}
-
-
-def shape_of(text: str) -> Callable[[Expr], Expr]:
-    """Return a shape by its text of Coq."""
-    if text in SHAPES:
-        return SHAPES[text]
-    return lambda s: s ** int(text.rpartition(" ")[2])
 
 
 def terms_of(expression: Expr, fixed: set) -> list[Term]:
@@ -182,13 +189,13 @@ def term_of(summand: Expr, fixed: set) -> Term:
         weight, varying = -weight, sympy.expand(-varying)
     calls = varying.atoms(sympy.Function)
     arguments = {a for call in calls for a in call.args} | moving
-    for text, shape in SHAPES.items():
+    for shape in SHAPES:
         for form in sorted(arguments, key=str):
-            if sympy.expand(varying - shape(form)) == 0:
-                return Term(weight, form, text)
+            if sympy.expand(varying - shape.subs(FORM, form)) == 0:
+                return Term(weight, form, shape)
     base, power = varying.as_base_exp()
     if power.is_Integer and power.is_positive and power.is_even and weight.is_positive:
-        return Term(weight, base, f"{{}} ^ {power}")
+        return Term(weight, base, FORM**power)
     if summand.is_Add:
         raise NotASum(f"{short(summand)} is no product")
     return Term(S.One, S.One, factor=summand)
@@ -318,12 +325,10 @@ def refuse(case: Any) -> None:
 
 def without_calls(e: Expr) -> Expr:
     """Return an expression with functions of time as symbols."""
-    symbols = {}
-    for call in e.atoms(AppliedUndef):
-        if call.args != (TIME,):
-            raise NotASum(f"{short(call)} is no function of time alone")
-        name = f"{call.func}"
-        symbols[call] = sympy.Symbol(name, real=True, positive=call.is_positive)
+    symbols = {
+        f: sympy.Symbol(f"{f.func}", real=True, positive=f.is_positive)
+        for f in e.atoms(AppliedUndef)
+    }
     return e.xreplace(symbols)
 
 
