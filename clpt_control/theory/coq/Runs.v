@@ -1046,8 +1046,10 @@ Ltac sml le := first [solve [eauto with clpt nocore] |
   | |- small _ _ _ (fun i t => atan (@?f i t)) => apply (small_at _ _ _ _ f through_atan); sml le
   | |- small _ _ _ (fun i t => @?f i t - @?g i t) => apply (small_minus _ _ _ le f g); sml le
   | |- small _ _ _ (fun _ _ => 0) => apply small_zero
-  | |- small _ _ _ (fun i t => ?a * @?g i t) => apply (small_scal _ _ _ a g); sml le
-  | |- small _ _ _ (fun i t => @?f i t * @?g i t) => apply (small_mult _ _ _ le f g); sml le
+  | |- small _ _ _ (fun i t => @?f i t * @?g i t) => lazymatch f with
+      | (fun _ _ => ?a) => apply (small_scal _ _ _ a g); sml le
+      | _ => apply (small_mult _ _ _ le f g); sml le
+      end
   | |- small _ _ _ (fun i t => @?f i t / ?a) => apply (small_share _ _ _ a f); sml le
   | |- small _ _ _ (fun i t => Rabs (@?f i t)) => apply (small_abs _ _ _ f); sml le
   | |- small _ _ _ (fun i t => - @?f i t) => apply (small_opp _ _ _ f); sml le
