@@ -118,10 +118,10 @@ def learned_text(excitation: Any) -> str:
 def _direction(excitation: Any, axis: str) -> list[str]:
     """Return the upper bound of the smallest eigenvalue, and the least excited direction."""
     ceiling = excitation.ceilings.get(axis)
-    parts = excitation.least_excited[axis].items()
-    seen = [part for part in parts if abs(part[1]) >= 0.005]  # 0.00 is left out
-    largest = sorted(seen, key=lambda part: -abs(part[1]))[:4]
-    listed = ", ".join(f"{what} {share:+z.2f}" for what, share in largest)
+    loads = excitation.least_excited[axis].items()
+    visible = [load for load in loads if abs(load[1]) >= 0.005]  # 0.00 is left out
+    largest = sorted(visible, key=lambda load: -abs(load[1]))[:4]
+    listed = ", ".join(f"{name} {share:+z.2f}" for name, share in largest)
     return ["-" if ceiling is None else at_most(ceiling), listed]
 
 

@@ -227,10 +227,10 @@ class LawCandidate(LoopCandidate, SystemCandidate):
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
-        found = [Condition("t >= 0")] * has_time(self.V, self.rate)
+        conditions = [Condition("t >= 0")] * has_time(self.V, self.rate)
         read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
-        found += [Condition("reads the truth", why) for why in read]
-        return found + [Condition("rounding")] * self.is_rounded
+        conditions += [Condition("reads the truth", why) for why in read]
+        return conditions + [Condition("rounding")] * self.is_rounded
 
     def _below_decay(self) -> tuple[sympy.Expr, bool, str]:
         """Return what V' has beyond its decay, or half of it, if that falls, and the decay."""

@@ -254,8 +254,8 @@ class Judged:
     def sentence(self) -> str:
         """The verdict in a sentence: what is shown, what follows, and where."""
         where = cut("; ".join(map(str, self.conditions)), LONGEST_SENTENCE // 2)
-        shown = self._shown(LONGEST_SENTENCE - len(where) - 2)
-        return "; ".join(filter(None, (shown, where)))
+        claim = self._shown(LONGEST_SENTENCE - len(where) - 2)
+        return "; ".join(filter(None, (claim, where)))
 
     @property
     def judged(self) -> dict[str, Any]:
@@ -271,8 +271,8 @@ class Judged:
 def concluded(steps: Iterable[Step], given: str = "") -> str:
     """Return the first conclusion whose requirements are given or shown by steps, or ""."""
     shows = [step.shows for step in steps if step.holds]
-    shown = {*" ".join([given, *shows]).split()}
-    names = (name for name, row in CONCLUSIONS.items() if row.requires <= shown)
+    available = {*" ".join([given, *shows]).split()}
+    names = (name for name, row in CONCLUSIONS.items() if row.requires <= available)
     return next(names, "")
 
 

@@ -174,16 +174,16 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     if not any(continuous):
         return []
 
-    def left(number: Callable[[Expr], Expr]) -> list[Still]:
+    def cases_with(number: Callable[[Expr], Expr]) -> list[Still]:
         """Return what V' = 0 leaves of equations with their numbers changed."""
         rates = {s: number(rate) for s, rate in motion.rates.items()}
-        first = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
-        return cases_of(first, [*map(number, fall.losses)], all(continuous))
+        start = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
+        return cases_of(start, [*map(number, fall.losses)], all(continuous))
 
-    cases = left(lambda e: e)
+    cases = cases_with(lambda e: e)
     if any(coarse(e) != e for e in (*rates, *fall.losses)):
         # a difference of numbers may be their rounding: no conclusion depends on it
-        rough = left(coarse)
+        rough = cases_with(coarse)
         if all(case.is_rest for case in cases) > all(case.is_rest for case in rough):
             return []
         if point_of(rough) is None and point_of(cases) is not None:
@@ -191,7 +191,7 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     return cases if all(continuous) or point_of(cases) is not None else []
 
 
-def cases_of(first: "Still", forms: Sequence[Expr], moving: bool) -> "list[Still]":
+def cases_of(start: "Still", forms: Sequence[Expr], moving: bool) -> "list[Still]":
     """Return the cases in which forms, and if moving their rates, are zero for good.
 
     If a product of continuous factors is zero for good, one factor is zero on some interval of
@@ -199,7 +199,7 @@ def cases_of(first: "Still", forms: Sequence[Expr], moving: bool) -> "list[Still
     nothing moves at all.  In discrete time another factor may be zero at each step: a product is
     one form.
     """
-    cases, unfinished = list[Still](), [(first, [*forms])]
+    cases, unfinished = list[Still](), [(start, [*forms])]
     for _ in range(MOST_FORMS):
         if not unfinished:
             break
@@ -227,10 +227,10 @@ def zero_in_all(cases: "Sequence[Still]", losses: Sequence[Expr]) -> list[Expr]:
     """Return forms that are zero in all cases, without those that follow from others."""
     if not cases:
         return []
-    first, *others = cases
-    shared = replace(first, zero=[], solved={})
-    for g in sorted((*first.zero, *losses), key=lambda g: g.is_Mul):
-        if all(case.reduced(g) == 0 for case in others) and shared.reduced(g) != 0:
+    start, *further = cases
+    shared = replace(start, zero=[], solved={})
+    for g in sorted((*start.zero, *losses), key=lambda g: g.is_Mul):
+        if all(case.reduced(g) == 0 for case in further) and shared.reduced(g) != 0:
             shared.add(g)
     return shared.zero
 
@@ -238,14 +238,14 @@ def zero_in_all(cases: "Sequence[Still]", losses: Sequence[Expr]) -> list[Expr]:
 def point_of(cases: "Sequence[Still]") -> dict[Any, Expr] | None:
     """Return the one rest that all cases leave, each state as a number; otherwise None."""
     points = [case.point for case in cases]
-    first = points[0] if points else None
-    if first is None:
+    common = points[0] if points else None
+    if common is None:
         return None
     agree = (
-        point is not None and all(vanishes(point[s] - first[s]) for s in first)
+        point is not None and all(vanishes(point[s] - common[s]) for s in common)
         for point in points
     )
-    return first if all(agree) else None
+    return common if all(agree) else None
 
 
 @dataclass
@@ -295,18 +295,18 @@ class Still:
         if vanishes(e):
             return [sympy.S.Zero]
         numerator, _ = sympy.fraction(sympy.together(e))
-        kept = dict[Expr, None]()
+        factors = dict[Expr, None]()
         for factor in sympy.Mul.make_args(factored(numerator)):
             base = factor.as_base_exp()[0]
             if self.is_never_zero(factor):
                 continue
             plain = self.plain(base)
-            kept |= dict.fromkeys([base] if plain == base else self.factors(plain))
-        signed = {*kept, *(-f for f in kept)}
+            factors |= dict.fromkeys([base] if plain == base else self.factors(plain))
+        signed = {*factors, *(-f for f in factors)}
         is_zero = any(signed >= {*sympy.Mul.make_args(g)} for g in self.zero)
-        if is_zero or sympy.S.Zero in kept:
+        if is_zero or sympy.S.Zero in factors:
             return [sympy.S.Zero]
-        return [*kept]
+        return [*factors]
 
     def is_never_zero(self, factor: Expr) -> bool:
         """Return whether a factor of an expression that is zero cannot be the one that is.

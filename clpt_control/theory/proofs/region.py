@@ -333,10 +333,10 @@ class Region:
     def _least(self, rests: Iterable[Mapping[Any, Any]] | None) -> float:
         """Return V at the lowest of the rests in the box but for the rest itself, or inf."""
         lowest = np.inf
-        for rest in rests or ():
-            point = np.array([[float(rest[s]) for s in self.states]])
+        for point_of_rest in rests or ():
+            point = np.array([[float(point_of_rest[s]) for s in self.states]])
             inside = ((self.low <= point) & (point <= self.high)).all()
-            if inside and any(rest[s] != self.rest[s] for s in self.states):
+            if inside and any(point_of_rest[s] != self.rest[s] for s in self.states):
                 lowest = min(lowest, float(self.range(self.V, point, point)[0][0]))
         return lowest
 

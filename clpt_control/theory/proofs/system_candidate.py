@@ -463,10 +463,10 @@ class SystemCandidate(LyapunovCandidate):
         bound = pulled_forms(self, definite) if definite.forms else None
         if bound is None:
             return replace(fall, steps=claimed or fall.steps, conditions=conditions)
-        shown = f"{fall.claim}, and {bound.claim}" if claimed else bound.claim
+        both_claims = f"{fall.claim}, and {bound.claim}" if claimed else bound.claim
         conditions = [*bound.conditions, *conditions]
         steps = [*claimed, *bound.steps]
-        return replace(bound, steps=steps, claim=shown, conditions=conditions)
+        return replace(bound, steps=steps, claim=both_claims, conditions=conditions)
 
     def excess(self, claim: sympy.Expr) -> sympy.Expr:
         """Return what V' has above a claim."""
@@ -483,13 +483,15 @@ class SystemCandidate(LyapunovCandidate):
         """Return where V' is as shown."""
         nodes = wiring_of(self.system).nodes
         stand_ins = [*filter(None, (node.system.approximation for node in nodes))]
-        found = [Condition("t >= 0")] * has_time(self.V, self.rate)
-        found += [Condition("zero inputs", " = ".join(zeroed))] * bool(zeroed)
-        found += [Condition("approximation", ", ".join(stand_ins))] * bool(stand_ins)
-        found += [Condition("start", self.sets)] * bool(self.kept)
-        found += [Condition("rounding")] * self.is_rounded
+        conditions = [Condition("t >= 0")] * has_time(self.V, self.rate)
+        conditions += [Condition("zero inputs", " = ".join(zeroed))] * bool(zeroed)
+        conditions += [Condition("approximation", ", ".join(stand_ins))] * bool(
+            stand_ins
+        )
+        conditions += [Condition("start", self.sets)] * bool(self.kept)
+        conditions += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
-        return found + [Condition("values", ", ".join(values))] * self.are_numbers
+        return conditions + [Condition("values", ", ".join(values))] * self.are_numbers
 
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""

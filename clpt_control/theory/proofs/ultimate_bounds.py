@@ -149,10 +149,10 @@ def pulled_at_once(
         return None
     shares = np.linalg.eigvals(np.array(P.inv() * A, dtype=float)).real
     slowest = rational(float(f"{0.5 * shares.min():.2g}"))
-    left = A - slowest * P
-    if not left.is_positive_definite:
+    reduced = A - slowest * P
+    if not reduced.is_positive_definite:
         return None
-    return Pull(slowest, c + (b.T * left.inv() * b)[0] / 4)
+    return Pull(slowest, c + (b.T * reduced.inv() * b)[0] / 4)
 
 
 class InForms(NamedTuple):
@@ -307,12 +307,14 @@ class Bounding:
         K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
         A = {s: -share.coeff(s, 2) for s in states if s not in K}
         b = {s: share.coeff(s, 1) for s in A}
-        left = [size**2, decay, share]
-        left[0] -= sympy.Add(*(e**2 for e in K))
-        left[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
-        left[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
+        unexplained = [size**2, decay, share]
+        unexplained[0] -= sympy.Add(*(e**2 for e in K))
+        unexplained[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
+        unexplained[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
         numbers = sympy.Tuple(*K.values(), *A.values(), *b.values(), *weights.values())
-        if any(map(sympy.expand, left)) or _moves(numbers, {*states, *self.moving}):
+        if any(map(sympy.expand, unexplained)) or _moves(
+            numbers, {*states, *self.moving}
+        ):
             return None
         if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
             return None
