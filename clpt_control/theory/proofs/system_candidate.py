@@ -459,8 +459,8 @@ class SystemCandidate(LyapunovCandidate):
         *claimed, _ = fall.steps
         if self.claim is not None and not claimed:
             return fall
-        conditions = self.conditions([])
         bound = pulled_forms(self, definite) if definite.forms else None
+        conditions = self.conditions([])
         if bound is None:
             return replace(fall, steps=claimed or fall.steps, conditions=conditions)
         both_claims = f"{fall.claim}, and {bound.claim}" if claimed else bound.claim

@@ -203,6 +203,8 @@ def pulled_forms(case: Any, definite: Definite) -> Fall | None:
         return None
     if fall.level is not None:
         level = fall.level.xreplace(case.level_values)
+        if level != fall.level and not fall.bound:  # the sentence has the number
+            case.are_numbers = True
         fall.level = float(at_most(float(level))) if level.is_number else level
     return fall
 
