@@ -532,3 +532,18 @@ def test_a_claim_that_rises_is_all_that_is_said():
     plant, V = written("x' = -x; V = x**2")
     found = clpt.lyapunov(plant, V, claim=lambda s: s.x**2)
     assert (found.status, found.conclusion) == ("proved", "V' is at most the claim")
+
+
+@pytest.mark.parametrize("m", [3.0, 1.0])
+def test_a_ceiling_of_numbers_is_of_the_values_of_parameters(m):
+    """V = (e^2 + w^2)/2 of e' = -2 e + w, w' = -e - |e| (w - m)/2 comes down to m^2/2."""
+
+    def rates(t, x, u, p):
+        return {"e": -2.0 * x.e + x.w, "w": -x.e - 0.5 * abs(x.e) * (x.w - p.m)}
+
+    weighed = Block(
+        "weighed", update=rates, states={"e": 1, "w": 1}, parameters={"m": m}
+    )
+    verdict = lyapunov(weighed, lambda s: (s.e**2 + s.w**2) / 2, points=POINTS)
+    assert float(verdict.level) == pytest.approx(m**2 / 2)
+    assert f"with the parameters' values m = {m:g}" in verdict.sentence

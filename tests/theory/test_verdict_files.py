@@ -326,6 +326,24 @@ ALTERED = [  # a text of the file, another one for it
 ]  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("loop", "left_out"),
+    [
+        ("x' = (2 + sin(t))*v; v' = -(2 + sin(t))*x - v", "x goes to zero, as rates"),
+        ("x' = v; v' = -x - (2 + sin(t))*v", "v, x go to zero"),
+    ],
+)
+def test_limits_that_are_not_in_the_file_are_named(loop, left_out):
+    """V loses a multiple of v^2; x goes to zero as the rate of v does."""
+    plant, V = written(f"{loop}; V = (x**2 + v**2)/2")[:2]
+    verdict = clpt.lyapunov(plant, V)
+    assert "so v, x go to zero" in verdict.sentence
+    steps = [step.claim for step in verdict.beyond_coq()]
+    assert "x goes to zero, as rates of v do" in steps
+    text = verdict.coq()
+    assert left_out in text[text.rindex("(* The verdict: ") :]
+
+
 @pytest.mark.coq
 @pytest.mark.parametrize(("name", "text", "other"), ALTERED)
 def test_altered_file_is_refused(name, text, other, tmp_path):

@@ -40,6 +40,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "falls": "V' <= 0",
     "loses": "V' <= -q^2",
     "limit": "the rate of q is bounded where V is (Barbalat)",
+    "rates": "rates of what goes to zero do so too (Barbalat)",
     "rest": "V' < 0 but at the rest, or nothing else stays where V' = 0 (LaSalle)",
     "still": "where V' = 0 for good nothing moves (LaSalle)",
     "isolated": "rests stand alone, or each run comes to one",

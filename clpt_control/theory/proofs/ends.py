@@ -100,12 +100,15 @@ def barbalat(
     if not zero:
         missing = replace(failed[0], claim=claim.format(names), needed=True)
         return Ends([missing], of, cases)
-    steps = [exact(claim.format(names), True, "", "limit")]
+    # others than what V loses, where V' = 0 for good
+    has_others = not failed and of != (fall.of or go(map(candidate.text, zero)))
+    shows = "limit" + " rates" * has_others
+    steps = [exact(claim.format(names), True, "", shows)]
     more = [] if cases or fall.of else zero_by_rates(candidate, motion, zero)
     if more:
         added = go(map(candidate.text, more))
         steps.append(
-            exact(f"{added} to zero, as rates of {names} do", True, "", "limit")
+            exact(f"{added} to zero, as rates of {names} do", True, "", "limit rates")
         )
         of = go(map(candidate.text, [*zero, *more]))
     return Ends(steps + failed, of, cases)

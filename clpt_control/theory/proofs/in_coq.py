@@ -126,7 +126,8 @@ class File:
         """Names of what the conclusion requires and no theorem says."""
         known = self.statements.keys()
         shown = (tag for tag, names in THEOREMS.items() if known >= {*names.split()})
-        return {*self.needed}.difference(shown, ["jumps"])  # a loop without jumps
+        by_rates = {"rates"} & {*" ".join(s.shows for s in self.verdict.steps).split()}
+        return by_rates | self.needed.difference(shown, ["jumps"])  # no loop has jumps
 
     def comment(self) -> Iterable[str]:
         """Yield what the last theorem states, and what the verdict says beyond it."""
@@ -135,6 +136,9 @@ class File:
         if self.case.below is not None:
             yield f"A run begins where V < {self.case.below}."
         beyond = [REQUIREMENTS[tag] for tag in REQUIREMENTS if tag in self.missing]
+        if self.missing & {"limit", "rates"}:
+            *_, last = (s.claim for s in self.verdict.steps if "limit" in s.shows)
+            beyond += [f"{self.verdict.of} to zero", last]
         if OUTSIDE in self.conditions and not self.bounded >= {*self.motion}:
             beyond.append(f"{self.conditions[OUTSIDE]}")
         yield from (f"Not in it, and shown by clpt-control: {text}." for text in beyond)
