@@ -252,7 +252,7 @@ TOKENS = {
     "engine.conformance": 4341,
     "engine.diagram": 18670,
     "engine.methods": 3992,
-    "engine.model": 13013,
+    "engine.model": 13030,
     "engine.record": 8850,
     "engine.solver": 40928,
     "engine.trace": 41023,

@@ -100,6 +100,9 @@ def test_a_function_of_math_of_a_port_of_two_signals():
     said = told(lambda: clpt.Block("q", update=cosh, states={"x": 2}), clpt.BlockError)
     advice = "math.cosh takes one number. Use np.cosh, or an element of the port"
     assert said.endswith(advice)
+    erf = lambda t, x, u, p: {"x": -math.erf(x.x)}  # noqa: E731  NumPy has none
+    said = told(lambda: clpt.Block("q", update=erf, states={"x": 2}), clpt.BlockError)
+    assert said.endswith("math.erf takes one number. Use an element of the port")
 
 
 NO_NUMBERS = {

@@ -6,6 +6,8 @@ from traceback import extract_tb, walk_tb
 from types import CodeType, FrameType
 from typing import Any
 
+import numpy as np
+
 from ...base.arguments import attribute_of
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
@@ -52,7 +54,8 @@ def advice_on_math(error: BaseException) -> str:
     name = isinstance(error, TypeError) and re.search(r"\bmath\.(\w+)", line)
     if not name:
         return ""
-    return f". {name[0]} takes one number. Use np.{name[1]}, or an element of the port"
+    of_arrays = f"np.{name[1]}, or " * hasattr(np, name[1])
+    return f". {name[0]} takes one number. Use {of_arrays}an element of the port"
 
 
 def _name_in_source(code: CodeType) -> str:
