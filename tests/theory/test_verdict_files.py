@@ -285,6 +285,7 @@ def _coqc(request):
         pytest.skip("coqc is not installed")
 
 
+@pytest.mark.thirds
 @pytest.mark.coq
 @pytest.mark.parametrize("name", SAMPLE)
 def test_file_compiles_with_the_axioms_of_the_reals_alone(name, tmp_path):
@@ -344,6 +345,7 @@ def test_limits_that_are_not_in_the_file_are_named(loop, left_out):
     assert left_out in text[text.rindex("(* The verdict: ") :]
 
 
+@pytest.mark.thirds
 @pytest.mark.coq
 @pytest.mark.parametrize(("name", "text", "other"), ALTERED)
 def test_altered_file_is_refused(name, text, other, tmp_path):
