@@ -263,7 +263,7 @@ TOKENS = {
     "paper.blocks": 4365,
     "paper.currents": 12839,
     "paper.laws": 11002,
-    "paper.scenario": 12212,
+    "paper.scenario": 12236,
     "parts": 5536,
     "plots": 14,
     "plots.drawing": 6383,

@@ -7,9 +7,14 @@ from paths import ROOT
 
 import clpt_control as clpt
 from clpt_control.engine.methods.table import BY_NAME, METHODS
+from clpt_control.paper.blocks.ports import POWERS
+from clpt_control.paper.laws.law import Fixes, Gains, LawContext
 from clpt_control.paper.scenario.file import paper_text
 
 PRINTED = runpy.run_path(str(ROOT / "tools" / "print_scenario_page.py"))
+QUANTITIES = PRINTED["Scenario"].quantities()
+OTHER_DIAGRAMS = {"lyapunov", "parameter_system", "error_system"}  # not of a scenario
+UNITS = {"length/time": (1, 1), "1/time": (0, 1), "length": (1, 0), "time": "time"}
 PAGE = (ROOT / "docs" / "scenario.md").read_text("utf-8")
 
 
@@ -43,3 +48,35 @@ def test_methods_are_named_with_their_order():
         assert re.search(rf"\b{name} \({kind}.*?, order {row.order}\)", sentence)
     assert METHODS.keys() - BY_NAME.keys() <= {*re.findall(r"\w+", sentence)}
     assert "``run.method`` in the file of `clpt init`" in clpt.simulate.__doc__
+
+
+def test_a_key_names_parameters_and_states_of_blocks():
+    """A name that no block has would be a key without effect."""
+    parameters, states = set(), set()
+    for name, made in PRINTED["blocks_of_loops"]().items():
+        for _, block in made:
+            parameters |= {f"{name}.{field}" for field in block.parameters._fields}
+            states |= {*block.state_ports}
+    for key, quantity in QUANTITIES.items():
+        names = {*quantity.parameters.split()}
+        of_loops = {n for n in names if n.partition(".")[0] not in OTHER_DIAGRAMS}
+        assert of_loops <= parameters, key
+        assert quantity.state in states | {""}, key
+
+
+def test_a_key_names_what_laws_read():
+    read = {*LawContext.__annotations__}
+    for name, kind in (("gains", Gains), ("fixes", Fixes)):
+        read |= {f"{name}.{field}" for field in kind.__annotations__}
+    for key, quantity in QUANTITIES.items():
+        assert {*quantity.context.split()} <= read, key
+
+
+def test_a_key_has_the_unit_of_its_sentence():
+    for key, sentence in PRINTED["sentences"]().items():
+        if key not in QUANTITIES or key.endswith("_lat_lon"):
+            continue
+        found = re.search(r"length/time|1/time|\blength\b|\btime\b", sentence)
+        port = QUANTITIES[key].unit or QUANTITIES[key].state
+        unit = port if port == "time" else POWERS.get(port)
+        assert unit == (found and UNITS[found[0]]), key

@@ -441,6 +441,9 @@ class Scenario(tables.Table):
         return self.with_values({f"learning.{key}": start[key] for key in start})
 
 
+tables.Table.scenario = Scenario
+
+
 @cache
 def _plane(lat: float, lon: float, unit: str) -> LocalPlane:
     return LocalPlane(lat, lon, unit)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal, NamedTuple, Self, get_args
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self, get_args
 
 import numpy as np
 import pydantic
@@ -59,6 +59,7 @@ class Table(pydantic.BaseModel):
     """A table of the scenario; unknown keys are errors."""
 
     model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
+    scenario: ClassVar[type["Table"]]  # the one around all tables, which names keys
 
     def __init__(self, **values: Any) -> None:
         with _one_sentence(type(self).__name__.lower()):
@@ -117,7 +118,7 @@ class Table(pydantic.BaseModel):
     @classmethod
     def key_hint(cls, name: str) -> str:
         """Return a hint on the key for a call-time name, or ""."""
-        quantities = cls.quantities().items()
+        quantities = cls.scenario.quantities().items()
         keys = [key for key, names in quantities if name in names.parameters.split()]
         says = "is the name at call time, in params; the scenario's key is"
         return f"{name} {says} {' or '.join(keys)}" if keys else ""
@@ -229,7 +230,7 @@ class Basis(Table):
     )
     #: widths = [5, 5, 5] # widths sigma_i, length, positive
     widths: tuple[Positive, ...] = quantity(
-        ..., "basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"
+        ..., "basis_x.widths basis_z.widths basis_x_true.widths", axes="basis", unit="x"
     )
     #: periods = [12.42, 10.42, 24.42] # tidal periods, time; inf is steady
     periods: tuple[Period, ...] | None = quantity(None, axes="basis", unit="time")

@@ -26,6 +26,12 @@ WRONG = {
     "adaptation.gain is the name at call time.* key is learning.gain": {
         "adaptation": {"gain": 2}
     },
+    "key is learning.gain or learning.gains.parameters": {
+        "learning": {"adaptation": {"gain": 2}}
+    },
+    "KD is the name at call time.* key is vehicle.feedback": {
+        "learning": {"vehicle_controller": {"KD": 2}}
+    },
 }
 
 
