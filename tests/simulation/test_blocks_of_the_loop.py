@@ -28,7 +28,7 @@ def test_another_test_has_numbers_of_each_block():
     for name, (scenario, block) in MADE.items():
         parameters = [f"{name}.{field}" for field in block.parameters._asdict()]
         keys = {key for one in parameters for key in keys_of(scenario, one)}
-        assert any(word in text for word in (name, *keys)), name
+        assert any(word in text for word in (name, *keys)), f"no test names {name}"
 
 
 @pytest.mark.parametrize("block", sorted(MADE.keys() - {LAW, "reference"}))

@@ -103,6 +103,7 @@ def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
 
 def test_lines_of_a_table_are_skipped_one_by_one(table):
     lines = table.read_bytes().splitlines()[:6]
+    columns = lines[0].count(b",") + 1
     lines[2] = b"x" + lines[2]
     lines[3] = lines[3].replace(b"-43", b"\xb0", 1)
     lines[4] = lines[4][:30]
@@ -112,7 +113,7 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
     assert [one.dive for one in skipped] == [None, 306, 307]
     assert "line 3: dive is 'x305'" in skipped[0].why
     assert "lat_gps2 is '\ufffd" in skipped[1].why
-    assert "line 5: has 3 cells, the header 27" in skipped[2].why
+    assert f"line 5: has 3 cells, the header {columns}" in skipped[2].why
 
 
 def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
