@@ -11,6 +11,7 @@ import clpt_control as clpt
 from clpt_control import Block, lookup
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import compile
+from clpt_control.engine.solver.runner import RunOptions
 
 from .engines import timed
 from .rk4 import RK4
@@ -67,7 +68,7 @@ def advect(
 ) -> tuple[np.ndarray, float]:
     """Move passive particles by RK4; return final positions (2, n) and seconds."""
     block = drifter(time, axis, u, v)
-    native = compile(clpt.connect([block], name="drifter")).unlocked()
+    native = compile(clpt.connect([block], name="drifter")).in_form("free")
     starts = np.column_stack([x1, x2])
     ends = np.array([0.0, step * steps])
 
@@ -76,7 +77,7 @@ def advect(
         parameters = np.tile(native.parameters(), (len(starts), 1))
         segments = [native.schedule(ends)]
         batch = Batch(callee, starts, parameters, ends, segments, longest=step)
-        batch.adaptive(1e-8, 1e-10)
+        batch.finish(RunOptions())
         return batch.out
 
     moved(starts[:2])

@@ -30,11 +30,10 @@ from ..engine.diagram.wiring import Wiring
 from ..engine.methods.table import TAYLOR
 from ..engine.solver.batch import MEMBER_STEPS, Batch, finished
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.legs import may_go_on
-from ..engine.solver.native_diagram import NativeRun
+from ..engine.solver.legs import NativeRun, may_go_on
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
-from ..engine.solver.series_runs import run_members
+from ..engine.solver.series_runs import SeriesRuns
 from ..engine.solver.solver_layout import SIGNALS, Results, Status
 from ..engine.solver.termination import Solution, sampled_start
 
@@ -193,30 +192,39 @@ class Ensemble:
             return finished(count, len(times), 0)
         if not self.compiled:
             return self._run_in_python(members, times)
-        runs = members.x0, members.P, times, members.schedules, members.group
-        if self.options.method == TAYLOR:
-            return run_members(self.native, runs, self.lanes, self.options)
-        # 1. members in lanes, unless each is looked at for its kinks
         result = finished(count, len(times), self.native.nstates)
-        alone = np.arange(count)
-        if self.native.over_kinks() is None:
-            method = self.native.method_of(self.options.method)
-            lanes = 1 if method.implicit else self.lanes
-            batch = Batch(self.native.callee(lanes, method), *runs)
-            self.native.finish(batch, self.options)
-            result = batch.results
-            alone = np.flatnonzero(np.isin(result.status, may_go_on(self.native)))
-        # 2. members with more legs, as single runs
-        for m in alone.tolist():
-            run = NativeRun(self.native, times, members.schedule(m), self.options)
+        remaining = np.arange(count)
+        first = self._first_legs(members, times)
+        if first is not None:
+            result = first.results
+            may_follow = np.isin(result.status, may_go_on(self.native))
+            remaining = np.flatnonzero(may_follow)
+        for m in remaining.tolist():
+            start = members.x0[m], members.P[m], times, members.schedule(m)
+            run = NativeRun(self.native, *start, self.options)
             try:
-                batch = run.batch(members.x0[m], members.P[m])
+                is_left = first is not None and m in first.ends
+                run = run.go_on(first, m) if is_left else run.go_on(run.first_leg())
             except SimulationError:  # it begins where its jump is not defined
                 result.status[m] = Status.GUARD_LEFT
                 continue
-            for array, rows in zip(result, batch.results, strict=True):
+            for array, rows in zip(result, run.results, strict=True):
                 array[m] = rows[0]
         return result
+
+    def _first_legs(self, members: Members, times: np.ndarray) -> Any:
+        """Run first legs side by side; return None if each is looked at for its kinks."""
+        native, options = self.native, self.options
+        runs = members.x0, members.P, times, members.schedules, members.group
+        if options.method == TAYLOR:
+            return SeriesRuns(native, *runs, options, self.lanes)
+        if native.has_many_decisions:
+            return None
+        method = native.method_of(options.method)
+        lanes = 1 if method.implicit else self.lanes
+        batch = Batch(native.callee(lanes, method), *runs)
+        batch.finish(options, native.most, native.implicit)
+        return batch
 
     def _run_in_python(self, members: Members, times: np.ndarray) -> Results:
         """Run members one after the other; return their states."""

@@ -42,6 +42,7 @@ from clpt_control.engine.solver import solver_layout
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.python_runs import PythonDiagram
+from clpt_control.engine.solver.runner import RunOptions
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace import heaps, tracing
@@ -115,7 +116,7 @@ def side_by_side(runner, lanes, starts, times, P=None, schedules=None, rtol=1e-8
     group = np.arange(len(starts)) if schedules else None
     pieces = schedules or [runner.schedule((times[0], times[-1]))]
     batch = Batch(runner.callee(lanes), starts, P, times, pieces, group)
-    batch.adaptive(rtol, 0.01 * rtol)
+    batch.finish(RunOptions(rtol, 0.01 * rtol))
     return batch
 
 
@@ -123,6 +124,8 @@ def run_many(native, starts, times, rtol=1e-8):
     """Return the states (m, nt, n) of runs in lanes, whose blocks sample as the runs begin."""
     P, segments = native.parameters(), native.schedule(times)
     begin = partial(sampled_start, native.callee(), t=float(times[0]))
-    begun = [begin(start, segments=segments, P=P) for start in starts]
+    begun = starts
+    if segments.begins:
+        begun = [begin(start, segments=segments, P=P) for start in starts]
     lanes = native.lanes(len(starts))
     return side_by_side(native, lanes, np.array(begun), times, rtol=rtol).out

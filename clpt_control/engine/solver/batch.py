@@ -11,13 +11,14 @@ eigenvalues of df/dx are small.
 import time
 from collections.abc import Callable
 from itertools import accumulate
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...base.progress.interrupt import check
 from ..codegen.machine import flattened, numbers_of
-from .callee import MOST_KEPT, Callee, aligned
+from ..methods.table import TAYLOR
+from .callee import MOST_KEPT, Callee, aligned, keep
 from .jacobian_pattern import NO_LINEAR
 from .schedule import Schedule
 from .solver_layout import (
@@ -54,6 +55,15 @@ ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
+class End(NamedTuple):
+    """Where a run was left to another leg, which passes `kinks` and begins with a step."""
+
+    time: float
+    state: np.ndarray
+    opening: float = 0.0
+    kinks: Any = None
+
+
 class Batch:
     """Some runs of one diagram, from initial states (m, n) with parameters P (m, nP).
 
@@ -61,7 +71,8 @@ class Batch:
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN behind the
     end of a run, `status` how runs ended, `reached` how many samples are done, and
     `counts` (m, 4) steps, evaluations, restarts and rejected steps.  No step is longer than
-    `longest`; the first step tried is `opening`, unless that is 0.
+    `longest`; the first step tried is `opening`, unless that is 0.  `ends` has the runs that were
+    left to other legs.
     """
 
     def __init__(
@@ -125,7 +136,6 @@ class Batch:
         is_explicit = self.linear is NO_LINEAR
         linear = NO_LINEAR_NUMBERS if is_explicit else self.linear
         self._call = numbers_of(self.solver[:-1], linear, 0, 0)
-        # whether the arrays may be kept for another run
         sizes = self._reals.size, self.out.size, self.segments.values.size
         self.is_small = sum(sizes) < MOST_KEPT
         self._begin(schedules, longest, opening)
@@ -151,6 +161,12 @@ class Batch:
             matrix.fill(0)
         self._begin([schedule], longest, opening)
 
+    def release(self) -> None:
+        """Keep the arrays of a run that is over for another one, if they are small."""
+        if self.is_small:
+            P, values = self.runs.parameters[0], self.segments.values
+            keep(self.callee.kept, (P.shape, self.times.shape, values.shape), self)
+
     def _begin(self, schedules: list[Schedule], longest: float, opening: float) -> None:
         """Set all runs to their beginning."""
         callee = self.callee
@@ -160,13 +176,7 @@ class Batch:
         self.out[:, 0] = self.runs.states
         for array in self.results[1:]:
             array.fill(0)
-        # batches that continue stiff runs, and a run that slides
-        self.continuations: dict[int, Batch] = {}
-        self.slides: list[float] = []  # times at which it began to slide
-        # of the tolerances of a run that this batch continues
-        self.tolerance_share = 1.0
-        self.refusal = ""  # why it does not slide, or jumps without end
-        self.level_jumps: list[float] = []  # their times
+        self.ends: dict[int, End] = {}
         # 2. a lane without a run has the state and parameters with which the first begins
         self.integers.fill(-1)
         self.solver.queue[:] = 0, len(self.status), 0
@@ -190,25 +200,25 @@ class Batch:
         """Time reached by the first lane."""
         return float(self.lane[TIME, 0])
 
-    def adaptive(
+    def finish(
         self,
-        rtol: float,
-        atol: float,
-        progress: Callable[[float], None] | None = None,
+        options: Any,
         most: int = MEMBER_STEPS,
         implicit: Callable[[], Callee] | None = None,
         over_kinks: Any = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        Tries of steps of discrete time are not limited.  `progress` is called with the time
-        reached by the first lane, about every `PAUSE`.  `implicit` returns the functions that an
-        implicit method calls, if stiff runs are to be continued with it, one after the other;
-        `continuations` are the batches of these runs.  `over_kinks` is a `kinks.ManyKinks` of the
-        only run.
+        Tries of steps of discrete time are not limited.  `options.progress` is called with the time
+        reached by the first lane, about every `PAUSE`.  Where the options choose no method, stiff
+        runs are left to that which calls the functions of `implicit`.  `over_kinks` is a
+        `kinks.ManyKinks` of the only run.
         """
-        self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
-        if self.callee.method.discrete:
+        rtol, atol, progress = options.rtol, options.atol, options.progress
+        method = self.callee.method
+        may_change = options.method in ("auto", TAYLOR) and not method.implicit
+        self.lane[STIFF_STEPS] = 0.0 if implicit and may_change else -np.inf
+        if method.discrete:
             most = ANY
         if self.callee.decided:
             first = self.callee.decided_at
@@ -227,7 +237,7 @@ class Batch:
             # end stiff runs
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
-                self._end_if_stiff(int(k), rtol, atol, implicit)
+                self._end_if_stiff(int(k), options, implicit)
             # adapt the tries of a call to its duration
             if len(doubtful):  # they were not used up
                 budget = max(budget // 4, 1)
@@ -235,15 +245,10 @@ class Batch:
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
             if over_kinks is not None:
-                following = over_kinks.following(self, rtol, atol)
-                if following is not None:
-                    self._leave_to(following, 0)
+                kinks = over_kinks.found(self, rtol, atol)
+                if kinks is not None:
+                    self._leave(0, Status.MANY_KINKS, kinks)
                     break
-        for m, batch in self.continuations.items():
-            share = batch.tolerance_share
-            next_method = None if batch.callee.method.implicit else implicit
-            batch.adaptive(share * rtol, share * atol, progress, most, next_method)
-            batch.write_into(self.results, self.times, m)
 
     def advance(
         self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS
@@ -253,8 +258,8 @@ class Batch:
         self._call[-2:] = budget, most
         return self.callee.call("advance", self._call)
 
-    def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
-        """End the run of a lane if it is stiff; another batch continues it."""
+    def _end_if_stiff(self, k: int, options: Any, implicit: Any) -> None:
+        """End the run of a lane if it is stiff."""
         n = self.callee.nstates
         self.lane[STIFF_STEPS, k] = -LATER
         m = int(self.integers[RUN_INDEX, k])
@@ -269,38 +274,53 @@ class Batch:
         if self.times[-1] - t < h * worth:
             return
         # the first implicit step computes the Jacobian
-        batch = self.rest(callee, self.runs.parameters[m, : callee.size], k)
-        batch.advance(rtol, atol, 1)
+        schedule = self.schedules[self.runs.schedule[m]].after(t)
+        P = self.runs.parameters[m, : callee.size]
+        start = self.states[STATE, :, k], P, np.array([t, self.times[-1]])
+        batch = batch_of(callee, *start, schedule, self.lane[MAX_STEP, k])
+        batch.advance(options.rtol, options.atol, 1)
         if h * radius(batch.linear.jacobian.reshape(n, n)) > LARGE:
-            self._leave_to(batch, k)
+            self._leave(k, Status.STIFF)
+        batch.release()
 
-    def rest(self, callee: Callee, parameters: np.ndarray, k: int = 0) -> "Batch":
-        """Return a batch of the rest of a lane's run, with other functions."""
-        m, _, reached, *_ = self.integers[:, k].tolist()
-        t, longest = self.lane[[TIME, MAX_STEP], k].tolist()
-        times = np.append(t, self.times[reached:])
-        segments = self.schedules[self.runs.schedule[m]].after(t)
-        runs = self.states[STATE, :, k][None], parameters[None], times, [segments]
-        return Batch(callee, *runs, longest=longest)
-
-    def write_into(self, results: Results, times: np.ndarray, m: int = 0) -> None:
-        """Write the only run of this batch into results at times: it continues run `m`."""
+    def write_into(self, results: Results, times: np.ndarray) -> None:
+        """Write the only run of this batch into results at times: it continues their run."""
         ahead = self.times[1 : self.reached[0]]
         _, samples, indices = np.intersect1d(times, ahead, return_indices=True)
-        results.states[m, times > self.times[0]] = np.nan
-        results.states[m, samples] = self.out[0, 1 + indices]
-        results.status[m] = self.status[0]
+        results.states[0, times > self.times[0]] = np.nan
+        results.states[0, samples] = self.out[0, 1 + indices]
+        results.status[0] = self.status[0]
         reached = self.times[self.reached[0] - 1]
-        results.reached[m] = np.searchsorted(times, reached, "right")
-        results.counts[m] += self.counts[0]
+        results.reached[0] = np.searchsorted(times, reached, "right")
+        results.counts[0] += self.counts[0]
 
-    def _leave_to(self, batch: "Batch", k: int) -> None:
-        """Leave the run of a lane to another batch."""
+    def _leave(self, k: int, status: Status, kinks: Any = None) -> None:
+        """Leave the run of a lane to another leg."""
         m, _, reached, *_ = self.integers[:, k].tolist()
-        self.continuations[m] = batch
-        self.status[m] = Status.STIFF
+        time, state = float(self.lane[TIME, k]), self.states[STATE, :, k].copy()
+        self.ends[m] = End(time, state, kinks=kinks)
+        self.status[m] = status
         self.reached[m] = reached
         self.integers[RUN_INDEX, k] = -1
+
+
+def batch_of(
+    callee: Callee,
+    start: np.ndarray,
+    P: np.ndarray,
+    times: np.ndarray,
+    segments: Schedule,
+    longest: float,
+    opening: float = 0.0,
+) -> Batch:
+    """Return a batch of one run, in arrays of an earlier one if there are some of its shape."""
+    shape = P.shape, times.shape, segments.values.shape
+    batch = callee.kept.pop(shape, None)
+    if batch is None:
+        runs = start[None], P[None], times, [segments]
+        return Batch(callee, *runs, None, longest, opening)
+    batch.begin_again(start, P, times, segments, longest, opening)
+    return batch
 
 
 def finished(runs: int, samples: int, n: int) -> Results:

@@ -34,7 +34,7 @@ class Callee(NamedTuple):
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
-    kept: dict[Any, "Evaluation"]  # by shape, while no thread uses them
+    kept: dict[Any, Any]  # arrays of calls by shape, while no thread uses them
     linear: Jacobian = Jacobian()  # of Rodas5P
     timed: bool = False  # whether steps are short, as time may do much in little of it
     # places in P of the slopes of inputs: steps are short where one is not zero

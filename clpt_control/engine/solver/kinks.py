@@ -27,11 +27,9 @@ from .solver_layout import (
     TIME,
 )
 
-MANY_DECISIONS = 32  # of a large model
 SHARE = 1.0 / 3.0  # of restarts in the steps: more are too many
 FEWEST = 64  # tries after which they are counted
 LOOKS = 400  # tries in which the kinks are found
-TOLERANCE_SHARE = 0.01  # of the tolerances, over kinks
 
 
 class PassedKinks(NamedTuple):
@@ -41,7 +39,7 @@ class PassedKinks(NamedTuple):
 
 
 class ManyKinks:
-    """Continuation of a run that kinks restart too often.
+    """The kinks of a run that restart it too often.
 
     `diagram` is a `NativeDiagram`.  The run is looked at after `FEWEST` tries, and whenever they
     have doubled: the pace of the machine has no part in it.
@@ -56,8 +54,8 @@ class ManyKinks:
         tries = batch.counts[0, STEPS] + batch.counts[0, REJECTIONS]
         return max(int(self.next_look - tries), 1)
 
-    def following(self, batch: Batch, rtol: float, atol: float) -> Batch | None:
-        """Return the batch that continues a run, or None."""
+    def found(self, batch: Batch, rtol: float, atol: float) -> PassedKinks | None:
+        """Return the kinks that a run goes on without locating, or None."""
         counts = batch.counts[0]
         tries = counts[STEPS] + counts[REJECTIONS]
         if tries < self.next_look:
@@ -65,20 +63,10 @@ class ManyKinks:
         self.next_look = 2 * int(tries)
         if counts[RESTARTS] <= SHARE * counts[STEPS]:
             return None
-        return _continued(self.diagram, batch, rtol, atol)
-
-
-def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | None:
-    """Return a batch that continues a run without locating its kinks; None if it has none."""
-    kinks = _kinks(diagram, batch, rtol, atol)
-    if not kinks or batch.integers[RUN_INDEX, 0] < 0:
-        return None
-    runner = diagram.in_form(PassedKinks(frozenset(kinks)))
-    parameters = runner.parameters(batch.runs.parameters[0])  # without the decisions
-    following = batch.rest(runner.callee(1, batch.callee.method), parameters)
-    following.tolerance_share = TOLERANCE_SHARE
-    following.label = f"{following.label} without locating kinks"
-    return following
+        kinks = _kinks(self.diagram, batch, rtol, atol)
+        if not kinks or batch.integers[RUN_INDEX, 0] < 0:
+            return None
+        return PassedKinks(frozenset(kinks))
 
 
 def _kinks(diagram: Any, batch: Batch, rtol: float, atol: float) -> set[int]:

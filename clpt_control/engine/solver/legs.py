@@ -1,148 +1,331 @@
-"""Legs of a run: what follows where machine code has stopped.
+"""A run of machine code: its legs, and what follows where one has stopped.
 
-A leg is a batch of one run: a form of the diagram with its parameters, from a time and a state on.
-It ends with a status.  `FOLLOWING` has a function for each status after which a run may go on: on
-switches and off them (`filippov`), or behind the jumps at a level (`level_jumps`).
+A leg is a program, a method and parameters, from a time and a state on.  It ends with a status.
+`FOLLOWING` has a function for each status after which a run may go on: by another method
+(equations are stiff, a series has ended), over many kinks, on switches and off them (`filippov`),
+or behind the jumps at a level (`level_jumps`).
 """
 
 from collections.abc import Callable
-from typing import Any
+from contextlib import suppress
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy import ndarray
 
-from .batch import Batch
+from ...base.errors import SimulationError
+from ..methods.method import Method
+from ..methods.table import IMPLICIT, TAYLOR
+from .batch import Batch, batch_of
 from .evaluation_pass import rounding
-from .filippov import Sliding, enter, leave
-from .level_jumps import MOST_SOON, SHORT, jump_at_level, left_guard
+from .inputs import Inputs
 from .schedule import Schedule
-from .solver_layout import STATE, Status
-from .termination import STUCK, stopped_at
+from .solver_layout import STATE, Results, Status
+from .termination import STUCK, Solution, ended, stopped_at
 
+if TYPE_CHECKING:
+    from .filippov import Sliding
+
+MOST_SOON = 30  # jumps in a row, each sooner after the other than `SHORT` of the run
 MOST_IN_VAIN = 50  # legs of a run in a row, each shorter than SHORT of the run
+SHORT = 1e-7
+ON_KINKS = 0.01  # of the tolerances, over kinks
 
-Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
-Start = tuple[Sliding | None, float, ndarray]  # of a leg: its switches, time and state
+
+class Leg(NamedTuple):
+    """The beginning of a leg, and what runs from there on."""
+
+    program: Any  # a form of the `NativeDiagram`
+    method: Method
+    parameters: ndarray
+    time: float
+    state: ndarray
+    sliding: "Sliding | None" = None  # the switches that it slides on
+    opening: float = 0.0  # the first step, or 0
+    passes_kinks: bool = False  # kinks are not located
+
+    @property
+    def label(self) -> str:
+        """The name of what integrates."""
+        return self.method.name + " without locating kinks" * self.passes_kinks
 
 
 def may_go_on(diagram: Any) -> list[Status]:
     """Return the statuses of first legs that others may follow."""
     at_level = [Status.GUARD_LEFT] if diagram.resetting else []
     switching = [Status.CHATTERING, *STUCK] if diagram.code.program.decided else []
-    return at_level + switching
+    return [Status.STIFF, Status.SERIES_ENDED, *at_level, *switching]
 
 
-class Legs:
-    """The legs of a run of a `NativeDiagram`; results are written into the first one.
+class NativeRun:
+    """One run of a `NativeDiagram`, from a state with parameters P.
 
-    ``begin(diagram, parameters, state, times, segments)`` runs a batch up to its end.
+    Attributes
+    ----------
+    results : Results
+        States, status and counts of the run, a row of those of its first leg.
+    leg, last : Leg, Batch
+        The last leg, and its arrays.
+    end : End or None
+        Where that was left to another method or program.
+    begun : float
+        The time at which it began with its first method.
     """
 
-    def __init__(self, diagram: Any, first: Batch, begin: Begin):
-        self.diagram, self.first, self.begin = diagram, first, begin
-        self.last = first
-        self.sliding: Sliding | None = None  # of the last leg
+    results: Results
+    leg: Leg
+    last: Any
+    end: Any
+    begun: float
+
+    def __init__(
+        self,
+        diagram: Any,
+        start: ndarray,
+        P: ndarray,
+        times: ndarray,
+        segments: Schedule,
+        options: Any,
+    ):
+        self.diagram, self.start, self.parameters = diagram, start, P
+        self.times, self.segments, self.options = times, segments, options
+        self.method = diagram.method_of(options.method)
+        self.locates = True  # switches
+        self.labels: list[tuple[float, str]] = []  # what integrated, and since when
+        self.slides: list[float] = []  # times at which it began to slide
+        self.level_jumps: list[float] = []  # their times
+        self.refusal = ""  # why it does not slide
         self.in_vain = 0  # legs in a row that were too short
 
-    def go_on(self) -> None:
+    def solution(self, inputs: Inputs | None) -> Solution:
+        """Integrate, and keep the arrays of the first leg for another run."""
+        first = self.first_leg()
+        run = self.go_on(first)
+        results = run.results
+        steps, evaluations, restarts, _ = results.counts[0].tolist()
+        counts = {"steps": steps, "evaluations": evaluations, "restarts": restarts}
+        solution = Solution(self.times, results.states[0], statistics=counts)
+        solution.engine, solution.method = "native", run.description
+        if results.status[0] != Status.FINISHED:
+            solution = ended(run, solution, inputs)
+        solution.pieces = self.segments
+        if isinstance(first, Batch):
+            solution.t = solution.t.copy()
+            solution.x = solution.x.copy()
+            first.release()
+        return solution
+
+    @property
+    def description(self) -> str:
+        """What integrated, and since when."""
+        (_, words), *others = self.labels
+        if self.slides:
+            words += f", sliding on a switch from t = {self.slides[0]:.9g}"
+        else:
+            words += "".join(f", from t = {t:.9g} {other}" for t, other in others)
+        if not self.locates:
+            words += ", switches not located"
+        if self.level_jumps:
+            words += f", {len(self.level_jumps)} jumps at levels"
+        return words
+
+    def first_leg(self, locates_all: bool = False) -> Any:
+        """Run the first leg, a `Batch` or `SeriesRuns`; many kinks are located if `locates_all`."""
+        if self.options.method == TAYLOR:
+            from .series_runs import SeriesRuns
+
+            run = self.start[None], self.parameters[None], self.times, [self.segments]
+            return SeriesRuns(self.diagram, *run, np.zeros(1), self.options)
+        leg = self._leg(float(self.times[0]), self.start)
+        kinks = None
+        if self.diagram.has_many_decisions and not locates_all:
+            from .kinks import ManyKinks
+
+            kinks = ManyKinks(self.diagram)
+        return self._batch(leg, self.times, self.segments, kinks)
+
+    def go_on(self, first: Any, m: int = 0) -> "NativeRun":
+        """Go on where run `m` of a first leg has stopped; return the run with all results."""
+        self.results = Results(*[array[m : m + 1] for array in first.results])
+        self.labels.append((float(self.times[0]), first.label))
+        status = self.results.status
+        if status[0] == Status.FINISHED:
+            return self
+        self.last, self.end = first, first.ends.get(m)
+        self.leg = self._leg(float(self.times[0]), self.start)
+        self.begun = self.leg.time
+        self._append_legs()
+        if status[0] == Status.FINISHED and self.last is not first:
+            self.last.release()
+        if status[0] == Status.CHATTERING and self.leg.passes_kinks:
+            # it slides among kinks that were passed: once more, with all located
+            again = self._again(self.diagram)
+            return again.go_on(again.first_leg(locates_all=True))
+        if self.diagram.code.program.decided and status[0] in STUCK:
+            # it is stuck: once more, without located switches
+            with suppress(SimulationError):  # the error is that of the first run
+                free = self._again(self.diagram.in_form("free"))
+                free.locates = False
+                free = free.go_on(free.first_leg())
+                if free.results.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
+                    return free
+        return self
+
+    def _again(self, diagram: Any) -> "NativeRun":
+        """Return the same run of a form of the diagram, from its start."""
+        P = diagram.parameters(self.parameters)
+        whole = self.start, P, self.times, self.segments, self.options
+        return NativeRun(diagram, *whole)
+
+    def _append_legs(self) -> None:
         """Append legs until the run has ended."""
-        first, leg = self.first, self.first
-        times = first.times
+        times, status = self.times, self.results.status
         run = times[-1] - times[0]
         while True:
-            self.last = last = leg.continuations.get(0, leg)
-            following = FOLLOWING.get(int(last.status[0]))
-            start = following and following(self)
-            if start is None:
+            following = FOLLOWING.get(int(status[0]))
+            leg = following and following(self)
+            if leg is None:
                 break
-            self.sliding, t, x = start
-            if first.level_jumps[-1:] == [t]:  # a sample at a jump is after it
-                first.out[0, (times >= t - rounding(t, run)) & (times <= t)] = x
+            t, x = leg.time, leg.state
+            if self.level_jumps[-1:] == [t]:  # a sample at a jump is after it
+                at_jump = (times >= t - rounding(t, run)) & (times <= t)
+                self.results.states[0, at_jump] = x
             if t + rounding(t, run) >= times[-1]:
-                first.out[0, -1] = x
-                first.status[0], first.reached[0] = Status.FINISHED, len(times)
+                self.results.states[0, -1] = x
+                status[0], self.results.reached[0] = Status.FINISHED, len(times)
                 return
-            is_short = t - leg.times[0] <= SHORT * run
-            self.in_vain = self.in_vain + 1 if is_short else 0
-            leg = self._next_leg(t, x)
-        if leg is not first:
-            first.continuations[0] = last
-        at_level = last.status[0] == Status.GUARD_LEFT and self._jumps()
-        too_small = last.status[0] == Status.STEP_TOO_SMALL and self.in_vain
-        if at_level or (too_small and first.level_jumps):
-            first.status[0] = Status.ACCUMULATING
+            if self.end is None:
+                is_short = t - self.begun <= SHORT * run
+                self.in_vain = self.in_vain + 1 if is_short else 0
+                self.begun = t
+            self._run(leg)
+        at_level = status[0] == Status.GUARD_LEFT and self._jumps()
+        too_small = status[0] == Status.STEP_TOO_SMALL and self.in_vain
+        if at_level or (too_small and self.level_jumps):
+            status[0] = Status.ACCUMULATING
 
     def _jumps(self) -> bool:
         """Return whether states jump where the last leg stopped."""
+        from .level_jumps import left_guard
+
         block = left_guard(self.diagram, self.last)
         nodes = self.diagram.wiring.nodes
         return block is not None and nodes[block].system.jumps_at_level
 
-    def _next_leg(self, t: float, x: ndarray) -> Batch:
-        """Run the next leg, with or without sliding, and copy its samples into the first."""
-        first, sliding = self.first, self.sliding
-        times = first.times
-        segments = first.schedules[0].after(t)
-        ahead = times[times > t]
-        runner, parameters = self.diagram, first.runs.parameters[0]
-        if sliding is not None:
-            runner, parameters = sliding.runner, sliding.parameters
+    def _run(self, leg: Leg) -> None:
+        """Run a leg, up to a jump if it slides, and write its samples into the results."""
+        segments = self.segments.after(leg.time)
+        ahead = self.times[self.times > leg.time]
+        if leg.sliding is not None:
             segments = _until_a_jump(segments)
             end = segments.edges[-2:-1]
             ahead = np.union1d(ahead[ahead < end], end)
-        leg = self.begin(runner, parameters, x, np.append(t, ahead), segments)
-        leg.write_into(first.results, times)
-        return leg
+        self.leg = leg
+        self.last = self._batch(leg, np.append(leg.time, ahead), segments)
+        self.end = self.last.ends.get(0)
+        self.last.write_into(self.results, self.times)
+        if leg.label not in [label for _, label in self.labels]:
+            self.labels.append((leg.time, leg.label))
+
+    def _batch(
+        self, leg: Leg, times: ndarray, segments: Schedule, over_kinks: Any = None
+    ) -> Batch:
+        """Return a batch of a leg, which went on until it stopped."""
+        options, P = self.options, leg.parameters
+        callee = leg.program.callee(1, leg.method)
+        at = leg.state, P, times, segments
+        batch = batch_of(callee, *at, options.max_step, leg.opening)
+        if leg.passes_kinks:
+            rtol, atol = ON_KINKS * options.rtol, ON_KINKS * options.atol
+            options = replace(options, rtol=rtol, atol=atol)
+        batch.finish(options, leg.program.most, leg.program.implicit, over_kinks)
+        return batch
 
     # --- what follows a status ------------------------------------------------------------
 
-    def onto_switches(self) -> Start | None:
-        """Begin on the switches that a leg crossed to and fro."""
-        if self.in_vain >= MOST_IN_VAIN:
+    def _leg(self, t: float, x: ndarray, sliding: "Sliding | None" = None) -> Leg:
+        """Return a leg with the method of the run."""
+        program, P = self.diagram, self.parameters
+        if sliding is not None:
+            program, P = sliding.runner, sliding.parameters
+        opening = self.options.first_step
+        return Leg(program, self.method, P, t, x, sliding, opening)
+
+    def _from_end(self, **changed: Any) -> Leg:
+        """Return a leg from where the last one was left, with something else changed."""
+        time, state, opening, _ = self.end
+        return self.leg._replace(time=time, state=state, opening=opening, **changed)
+
+    def by_implicit_method(self) -> Leg:
+        """Go on by Rodas5P: the equations are stiff."""
+        return self._from_end(method=IMPLICIT)
+
+    def by_steps(self) -> Leg:
+        """Go on by DOP853: a series has ended."""
+        return self._from_end()
+
+    def over_kinks(self) -> Leg:
+        """Go on without locating kinks, which are many."""
+        program = self.diagram.in_form(self.end.kinks)
+        P = program.parameters(self.parameters)  # without the decisions
+        return self._from_end(program=program, parameters=P, passes_kinks=True)
+
+    def onto_switches(self) -> Leg | None:
+        """Go on on the switches that a leg crossed to and fro."""
+        from .filippov import enter
+
+        if self.in_vain >= MOST_IN_VAIN or self.leg.passes_kinks:
             return None
-        sliding, self.first.refusal = enter(self.diagram, self.last, self.sliding)
+        sliding, self.refusal = enter(self.diagram, self.last, self.leg.sliding)
         if sliding is None:
             return None
-        self.first.slides.append(self.last.now)
-        return sliding, self.last.now, sliding.state
+        self.slides.append(self.last.now)
+        return self._leg(self.last.now, sliding.state, sliding)
 
-    def behind_a_guard(self) -> Start | None:
-        """Begin off one of the switches, or after the jumps at a level."""
-        first, last = self.first, self.last
+    def behind_a_guard(self) -> Leg | None:
+        """Go on off one of the switches, or after the jumps at a level."""
+        from .filippov import leave
+        from .level_jumps import jump_at_level, left_guard
+
+        last = self.last
         block = left_guard(self.diagram, last)
         if block is None:
             t, x = stopped_at(last)
-            remaining = leave(self.diagram, last, self.sliding)
-            return remaining, t, x if remaining is None else remaining.state
+            remaining = leave(self.diagram, last, self.leg.sliding)
+            return self._leg(t, x if remaining is None else remaining.state, remaining)
         if not self._jumps() or self.in_vain >= MOST_SOON:
             return None
-        is_again = first.level_jumps[-1:] == [last.times[0]]
-        is_first = last.now == first.times[0]
+        is_again = self.level_jumps[-1:] == [last.times[0]]
+        is_first = last.now == self.times[0]
         jumped = jump_at_level(self.diagram, last, block, is_again, is_first)
         if jumped is None:
             return None
-        first.level_jumps.append(jumped[0])
-        return None, *jumped
+        self.level_jumps.append(jumped[0])
+        return self._leg(*jumped)
 
-    def at_a_known_stop(self) -> Start | None:
-        """Begin without sliding where rates jump."""
+    def at_a_known_stop(self) -> Leg | None:
+        """Go on without sliding where rates jump."""
         last = self.last
-        if self.sliding is None or last.now >= self.first.times[-1]:
+        if self.leg.sliding is None or last.now >= self.times[-1]:
             return None
-        return None, last.now, last.out[0, -1].copy()
+        return self._leg(last.now, last.out[0, -1].copy())
 
-    def off_equal_sides(self) -> Start | None:
-        """Begin without sliding where another decision has made both sides the same."""
-        if self.sliding is None:
+    def off_equal_sides(self) -> Leg | None:
+        """Go on without sliding where another decision has made both sides the same."""
+        if self.leg.sliding is None:
             return None
-        return None, self.last.now, self.last.states[STATE, :, 0].copy()
+        return self._leg(self.last.now, self.last.states[STATE, :, 0].copy())
 
 
-FOLLOWING: dict[int, Callable[[Legs], Start | None]] = {
-    Status.CHATTERING: Legs.onto_switches,
-    Status.GUARD_LEFT: Legs.behind_a_guard,
-    Status.FINISHED: Legs.at_a_known_stop,
-    Status.NOT_FINITE: Legs.off_equal_sides,
+FOLLOWING: dict[int, Callable[[NativeRun], Leg | None]] = {
+    Status.STIFF: NativeRun.by_implicit_method,
+    Status.SERIES_ENDED: NativeRun.by_steps,
+    Status.MANY_KINKS: NativeRun.over_kinks,
+    Status.CHATTERING: NativeRun.onto_switches,
+    Status.GUARD_LEFT: NativeRun.behind_a_guard,
+    Status.FINISHED: NativeRun.at_a_known_stop,
+    Status.NOT_FINITE: NativeRun.off_equal_sides,
 }
 
 

@@ -12,7 +12,6 @@ from numpy import ndarray
 
 from ...base.errors import SimulationError
 from .batch import Batch
-from .schedule import JUMPS, Schedule
 from .solver_layout import (
     DECISION,
     DERIVATIVE,
@@ -27,8 +26,6 @@ from .solver_layout import (
 from .termination import stopped_at
 
 RESOLVED = 1e-13  # times that differ by so much of the run are one instant
-MOST_SOON = 30  # jumps in a row, each sooner after the other than `SHORT` of the run
-SHORT = 1e-7
 
 
 def left_guard(diagram: Any, batch: Batch) -> int | None:
@@ -94,7 +91,7 @@ def jump_at_level(
             )
         if not jumping:
             break
-        requests = requesting(diagram, segments, jumping)
+        requests = segments.requesting(diagram.jumps, jumping)
         (x,) = callee.evaluate(JUMP, [t], x[None], requests, P, len(x))
         jumped += jumping
         now, _, edges_behind = distances(t, x)
@@ -117,11 +114,3 @@ def _bracket(batch: Batch) -> list[tuple[float, ndarray]]:
     if batch.lane[HIGH, 0] == 0.0:
         return [(batch.now, batch.states[STATE, :, 0].copy())]
     return [stopped_at(batch, edge) for edge in (LOW, HIGH)]
-
-
-def requesting(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:
-    """Return segments in which these blocks jump and no others do."""
-    values = segments.values.copy()
-    for k, place in diagram.jumps.items():
-        values[:, segments.indices == place] = JUMPS if k in jumping else 0.0
-    return segments._replace(values=values)

@@ -1,7 +1,6 @@
 """A diagram as machine code: its runs, and what the solver calls."""
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from copy import copy
 from dataclasses import replace
 from typing import Any, Self
@@ -9,28 +8,25 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ...base.errors import SimulationError
 from ..codegen.diagram_record import lay_out
 from ..codegen.directional_derivatives import Directions
 from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
-from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, TAYLOR
-from .batch import Batch
+from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import Form, code_of, copies_of
 from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
-from .kinks import MANY_DECISIONS, ManyKinks
-from .legs import Legs
-from .level_jumps import requesting
+from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
-from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
-from .termination import STUCK, Solution, ended, sampled_start, without_states
+from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
+from .termination import Solution, sampled_start, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
+MANY_DECISIONS = 32  # of a large model
 FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
@@ -85,8 +81,6 @@ class NativeDiagram(Runner):
     def _forget(self) -> None:
         """Begin without callees, and without arrays of earlier runs."""
         self._callees: dict[tuple[int, Method], Callee] = {}
-        # by shape, while no thread runs them
-        self.kept: dict[Any, Any] = {}
         self.kept_series: dict[Any, Any] = {}
 
     def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
@@ -102,11 +96,10 @@ class NativeDiagram(Runner):
         diagram.layout = replace(self.layout, P=self.layout.packed(parameters))
         return diagram
 
-    def over_kinks(self) -> ManyKinks | None:
-        """Return what continues a run over many kinks, or None."""
-        if self.resetting or self.code.program.decided < MANY_DECISIONS:
-            return None
-        return ManyKinks(self)
+    @property
+    def has_many_decisions(self) -> bool:
+        """Return whether a run is looked at for its kinks."""
+        return not self.resetting and self.code.program.decided >= MANY_DECISIONS
 
     def in_form(self, form: Form) -> Self:
         """Return the diagram in another form; derivatives stay."""
@@ -147,18 +140,10 @@ class NativeDiagram(Runner):
         """Integrate from the first to the last of the times in machine code."""
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
-        if options.method == TAYLOR:
-            from .series_runs import series_solution
-
-            return series_solution(self, start, times, inputs, options)
-        segments = self.schedule(times, inputs)
-        return NativeRun(self, times, segments, options).solution(start, inputs)
-
-    def finish(self, batch: Batch, options: RunOptions, over_kinks: Any = None) -> None:
-        """Run a batch to its end; `over_kinks` as `Batch.adaptive` takes it."""
-        implicit = self.implicit if options.method in ("auto", TAYLOR) else None
-        given = options.rtol, options.atol, options.progress, self.most
-        batch.adaptive(*given, implicit, over_kinks)
+        segments, P = self.schedule(times, inputs), self.parameters()
+        if segments.begins:
+            start = sampled_start(self.callee(), start, float(times[0]), segments, P)
+        return NativeRun(self, start, P, times, segments, options).solution(inputs)
 
     def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
@@ -183,7 +168,7 @@ class NativeDiagram(Runner):
         if self.nstates:
             results.append(callee.evaluate(DERIVATIVE, *at, P, self.nstates))
         if sweep.jumping:
-            all_jump = requesting(self, segments, sweep.jumping)
+            all_jump = segments.requesting(self.jumps, sweep.jumping)
             results.append(callee.evaluate(JUMP, times, x, all_jump, P, self.nstates))
         if sweep.guarded:
             events = callee.events_at(*at, P)
@@ -254,87 +239,6 @@ class NativeDiagram(Runner):
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
-
-
-class NativeRun:
-    """One run of a `NativeDiagram`.
-
-    A leg of the run is a batch with one form of the diagram, which begins where another leg ended.
-    """
-
-    def __init__(
-        self, diagram: Any, times: np.ndarray, segments: Schedule, options: RunOptions
-    ):
-        self.diagram, self.times = diagram, times
-        self.segments, self.options = segments, options
-        self.method = diagram.method_of(options.method)
-
-    def solution(self, start: np.ndarray, inputs: Inputs | None) -> Solution:
-        """Integrate, and keep the arrays for another run."""
-        diagram = self.diagram
-        callee = diagram.callee(1, self.method)
-        P = diagram.parameters()
-        begin = sampled_start(callee, start, float(self.times[0]), self.segments, P)
-        batch = self.batch(begin, P)
-        solution = ended(diagram, batch, inputs)
-        solution.pieces = self.segments
-        if batch.is_small and batch.callee is callee:
-            solution.t = solution.t.copy()
-            solution.x = solution.x.copy()
-            shape = _shape_of(callee, P, self.times, self.segments)
-            keep(diagram.kept, shape, batch)
-        return solution
-
-    def batch(self, start: np.ndarray, P: np.ndarray) -> Batch:
-        """Run all legs; return a batch with their results."""
-        diagram = self.diagram
-        # 1. the first leg: all switches are located, but many kinks
-        whole = diagram, P, start, self.times, self.segments
-        batch = self.leg(*whole, diagram.over_kinks())
-        if batch.status[0] == Status.CHATTERING and batch.continuations:
-            # it slides among kinks that were passed: once more, with all located
-            batch = self.leg(*whole)
-        # 2. legs on switches, and behind levels
-        if batch.status[0] == Status.FINISHED:
-            return batch
-        Legs(diagram, batch, self.leg).go_on()
-        # 3. a run that is stuck, without located switches
-        if batch.callee.decided and batch.status[0] in STUCK:
-            with suppress(SimulationError):  # the error is that of the first run
-                free = diagram.in_form("free")
-                run = NativeRun(free, self.times, self.segments, self.options)
-                unlocked = run.batch(start, free.parameters(P))
-                if unlocked.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
-                    return unlocked
-        return batch
-
-    def leg(
-        self,
-        diagram: Any,
-        P: np.ndarray,
-        start: np.ndarray,
-        times: np.ndarray,
-        segments: Schedule,
-        over_kinks: Any = None,
-    ) -> Batch:
-        """Return a batch of one run of a form of the diagram, which went on until it stopped."""
-        options = self.options
-        callee = diagram.callee(1, self.method)
-        steps = options.max_step, options.first_step
-        batch = diagram.kept.pop(_shape_of(callee, P, times, segments), None)
-        if batch is None:
-            batch = Batch(callee, start[None], P[None], times, [segments], None, *steps)
-        else:
-            batch.begin_again(start, P, times, segments, *steps)
-        diagram.finish(batch, options, over_kinks)
-        return batch
-
-
-def _shape_of(
-    callee: Callee, P: np.ndarray, times: np.ndarray, segments: Schedule
-) -> tuple:
-    """Return all that arrays of a run depend on."""
-    return callee.method, P.shape, times.shape, segments.values.shape
 
 
 def compile(

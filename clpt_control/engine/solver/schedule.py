@@ -6,6 +6,7 @@ beginning, and the straight line of each input.  A run begins after the jumps of
 blocks that sample then sample their inputs.
 """
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +31,13 @@ class Schedule(NamedTuple):
         """Return the segments from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
         return Schedule(self.edges[k:], self.indices, self.values[k:], self.smooth[k:])
+
+    def requesting(self, places: Mapping[int, int], jumping: list[int]) -> "Schedule":
+        """Return segments in which these blocks jump; all that may have their `places` in P."""
+        values = self.values.copy()
+        for k, place in places.items():
+            values[:, self.indices == place] = JUMPS if k in jumping else 0.0
+        return self._replace(values=values)
 
 
 def make_schedule(

@@ -16,12 +16,10 @@ from ...base.progress.interrupt import check
 from ..codegen import series_loop as series
 from ..codegen.machine import LANES, address_of
 from ..codegen.plan import Program
-from .batch import PARTS, Batch, finished
+from .batch import PARTS, End, finished
 from .callee import MOST_KEPT, aligned, keep
-from .inputs import Inputs
 from .schedule import Schedule
-from .solver_layout import Results
-from .termination import Solution, ended
+from .solver_layout import Status
 
 MOST_ORDER = 20
 CALL_STEPS = 20_000  # of a call of machine code
@@ -167,20 +165,14 @@ class SeriesArrays:
                     break
                 self._entry(*call)
 
-    def rest(self, diagram: Any, m: int, P: np.ndarray, options: Any) -> Batch:
-        """Return a batch of the rest of a run whose series has ended."""
+    def end(self, m: int) -> End:
+        """Return where the series of a run has ended."""
         g, lane = divmod(m, self.time.shape[1])
         now = float(self.time[g, lane])
-        times = np.append(now, self.times[self.integers[g, series.NEXT + lane] :])
         # rates that vanish here must not choose the first step
         scale = float(self.numbers[g, series.SCALE + lane])
-        opening = max(scale, LEAST_SHARE * (times[-1] - now))
-        steps = float(self.numbers[g, series.LONGEST]), opening
-        start = self.states[g, :, lane][None]
-        segments = [self._segments.after(now)]
-        batch = Batch(diagram.callee(), start, P[None], times, segments, None, *steps)
-        diagram.finish(batch, options)
-        return batch
+        opening = max(scale, LEAST_SHARE * (float(self.times[-1]) - now))
+        return End(now, self.states[g, :, lane].copy(), opening)
 
     def share(
         self, times: np.ndarray, segments: Schedule, limits: Sequence[float]
@@ -220,72 +212,53 @@ def limits_of(code: SeriesCode, times: np.ndarray, options: Any) -> tuple[float,
     return max(options.rtol, LEAST_RTOL), options.atol, longest, options.first_step
 
 
-def series_solution(
-    diagram: Any,
-    start: np.ndarray,
-    times: np.ndarray,
-    inputs: Inputs | None,
-    options: Any,
-) -> Solution:
-    """Integrate by Taylor series, and from where the series ends by DOP853."""
-    segments = diagram.schedule(times, inputs)
-    code = series_of(diagram, options.rtol)
-    shape = len(times), segments.values.shape
-    arrays = code.kept.pop(shape, None)
-    if arrays is None:
-        arrays = SeriesArrays(code, 1, len(start), len(times), segments)
-    limits = limits_of(code, times, options)
-    arrays.share(times, segments, limits)
-    arrays.begin(start[None], diagram.layout.P[None])
-    arrays.go(options.progress)
-    x = arrays.samples[0, 0].copy()
-    steps = int(arrays.integers[0, series.STEPS])
-    statistics = {
-        "steps": steps,
-        "evaluations": steps,
-        "restarts": len(segments.edges) - 1,
-    }
-    solution = Solution(
-        times.copy(), x, statistics=statistics, engine="native", pieces=segments
-    )
-    solution.method = f"Taylor {code.order}"
-    if arrays.status[0, 0] != series.ARRIVED:
-        batch = arrays.rest(diagram, 0, diagram.parameters(), options)
-        continued = ended(diagram, batch, inputs)
-        solution.x[1 - len(continued.x) :] = continued.x[1:]
-        solution.method += f", from t = {batch.times[0]:.9g} {continued.method}"
-        for name, count in continued.statistics.items():
-            statistics[name] += count
-    if arrays.is_small:
-        keep(code.kept, shape, arrays)
-    return solution
+class SeriesRuns:
+    """Runs by series from states (m, n), side by side, as first legs of `NativeRun`s.
 
-
-def run_members(diagram: Any, runs: tuple, lanes: int, options: Any) -> Results:
-    """Run members of an ensemble side by side.
-
-    `runs` are initial states, parameters, times, schedules and the schedule of each member.
+    `schedules` and `group` are as a `Batch` takes them.
     """
-    starts, parameters, times, schedules, group = runs
-    count, n = starts.shape
-    results = finished(count, len(times), n)
-    for k, segments in enumerate(schedules):
-        members = np.flatnonzero(group == k)
-        m = len(members)
-        if not m:
-            continue
-        code = series_of(diagram, options.rtol, lanes if m >= lanes else 1)
-        arrays = SeriesArrays(code, m, n, len(times), segments)
-        limits = limits_of(code, times, options)
-        own = parameters[members, : len(diagram.layout.P)]
-        arrays.share(times, segments, limits)
-        arrays.begin(starts[members], own)
-        arrays.go()
-        results.states[members] = arrays.samples.reshape(-1, len(times), n)[:m]
-        steps = arrays.integers[:, series.STEPS :][:, : code.lanes].ravel()[:m]
-        restarts = np.full(m, len(segments.edges) - 1)
-        results.counts[members] = np.transpose([steps, steps, restarts, 0 * steps])
+
+    def __init__(
+        self,
+        diagram: Any,
+        starts: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        schedules: list[Schedule],
+        group: np.ndarray,
+        options: Any,
+        lanes: int = 1,
+    ):
+        self.label = f"Taylor {order_of(options.rtol)}"
+        self.ends: dict[int, End] = {}
+        count, n = starts.shape
+        self.results = finished(count, len(times), n)
+        own = len(diagram.layout.P)
+        for k, segments in enumerate(schedules):
+            members = np.flatnonzero(group == k)
+            m = len(members)
+            if not m:
+                continue
+            code = series_of(diagram, options.rtol, lanes if m >= lanes else 1)
+            shape = m, len(times), segments.values.shape
+            arrays = code.kept.pop(shape, None)
+            if arrays is None:
+                arrays = SeriesArrays(code, m, n, len(times), segments)
+            arrays.share(times, segments, limits_of(code, times, options))
+            arrays.begin(starts[members], parameters[members, :own])
+            arrays.go(options.progress)
+            self._write(members, arrays, len(segments.edges) - 1)
+            if arrays.is_small:
+                keep(code.kept, shape, arrays)
+
+    def _write(self, members: np.ndarray, arrays: SeriesArrays, segments: int) -> None:
+        """Write the samples and counts of arrays, and the ends of those that have not arrived."""
+        states, status, _, counts = self.results
+        m, (nt, n) = len(members), states.shape[1:]
+        states[members] = arrays.samples.reshape(-1, nt, n)[:m]
+        lanes = arrays.time.shape[1]
+        steps = arrays.integers[:, series.STEPS :][:, :lanes].ravel()[:m]
+        counts[members] = np.transpose([steps, steps, 0 * steps + segments, 0 * steps])
         for row in np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED).tolist():
-            batch = arrays.rest(diagram, row, parameters[members[row]], options)
-            batch.write_into(results, times, members[row])
-    return results
+            status[members[row]] = Status.SERIES_ENDED
+            self.ends[int(members[row])] = arrays.end(row)

@@ -56,34 +56,13 @@ class Solution:
     signals: ndarray | None = field(default=None, repr=False, compare=False)
 
 
-def ended(diagram: Any, batch: Batch, inputs: Inputs | None) -> Solution:
-    """Return the solution of a batch of one run, or raise an error on what stopped it.
+def ended(run: Any, solution: Solution, inputs: Inputs | None) -> Solution:
+    """Return the solution of a `NativeRun` that a guard stopped, or raise an error on its end.
 
     The sweep of the diagram finds the reason, with the parameters of the run.
     """
-    status = int(batch.status[0])
-    solution = Solution(batch.times, batch.out[0], method=batch.label)
-    if batch.slides:
-        solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
-    last = batch
-    while 0 in last.continuations:
-        before, last = last, last.continuations[0]
-        if not batch.slides and last.label != before.label:
-            solution.method += f", from t = {last.times[0]:.9g} {last.label}"
-    if batch.callee.decided < diagram.code.program.decided:
-        solution.method += ", switches not located"
-    if batch.level_jumps:
-        solution.method += f", {len(batch.level_jumps)} jumps at levels"
-    steps, evaluations, restarts, _ = batch.counts[0].tolist()
-    solution.statistics = {
-        "steps": steps,
-        "evaluations": evaluations,
-        "restarts": restarts,
-    }
-    solution.engine = "native"
-    if status == Status.FINISHED:
-        return solution
-    sweep = diagram.sweep
+    status, last = int(run.results.status[0]), run.last
+    sweep = run.diagram.sweep
     if status == Status.GUARD_LEFT:
         t, x = stopped_at(last)
         sweep.enter(last.now)
@@ -92,9 +71,9 @@ def ended(diagram: Any, batch: Batch, inputs: Inputs | None) -> Solution:
     if status == Status.ACCUMULATING:
         reason = f"{', '.join(sweep.resetting)} {reason}"
     elif status == Status.CHATTERING:
-        reason = batch.refusal or f"{_switch(sweep, last)} {reason}"
+        reason = run.refusal or f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
-    work = "run" if batch.callee.method.discrete else "integration"
+    work = "run" if last.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
     error.points = _points_of(last)
     raise error
@@ -277,7 +256,5 @@ def sampled_start(
     callee: Callee, start: Any, t: float, segments: Schedule, P: Any
 ) -> ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
-    if not segments.begins:
-        return start
     states = callee.evaluate(JUMP, [t], start, segments, P, len(start))
     return states[0]

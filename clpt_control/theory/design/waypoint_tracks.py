@@ -21,6 +21,7 @@ from ...engine.diagram.interconnection import wiring_of_blocks
 from ...engine.model.block import evaluate
 from ...engine.solver.batch import Batch
 from ...engine.solver.native_diagram import NativeDiagram
+from ...engine.solver.runner import RunOptions
 from ...paper.laws.law import LEARNED
 from ...paper.scenario.experiment import Scenario
 from ...simulation.initial_states import state_of
@@ -98,7 +99,7 @@ class Tracks:
         states = np.tile(self.initial_state, (m, 1))
         parameters = self._parameters(waypoints)
         batch = Batch(self.callee, states, parameters, self.times, [self.schedule])
-        batch.adaptive(self.rtol, ATOL * self.rtol)
+        batch.finish(RunOptions(self.rtol, ATOL * self.rtol))
         x = batch.out[:, self.index]
         nodes, samples = np.split(x, [self.nodes.size], axis=1)
         nodes = nodes.reshape(m, *self.nodes.shape, 2)
