@@ -57,6 +57,39 @@ def test_a_sample_at_a_jump_is_after_it():
     np.testing.assert_allclose(run.s.values.ravel(), [1.0, 0.5, 1.0, 0.5, 0.25])
 
 
+def test_each_flight_of_a_stiff_ball_goes_on_by_an_implicit_method():
+    """A sensor that follows the height in 10 us is behind it by 10 us of its rate."""
+
+    def rates(t, x, u, p):
+        return [x[1], -G, 1e5 * (x[0] - x[2])]
+
+    block = clpt.Block(
+        "ball",
+        states={"h": 1, "v": 1, "y": 1},
+        update=rates,
+        jump=lambda t, x, u, p: [0.0, -p.r * x[1], x[2]],
+        parameters={"r": 1.0},
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )
+    run = clpt.simulate(block, T, None, [1.0, 0.0, 1.0], params={"ball.r": 0.8})
+    for t, (h, v, y) in zip(T, run.states.values, strict=True):
+        np.testing.assert_allclose([h, v], bouncing(t, 1.0, 0.0, 0.8), atol=1e-7)
+        if t > 0.0:
+            np.testing.assert_allclose(y, h - 1e-5 * v - 1e-10 * G, atol=1e-7)
+    methods, jumps = run.attrs["method"].rsplit(", ", 1)
+    assert methods.startswith("DOP853, from t = ")
+    assert methods.endswith(" Rodas5P")
+    assert jumps.endswith(" jumps at levels")
+    members = clpt.run_ensemble(
+        block,
+        {"ball.r": [0.9, 0.8]},
+        timepts=T,
+        initial_state=[1.0, 0.0, 1.0],
+        trajectories=True,
+    )
+    np.testing.assert_array_equal(members.h.values[1].ravel(), run.states.values[:, 0])
+
+
 def test_many_bounces_keep_the_energy():
     times = np.linspace(0.0, 200.0, 7)
     run = clpt.simulate(ball(r=1.0), times, None, [1.0, 0.0])
