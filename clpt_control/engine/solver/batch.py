@@ -327,7 +327,7 @@ def finished(runs: int, samples: int, n: int) -> Results:
     """Return results of runs that finish; their states are to be written."""
     return Results(
         np.full((runs, samples, n), np.nan),
-        np.full(runs, Status.FINISHED),
+        np.full(runs, int(Status.FINISHED)),
         np.full(runs, samples),
         np.zeros((runs, 4), dtype=np.int64),
     )

@@ -107,7 +107,7 @@ class NativeRun:
         counts = {"steps": steps, "evaluations": evaluations, "restarts": restarts}
         solution = Solution(self.times, results.states[0], statistics=counts)
         solution.engine, solution.method = "native", run.description
-        if results.status[0] != Status.FINISHED:
+        if run.status != Status.FINISHED:
             solution = ended(run, solution, inputs)
         solution.pieces = self.segments
         if isinstance(first, Batch):
@@ -115,6 +115,11 @@ class NativeRun:
             solution.x = solution.x.copy()
             first.release()
         return solution
+
+    @property
+    def status(self) -> int:
+        """The number of a `Status`."""
+        return int(self.results.status[0])
 
     @property
     def description(self) -> str:
@@ -136,7 +141,7 @@ class NativeRun:
             from .series_runs import SeriesRuns
 
             run = self.start[None], self.parameters[None], self.times, [self.segments]
-            return SeriesRuns(self.diagram, *run, np.zeros(1), self.options)
+            return SeriesRuns(self.diagram, *run, None, self.options)
         leg = self._leg(float(self.times[0]), self.start)
         kinks = None
         if self.diagram.has_many_decisions and not locates_all:
@@ -149,26 +154,25 @@ class NativeRun:
         """Go on where run `m` of a first leg has stopped; return the run with all results."""
         self.results = Results(*[array[m : m + 1] for array in first.results])
         self.labels.append((float(self.times[0]), first.label))
-        status = self.results.status
-        if status[0] == Status.FINISHED:
+        if self.status == Status.FINISHED:
             return self
         self.last, self.end = first, first.ends.get(m)
         self.leg = self._leg(float(self.times[0]), self.start)
         self.begun = self.leg.time
         self._append_legs()
-        if status[0] == Status.FINISHED and self.last is not first:
+        if self.status == Status.FINISHED and self.last is not first:
             self.last.release()
-        if status[0] == Status.CHATTERING and self.leg.passes_kinks:
+        if self.status == Status.CHATTERING and self.leg.passes_kinks:
             # it slides among kinks that were passed: once more, with all located
             again = self._again(self.diagram)
             return again.go_on(again.first_leg(locates_all=True))
-        if self.diagram.code.program.decided and status[0] in STUCK:
+        if self.diagram.code.program.decided and self.status in STUCK:
             # it is stuck: once more, without located switches
             with suppress(SimulationError):  # the error is that of the first run
                 free = self._again(self.diagram.in_form("free"))
                 free.locates = False
                 free = free.go_on(free.first_leg())
-                if free.results.status[0] in (Status.FINISHED, Status.GUARD_LEFT):
+                if free.status in (Status.FINISHED, Status.GUARD_LEFT):
                     return free
         return self
 
@@ -180,30 +184,30 @@ class NativeRun:
 
     def _append_legs(self) -> None:
         """Append legs until the run has ended."""
-        times, status = self.times, self.results.status
+        times, results = self.times, self.results
         run = times[-1] - times[0]
         while True:
-            following = FOLLOWING.get(int(status[0]))
+            following = FOLLOWING.get(self.status)
             leg = following and following(self)
             if leg is None:
                 break
             t, x = leg.time, leg.state
             if self.level_jumps[-1:] == [t]:  # a sample at a jump is after it
                 at_jump = (times >= t - rounding(t, run)) & (times <= t)
-                self.results.states[0, at_jump] = x
+                results.states[0, at_jump] = x
             if t + rounding(t, run) >= times[-1]:
-                self.results.states[0, -1] = x
-                status[0], self.results.reached[0] = Status.FINISHED, len(times)
+                results.states[0, -1] = x
+                results.status[0], results.reached[0] = Status.FINISHED, len(times)
                 return
             if self.end is None:
                 is_short = t - self.begun <= SHORT * run
                 self.in_vain = self.in_vain + 1 if is_short else 0
                 self.begun = t
             self._run(leg)
-        at_level = status[0] == Status.GUARD_LEFT and self._jumps()
-        too_small = status[0] == Status.STEP_TOO_SMALL and self.in_vain
+        at_level = self.status == Status.GUARD_LEFT and self._jumps()
+        too_small = self.status == Status.STEP_TOO_SMALL and self.in_vain
         if at_level or (too_small and self.level_jumps):
-            status[0] = Status.ACCUMULATING
+            results.status[0] = Status.ACCUMULATING
 
     def _jumps(self) -> bool:
         """Return whether states jump where the last leg stopped."""

@@ -4,7 +4,7 @@ Where a series ends, as at a pole, at the root of 0 or after too many steps, the
 DOP853 and Rodas5P.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from ctypes import CFUNCTYPE, c_void_p
 from math import ceil, log
 from typing import Any, NamedTuple
@@ -132,14 +132,25 @@ class SeriesArrays:
             call = X, P, T, W, times, edges, values, out, numbers, indices, integers
             self._calls.append(call)
         self._entry = code.entry
-        self._segments: Any = None
-        self._limits: Any = None
+        self._timed = code.program.timed
+        self._shared: tuple[Any, Any] = None, None
         self.is_small = self.memory.size + self.out.size + self.values.size < MOST_KEPT
 
-    def begin(self, starts: np.ndarray, parameters: np.ndarray) -> None:
+    def begin(
+        self,
+        starts: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        segments: Schedule,
+        options: Any,
+    ) -> None:
         """Begin runs from states (m, n) with parameters (m, nP), the last repeated in a group."""
-        self.numbers[:] = self._numbers
-        self.integers[:] = self._integers
+        if segments is not self._shared[0] or options is not self._shared[1]:
+            self._shared = segments, options
+            self._share(times, segments, options)
+        numbers, integers = self._begun
+        self.numbers[:] = numbers
+        self.integers[:] = integers
         groups, lanes, n = self._starts.shape
         if groups * lanes > len(starts):
             members = np.minimum(np.arange(groups * lanes), len(starts) - 1)
@@ -149,6 +160,25 @@ class SeriesArrays:
         self._first[:] = self._starts[:] = starts
         if own := parameters.shape[1]:
             self._parameters[:, :, :own] = parameters.reshape(groups, lanes, own)
+
+    def _share(self, times: np.ndarray, segments: Schedule, options: Any) -> None:
+        """Write what all runs share, and with which numbers they begin."""
+        self.times[:] = times
+        self.edges[:] = segments.edges
+        self.indices[: len(segments.indices)] = segments.indices
+        self.values[: segments.values.size] = segments.values.ravel()
+        run = float(times[-1] - times[0])
+        longest = min(options.max_step, run / PARTS if self._timed else 1e300)
+        numbers = np.zeros(NUMBERS)
+        numbers[:3] = max(options.rtol, LEAST_RTOL), options.atol, longest
+        numbers[series.TIME : series.SCALE] = times[0]
+        first = options.first_step / series.GROWTH or FIRST_SHARE * min(run, longest)
+        numbers[series.SCALE :] = first
+        counts = len(times), len(segments.edges) - 1, len(segments.indices), CALL_STEPS
+        integers = np.zeros(INTEGERS, dtype=np.int64)
+        integers[:4] = counts
+        integers[series.NEXT : series.STATUS] = 1
+        self._begun = numbers, integers
 
     def go(self, progress: Callable[[float], None] | None = None) -> None:
         """Take the steps of all runs."""
@@ -174,43 +204,6 @@ class SeriesArrays:
         opening = max(scale, LEAST_SHARE * (float(self.times[-1]) - now))
         return End(now, self.states[g, :, lane].copy(), opening)
 
-    def share(
-        self, times: np.ndarray, segments: Schedule, limits: Sequence[float]
-    ) -> None:
-        """Write what all runs share, if the last ones did not.
-
-        `limits` are tolerances, the longest step and the first.
-        """
-        if segments is self._segments and limits == self._limits:
-            return
-        self._segments, self._limits = segments, limits
-        self.times[:] = times
-        self.edges[:] = segments.edges
-        self.indices[: len(segments.indices)] = segments.indices
-        self.values[: segments.values.size] = segments.values.ravel()
-        *shared, first = limits
-        numbers = self._numbers = np.zeros(NUMBERS)
-        numbers[:3] = shared
-        numbers[series.TIME : series.SCALE] = times[0]
-        scale = FIRST_SHARE * min(times[-1] - times[0], limits[series.LONGEST])
-        numbers[series.SCALE :] = first / series.GROWTH if first else scale
-        integers = self._integers = np.zeros(INTEGERS, dtype=np.int64)
-        integers[:4] = (
-            len(times),
-            len(segments.edges) - 1,
-            len(segments.indices),
-            CALL_STEPS,
-        )
-        integers[series.NEXT : series.STATUS] = 1
-
-
-def limits_of(code: SeriesCode, times: np.ndarray, options: Any) -> tuple[float, ...]:
-    """Return tolerances, the longest step and the first one, 0 if it is not given."""
-    longest = min(options.max_step, 1e300)
-    if code.program.timed:
-        longest = min(longest, float(times[-1] - times[0]) / PARTS)
-    return max(options.rtol, LEAST_RTOL), options.atol, longest, options.first_step
-
 
 class SeriesRuns:
     """Runs by series from states (m, n), side by side, as first legs of `NativeRun`s.
@@ -225,40 +218,44 @@ class SeriesRuns:
         parameters: np.ndarray,
         times: np.ndarray,
         schedules: list[Schedule],
-        group: np.ndarray,
+        group: np.ndarray | None,
         options: Any,
         lanes: int = 1,
     ):
-        self.label = f"Taylor {order_of(options.rtol)}"
         self.ends: dict[int, End] = {}
         count, n = starts.shape
         self.results = finished(count, len(times), n)
-        own = len(diagram.layout.P)
         for k, segments in enumerate(schedules):
-            members = np.flatnonzero(group == k)
-            m = len(members)
-            if not m:
+            members: Any = slice(None)
+            if len(schedules) > 1:
+                members = np.flatnonzero(group == k)
+            own = starts[members]
+            if not len(own):
                 continue
-            code = series_of(diagram, options.rtol, lanes if m >= lanes else 1)
-            shape = m, len(times), segments.values.shape
+            code = series_of(diagram, options.rtol, lanes if len(own) >= lanes else 1)
+            self.label = f"Taylor {code.order}"
+            shape = len(own), len(times), segments.values.shape
             arrays = code.kept.pop(shape, None)
             if arrays is None:
-                arrays = SeriesArrays(code, m, n, len(times), segments)
-            arrays.share(times, segments, limits_of(code, times, options))
-            arrays.begin(starts[members], parameters[members, :own])
+                arrays = SeriesArrays(code, len(own), n, len(times), segments)
+            P = parameters[members, : len(diagram.layout.P)]
+            arrays.begin(own, P, times, segments, options)
             arrays.go(options.progress)
-            self._write(members, arrays, len(segments.edges) - 1)
+            self._write(np.arange(count)[members], arrays)
             if arrays.is_small:
                 keep(code.kept, shape, arrays)
 
-    def _write(self, members: np.ndarray, arrays: SeriesArrays, segments: int) -> None:
+    def _write(self, members: np.ndarray, arrays: SeriesArrays) -> None:
         """Write the samples and counts of arrays, and the ends of those that have not arrived."""
         states, status, _, counts = self.results
         m, (nt, n) = len(members), states.shape[1:]
         states[members] = arrays.samples.reshape(-1, nt, n)[:m]
         lanes = arrays.time.shape[1]
-        steps = arrays.integers[:, series.STEPS :][:, :lanes].ravel()[:m]
-        counts[members] = np.transpose([steps, steps, 0 * steps + segments, 0 * steps])
-        for row in np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED).tolist():
-            status[members[row]] = Status.SERIES_ENDED
-            self.ends[int(members[row])] = arrays.end(row)
+        steps = arrays.integers[:, series.STEPS :][:, :lanes]
+        counts[members, :2] = steps.reshape(-1, 1)[:m]
+        counts[members, 2] = len(arrays.edges) - 1
+        for k, end in enumerate(arrays.status.ravel()[:m].tolist()):
+            if end != series.ARRIVED:
+                member = int(members[k])
+                status[member] = Status.SERIES_ENDED
+                self.ends[member] = arrays.end(k)

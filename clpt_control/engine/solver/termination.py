@@ -61,7 +61,7 @@ def ended(run: Any, solution: Solution, inputs: Inputs | None) -> Solution:
 
     The sweep of the diagram finds the reason, with the parameters of the run.
     """
-    status, last = int(run.results.status[0]), run.last
+    status, last = run.status, run.last
     sweep = run.diagram.sweep
     if status == Status.GUARD_LEFT:
         t, x = stopped_at(last)
