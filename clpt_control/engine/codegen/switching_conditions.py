@@ -12,7 +12,7 @@ condition and begins a new step there, with new decisions.
 Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from math import prod
 from operator import attrgetter
 from typing import Any, NamedTuple
@@ -22,8 +22,11 @@ import numpy as np
 from ..record.graph import reached, values_among
 from ..record.operations import SMOOTH, TABLE, named
 from ..record.unread import Unread
-from ..trace.arrays import operand
+from ..trace.arrays import Array, operand
 from ..trace.derivative import Direction
+from ..trace.elementwise import where
+from ..trace.interpolators import lookup
+from ..trace.ufuncs import place_of_the_least
 
 # the sign of a - b where they hold
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}
@@ -37,7 +40,6 @@ ROUNDING = 1e-12  # relative, of the numbers that are compared
 OF_TIME = 2e-15  # the same of time and parameters, which have no error of integration
 NAN_IF_ANY = ("sign", "minimum", "maximum")  # NaN where an argument is NaN
 Ref = Any
-Add = Callable[..., Ref]  # writes an operation of arguments; returns its value
 
 
 class Port(NamedTuple):
@@ -60,41 +62,28 @@ def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...
     return arguments if name in ("floordiv", "search") else arguments[-1:]
 
 
-def _locked_value(
-    kind: str, arguments: tuple[Ref, ...], outcomes: list[Ref], add: Add
-) -> Ref:
+def _locked_value(kind: str, arguments: list[Any], outcomes: list[Array]) -> Array:
     """Return the value of an operation with the outcomes of its decisions."""
     outcome = outcomes[0]
     if kind in COMPARED or kind in WHOLE or kind in PLACES:
         return outcome
     if kind == "sign":
-        negative = add("where", outcomes[1], -1.0, 0.0)
-        return add("where", outcome, 1.0, negative)
+        return where(outcome, 1.0, where(outcomes[1], -1.0, 0.0))
     if kind == "fabs":
-        negative = add("neg", arguments[0])
-        return add("where", outcome, arguments[0], negative)
+        return where(outcome, arguments[0], -arguments[0])
     if kind == "mod":
-        multiple = add("mul", arguments[1], outcome)
-        beyond = add("sub", arguments[0], multiple)
-        quotient = add("floordiv", *arguments)
-        is_same_turn = add("eq", quotient, outcome)
-        remainder = add("mod", *arguments)
-        return add("where", is_same_turn, remainder, beyond)
+        a, b = arguments
+        is_same_turn = a // b == outcome
+        return where(is_same_turn, a % b, a - b * outcome)
     if kind == "atan2":
-        angle = add("atan2", *arguments)
-        behind = add("lt", arguments[1], 0.0)
-        is_below = add("lt", arguments[0], 0.0)
-        now = add("where", is_below, 1.0, 0.0)
-        before = add("where", outcome, 1.0, 0.0)
-        turns = add("sub", now, before)
-        change = add("mul", turns, 2.0 * np.pi)
-        continued = add("add", angle, change)
-        is_other_turn = add("ne", turns, 0.0)
-        has_turned = add("and", behind, is_other_turn)
-        return add("where", has_turned, continued, angle)
+        y, x = arguments
+        turns = where(y < 0.0, 1.0, 0.0) - where(outcome, 1.0, 0.0)
+        has_turned = np.logical_and(x < 0.0, turns != 0.0)
+        angle = np.atan2(y, x)
+        return where(has_turned, angle + turns * (2.0 * np.pi), angle)
     if kind == "pick":
-        return add("pick", arguments[0], outcome)
-    return add("where", outcome, *arguments)
+        return lookup(arguments[0], outcome)
+    return where(outcome, *arguments)
 
 
 class Decisions:
@@ -234,18 +223,18 @@ class Decisions:
         `is_shared` says that the arguments are those of the first rates.
         """
         record = self.record
+        value_of = record.tape.value
         kind, exact, shape, at = record.entries[k]
-        owner = record.owners[k]
         long, made_in = record.decided_by[k]
-        outcomes = list[Ref]()
-        in_force = list[Ref]()
+        side = at if kind == "search" else None
+        outcomes = list[Array]()
+        in_force = list[Array]()
         size = prod(shape)
         flips = False
         stays = np.zeros(shape, dtype=bool)
 
-        def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
-            side = at if kind == "search" else None
-            return record.add(kind, refs, shape, side, owner)
+        def loaded(number: int) -> Array:
+            return value_of(record.load("P", self.first + number, shape))
 
         for position, name in enumerate(TABLE[kind].decisions):
             first = self._numbers.setdefault((k, position), self.count)
@@ -253,153 +242,101 @@ class Decisions:
             numbers = np.arange(first, first + size).reshape(shape)
             is_fixed = np.isin(numbers, fixed)
             stays |= is_fixed
-            H = record.load("P", self.first + number, shape)
+            H = loaded(number)
             # the decision now, and its distance from the decision in force
             now, distance, least = H, 1.0, 0.0
             if not is_shared:
-                now = add(name, *operands(kind, name, settled))
+                decided = operands(kind, name, settled)
+                now = record.tape.add(name, decided, shape, side)
                 if name in COMPARED:
-                    now = add("where", now, 1.0, -1.0)
+                    now = where(now, 1.0, -1.0)
                 compared = operands(kind, name, arguments)
-                distance, least = self._distance(name, compared, H, add)
-                least = operand(record.tape.value(least) + self._rounding(distance))
+                distance, least = self._distance(name, compared, H)
+                least = least + self._rounding(operand(distance))
                 if kind in NAN_IF_ANY:
-                    now = self._unless_nan(
-                        operands(kind, name, settled), now, np.nan, add
-                    )
-                    distance = self._unless_nan(compared, distance, -1.0, add)
-                    least = self._unless_nan(compared, least, 0.0, add)
-                self._true.append(Port(number, shape, long, distance))
+                    now = self._unless_nan(decided, now, np.nan)
+                    distance = self._unless_nan(compared, distance, -1.0)
+                    least = self._unless_nan(compared, least, 0.0)
+                self._true.append(Port(number, shape, long, operand(distance)))
                 # fixed decisions stay as they are
-                now = self._chosen(is_fixed, H, now, add)
-                distance = self._chosen(is_fixed, 1.0, distance, add)
-            self.now.append(Port(number, shape, long, now))
-            self.distances.append(Port(number, shape, long, distance))
-            self.least.append(Port(number, shape, long, least))
+                now = _chosen(is_fixed, H, now)
+                distance = _chosen(is_fixed, 1.0, distance)
+            for ports, value in (
+                (self.now, now),
+                (self.distances, distance),
+                (self.least, least),
+            ):
+                ports.append(Port(number, shape, long, operand(value)))
             self.of.append((number, made_in))
             if is_shared:
                 other_side = np.isin(numbers, flipped)
                 flips |= bool(other_side.any())
-                shared = record.load("P", self.first + first, shape)
-                H = self._chosen(other_side, H, shared, add)
+                H = _chosen(other_side, H, loaded(first))
             if self._block == 0:
                 self.count += size
-            outcome = add("gt", H, 0.0) if name in COMPARED else H
-            outcomes.append(outcome)
+            outcomes.append(H > 0.0 if name in COMPARED else H)
             in_force.append(H)
 
-        def locked_value(refs: tuple[Ref, ...]) -> Ref:
-            value = _locked_value(kind, refs, outcomes, add)
+        def locked_value(refs: tuple[Ref, ...]) -> Array:
+            value = _locked_value(kind, [*map(value_of, refs)], outcomes)
             if kind not in NAN_IF_ANY:
                 return value
             # 1, or NaN
-            return add("mul", value, add("mul", in_force[0], in_force[0]))
+            return value * (in_force[0] * in_force[0])
 
         value = k if settled == exact else self._of(k, settled)
         if stays.any():
-            held = locked_value(settled)
-            value = self._chosen(stays, held, value, add)
+            value = operand(_chosen(stays, locked_value(settled), value_of(value)))
         if is_shared and not flips:
             return self._first[k], value
-        return locked_value(arguments), value
+        locked = operand(locked_value(arguments))
+        record.owners.setdefault(locked, record.owners[k])
+        return locked, value
 
-    def _unless_nan(self, of: tuple, value: Ref, other: Ref, add: Add) -> Ref:
+    def _unless_nan(self, of: tuple[Ref, ...], value: Any, other: float) -> Any:
         """Return a value, or another where one of the operands is NaN."""
-        for ref in of:
-            if type(ref) is not float:
-                value = add("where", add("eq", ref, ref), value, other)
+        for ref in values_among(of):
+            number = self.record.tape.value(ref)
+            value = where(number == number, value, other)
         return value
 
-    def _chosen(self, mask: np.ndarray, value: Ref, other: Ref, add: Add) -> Ref:
-        """Return a value where a constant mask is true, and another elsewhere."""
-        if mask.all():
-            return value
-        if not mask.any():
-            return other
-        return add("where", self._row(mask.astype(float)), value, other)
-
-    def _distance(self, name: str, of: tuple, H: Ref, add: Add) -> tuple[Ref, Ref]:
+    def _distance(self, name: str, of: tuple[Ref, ...], H: Array) -> tuple[Any, Any]:
         """Return the distance of a decision from its turn, smooth in a step, and its rounding.
 
         That of a whole number is the product of those from the two places where it turns.
         """
+        a, *others = map(self.record.tape.value, of)
         if name == "argmin":
-            return self._distance_of_least(of[0], H, add)
+            return _distance_of_least(a, H)
         if name == "search":
-            return self._distance_in_row(of[0], of[1], H, add)
-        a = of[0]
-        size = add("fabs", of[0])
+            points = np.frombuffer(self.record.entries[of[0]].at)
+            return _distance_in_row(points, *others, H)
+        size = abs(a)
         if name in COMPARED and of[1] != 0.0:
-            threshold_size = add("fabs", of[1])
-            size = add("add", size, threshold_size)
+            size = size + abs(others[0])
         arrays = self._arrays_of(of)
         is_of_time = "t" in arrays and arrays <= {*"tPU"}
-        least = add("mul", size, OF_TIME if is_of_time else ROUNDING)
+        least = size * (OF_TIME if is_of_time else ROUNDING)
         if name in COMPARED:
-            difference = add("sub", *of)
+            difference = a - others[0]
             if COMPARED[name] < 0:
-                difference = add("neg", difference)
-            return add("mul", difference, H), least
+                difference = -difference
+            return difference * H, least
         low = H
-        high = add("add", H, 1.0)
+        high = H + 1.0
         if name in ("ceil", "trunc"):
-            low = add("sub", H, 1.0)
+            low = H - 1.0
         if name == "ceil":
             high = H
         if name == "trunc":
-            is_positive = add("gt", H, 0.0)
-            low = add("where", is_positive, H, low)
-            is_negative = add("lt", H, 0.0)
-            high = add("where", is_negative, H, high)
+            low = where(H > 0.0, H, low)
+            high = where(H < 0.0, H, high)
         if name == "floordiv":
-            divisor = of[1]
-            low = add("mul", low, divisor)
-            high = add("mul", high, divisor)
-            divisor_size = add("fabs", divisor)
-            least = add("mul", least, divisor_size)
-        above_low = add("sub", a, low)
-        below_high = add("sub", high, a)
-        return add("mul", above_low, below_high), least
-
-    def _distance_in_row(self, row: Ref, x: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
-        """Return the distance of a value from the ends of its segment in a sorted row."""
-        points = np.frombuffer(self.record.entries[row].at)
-        below = self._row(np.append(points[:1], points))
-        above = self._row(np.append(points, points[-1:]))
-        segment_start = add("pick", below, H)
-        low = add("sub", x, segment_start)
-        segment_end = add("pick", above, H)
-        high = add("sub", segment_end, x)
-        # the segments at the ends of the row have one end
-        inside = add("mul", low, high)
-        is_last = add("ge", H, float(len(points)))
-        is_first = add("lt", H, 1.0)
-        not_first = add("where", is_last, low, inside)
-        distance = add("where", is_first, high, not_first)
-        is_at_end = add("or", is_first, is_last)
-        inside_width = add("add", low, high)
-        width = add("where", is_at_end, 1.0, inside_width)
-        size = add("fabs", x)
-        least = add("mul", size, ROUNDING)
-        return distance, add("mul", least, width)
-
-    def _row(self, numbers: np.ndarray) -> Ref:
-        return self.record.add("constant", (), numbers.shape, numbers.tobytes())
-
-    def _distance_of_least(self, row: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
-        """Return by how much the second least number of a row is above the least."""
-        shape = self.record.shape_of(row)
-        positions = self._row(np.arange(float(shape[0])))
-        is_least = add("eq", positions, H, shape=shape)
-        remaining = add("where", is_least, np.inf, row, shape=shape)
-        least = add("pick", row, H)
-        index = add("argmin", remaining)
-        second_least = add("pick", remaining, index)
-        least_size = add("fabs", least)
-        second_size = add("fabs", second_least)
-        size = add("add", least_size, second_size)
-        rounding = add("mul", size, ROUNDING)
-        return add("sub", second_least, least), rounding
+            (divisor,) = others
+            low = low * divisor
+            high = high * divisor
+            least = least * abs(divisor)
+        return (a - low) * (high - a), least
 
     def _arrays_of(self, refs: Sequence[Ref]) -> frozenset[str]:
         """Return the arrays that values are computed of: t, X, P and T; U of inputs in P."""
@@ -447,3 +384,30 @@ class Decisions:
             return self._bound.of(record.tape.value(distance))
         except Unread:
             return 0.0
+
+
+def _chosen(mask: np.ndarray, value: Any, other: Any) -> Any:
+    """Return a value where a constant mask is true, and another elsewhere."""
+    if mask.all():
+        return value
+    return where(mask, value, other) if mask.any() else other
+
+
+def _distance_in_row(points: np.ndarray, x: Any, H: Array) -> tuple[Any, Any]:
+    """Return the distance of a value from the ends of its segment in a sorted row."""
+    low = x - lookup(np.append(points[:1], points), H)
+    high = lookup(np.append(points, points[-1:]), H) - x
+    # the segments at the ends of the row have one end
+    is_last = float(len(points)) <= H
+    is_first = H < 1.0
+    distance = where(is_first, high, where(is_last, low, low * high))
+    width = where(np.logical_or(is_first, is_last), 1.0, low + high)
+    return distance, abs(x) * ROUNDING * width
+
+
+def _distance_of_least(row: Array, H: Array) -> tuple[Any, Any]:
+    """Return by how much the second least number of a row is above the least."""
+    remaining = where(np.arange(float(row.size)) == H, np.inf, row)
+    least = lookup(row, H)
+    second_least = lookup(remaining, place_of_the_least(remaining))
+    return second_least - least, (abs(least) + abs(second_least)) * ROUNDING
