@@ -207,21 +207,18 @@ def kind_of_mutable(value: Any) -> Kind:
 def slot_values(value: Any) -> dict[str, Any]:
     """Return the attributes that an object holds in slots."""
     values = {}
-    for name, slot in slots_of(type(value)).items():
+    for name, slot in declared(type(value), MemberDescriptorType).items():
         with suppress(AttributeError):  # it is not set
             values[name] = slot.__get__(value)
     return values
 
 
-def slots_of(kind: type) -> dict[str, Any]:
-    """Return the slots of a class, in which its objects hold attributes."""
-    bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
+@functools.lru_cache(maxsize=256)
+def declared(owner: type, kind: type) -> dict[str, Any]:
+    """Return the attributes of one kind in a class and its bases, such as its slots."""
+    bases = (base for base in owner.__mro__ if base not in PLAIN_BASES)
     attributes = (item for base in bases for item in vars(base).items())
-    return {
-        name: slot
-        for name, slot in attributes
-        if isinstance(slot, MemberDescriptorType)
-    }
+    return {name: value for name, value in attributes if isinstance(value, kind)}
 
 
 def _is_own(name: str, value: Any) -> bool:

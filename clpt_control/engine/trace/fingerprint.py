@@ -23,8 +23,8 @@ from io import IOBase
 from itertools import chain
 from types import (
     BuiltinFunctionType,
-    CellType,
     FunctionType,
+    MemberDescriptorType,
     MethodWrapperType,
     ModuleType,
 )
@@ -37,10 +37,10 @@ from ...base.arguments import attribute_of
 from ..model.declaration import Parameters
 from ..record.unread import Unread, reading_on
 from .arrays import Tape
-from .contents import HOLDERS, UNBOUND, Content, Mutable, slot_values, slots_of
+from .contents import HOLDERS, UNBOUND, Content, Mutable, declared, slot_values
 from .interpolators import is_table
 from .isolation import isolated
-from .reads import Reads
+from .reads import Reads, variable
 from .references import (
     CALLABLE,
     CHANCE,
@@ -166,7 +166,7 @@ class _Walk:
         """Return the key of an object that the walk has not met."""
         if kind is FunctionType:
             return self._function(value)
-        if kind is tuple:
+        if isinstance(value, tuple) and is_library(root_of(kind)):  # or sys.float_info
             return kind, *self._items(value)
         if isinstance(value, np.ndarray):
             return self._array(value)
@@ -213,9 +213,6 @@ class _Walk:
 
     def _container(self, kind: type, value: Any) -> Any:
         """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
-        if isinstance(value, tuple) and is_library(root_of(kind)):
-            # also sys.float_info
-            return kind, *self._items(value)
         if not is_plain(kind):
             self._refuse_object(kind)
             return id(value)
@@ -241,8 +238,9 @@ class _Walk:
         attributes = attributes_of(value)
         owner = self._owner(value, lambda: {**(attributes or {}), **slot_values(value)})
         if attributes is not None:
-            self._note(attributes, kind, owner.names, _cached_properties(kind))
-        if slots_of(kind):
+            computed = frozenset(declared(kind, functools.cached_property))
+            self._note(attributes, kind, owner.names, computed)
+        if declared(kind, MemberDescriptorType):
             if isinstance(value, list | dict | np.ndarray):
                 self._refuse_object(kind)
             self._note(value, kind, owner.names)
@@ -319,7 +317,7 @@ class _Walk:
         )
         closure = function.__closure__ or ()
         cells = dict(zip(code.co_freevars, closure, strict=True))
-        variables = {k: c.cell_contents for k, c in cells.items() if c != CellType()}
+        variables = {name: variable(cell) for name, cell in cells.items()}
         spaces = {"global": function.__globals__, "cell": variables}
         for item in references(code):
             self.where = f"{code.co_name}, line {item.line}: "
@@ -329,8 +327,8 @@ class _Walk:
                 key += [self.key_of(value)] if type(value) is FunctionType else []
             elif item.space in spaces:
                 if item.space == "cell":
-                    value = variables.get(item.name, UNBOUND)
-                    self.reads.cell(cells[item.name], value)
+                    value = variables[item.name]
+                    self.reads.value(value, variable, cells[item.name])
                 key.append(self._referenced(item, spaces[item.space]))
             else:
                 self.reads.complete = False
@@ -347,19 +345,19 @@ class _Walk:
         value = space.get(reference.name, UNBOUND)
         label = reference.name
         if reference.space == "global":
-            self.reads.name(space, reference.name, value)
+            self.reads.value(value, space.get, reference.name, UNBOUND)
         if value is UNBOUND:
             if reference.space == "cell" or reference.name not in BUILTINS:
                 # an error of the function, or not bound yet
                 return ("unbound", reference.name)
             value = BUILTINS[reference.name]
-            self.reads.name(BUILTINS, reference.name, value)
+            self.reads.value(value, BUILTINS.get, reference.name)
         attributes = list(reference.attributes)
         while isinstance(value, ModuleType) and attributes:
             label = f"{label}.{attributes[0]}"
             module, name = value, attributes.pop(0)
             value = getattr(module, name, UNBOUND)
-            self.reads.name(vars(module), name, value)
+            self.reads.value(value, vars(module).get, name, UNBOUND)
             if value is UNBOUND:
                 return "unbound", label
         self.label = ".".join([label, *attributes])
@@ -469,17 +467,6 @@ class _Walk:
     def _refuse(self, sentence: str) -> None:
         if not self.trusted:
             raise Unread(f"{self.where}{sentence}")
-
-
-@functools.lru_cache(maxsize=256)
-def _cached_properties(kind: Any) -> frozenset[str]:
-    """Return the attributes that an object of a class computes once."""
-    attributes = (item for base in kind.__mro__ for item in vars(base).items())
-    return frozenset(
-        name
-        for name, attribute in attributes
-        if isinstance(attribute, functools.cached_property)
-    )
 
 
 BUILTINS: dict[str, Any] = vars(__import__("builtins"))

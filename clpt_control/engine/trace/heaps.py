@@ -20,6 +20,7 @@ from itertools import zip_longest
 from types import (
     BuiltinFunctionType,
     FunctionType,
+    MemberDescriptorType,
     MethodType,
     ModuleType,
     SimpleNamespace,
@@ -38,9 +39,9 @@ from .contents import (
     MUTABLE,
     Content,
     Kind,
+    declared,
     holding,
     slot_values,
-    slots_of,
 )
 from .elementwise import common, is_of_python, is_truth, is_whole, lifted, where
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
@@ -177,8 +178,8 @@ def kind_of(value: Any) -> Kind | None:
     of_user: Any = type(value)
     if isinstance(value, CONTAINERS) or not is_plain(of_user):
         raise NotMergeable
-    has_attributes = attributes_of(value) is not None or slots_of(of_user)
-    return OBJECT if has_attributes else None
+    has_slots = declared(of_user, MemberDescriptorType)
+    return OBJECT if has_slots or attributes_of(value) is not None else None
 
 
 class Entry(NamedTuple):

@@ -1,64 +1,46 @@
-"""Names that a walk over functions has read, for a comparison by identity at the next call.
+"""Values that a walk over functions has read, for a comparison by identity at the next call.
 
 A fingerprint walks over all that functions reference.  If the walk met immutable values alone, and
-each name still has the same value, another walk would give the same fingerprint.
+each of them is still the same object, another walk would give the same fingerprint.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from operator import is_not
+from functools import partial
 from types import CellType, FunctionType
 from typing import Any
 
 from .contents import UNBOUND
 
+PARTS = ("__code__", "__defaults__", "__kwdefaults__", "__closure__")  # of a function
+
+
+def variable(cell: CellType) -> Any:
+    """Return the value of a variable of a closure, or UNBOUND."""
+    return UNBOUND if cell == CellType() else cell.cell_contents
+
 
 @dataclass
 class Reads:
-    """Functions, variables of closures and names of modules, each with its value.
+    """Values of names, variables of closures and parts of functions, each with its reader.
 
     `complete` is false as soon as a walk has read anything else, such as an attribute or a list.
     """
 
-    functions: list[tuple[FunctionType, tuple]] = field(default_factory=list)
-    cells: list[tuple[CellType, Any]] = field(default_factory=list)
-    names: list[tuple[dict[str, Any], str, Any]] = field(default_factory=list)
+    values: list[tuple[Callable[[], Any], Any]] = field(default_factory=list)
     complete: bool = True
+
+    def value(self, value: Any, read: Callable[..., Any], *arguments: Any) -> None:
+        """Note a value; one that is made anew at each access is not compared."""
+        self.values.append((partial(read, *arguments), value))
+        self.complete = self.complete and read(*arguments) is value
 
     def function(self, function: FunctionType) -> None:
         """Note a function; one with attributes of its own is not compared."""
-        self.functions.append((function, _parts_of(function)))
-        self.complete = self.complete and not vars(function)
-
-    def name(self, space: dict[str, Any], name: str, value: Any) -> None:
-        """Note the value of a name; one that its module computes at each access is not compared."""
-        self.names.append((space, name, value))
-        self.complete = self.complete and space.get(name, UNBOUND) is value
-
-    def cell(self, cell: CellType, value: Any) -> None:
-        """Note the value of a variable of a closure; one without a value is not compared."""
-        self.cells.append((cell, value))
-        self.complete = self.complete and value is not UNBOUND
+        for name in PARTS:
+            self.value(getattr(function, name), getattr, function, name)
+        self.value(0, lambda: len(vars(function)))
 
     def unchanged(self) -> bool:
-        """Return whether each name has the value that was read, the same object."""
-        if not self.complete:
-            return False
-        for function, pieces_read in self.functions:
-            if any(map(is_not, _parts_of(function), pieces_read)) or vars(function):
-                return False
-        for space, name, value in self.names:
-            if space.get(name, UNBOUND) is not value:
-                return False
-        try:
-            return all(cell.cell_contents is value for cell, value in self.cells)
-        except ValueError:  # the variable was deleted
-            return False
-
-
-def _parts_of(function: FunctionType) -> tuple:
-    return (
-        function.__code__,
-        function.__defaults__,
-        function.__kwdefaults__,
-        function.__closure__,
-    )
+        """Return whether each value is the same object."""
+        return self.complete and all(read() is value for read, value in self.values)
