@@ -77,21 +77,20 @@ class Coefficients(LLVMPrinter):
 
     # --- numbers known now, and values --------------------------------------------------------
 
-    def operate(self, name: str, *values: Any) -> Any:
-        """Return a sum, product, quotient, difference or fused sum of coefficients."""
-        a, b = values[:2]
-        if all(type(value) is float for value in values):
-            return {"fadd": a + b, "fsub": a - b, "fmul": a * b}[name]
-        if name == "fmul" and 0.0 in (a, b):
+    def operate(self, name: str, a: Any, b: Any) -> Any:
+        """Return a sum, product or difference of coefficients."""
+        if type(a) is type(b) is float:
+            return {"add": a + b, "sub": a - b, "mul": a * b}[name]
+        if name == "mul" and 0.0 in (a, b):
             return 0.0
-        if name == "fmul" and 1.0 in (a, b):
+        if name == "mul" and 1.0 in (a, b):
             return b if a == 1.0 else a
-        if b == 0.0 or (name == "fadd" and a == 0.0):
+        if b == 0.0 or (name == "add" and a == 0.0):
             return b if a == 0.0 else a
         self.lines += 1
         if self.lines > MOST_LINES:
             raise Uncompiled(f"has more than {MOST_LINES} operations")
-        return getattr(self.builder, name)(*map(self.as_value, values))
+        return self.call(name, a, b)
 
     def as_value(self, value: Any) -> Any:
         """Return a number as a constant, a value as it is."""
@@ -107,7 +106,7 @@ class Coefficients(LLVMPrinter):
         """Return a sum of products, one after the other."""
         for a, b in pairs:
             if total == 0.0 or {0.0, 1.0} & {x for x in (a, b) if type(x) is float}:
-                total = self.operate("fadd", self.operate("fmul", a, b), total)
+                total = self.operate("add", self.operate("mul", a, b), total)
             else:
                 self.lines += 1
                 total = self.call("fmuladd", a, b, total)
@@ -186,22 +185,20 @@ class Coefficients(LLVMPrinter):
                 return self.state_coefficient(arguments[1], k)
             return self.scale if k == 1 else 0.0  # of time
         if name in ("add", "sub"):
-            return self.operate(f"f{name}", *(at(a, k) for a in arguments))
+            return self.operate(name, *(at(a, k) for a in arguments))
         if name == "neg":
-            return self.operate("fsub", 0.0, at(arguments[0], k))
+            return self.operate("sub", 0.0, at(arguments[0], k))
         if name == "mul":
             a, b = arguments
             return self.product(a, b, k)
         if name == "div":
             a, b = arguments
             pairs = [(at(argument, j), at(b, k - j)) for j in outside_in(0, k - 1)]
-            rest = self.operate("fsub", at(a, k), self.sum_of_products(pairs))
-            return self.operate("fmul", rest, self.inverse(b, 1.0))
+            rest = self.operate("sub", at(a, k), self.sum_of_products(pairs))
+            return self.operate("mul", rest, self.inverse(b, 1.0))
         if name == "sqrt":
-            rest = self.operate(
-                "fsub", at(arguments[0], k), self.square(argument, k, 1)
-            )
-            return self.operate("fmul", rest, self.inverse(argument, 2.0))
+            rest = self.operate("sub", at(arguments[0], k), self.square(argument, k, 1))
+            return self.operate("mul", rest, self.inverse(argument, 2.0))
         if name == "pow" and self.is_constant(arguments[1]):
             return self.power(argument, k)
         if name == "where" and self.is_of_nan(arguments[0]):
@@ -222,11 +219,11 @@ class Coefficients(LLVMPrinter):
             return self.at(self.whole_power(a, int(exponent)), k)
         pairs = []
         for j in outside_in(0, k - 1):
-            product = self.operate("fmul", self.at(exponent, 0), (k - j) / k)
-            factor = self.operate("fsub", product, j / k)
-            term = self.operate("fmul", factor, self.at(a, k - j))
+            product = self.operate("mul", self.at(exponent, 0), (k - j) / k)
+            factor = self.operate("sub", product, j / k)
+            term = self.operate("mul", factor, self.at(a, k - j))
             pairs.append((term, self.at(argument, j)))
-        return self.operate("fmul", self.sum_of_products(pairs), self.inverse(a, 1.0))
+        return self.operate("mul", self.sum_of_products(pairs), self.inverse(a, 1.0))
 
     def whole_power(self, a: Any, exponent: int) -> Any:
         """Return a power as products of squares: it has a series where a is 0."""
@@ -238,9 +235,9 @@ class Coefficients(LLVMPrinter):
 
     def state_coefficient(self, state: int, k: int) -> Any:
         """Return coefficient k of a state, s/k times coefficient k - 1 of its rate."""
-        make = partial(self.operate, "fmul", 1.0 / k, self.scale)
+        make = partial(self.operate, "mul", 1.0 / k, self.scale)
         scale = self.cached(("scale", k), make)
-        make = partial(self.operate, "fmul", scale, self.at(self.rates[state], k - 1))
+        make = partial(self.operate, "mul", scale, self.at(self.rates[state], k - 1))
         return self.cached(("state", state, k), make)
 
     def product(self, a: Any, b: Any, k: int) -> Any:
@@ -248,7 +245,7 @@ class Coefficients(LLVMPrinter):
         if self.is_constant(b):
             a, b = b, a
         if self.is_constant(a):
-            return self.operate("fmul", self.at(a, 0), self.at(b, k))
+            return self.operate("mul", self.at(a, 0), self.at(b, k))
         if a == b:
             return self.square(a, k, 0)
         return self.sum_of_products(
@@ -259,7 +256,7 @@ class Coefficients(LLVMPrinter):
         """Return the sum of a_j a_(k - j) for j from `first` to k - `first`."""
         pairs = [(self.at(a, j), self.at(a, k - j)) for j in range(first, (k + 1) // 2)]
         half = self.sum_of_products(reversed(pairs))
-        total = self.operate("fmul", 2.0, half)
+        total = self.operate("mul", 2.0, half)
         if k % 2 or k // 2 < first:
             return total
         middle = self.at(a, k // 2)
@@ -268,7 +265,7 @@ class Coefficients(LLVMPrinter):
     def inverse(self, argument: Any, factor: float) -> Any:
         """Return 1 / (factor a_0); a_0 must not reach 0 within a step."""
         self.keep_from_zero(argument)
-        value = self.operate("fmul", factor, self.at(argument, 0))
+        value = self.operate("mul", factor, self.at(argument, 0))
         make = partial(self.call, "div", 1.0, value)
         return self.cached(("inverse", argument, factor), make)
 
@@ -301,10 +298,10 @@ class Coefficients(LLVMPrinter):
             if not self.divides(of_slope):
                 self.limits[a, False] = ABSOLUTE
             for j in outside_in(1, k):
-                make = partial(self.operate, "fmul", float(j), self.at(a, j))
+                make = partial(self.operate, "mul", float(j), self.at(a, j))
                 times_j = self.cached(("times", a, j), make)
                 pairs.append((times_j, self.at(of_slope, k - j)))
-        return self.operate("fmul", 1.0 / k, self.sum_of_products(pairs))
+        return self.operate("mul", 1.0 / k, self.sum_of_products(pairs))
 
     def divides(self, argument: Any) -> bool:
         """Return whether an argument is a quotient, whose divisor has a limit of its own."""

@@ -66,12 +66,12 @@ class SeriesPrinter(Coefficients):
 
     def print_run(self) -> None:
         """Print the loop over segments of time, with the loop over steps in it."""
-        builder, where = self.builder, self.where
+        builder, where = self.builder, self.builder.select
         n, width = len(self.rates), self.lanes
         blocks = {name: builder.append_basic_block(name) for name in BLOCKS}
         running, arrived, failed = (constant(k, width, WORD) for k in range(3))
         false, true = (constant(k, width, BIT) for k in range(2))
-        zero = self.number(0.0, False)
+        zero = self.as_value(0.0)
 
         # 1. what is kept between calls
         self.rtol, self.atol, longest = (
@@ -129,7 +129,7 @@ class SeriesPrinter(Coefficients):
         right = where(is_running, is_right, false)
         at_end = builder.fcmp_unordered(">=", now["time"], end)
         status = where(where(right, at_end, false), arrived, now["status"])
-        half = builder.fmul(size, self.number(0.5, False))
+        half = self.call("mul", size, 0.5)
         no_room = self.no_room(half, last["time"])
         status = where(where(again, no_room, false), failed, status)
         goes_on = builder.icmp_signed("==", status, running)
@@ -196,8 +196,8 @@ class SeriesPrinter(Coefficients):
 
         # 7. the next step, or a step again: half as long, or with a smaller scale
         builder.position_at_end(blocks["after"])
-        half_now = builder.fmul(step, self.number(0.5, False))
-        smaller = builder.fmul(self.scale, self.number(SHRINK, False))
+        half_now = self.call("mul", step, 0.5)
+        smaller = self.call("mul", self.scale, SHRINK)
         unsound = where(going, builder.not_(is_sound), false)
         no_room = self.no_room(where(unsound, smaller, half_now), now["time"])
         fails = where(going, where(steps, false, no_room), false)
@@ -256,10 +256,6 @@ class SeriesPrinter(Coefficients):
     def broadcast_to_lanes(self, value: Any) -> Any:
         """Return one number in every lane."""
         return splat(self.builder, value, self.lanes)
-
-    def where(self, condition: Any, a: Any, b: Any) -> Any:
-        """Return one of two values in each lane."""
-        return self.builder.select(condition, a, b)
 
     def any_of(self, condition: Any) -> Any:
         """Return whether a condition holds in a lane."""
@@ -325,21 +321,21 @@ class SeriesPrinter(Coefficients):
         is_sound = constant(1, self.lanes, BIT)
         for order in (self.order - 1, self.order):
             size = self.weighed([row[order] for row in series], weights)
-            fits = builder.fcmp_ordered("<", size, self.number(LARGEST, False))
+            fits = builder.fcmp_ordered("<", size, self.as_value(LARGEST))
             is_sound = builder.and_(is_sound, fits)
             size = self.call(
-                "maxnum", self.where(fits, size, self.number(1.0, False)), 1e-300
+                "maxnum", self.builder.select(fits, size, self.as_value(1.0)), 1e-300
             )
             number = builder.sitofp(builder.bitcast(size, bits), vector(self.lanes))
             logarithm = self.operate(
-                "fsub", self.operate("fmul", 2.0**-52, number), lowered
+                "sub", self.operate("mul", 2.0**-52, number), lowered
             )
             most = self.call(
-                "maxnum", most, self.operate("fmul", 1.0 / order, logarithm)
+                "maxnum", most, self.operate("mul", 1.0 / order, logarithm)
             )
-        exponent = self.operate("fsub", log2(SAFETY), most)
+        exponent = self.operate("sub", log2(SAFETY), most)
         exponent = self.call("minnum", exponent, log2(GROWTH))
-        shifted = self.operate("fmul", 2.0**52, self.operate("fadd", exponent, lowered))
+        shifted = self.operate("mul", 2.0**52, self.operate("add", exponent, lowered))
         share = builder.bitcast(builder.fptosi(shifted, bits), vector(self.lanes))
         return share, is_sound
 
@@ -348,26 +344,26 @@ class SeriesPrinter(Coefficients):
 
         The sum of sizes of coefficients is convex: so many times shorter, the step is allowed.
         """
-        largest = self.number(1.0, False)
+        largest = self.as_value(1.0)
         for (argument, is_relative), most in self.limits.items():
             coefficients = [self.at(argument, k) for k in range(1, self.order)]
             sizes = [self.call("fabs", coefficient) for coefficient in coefficients]
             change = self.polynomial([0.0, *sizes], at)
             size = self.call("fabs", self.at(argument, 0))
             if is_relative:
-                allowed = self.operate("fmul", most, size)
+                allowed = self.operate("mul", most, size)
             else:
                 allowed = self.call(
-                    "maxnum", self.operate("fsub", size, NEGLIGIBLE), most
+                    "maxnum", self.operate("sub", size, NEGLIGIBLE), most
                 )
             part = self.call("div", 1.0, allowed)
-            largest = self.call("maxnum", largest, self.operate("fmul", change, part))
+            largest = self.call("maxnum", largest, self.operate("mul", change, part))
         return largest
 
     def no_room(self, step: Any, time: Any) -> Any:
         """Return whether a step is lost in the rounding of time."""
         size = self.call("fabs", time)
-        least = self.builder.fmul(size, self.number(LEAST_STEP, False))
+        least = self.call("mul", size, LEAST_STEP)
         return self.builder.fcmp_unordered("<=", step, least)
 
     def slopes(self, at: Any) -> list[Any]:
@@ -380,11 +376,11 @@ class SeriesPrinter(Coefficients):
     def are_slopes(self, slopes: list[Any], weights: list[Any], step: Any) -> Any:
         """Return whether rates at the current state are slopes, within the tolerance of a step."""
         errors = [
-            self.operate("fsub", self.at(rate, 0), slope)
+            self.operate("sub", self.at(rate, 0), slope)
             for rate, slope in zip(self.rates, slopes, strict=True)
         ]
         error = self.builder.fmul(self.weighed(errors, weights), step)
-        most = self.number(self.order + 1.0, False)
+        most = self.as_value(self.order + 1.0)
         return self.builder.fcmp_ordered("<=", error, most)
 
     def unsure(self, share: Any) -> Any:
@@ -394,7 +390,7 @@ class SeriesPrinter(Coefficients):
         """
         if 2 * self.highest > self.order:
             return constant(1, self.lanes, BIT)
-        most = self.number(0.9 * GROWTH, False)
+        most = self.as_value(0.9 * GROWTH)
         return self.builder.fcmp_ordered(">", share, most)
 
     def is_right(
@@ -405,7 +401,7 @@ class SeriesPrinter(Coefficients):
         right = constant(1, self.lanes, BIT)
         self.begins[0] = self.builder.block
         for point in INSIDE:
-            there = self.operate("fmul", point, at)
+            there = self.operate("mul", point, at)
             slopes = self.slopes(there)
             time = self.call("fmuladd", step, point, kept[0])
             states = [self.polynomial(row, there) for row in series]
@@ -420,7 +416,7 @@ class SeriesPrinter(Coefficients):
 
         Even and odd powers are added side by side, which takes half the time.
         """
-        square = self.operate("fmul", at, at)
+        square = self.operate("mul", at, at)
         factors = []
         for first in (0, 1):
             *others, value = map(self.as_value, coefficients[first::2])
