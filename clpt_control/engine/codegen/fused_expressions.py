@@ -12,13 +12,13 @@ construction an axis is a symbol (length, number) and an index is (symbol, start
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial, reduce
 from itertools import count, product
-from math import copysign, inf, prod
+from math import inf, prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...base.errors import Uncompiled
-from ..record.graph import Operation
+from ..record.graph import Operation, key_of
 from ..record.operations import CONDITIONS, LOGICAL, ON_ROWS, named
 from ..record.scalar_graph import Elements
 from .diagram_record import LARGE, Ref
@@ -103,9 +103,7 @@ class Components(Elements):
         return self._index_of(component, steady), symbols
 
     def _index_of(self, component: Component, steady: bool) -> int:
-        constants = [a for a in component.arguments if type(a) is float]
-        signs = tuple([copysign(1.0, a) for a in constants])
-        key = component, signs
+        key = component._replace(arguments=tuple(map(key_of, component.arguments)))
         if key not in self._indices:
             self._indices[key] = len(self.all)
             self.all.append(component)
