@@ -15,17 +15,20 @@ from .ports import places
 def leaf_values(
     block: Any, t: Any, x: Any, u: Any, p: Any
 ) -> Callable[[str, str], np.ndarray]:
-    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
-    states = places(block.state_shapes)
-    inputs = places(block.input_shapes)
+    """Return the function (group, name) -> array of a leaf; its last axis has the points."""
+    vectors = {
+        "x": (x, places(block.state_shapes)),
+        "u": (u, places(block.input_shapes)),
+    }
 
     def leaf(group: str, name: str) -> np.ndarray:
         if group == "t":
             return np.asarray(t, dtype=float)
         if group == "p":
-            return np.asarray(getattr(p, name), dtype=float)
-        ports = states if group == "x" else inputs
-        vector = x if group == "x" else u
+            value = np.asarray(getattr(p, name), dtype=float)
+            varies = name == "interval" and value.ndim
+            return value if varies else value[..., None]
+        vector, ports = vectors[group]
         positions, shape = ports[name]
         values = vector[positions]
         return values.reshape((*shape, *values.shape[1:]))
@@ -57,14 +60,7 @@ def record_on_arrays(
     times = np.broadcast_to(t, shape).reshape(count)
     parameters = block.parameters if p is None else p
     leaf = leaf_values(block, times, flat(x), flat(u), parameters)
-
-    def at_each_time(group: str, name: str) -> np.ndarray:
-        value = leaf(group, name)
-        varies = name == "interval" and value.ndim
-        is_constant = group == "p" and not varies
-        return value[..., None] if is_constant else value
-
-    outputs = evaluated(record, at_each_time, block.sizes, count)
+    outputs = evaluated(record, leaf, block.sizes, count)
     rows = [output.reshape(-1, count) for output in outputs]
     matrix = np.concatenate([np.zeros((0, count)), *rows])
     return matrix.reshape((-1, *shape))
