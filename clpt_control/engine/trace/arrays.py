@@ -6,7 +6,7 @@ operation: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  An array into which a 
 """
 
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from math import prod
 from typing import Any
@@ -37,7 +37,6 @@ class Tape:
     def __init__(self) -> None:
         self.operations: list[Operation] = []
         self.stopped: Unread | None = None  # why tracing stops
-        self.parameters: Mapping[str, Any] = {}  # as they were given
         self.runs = 0  # execution paths so far, of helpers too
         self.texts: Unread | None = None  # error of a text that was made of a signal
         self.merging = False  # whether statements and helpers are merged

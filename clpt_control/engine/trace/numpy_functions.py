@@ -144,8 +144,7 @@ def _rows(matrix: Any) -> list[Any]:
 
 def _is_better_pivot(a: Any, b: Any) -> Any:
     """Return |a| > |b|; no switch to locate, as x is the same with either pivot."""
-    tape = next((v._tape for v in (a, b) if isinstance(v, Array)), None)
-    if tape is None:
+    if (tape := tape_of((a, b))) is None:
         return abs(a) > abs(b)
     sizes = [tape.add("fabs", (operand(v),), (), PIVOT)._ref for v in (a, b)]
     return tape.add("gt", sizes, (), PIVOT)

@@ -379,21 +379,13 @@ def _stored(statement: ast.AST) -> list[str]:
     return [*names]
 
 
-def _leaves_loop(statement: ast.stmt) -> bool:
+def _leaves_loop(statement: ast.AST) -> bool:
     """Return whether a statement has a `break` or `continue` of a loop around it."""
     if isinstance(statement, ast.Break | ast.Continue):
         return True
     if isinstance(statement, (ast.For, ast.While, *SCOPES)):
         return False
-    return any(_leaves_loop(child) for child in _children(statement))
-
-
-def _children(statement: ast.AST) -> Iterator[Any]:
-    for child in ast.iter_child_nodes(statement):
-        if isinstance(child, ast.stmt):
-            yield child
-        elif isinstance(child, ast.ExceptHandler | ast.match_case):
-            yield from _children(child)
+    return any(map(_leaves_loop, ast.iter_child_nodes(statement)))
 
 
 def _place_at(new: Any, old: ast.AST) -> Any:
