@@ -404,7 +404,7 @@ class SymbolicFunction(Symbols):
     def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
         """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
         values = [
-            np.float64(np.asarray(leaf(group, name))[index] if group else name)
+            np.float64(np.asarray(leaf(group, name))[index].item() if group else name)
             for group, name, index in self.leaves
         ]
         with np.errstate(all="ignore"):
