@@ -10,7 +10,6 @@ block has no parameter D.
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from itertools import product
 from typing import Any
 
@@ -20,9 +19,9 @@ from scipy.linalg import block_diag
 
 from ...base.errors import BlockError, DiagramError
 from ...base.progress import warn
-from ..record.graph import MOST_NUMBERS, Record
+from ..record.graph import MOST_NUMBERS
 from ..record.unread import Unread, active
-from ..trace.tracing import read
+from ..trace.tracing import Read
 from .block import Block
 from .declaration import Parameters
 from .params import EVERY
@@ -154,30 +153,10 @@ class System(Block):
 
     # --- readings ---------------------------------------------------------------------------
 
-    def _read(self, role: str) -> Record | Unread:
-        function, out = self._roles[role]
-        shapes = {key: np.shape(self._params[key]) for key in self.number_names}
-        ports = self.declared["states"], self.declared["inputs"]
-        try:
-            result = read(
-                function,
-                role,
-                *ports,
-                self._params,
-                shapes,
-                out,
-                of_control=True,
-                confirm=partial(self._difference, role),
-            )
-        except Unread as error:
-            return Unread(f"{self.name}.{role}: {error}")
-        except BlockError as error:  # which begins with the role
-            return Unread(f"{self.name}.{error}")
+    def _note(self, role: str, result: Read) -> None:
         if result.spreads:
             self._warn_of_spread(role)
         self._reads[role] = result.names, result.texts
-        self.read_with[role] = result.pinned, ""
-        return result.record
 
     def _evaluate(
         self, role: str, size: int, t: float, x: Any, u: Any, p: Any

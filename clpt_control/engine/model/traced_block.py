@@ -43,6 +43,7 @@ class ReadBlock(control.NonlinearIOSystem):
     units: Mapping[str, str]
     approximation = ""  # what its equations stand for, if not exactly: said by verdicts
     parameters: Any
+    _params: Mapping[str, Any] | None = None  # of a system of python-control
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie
@@ -221,6 +222,7 @@ class ReadBlock(control.NonlinearIOSystem):
         """Trace a function with open sizes; if that fails, with the sizes of this block."""
         function, bound_out = self._roles[role]
         name = f"{self.name}.{role}"
+        of_control = self._params is not None
         values = self._parameters._asdict()
         why = ""
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
@@ -232,27 +234,34 @@ class ReadBlock(control.NonlinearIOSystem):
             try:
                 result = read(
                     function,
-                    name,
+                    role if of_control else name,
                     x,
                     u,
-                    values,
+                    self._params if of_control else values,
                     p,
                     out,
-                    trusted=self.of_package,
+                    of_control,
+                    trusted=self.of_package and not of_control,
                     confirm=partial(self._difference, role),
                 )
             except (Unread, BlockError) as error:
-                if not stay_open and isinstance(error, BlockError):
+                if isinstance(error, BlockError) and not stay_open:
+                    if of_control:  # a run calls the function, as python-control does
+                        return Unread(f"{self.name}.{error}")
                     raise
                 why = str(error)
                 continue
             self.read_with[role] = result.pinned, why
+            self._note(role, result)
             return self._outside(result.record)
         return Unread(f"{name}: {why}")
 
+    def _note(self, role: str, result: Read) -> None:
+        """Note what else a function of python-control's has read."""
+
     def _difference(self, role: str, result: Read) -> str:
         """Return a sentence on a new record that Python does not confirm, or ""."""
-        given = {**self.parameters._asdict(), **getattr(self, "_params", {})}
+        given = {**self.parameters._asdict(), **(self._params or {})}
         free = tuple(
             name
             for name in self.parameters._fields
