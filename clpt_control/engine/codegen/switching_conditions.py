@@ -310,7 +310,7 @@ class Decisions:
             return _distance_of_least(a, H)
         if name == "search":
             points = np.frombuffer(self.record.entries[of[0]].at)
-            return _distance_in_row(points, *others, H)
+            return _distance_in_row(points, others[0], H)
         size = abs(a)
         if name in COMPARED and of[1] != 0.0:
             size = size + abs(others[0])
@@ -332,7 +332,7 @@ class Decisions:
             low = where(H > 0.0, H, low)
             high = where(H < 0.0, H, high)
         if name == "floordiv":
-            (divisor,) = others
+            divisor = others[0]
             low = low * divisor
             high = high * divisor
             least = least * abs(divisor)

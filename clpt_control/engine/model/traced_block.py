@@ -43,7 +43,7 @@ class ReadBlock(control.NonlinearIOSystem):
     units: Mapping[str, str]
     approximation = ""  # what its equations stand for, if not exactly: said by verdicts
     parameters: Any
-    _params: Mapping[str, Any] | None = None  # of a system of python-control
+    _params: Any = None  # of a system of python-control
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie

@@ -207,7 +207,8 @@ def kind_of_mutable(value: Any) -> Kind:
 def slot_values(value: Any) -> dict[str, Any]:
     """Return the attributes that an object holds in slots."""
     values = {}
-    for name, slot in declared(type(value), MemberDescriptorType).items():
+    kind: Any = type(value)
+    for name, slot in declared(kind, MemberDescriptorType).items():
         with suppress(AttributeError):  # it is not set
             values[name] = slot.__get__(value)
     return values
