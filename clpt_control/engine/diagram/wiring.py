@@ -277,7 +277,7 @@ def blocks_of(
     ]
 
 
-def _as_block(system: Any, params: Params, sizes: Sizes) -> Block:
+def _as_block(system: Any, params: Params, sizes: Sizes = (None, None)) -> Block:
     if isinstance(system, Block):
         return system
     if isinstance(system, control.StateSpace):
@@ -393,8 +393,6 @@ def sampled(system: Part, period: float, params: Params = None) -> Part:
         raise DiagramError(
             f"{system.name}: dt = True is not a sampling time. Give dt a number"
         )
-    if isinstance(system, Block):
-        return Sampled(system, period)
     params = {**system.params, **(params or {})}
     if isinstance(system, control.InterconnectedSystem):
         diagram = control.InterconnectedSystem(
@@ -407,9 +405,7 @@ def sampled(system: Part, period: float, params: Params = None) -> Part:
         diagram.set_input_map(system.input_map)
         diagram.set_output_map(system.output_map)
         return diagram
-    if isinstance(system, control.StateSpace):
-        return Sampled(linear(system), period)
-    return Sampled(System(system, params), period)
+    return Sampled(_as_block(system, params), period)
 
 
 def _checked(system: Any) -> Part:
