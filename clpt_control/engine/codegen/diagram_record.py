@@ -27,7 +27,8 @@ from ..model.system import System
 from ..record.graph import PIVOT, Operation, Record, bound
 from ..record.operations import named
 from ..record.unread import Unread
-from ..trace.arrays import Tape
+from ..trace.arrays import Tape, operand
+from ..trace.elementwise import spread
 from .switching_conditions import LOCKED, Decisions, Port
 
 # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -479,23 +480,16 @@ class DiagramRecord(RecordMerger):
         }
         if kinds & {"join", "part"}:  # which take whole arrays
             for port, declared in block.declared["inputs"].items():
-                shape = self.shape(block, declared)
-                fed[port] = self._spread(fed[port], shape)
+                value = self.tape.value(fed[port])
+                fed[port] = operand(
+                    spread(self.tape, value, self.shape(block, declared))
+                )
         if kinds & SIGNED:
             for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
                     shape = self.shape_of(ref)
                     fed[port] = self.add("add", (ref, 0.0), shape)
         return fed
-
-    def _spread(self, ref: Ref, shape: tuple[int, ...]) -> Ref:
-        """Return a value in all of a shape: what feeds a port may have fewer axes."""
-        ref_shape = self.shape_of(ref)
-        if ref_shape == shape:
-            return ref
-        if not ref_shape:
-            return self.add("fill", (ref,), shape)
-        return self.add("mul", (ref, 1.0), shape)
 
     def part(self, ref: int, offset: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""
