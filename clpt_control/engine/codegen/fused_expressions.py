@@ -234,7 +234,8 @@ class Components(Elements):
         if not is_number or not 0.0 < abs(exponent) <= MOST_POWER or 2 * exponent % 1:
             return self.add("pow", base, exponent)
         count, half = divmod(abs(exponent), 1.0)
-        factors = [self._whole_power(base, int(count))] if count else []
+        multiply = partial(self.add, "mul")
+        factors = [whole_power(multiply, base, int(count))] if count else []
         if half:
             # the root of -0.0 is -0.0, and its powers are 0.0 and inf
             is_signed = exponent != 0.5 and not count % 2
@@ -243,13 +244,6 @@ class Components(Elements):
             )
         value = self.product(factors)
         return value if exponent > 0.0 else self._quotient(1.0, value)
-
-    def _whole_power(self, base: Value, exponent: int) -> Value:
-        """Return a power as products of squares."""
-        if exponent <= 3:
-            return self.product([base] * exponent)
-        square_root = self._whole_power(base, exponent // 2)
-        return self.product([square_root] * 2 + [base] * (exponent % 2))
 
     def _quotient(self, a: Value, b: Value) -> Value:
         """Return a / b; a product if b is the same for a whole run and a is not."""
@@ -390,6 +384,15 @@ def _strides(
         else:
             offset += stride * index
     return offset, strides
+
+
+def whole_power(multiply: Callable[..., Value], base: Value, exponent: int) -> Value:
+    """Return a power as products of squares."""
+    if exponent == 1:
+        return base
+    root = whole_power(multiply, base, exponent // 2)
+    square = multiply(root, root)
+    return multiply(square, base) if exponent % 2 else square
 
 
 def with_axes(value: Value, axes: Any) -> Value:

@@ -19,7 +19,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from ...base.errors import Uncompiled
 from ..record.operations import SMOOTH, TABLE, UFUNCS, Smoothness
-from .fused_expressions import Component
+from .fused_expressions import Component, whole_power
 from .llvm_text import LLVMPrinter
 from .plan import Program
 from .vectors import PRIMITIVES
@@ -216,7 +216,9 @@ class Coefficients(LLVMPrinter):
         """Return coefficient k of f = a^b: sum of (b (k - j) - j) / k a_(k - j) f_j over a_0."""
         a, exponent = self.components[argument[0]].arguments
         if is_whole(exponent):
-            return self.at(self.whole_power(a, int(exponent)), k)
+            # products have a series where a is 0
+            product = whole_power(partial(self.new, "mul"), a, int(exponent))
+            return self.at(product, k)
         pairs = []
         for j in outside_in(0, k - 1):
             product = self.operate("mul", self.at(exponent, 0), (k - j) / k)
@@ -224,14 +226,6 @@ class Coefficients(LLVMPrinter):
             term = self.operate("mul", factor, self.at(a, k - j))
             pairs.append((term, self.at(argument, j)))
         return self.operate("mul", self.sum_of_products(pairs), self.inverse(a, 1.0))
-
-    def whole_power(self, a: Any, exponent: int) -> Any:
-        """Return a power as products of squares: it has a series where a is 0."""
-        if exponent == 1:
-            return a
-        root = self.whole_power(a, exponent // 2)
-        square = self.new("mul", root, root)
-        return self.new("mul", square, a) if exponent % 2 else square
 
     def state_coefficient(self, state: int, k: int) -> Any:
         """Return coefficient k of a state, s/k times coefficient k - 1 of its rate."""
