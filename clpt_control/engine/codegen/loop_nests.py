@@ -4,7 +4,6 @@ A nest is a set of loops around statements (`plan.Nest`).  A value is printed wh
 at the beginning of the innermost loop on which it depends, and once for each loop index.
 """
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
@@ -30,13 +29,26 @@ class Element(NamedTuple):
     apart: int | None = None  # stride of eight iterations at once
 
 
-class LoopPrinter(ABC):
+class LoopPrinter:
     """Printer of loop nests; a subclass prints the single statements of a language.
 
     `vector_loop` is the loop of the current nest that does eight iterations at once.
     """
 
     vector_loop = NO_LOOP
+    # methods of a subclass, which print
+    begin_body: Callable[..., None]  # beginning of statements inside `depth` loops
+    # the loop inside `depth` others, of a body, with its sums; returns the sums after it
+    print_loop: Callable[..., Iterable[Any]]
+    # a value at the beginning of the statements inside `depth` loops: depth, key, printer
+    insert: Callable[..., Any]
+    add: Callable[..., Any]  # a sum with one more value: total, value
+    load: Callable[..., Any]  # an element of an array
+    store: Callable[..., None]  # a value into an element: value, element
+    number: Callable[..., Any]  # a constant: value, for eight iterations or one
+    operation: Callable[..., Any]  # name, loops, values
+    # an operation on a row: name, (array, offset, stride, count), values
+    row_operation: Callable[..., Any]
 
     def __init__(self, components: Sequence[Component], prepared: dict[int, int]):
         self.components = components
@@ -50,42 +62,6 @@ class LoopPrinter(ABC):
         ] = []  # values inside so many loops of the current nest
 
     # --- statements of a language -----------------------------------------------------------
-
-    @abstractmethod
-    def begin_body(self, depth: int) -> None:
-        """Begin the statements inside `depth` loops."""
-
-    @abstractmethod
-    def print_loop(self, depth: int, body: Body, totals: list[Write]) -> Iterable[Any]:
-        """Print the loop inside `depth` others; return the sums after it."""
-
-    @abstractmethod
-    def insert(self, depth: int, key: Key, printer: Callable[[], Any]) -> Any:
-        """Print a value at the beginning of the statements inside `depth` loops."""
-
-    @abstractmethod
-    def add(self, total: Any, value: Any) -> Any:
-        """Return a sum with one more value."""
-
-    @abstractmethod
-    def load(self, element: Element) -> Any:
-        """Read an element of an array."""
-
-    @abstractmethod
-    def store(self, value: Any, element: Element) -> None:
-        """Write an element of an array."""
-
-    @abstractmethod
-    def number(self, value: float, vectorized: bool) -> Any:
-        """Return a constant."""
-
-    @abstractmethod
-    def operation(self, name: str, loops: tuple[int, ...], values: list) -> Any:
-        """Return the result of an operation."""
-
-    @abstractmethod
-    def row_operation(self, name: str, row: tuple, values: list) -> Any:
-        """Return the result of an operation on a row: (array, offset, stride, count)."""
 
     def broadcast(self, scalar):
         """Return one number for each of eight iterations."""

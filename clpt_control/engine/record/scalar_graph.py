@@ -7,7 +7,7 @@ A subclass of `Elements` gives the type of an element: an expression (`symbolic`
 an axis of unknown length the index is a name.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -28,6 +28,9 @@ class Elements:
     """The elements of the values of a record or a tape."""
 
     most: float = MOST  # elements
+    # methods of a subclass
+    leaf: Callable[..., Any]  # an element of a leaf: (group, name), shape, index
+    apply: Callable[..., Any]  # an operation on elements: ref, kind, arguments
 
     def __init__(
         self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None
@@ -41,14 +44,6 @@ class Elements:
     def number(self, value: float) -> Any:
         """Return a constant."""
         return value
-
-    def leaf(self, key: tuple[str, str], shape: Shape, index: Index) -> Any:
-        """Return an element of a leaf."""
-        raise NotImplementedError
-
-    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return the result of an operation on elements."""
-        raise NotImplementedError
 
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
         """Return a sum over an axis of unknown length."""
