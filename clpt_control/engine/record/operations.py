@@ -314,7 +314,7 @@ TABLE: dict[str, Row] = {
     "tgamma": _libm(
         np.vectorize(_gamma, otypes=[float]),
         (lambda a, f: f * _digamma(a),),
-        sympy=lambda s, a: s.gamma(a),
+        sympy="gamma",
         c="tgamma",
     ),
     "erfc": _libm(

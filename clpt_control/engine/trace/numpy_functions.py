@@ -69,19 +69,17 @@ def apply_function(function: Any, tape: Tape, /, *inputs: Any, **options: Any) -
 # --- means and slopes -------------------------------------------------------------
 
 
-def mean(a, axis=None, dtype=None, keepdims=False):
+def mean(a, axis=None, dtype=None, keepdims=False, ddof=0):
     """Return the mean."""
     check_doubles(dtype)
     total = np.sum(a, axis, keepdims=keepdims)
-    return total / (a.size // total.size)
+    return total / (a.size // total.size - ddof)
 
 
 def variance(a, axis=None, dtype=None, ddof=0, keepdims=0):
     """Return the mean square of the deviation from the mean."""
-    check_doubles(dtype)
-    deviation = a - mean(a, axis, keepdims=axis is not None)
-    total = np.sum(deviation * deviation, axis, keepdims=keepdims)
-    return total / (a.size // total.size - ddof)
+    deviation = a - mean(a, axis, dtype, keepdims=axis is not None)
+    return mean(deviation * deviation, axis, dtype, keepdims, ddof)
 
 
 def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
