@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 import clpt_control as clpt
 from clpt_control.engine.solver.native_diagram import compile
 from clpt_control.engine.solver.runner import RunOptions
-from clpt_control.engine.solver.series_runs import SeriesArrays, limits_of, series_of
+from clpt_control.engine.solver.series_runs import SeriesArrays, series_of
 
 from .engines import ENGINES, timed
 from .measure import interleave
@@ -165,12 +165,11 @@ def by_series(model: Model) -> Run:
     code = series_of(native, model.rtol)
     segments = native.schedule(times, None)
     arrays = SeriesArrays(code, 1, start.size, len(times), segments)
-    limits = limits_of(code, times, RunOptions(model.rtol, model.atol))
-    arrays.share(times, segments, limits)
-    parameters = native.layout.P[None]
+    options = RunOptions(model.rtol, model.atol)
+    runs = start, native.layout.P[None], times, segments, options
 
     def run() -> np.ndarray:
-        arrays.begin(start, parameters)
+        arrays.begin(*runs)
         arrays.go()
         return arrays.samples[0, 0, -1].copy()
 
