@@ -1,4 +1,4 @@
-; sha256 b2e9e94ba7c21226b668a5555e4dbf93b1a971cebc65504c9bc6dfe7d11fbb47 02de2e692005d3b64e14abfd806a4c1fce7510a02d0df3f03ec54a2915daed8e, Python 3.11, numba 0.68.1
+; sha256 0a8bf35003ffe431036d0c08496f7681362572b962b0795575d7110b944bac6a 02de2e692005d3b64e14abfd806a4c1fce7510a02d0df3f03ec54a2915daed8e, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
