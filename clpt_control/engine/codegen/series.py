@@ -18,7 +18,7 @@ from llvmlite import ir
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from ...base.errors import Uncompiled
-from ..record.operations import SMOOTH, TABLE, UFUNCS, Smoothness
+from ..record.operations import NO_ROW, SMOOTH, TABLE, UFUNCS, Smoothness
 from .fused_expressions import Component, whole_power
 from .llvm_text import LLVMPrinter
 from .plan import Program
@@ -277,8 +277,8 @@ class Coefficients(LLVMPrinter):
     def by_slopes(self, argument: Any, k: int) -> Any:
         """Return coefficient k of an operation with the slopes of its row."""
         name, arguments, _ = self.components[argument[0]]
-        row = TABLE.get(name)
-        if row is None or not row.slopes or row.smoothness not in ALL_SMOOTH:
+        row = TABLE.get(name, NO_ROW)
+        if not row.slopes or row.smoothness not in ALL_SMOOTH:
             raise Uncompiled(f"has the operation {name}")
         nodes = [
             Node(self, a) if type(a) is tuple else a for a in (*arguments, argument)

@@ -328,6 +328,7 @@ TABLE: dict[str, Row] = {
     "argmin": Row(smoothness=STEP, decisions=("argmin",), c="argmin_"),
 }
 
+NO_ROW = Row(c="")  # of an operation on whole arrays, or of machine code alone
 # name -> function on numbers
 ELEMENTWISE: dict[str, Callable[..., Any]] = {
     name: row.numpy for name, row in TABLE.items() if row.numpy is not None

@@ -16,12 +16,10 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import Ref, reached
-from ..record.operations import STEPS, TABLE, Row
+from ..record.operations import NO_ROW, STEPS, TABLE
 from ..record.unread import Unread
 from .arrays import Tape, operand
 from .elementwise import elementwise, spread
-
-NO_ROW = Row(c="")  # of an operation on whole arrays
 
 
 def _times(factor, slope):

@@ -7,14 +7,13 @@ import dis
 import sys
 from collections.abc import Iterable, Sequence
 from functools import lru_cache, reduce
-from operator import attrgetter
 from types import CodeType
 from typing import Any
 
 import numpy as np
 
 from ..record.graph import Shape, is_known
-from ..record.operations import CONDITIONS, LOGICAL, TABLE, named
+from ..record.operations import CONDITIONS, LOGICAL, NO_ROW, TABLE
 from ..record.unread import Unread
 from .arrays import (
     HOOKS,
@@ -30,10 +29,6 @@ from .arrays import (
 
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
-OF_WHOLE = named(attrgetter("whole"))
-OF_TRUTHS = {name: row.on_truths for name, row in TABLE.items() if row.on_truths}
-RAISING = named(attrgetter("raises"))
-OF_OPERATORS = named(attrgetter("operator"))
 
 
 def broadcast(*shapes: Shape) -> Shape:
@@ -157,16 +152,18 @@ def stacked(tape: Tape, items: Sequence[Any]) -> Any:
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a._tape for a in arguments if isinstance(a, Array))
+    row = TABLE.get(name, NO_ROW)
     # kinds of numbers
     if name not in TRUTHS_ALLOWED and all(map(is_truth, arguments)):
-        if name not in OF_TRUTHS:
+        if not row.on_truths:
             raise Unread(
                 "calculates with truth values alone, of which NumPy and Python make different "
                 "things. Write float(...), or np.logical_or"
             )
-        name = OF_TRUTHS[name]
-    of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
-    if name in RAISING and of_python is not False:
+        name = row.on_truths
+        row = TABLE[name]
+    of_python = row.operator and all_of(map(is_of_python, arguments))
+    if row.raises and of_python is not False:
         raise_in_a_try(name, *arguments)
     # operands
     refs = []
@@ -191,7 +188,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
         and not isinstance(arguments[1], Array)
         and np.any(arguments[1] < 0)
     )
-    if name in OF_WHOLE and not is_inverse:
+    if row.whole and not is_inverse:
         new._whole = all_of(
             map(is_whole, arguments[1:] if name == "where" else arguments)
         )
@@ -294,7 +291,8 @@ def raise_in_a_try(name: str, *arguments: Any) -> None:
         moves(argument) or not np.all(argument) for argument in arguments
     ):
         return
-    kinds = all_of(map(is_of_python, arguments)) if name in RAISING else True
+    raises = TABLE.get(name, NO_ROW).raises  # else a function of `math`
+    kinds = all_of(map(is_of_python, arguments)) if raises else True
     if kinds is None or name not in ERRORS:
         refuse_in_a_try()
     error, condition = ERRORS[name]
