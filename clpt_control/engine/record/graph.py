@@ -89,13 +89,6 @@ class Record:
         leaves = (line.at for line in self.operations if line.kind == "leaf")
         return [*dict.fromkeys(name for of_group, name in leaves if of_group == group)]
 
-    def values(
-        self, leaf: Callable[[str, str], Any], sizes: dict[str, int]
-    ) -> list[np.ndarray]:
-        """Return the outputs at one point; ``leaf("x", "alpha")`` is an array."""
-        outputs = evaluated(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
-        return [value[..., 0] for value in outputs]
-
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
         """Return the record with other leaves: {(group, name): (group, name)}."""
         operations = tuple(

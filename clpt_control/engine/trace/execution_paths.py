@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..model.locations import caller
-from ..record.graph import Ref, compact
+from ..record.graph import Ref, compact, evaluated
 from ..record.unread import Unread, active
 from .arrays import Array, Tape, moves, operand
 from .elementwise import (
@@ -94,7 +94,10 @@ class AnsweringTape(Tape):
         """Return the value of an expression of parameters, which are then pinned."""
         record = compact(self.operations, [ref])
         self.pinned.update(record.leaves("p"))
-        return record.values(lambda group, name: self.parameters[name], {})[0]
+        (value,) = evaluated(
+            record, lambda group, name: np.asarray(self.parameters[name])[..., None]
+        )
+        return value[..., 0]
 
     def parameter(self, ref: int) -> Any:
         """Return the value of a parameter as the user wrote it, which is then pinned."""
