@@ -200,31 +200,32 @@ class TapeRecord(RecordMerger):
         for k in wiring.order:
             self._write_outputs(k, stand_in)
         for k, node in enumerate(wiring.nodes):
-            u = self._arrays(k)
+            fed = self.fed(k)
             if node.system.update_function is not None:
-                self._write_states(k, "update", u, self.rates)
+                self._write_states(k, "update", fed, self.rates)
             if node.system.jump_function is not None:
-                self._write_states(k, "jump", u, self.jumps)
+                self._write_states(k, "jump", fed, self.jumps)
             if node.system.jumps_at_level:
-                self._write_states(k, "guard", u, self.levels)
+                self._write_states(k, "guard", fed, self.levels)
 
     def _write_states(
-        self, k: int, role: str, u: dict[str, Any], results: Values
+        self, k: int, role: str, fed: dict[str, Ref], results: Values
     ) -> None:
         name = self.wiring.nodes[k].name
-        for port, value in self._results(k, role, u).items():
+        for port, value in self._results(k, role, fed).items():
             results[name, port] = value
 
     def _write_outputs(self, k: int, stand_in: StandIn) -> None:
         node = self.wiring.nodes[k]
         block = node.system
         needs_inputs = block.feedthrough or block.opaque
-        u = self._arrays(k) if needs_inputs else {}
+        fed = self.fed(k) if needs_inputs else {}
+        u = {port: self.tape.value(ref) for port, ref in fed.items()}
         declared = block.declared["outputs"]
         shapes = {port: self.shape(block, shape) for port, shape in declared.items()}
         values = stand_in(node, u, shapes)
         if values is None:
-            values = self._results(k, "output", u)
+            values = self._results(k, "output", fed)
         for port, (signals, _) in places(block.output_shapes).items():
             start = node.outputs.start + signals.start
             self.signals[node.name, port] = values[port]
@@ -296,12 +297,7 @@ class TapeRecord(RecordMerger):
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None
 
-    def _arrays(self, k: int) -> dict[str, Any]:
-        """Return the input ports of a block as arrays."""
-        refs = self.fed(k)
-        return {port: self.tape.value(ref) for port, ref in refs.items()}
-
-    def _results(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
+    def _results(self, k: int, role: str, fed: dict[str, Ref]) -> dict[str, Any]:
         """Return the results of a block's function on this tape, by port."""
         begin = len(self.tape.operations)
         node = self.wiring.nodes[k]
@@ -309,7 +305,6 @@ class TapeRecord(RecordMerger):
         self._check_open(node, role, block.array_record(role))
         pinned, _ = block.read_with.get(role, ((), ""))
         self.pinned |= {(node.name, name) for name in pinned}
-        fed = {port: operand(value) for port, value in u.items()}
         refs = self.run(k, role, fed)
         kind = "outputs" if role == "output" else "states"
         ports = {"distance": ()} if role == "guard" else block.declared[kind]
