@@ -412,21 +412,15 @@ class DiagramRecord(RecordMerger):
             return entry
 
         if kind == "search" and self.locking:
-            table = self._time_table(refs[0], refs[1], static)
-            if table is not None:
+            row, value = refs
+            key = self.entries[row].at, shift_of(self.entries, value), static
+            if table := self.layout.time_tables.get(key):
                 return self.load("P", table.offset, ())
         if kind in FOLDS and type(refs[0]) is int:
             inner = self.entries[refs[0]]
             if inner.kind == FOLDS[kind]:
                 return _folded(kind, inner.arguments[0], put)
         return put(kind, *refs)
-
-    def _time_table(self, row: Ref, value: Ref, static: Any) -> TimeTable | None:
-        """Return the table over time that a search reads, or None."""
-        shift = shift_of(self.entries, value)
-        if shift is None:
-            return None
-        return self.layout.time_tables.get((self.entries[row].at, shift, static))
 
     def _is_smooth(self, kind: str, refs: Sequence[Ref], static: Any) -> bool:
         """Return whether an operation reads a table whose rows lie closer than tolerances tell."""

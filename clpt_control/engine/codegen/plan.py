@@ -17,7 +17,7 @@ from ..record.operations import CONDITIONS
 from .diagram_record import DiagramRecord
 from .fused_expressions import BOUND, Component, Components, Write, row_strides
 from .merged_sums import MergedSums
-from .switching_conditions import Decisions
+from .switching_conditions import Decisions, Port
 
 NO_TABLES = np.zeros(0)
 LARGEST = 4096  # numbers of an array that is prepared
@@ -251,13 +251,19 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     W has `room` places for signals, P `prepared` places for parameters and inputs.
     """
     decisions = record.decisions
-    count = record.decisions.count
+    count = decisions.count
     first_prepared = prepared + 2 + count if count else prepared
     components = Components(record, room, first_prepared)
     # behind the decisions D has their distances, then the rounding errors of these
     events = count + len(record.margins)
-    behind = [port._replace(first=port.first + events) for port in decisions.distances]
-    behind += [port._replace(first=port.first + 2 * events) for port in decisions.least]
+    decided: list[Port] = []
+    for begin, ports, margins in (
+        (0, decisions.now, record.margins),
+        (events, decisions.distances, record.held_margins),
+        (2 * events, decisions.least, record.margin_roundings),
+    ):
+        decided += [port._replace(first=begin + port.first) for port in ports]
+        decided += [Port(k, (), (), m) for k, m in enumerate(margins, begin + count)]
     with deep():
         writes = {
             "derivative": components.writes(
@@ -265,15 +271,7 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             ),
             "signals": components.writes(record.signals, "W"),
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
-            "decide": components.writes([*decisions.now, *behind], "D"),
+            "decide": components.writes(decided, "D"),
         }
-        for first, margins in (
-            (count, record.margins),
-            (events + count, record.held_margins),
-            (2 * events + count, record.margin_roundings),
-        ):
-            for k, margin in enumerate(margins, first):
-                value = components.as_number(components.at(margin, ()))
-                writes["decide"].append(Write("D", k, (), (), value))
     program = Planner(components).program(writes, decisions)
     return program._replace(guarded=events - count)
