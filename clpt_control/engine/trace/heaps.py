@@ -226,7 +226,8 @@ def _all_alike(entries: Sequence[Any]) -> bool:
     return leading is not None and all(
         entry is not None
         and entry.kind is leading.kind
-        and entry.content[:2] == leading.content[:2]
+        and entry.content.structure == leading.content.structure
+        and entry.content.keys == leading.content.keys
         for entry in entries
     )
 
