@@ -95,6 +95,42 @@ SAMPLE = {
         "",
     ),
     "a weight of either sign": ("x' = b*x; V = -b*x**2/2; b = -1", "asymptotically stable", ""),
+    "a gain divided by cosh(t)": ("x' = -x/cosh(t); V = x**2/2", "stable", ""),
+    "a gain divided by cosh(x)": ("x' = -x/cosh(x)", "asymptotically stable", ""),
+    "log cosh": (
+        "x' = -sinh(x)/cosh(x); V = log(cosh(x))", "asymptotically stable", "all rest",
+    ),
+    "the square of atan": (
+        "x' = -x*(1 + x**2); V = arctan(x)**2", "square-integrable", "",
+    ),
+    "the square of atan, bounded": (
+        "x' = -x; V = arctan(x)**2", "V does not increase", "",
+    ),
+    "a damping tanh(t)": (
+        "x' = v; v' = -x - tanh(t)*v; V = (x**2 + v**2)/2", "stable", "",
+    ),
+    "a damping atan(t)": (
+        "x' = v; v' = -x - arctan(t)*v; V = (x**2 + v**2)/2", "stable", "",
+    ),
+    "a damping with t": (
+        "x' = v; v' = -x - (2 + sin(t) + 0.001*t)*v; V = (x**2 + v**2)/2",
+        "square-integrable",
+        "",
+    ),
+    "a damping with a root": (
+        "x' = v; v' = -x - sqrt(abs(v))*v; V = (x**2 + v**2)/2",
+        "asymptotically stable",
+        "rest",
+    ),
+    "exponentials of two states": (
+        "x' = 1 - exp(y); y' = exp(x) - 1 - (exp(y) - 1)/2; V = exp(x) - x + exp(y) - y - 2",
+        "asymptotically stable",
+        "rest",
+    ),
+    "a gain 2 + sin(t)": ("x' = -(2 + sin(t))*x", "asymptotically stable", ""),
+    "a damping 2 + sin(t)": (
+        "x' = v; v' = -x - (2 + sin(t))*v; V = (x**2 + v**2)/2", "goes to zero", "",
+    ),
     "a negative divisor": ("x' = x/b; V = x**2/2; b = -1", "asymptotically stable", ""),
     "a function that rises": (
         "x' = -x - exp(x) + exp(y); y' = -y + exp(x) - exp(y); V = x**2/2 + y**2/2",
@@ -330,8 +366,11 @@ ALTERED = [  # a text of the file, another one for it
 @pytest.mark.parametrize(
     ("loop", "left_out"),
     [
-        ("x' = (2 + sin(t))*v; v' = -(2 + sin(t))*x - v", "x goes to zero, as rates"),
-        ("x' = v; v' = -x - (2 + sin(t))*v", "v, x go to zero"),
+        (
+            "x' = (2 + sin(t)*cos(t))*v; v' = -(2 + sin(t)*cos(t))*x - v",
+            "x goes to zero, as rates",
+        ),
+        ("x' = v; v' = -x - (2 + sin(t**2))*v", "v, x go to zero"),
     ],
 )
 def test_limits_that_are_not_in_the_file_are_named(loop, left_out):

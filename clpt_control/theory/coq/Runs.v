@@ -314,6 +314,8 @@ Proof. intros [F HF] [G HG] [L HL] [M HM]. exists (L * G + F * M). intros s t Hs
 Lemma Lipschitz_scal a f : Lipschitz f -> Lipschitz (fun t => a * f t).
 Proof. intros [L H]. exists (Rabs a * L). intros s t Hs Ht. rewrite <- Rmult_minus_distr_l, Rabs_mult, Rmult_assoc.
   apply Rmult_le_compat_l; auto using Rabs_pos. Qed.
+Lemma Lipschitz_share a f : Lipschitz f -> Lipschitz (fun t => f t / a).
+Proof. intros H. destruct (Lipschitz_scal (/ a) f H) as [L HL]. exists L. intros s t Hs Ht. unfold Rdiv. rewrite !(Rmult_comm _ (/ a)). auto. Qed.
 Lemma Lipschitz_opp f : Lipschitz f -> Lipschitz (fun t => - f t).
 Proof. intros [L H]. exists L. intros s t Hs Ht. replace (- f t - - f s) with (- (f t - f s)) by ring.
   rewrite Rabs_Ropp. auto. Qed.
@@ -335,6 +337,9 @@ Proof. apply (Lipschitz_in sin cos 1). - intros. auto_derive; auto. ring.
 Lemma Lipschitz_cos f : Lipschitz f -> Lipschitz (fun t => cos (f t)).
 Proof. apply (Lipschitz_in cos (fun x => - sin x) 1). - intros. auto_derive; auto. ring.
   - intros. rewrite Rabs_Ropp. apply Rabs_le, SIN_bound. Qed.
+Lemma Lipschitz_atan f : Lipschitz f -> Lipschitz (fun t => atan (f t)).
+Proof. apply (Lipschitz_in atan (fun x => / (1 + x ^ 2)) 1); [apply derive_atan|]. intros x. assert (A := pow2_ge_0 x).
+  rewrite Rabs_pos_eq by (apply Rlt_le, Rinv_0_lt_compat; lra). rewrite <- Rinv_1. apply Rinv_le_contravar; lra. Qed.
 Lemma Lipschitz_tanh f : Lipschitz f -> Lipschitz (fun t => tanh (f t)).
 Proof. apply (Lipschitz_in tanh (fun x => 1 - tanh x ^ 2) 1); [apply derive_tanh|].
   intros x. assert (A := tanh_between x). apply Rabs_le. split; nra. Qed.
@@ -530,6 +535,14 @@ Lemma shape_atan : shape (fun x => x * atan x).
 Proof. apply shape_rising; [apply atan_increasing|apply atan_opp]. Qed.
 Lemma sinh_rises x y : x < y -> sinh x < sinh y.
 Proof. intros H. unfold sinh. assert (A := exp_increasing _ _ H). assert (B := exp_increasing (- y) (- x) ltac:(lra)). lra. Qed.
+Lemma sinh_0 : sinh 0 = 0.
+Proof. unfold sinh. rewrite Ropp_0, Rminus_eq_0. unfold Rdiv. apply Rmult_0_l. Qed.
+Lemma tanh_nonneg x : 0 <= x -> 0 <= tanh x.
+Proof. intros H. rewrite <- tanh_0. apply tanh_rises, H. Qed.
+Lemma sinh_nonneg x : 0 <= x -> 0 <= sinh x.
+Proof. intros [H| <-]; [|rewrite sinh_0; lra]. apply Rlt_le. rewrite <- sinh_0. apply sinh_rises, H. Qed.
+Lemma atan_nonneg x : 0 <= x -> 0 <= atan x.
+Proof. intros [H| <-]; [|rewrite atan_0; lra]. apply Rlt_le. rewrite <- atan_0. apply atan_increasing, H. Qed.
 Lemma shape_sinh : shape (fun x => x * sinh x).
 Proof. apply shape_rising; [apply sinh_rises|]. intros x. unfold sinh. rewrite Ropp_involutive. field. Qed.
 Lemma shape_cube : shape (fun x => Rabs x * x ^ 2).
@@ -570,6 +583,12 @@ Proof. intros [P [S L]] Hc H. assert (W : forall x, g x <= h x / c).
     apply Rmult_le_compat_r; auto. apply Rlt_le, Rinv_0_lt_compat, Hc. Qed.
 Lemma shape_cosh : shape (fun x => cosh x - 1).
 Proof. apply (shape_above _ _ (/ 2) shape_exp); [lra|]. intros x. unfold cosh. assert (A := exp_line (- x)). lra. Qed.
+Lemma cosh_above x : 1 <= cosh x.
+Proof. assert (A := proj1 shape_cosh x). simpl in A. lra. Qed.
+Lemma sinh_square x : sinh x ^ 2 = cosh x ^ 2 - 1.
+Proof. unfold sinh, cosh. assert (E : exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field [E]. Qed.
+Lemma tanh_square x : tanh x ^ 2 = 1 - / cosh x ^ 2.
+Proof. assert (A := cosh_above x). unfold tanh. replace ((sinh x / cosh x) ^ 2) with (sinh x ^ 2 / cosh x ^ 2) by (field; lra). rewrite sinh_square. field. lra. Qed.
 Lemma root_above x d e : 0 < e -> d = e / (3 + 3 * e) -> e <= Rabs x -> 1 + d * Rabs x <= sqrt (x ^ 2 + 1).
 Proof. intros He Ed Hx. assert (D : 0 < d <= 1 / 3 /\ d <= e / 3).
   { subst d. split; [split|].
@@ -791,6 +810,7 @@ Proof. intros [G0 [H _]] P B G eps He. destruct (H eps He) as [d [Hd D]].
   assert (A := E i Hi t Ht). assert (S := B i t Ht). assert (L := Rle_abs (v i t)). apply (Rmult_lt_reg_l c); auto. lra. Qed.
 End Small.
 
+Lemma product_between a b : -1 <= a <= 1 -> -1 <= b <= 1 -> -1 <= a * b <= 1. Proof. nra. Qed.
 Lemma below_left a b c : a <= b -> 0 <= c -> a <= b + c. Proof. lra. Qed.
 Lemma below_right a b c : a <= c -> 0 <= b -> a <= b + c. Proof. lra. Qed.
 (* --- tactics: each follows the form of its goal, and searches for nothing else --- *)
@@ -805,9 +825,12 @@ Ltac above :=
   | |- context [sin ?u] => know (-1 <= sin u <= 1) by apply SIN_bound
   | |- context [cos ?u] => know (-1 <= cos u <= 1) by apply COS_bound
   | |- context [tanh ?u] => know (-1 <= tanh u <= 1) by apply tanh_between
+  | |- context [cosh ?u] => know (1 <= cosh u) by apply cosh_above
   | |- context [exp ?u] => know (0 < exp u) by apply exp_pos
   | |- context [exp ?u] => know (exp u <= 1) by (apply exp_falls; lra)
-  end; lra.
+  end; first [lra | repeat match goal with A : -1 <= ?a <= 1, B : -1 <= ?b <= 1 |- _ =>
+    lazymatch a with _ * _ => fail | _ => lazymatch b with _ * _ => fail | _ =>
+      know (-1 <= a * b <= 1) by (apply product_between; assumption) end end end; lra].
 Ltac rising := match goal with |- 0 <= _ * (?g _ - _) => apply (rising_product g);
   first [apply exp_increasing | apply tanh_increasing | apply sinh_rises | apply atan_increasing] end.
 Ltac positive :=
@@ -816,10 +839,11 @@ Ltac positive :=
   | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
   | |- 0 < ?a / ?b => first [apply Rdiv_lt_0_compat; positive | apply negative_inverse; assumption]
   | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
-  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive]]
+  | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive] | above]
   | |- 0 < _ ^ _ => first [apply pow_lt; positive | apply negative_square; assumption]
   | |- 0 < exp _ => apply exp_pos
   | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
+  | |- 0 < cosh _ => apply (Rlt_le_trans _ 1); [lra|apply cosh_above]
   | |- _ => first [lra | above | solve [auto with clpt nocore]]
   end]
 with nonneg :=
@@ -850,7 +874,10 @@ with nonneg :=
   | |- 0 <= Rabs _ => apply Rabs_pos
   | |- 0 <= sqrt _ => apply sqrt_pos
   | |- 0 <= exp _ => apply Rlt_le, exp_pos
-  | |- 0 <= ln _ => apply ln_nonneg; below
+  | |- 0 <= tanh _ => apply tanh_nonneg; nonneg
+  | |- 0 <= sinh _ => apply sinh_nonneg; nonneg
+  | |- 0 <= atan _ => apply atan_nonneg; nonneg
+  | |- 0 <= ln _ => apply ln_nonneg; first [below | above]
   | |- _ => first [lra | above | apply Rlt_le; positive | solve [auto with clpt nocore]]
   end]
 (* a term of a sum *)
@@ -928,12 +955,16 @@ Ltac lip :=
       | (fun _ => ?a) => apply (Lipschitz_scal _ a g); lip
       | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
       end
-  | |- Lipschitz _ (fun t => @?f t / @?g t) => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
+  | |- Lipschitz _ (fun t => @?f t / @?g t) => lazymatch g with
+      | (fun _ => ?a) => apply (Lipschitz_share _ a f); lip
+      | _ => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
+      end
   | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip
   | |- Lipschitz _ (fun t => (@?f t) ^ ?n) => apply (Lipschitz_pow _ n f); [bnd|lip]
   | |- Lipschitz _ (fun t => sin (@?f t)) => apply (Lipschitz_sin _ f); lip
   | |- Lipschitz _ (fun t => cos (@?f t)) => apply (Lipschitz_cos _ f); lip
   | |- Lipschitz _ (fun t => tanh (@?f t)) => apply (Lipschitz_tanh _ f); lip
+  | |- Lipschitz _ (fun t => atan (@?f t)) => apply (Lipschitz_atan _ f); lip
   | |- Lipschitz _ (fun t => Rabs (@?f t)) => apply (Lipschitz_abs _ f); lip
   | |- Lipschitz _ (fun t => t) => apply Lipschitz_time
   | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; leaf
@@ -972,9 +1003,17 @@ Ltac ring_of :=
   end.
 Lemma exp_inverse a b : a + b = 0 -> exp a = / exp b.
 Proof. intros H. rewrite <- exp_Ropp. f_equal. lra. Qed.
-Lemma exp_double a : exp (2 * a) = exp a ^ 2.
-Proof. replace (2 * a) with (a + a) by ring. rewrite exp_plus. ring. Qed.
-Ltac exponentials := rewrite ?exp_double; repeat match goal with
+Lemma exp_times n a : exp (IZR (Z.of_nat n) * a) = exp a ^ n.
+Proof. rewrite <- INR_IZR_INZ. induction n; [rewrite Rmult_0_l; apply exp_0|].
+  rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l, exp_plus, IHn. simpl. ring. Qed.
+Lemma exp_times_less n a : exp (- IZR (Z.of_nat n) * a) = / exp a ^ n.
+Proof. rewrite <- exp_times, <- exp_Ropp. f_equal. ring. Qed.
+Ltac exponentials := rewrite ?exp_plus; repeat match goal with
+  | |- context [exp (IZR (Zpos ?p) * ?a)] => let n := eval compute in (Pos.to_nat p) in
+      change (exp (IZR (Zpos p) * a)) with (exp (IZR (Z.of_nat n) * a)); rewrite (exp_times n a)
+  | |- context [exp (IZR (Zneg ?p) * ?a)] => let n := eval compute in (Pos.to_nat p) in
+      change (exp (IZR (Zneg p) * a)) with (exp (- IZR (Z.of_nat n) * a)); rewrite (exp_times_less n a)
+  end; repeat match goal with
   | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
 Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with].
 
@@ -1006,9 +1045,11 @@ Proof. intros Hc F H t Ht. assert (A := decays T V dV c 0 Hc F ltac:(intros u Hu
   unfold Rdiv in A. rewrite Rmult_0_l, Rplus_0_l, Rminus_0_r in A. exact A. Qed.
 Lemma larger_share c w l g : c * w <= l -> 0 <= g -> c * (w * g) <= l * g.
 Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. Qed.
+Lemma larger_share_by c w l m f g : c * w <= l * m -> m <= f -> 0 <= l -> 0 <= g -> c * (w * g) <= l * f * g.
+Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. apply (Rle_trans _ (l * m)); auto. apply Rmult_le_compat_l; auto. Qed.
 Lemma below_shares c a b d e : c * a <= d -> c * b <= e -> c * (a + b) <= d + e. Proof. lra. Qed.
 Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [shares|nonneg]
-  | apply larger_share; [assumption|nonneg]].
+  | eapply larger_share_by; [eassumption|above|nonneg|nonneg] | apply larger_share; [assumption|nonneg]].
 Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
   intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
 Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.

@@ -159,4 +159,6 @@ class CoqPrinter(StrPrinter):
         is_whole = power.exp.is_Integer and power.exp.is_positive
         if is_whole or power.exp in (-1, sympy.S.Half, -sympy.S.Half):
             return super()._print_Pow(power).replace("**", "^")
+        if power.exp.is_Integer:
+            return f"(1/({self._print(1 / power)}))"
         self._refuse(power)

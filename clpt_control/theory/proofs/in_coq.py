@@ -32,13 +32,13 @@ from .coq_text import (
     sign_before,
     without_signs,
 )
-from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, total
+from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, least, total
 from .steps import Step
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
 STATEMENT = re.compile(r"^(?:Lemma|Theorem) ([\w']+) : (.*?)\.\nProof", re.M | re.S)
 MOST_FORMS = 12  # that go to zero
-MOST_OPERATIONS = 100  # of rates of them
+MOST_OPERATIONS = 40  # of rates of them
 ON = "forall t, on (T i) t ->"  # of a run i
 # what the steps of a verdict show -> theorems that say it
 THEOREMS = {
@@ -53,7 +53,13 @@ THEOREMS = {
     "mean": "spent",
     "region": "V_nonneg V_stays stable rest",
 }
-ALWAYS = "V_rate", "bound_", "lag_", "V_stays"  # beginnings of names of theorems
+ALWAYS = (
+    "V_rate",
+    "V_exponential",
+    "bound_",
+    "lag_",
+    "V_stays",
+)  # beginnings of names of theorems
 OUTSIDE = "outside V, bounded"  # condition of a verdict
 BETWEEN = sympy.sin, sympy.cos, sympy.tanh, sympy.atan  # two numbers
 # bounded where their arguments are
@@ -126,8 +132,13 @@ class File:
         """Names of what the conclusion requires and no theorem says."""
         known = self.statements.keys()
         shown = (tag for tag, names in THEOREMS.items() if known >= {*names.split()})
-        by_rates = {"rates"} & {*" ".join(s.shows for s in self.verdict.steps).split()}
+        by_rates = {"rates"} & self.shown if not self.is_at_rest else set[str]()
         return by_rates | self.needed.difference(shown, ["jumps"])  # no loop has jumps
+
+    @property
+    def shown(self) -> set[str]:
+        """Names of what the steps of the verdict show."""
+        return {*" ".join(step.shows for step in self.verdict.steps).split()}
 
     def comment(self) -> Iterable[str]:
         """Yield what the last theorem states, and what the verdict says beyond it."""
@@ -241,12 +252,16 @@ class File:
 
     def exponential(self) -> None:
         """Write that V falls exponentially, if each of its forms is lost."""
-        losses = filter(self.is_shape, reversed(self.case.losses))
-        lost = {(t.form, t.shape): t.weight for t in losses}
-        pairs = [(t.weight, lost.get((t.form, t.shape))) for t in self.case.terms]
-        if not pairs or any(weight is None for _, weight in pairs):
-            return
-        rates = [f"c * ({self.text(a)}) <= {self.text(b)} -> " for a, b in pairs]
+        losses = [t for t in reversed(self.case.losses) if least(t.factor) > 0]
+        lost = {(t.form, t.shape): t for t in losses if t.form != 1}
+        rates = []
+        for term in self.case.terms:
+            loss = lost.get((term.form, term.shape))
+            if loss is None or term.factor != 1:
+                return
+            low = f" * ({self.text(least(loss.factor))})" * (loss.factor != 1)
+            share = f"c * ({self.text(term.weight)}) <= {self.text(loss.weight)}"
+            rates.append(f"{share}{low} -> ")
         claim = f"forall c, 0 < c -> {''.join(rates)}\n  {ON} V i t <= V i 0 * exp (- c * t)"
         proof = "exponential_of (V_sum i) (V_parts i) loss"
         self.lemma("V_exponential", claim, proof)
@@ -360,8 +375,17 @@ class File:
 
     def is_steady(self, e: Expr) -> bool:
         """Return whether an expression is Lipschitz in time by its form."""
-        inner = e.free_symbols - self.fixed
-        return inner <= self.steady and self.is_bounded(e)
+        calls = e.atoms(*BETWEEN)
+        slopes = (call.args[0].diff(TIME) for call in calls)
+        inner = e.free_symbols - self.fixed - {TIME}
+        roots = (p.base for p in e.atoms(sympy.Pow) if not p.exp.is_Integer)
+        return (
+            inner <= self.steady
+            and self.is_bounded(e)
+            and all(map(self.is_fixed, slopes))
+            and not e.xreplace(dict.fromkeys(calls, S.One)).has(TIME)
+            and all(is_above_zero(root, self.fixed) for root in roots)
+        )
 
     # --- what goes to zero ----------------------------------------------------------------------
 
@@ -377,7 +401,7 @@ class File:
                 self.goes_to_zero(term.form, f"zero_of (lost_{k} i) {term.function}")
             else:
                 self.factor_to_zero(term.value, part)
-        if self.needed & {"rest", "still"}:
+        if self.needed & {"rest", "still"} or "rates" in self.shown:
             self.next_rates()
         if self.is_at_rest:
             self.vanish("rest", self.off.values())

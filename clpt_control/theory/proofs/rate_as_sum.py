@@ -17,13 +17,13 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Add, Expr, S
+from sympy import Add, Expr, Mul, S
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import factored, vanishes
 from ..algebra.exact import terms_of as count_terms
-from ..algebra.facts import facts_of, functions_in
+from ..algebra.facts import facts_of, functions_in, interval
 from ..algebra.gram import sum_of_squares
 from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
@@ -120,6 +120,8 @@ class Case:
 
 RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
 SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.cosh, sympy.Abs, *RISING)
+RANGED = (sympy.sin, sympy.cos, sympy.tanh)
+LEAST_DIVISOR = sympy.Rational(1, 100)  # that the tactic `bnd` tries
 WAVES = (sympy.sin, sympy.cos, sympy.log, *RISING)  # of numbers: not computed in Coq
 PARTS = tuple(
     sympy.Rational(n, 20) for n in (20, 19, 16, 10)
@@ -170,7 +172,10 @@ def is_nonnegative(term: Expr) -> bool:
         powers = term.as_powers_dict()
         if powers[call] % 2 and powers[call.args[0]] % 2:
             term = term / (call * call.args[0])
-    return bool(term.is_nonnegative)
+    factors = Mul.make_args(term)
+    return all(f.is_nonnegative or least(f) >= 0 for f in factors) or bool(
+        term.is_nonnegative
+    )
 
 
 def apart(term: Expr, fixed: set) -> Iterable[Expr]:
@@ -198,6 +203,13 @@ def term_of(summand: Expr, fixed: set) -> Term:
         return Term(weight, base, FORM**power)
     if summand.is_Add:
         raise NotASum(f"{short(summand)} is no product")
+    kinds = [(c.args[0], FORM * c.func(FORM)) for c in varying.atoms(*RISING)]
+    powers = (factor.as_base_exp() for factor in Mul.make_args(varying))
+    kinds += [(base, FORM**n) for base, n in powers if n.is_even and n.is_positive]
+    for form, shape in kinds if weight.is_positive else ():
+        factor = varying / shape.subs(FORM, form)
+        if is_nonnegative(factor):
+            return Term(weight, form, shape, factor)
     return Term(S.One, S.One, factor=summand)
 
 
@@ -332,12 +344,21 @@ def without_calls(e: Expr) -> Expr:
     return e.xreplace(symbols)
 
 
+def least(e: Expr) -> Expr:
+    """Return the least value of a number plus multiples of t, sines and tanh; else -oo."""
+    terms = (term.as_coeff_Mul()[1] for term in Add.make_args(e))
+    is_known = all(f in (1, TIME) or isinstance(f, RANGED) for f in terms)
+    return interval(e)[0] if is_known else -sympy.oo
+
+
 def is_above_zero(base: Expr, fixed: set) -> bool:
     """Return whether a divisor has a positive least value, or is a parameter with a sign."""
     if not base.free_symbols - fixed:
         return bool(base.is_nonzero) and not base.has(*WAVES)
     if base.is_Pow and base.base != sympy.E:
         return is_above_zero(base.base, fixed)
+    if isinstance(base, (sympy.exp, sympy.cosh)) or least(base) >= LEAST_DIVISOR:
+        return True
     constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
     has_signs = all(term.is_nonnegative for term in Add.make_args(rest))
-    return isinstance(base, sympy.exp) or bool(constant.is_positive and has_signs)
+    return bool(constant.is_positive and has_signs)
