@@ -183,6 +183,7 @@ def test_file_says_what_the_sentence_says(name):
     last = text[text.rindex("(* The verdict: ") :]
     assert " ".join(verdict.sentence.split()) in " ".join(last.split())
     assert last.count("Theorem verdict :") == 1
+    assert ".." not in last.replace("...", "")
     assert text.rstrip().endswith("Print Assumptions verdict.")
     assert not re.search(r"\b(Admitted|Axiom|Parameter|Abort)\b", text)
 
@@ -193,6 +194,8 @@ def test_file_of_a_region_says_what_is_not_left(name):
     verdict = judged_in_region(name)
     level, not_in_it = REGIONS[name][2:]
     assert missing(verdict) - TRUSTED == {*not_in_it.split()}
+    assert "exists" in missing(verdict)
+    assert "runs that begin there stay in it" in {s.claim for s in verdict.beyond_coq()}
     text = verdict.coq()
     start = re.search(r"begins : .* < (\d+/\d+) }", text)[1]
     assert f"V i t < {start})" in text[text.rindex("Theorem verdict :") :]

@@ -45,6 +45,8 @@ def bound_text(bound: Any, up: bool = True) -> str:
     >>> a, b, k = sympy.symbols("a b k", positive=True)
     >>> bound_text(a**2 / 3 + b**2 / 3 + a / (7 * k))
     '0.1429*a/k + 0.3334*(a**2 + b**2)'
+    >>> bound_text(sympy.Rational(7701, 2))
+    '3851'
     """
 
     def rounded(e: Any, up: bool) -> Any:
@@ -77,4 +79,5 @@ def bound_text(bound: Any, up: bool = True) -> str:
 
     bound = sympy.sympify(bound)
     text = str(grouped(rounded(bound, up)))
-    return re.sub(r"(\.\d*?[1-9])0+\b|\.0+\b", r"\1", text)  # 0.3750, 2.0
+    # 0.3750, 2.0 and 3851.
+    return re.sub(r"(\.\d*?[1-9])0+\b|(?<=\d)\.0*(?!\w)", r"\1", text)

@@ -65,7 +65,7 @@ def _needs(text: str) -> frozenset[str]:
 CONCLUSIONS = {
     "asymptotically stable in a region": Conclusion(
         "what begins where V is below {level} in the box comes to rest",
-        _needs("region"),
+        _needs("region exists"),
         "start below `level`",
     ),
     "comes to a zone": Conclusion(

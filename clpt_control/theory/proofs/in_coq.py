@@ -376,16 +376,20 @@ class File:
     def is_steady(self, e: Expr) -> bool:
         """Return whether an expression is Lipschitz in time by its form."""
         calls = e.atoms(*BETWEEN)
-        slopes = (call.args[0].diff(TIME) for call in calls)
-        inner = e.free_symbols - self.fixed - {TIME}
         roots = (p.base for p in e.atoms(sympy.Pow) if not p.exp.is_Integer)
         return (
-            inner <= self.steady
+            e.free_symbols <= self.fixed | self.steady | {TIME}
             and self.is_bounded(e)
-            and all(map(self.is_fixed, slopes))
             and not e.xreplace(dict.fromkeys(calls, S.One)).has(TIME)
+            and all(
+                self.is_affine(a) or self.is_steady(a) for c in calls for a in c.args
+            )
             and all(is_above_zero(root, self.fixed) for root in roots)
         )
+
+    def is_affine(self, e: Expr) -> bool:
+        """Return whether an expression has fixed slopes."""
+        return all(self.is_fixed(e.diff(s)) for s in e.free_symbols - self.fixed)
 
     # --- what goes to zero ----------------------------------------------------------------------
 

@@ -139,6 +139,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     steps = (
         candidate.has_values(),
         Step(claim, level > 0.0, how, "", False, "region"),
+        Step("runs that begin there stay in it", level > 0.0, how, "", False, "exists"),
         candidate.compared(in_box),
     )
     if failed := first_failure(steps):
