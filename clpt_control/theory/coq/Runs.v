@@ -314,8 +314,8 @@ Proof. intros [F HF] [G HG] [L HL] [M HM]. exists (L * G + F * M). intros s t Hs
 Lemma Lipschitz_scal a f : Lipschitz f -> Lipschitz (fun t => a * f t).
 Proof. intros [L H]. exists (Rabs a * L). intros s t Hs Ht. rewrite <- Rmult_minus_distr_l, Rabs_mult, Rmult_assoc.
   apply Rmult_le_compat_l; auto using Rabs_pos. Qed.
-Lemma Lipschitz_share a f : Lipschitz f -> Lipschitz (fun t => f t / a).
-Proof. intros H. destruct (Lipschitz_scal (/ a) f H) as [L HL]. exists L. intros s t Hs Ht. unfold Rdiv. rewrite !(Rmult_comm _ (/ a)). auto. Qed.
+Lemma Lipschitz_times a f : Lipschitz f -> Lipschitz (fun t => f t * a).
+Proof. intros H. destruct (Lipschitz_scal a f H) as [L HL]. exists L. intros s t Hs Ht. rewrite !(Rmult_comm _ a). auto. Qed.
 Lemma Lipschitz_opp f : Lipschitz f -> Lipschitz (fun t => - f t).
 Proof. intros [L H]. exists L. intros s t Hs Ht. replace (- f t - - f s) with (- (f t - f s)) by ring.
   rewrite Rabs_Ropp. auto. Qed.
@@ -953,10 +953,13 @@ Ltac lip :=
   | |- Lipschitz _ (fun t => exp (@?f t)) => eapply Lipschitz_rate; [follow|bnd]
   | |- Lipschitz _ (fun t => @?f t * @?g t) => lazymatch f with
       | (fun _ => ?a) => apply (Lipschitz_scal _ a g); lip
-      | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+      | _ => lazymatch g with
+        | (fun _ => ?a) => apply (Lipschitz_times _ a f); lip
+        | _ => apply (Lipschitz_mult _ f g); [bnd|bnd|lip|lip]
+        end
       end
   | |- Lipschitz _ (fun t => @?f t / @?g t) => lazymatch g with
-      | (fun _ => ?a) => apply (Lipschitz_share _ a f); lip
+      | (fun _ => ?a) => apply (Lipschitz_times _ (/ a) f); lip
       | _ => apply (Lipschitz_mult _ f (fun t => / g t)); [bnd|bnd|lip|lip]
       end
   | |- Lipschitz _ (fun t => - @?f t) => apply (Lipschitz_opp _ f); lip

@@ -453,7 +453,7 @@ class File:
             if self.is_at_rest or k == len(self.zero):
                 return
             form, name = [*self.zero.items()][k]
-            rate = sympy.expand(along(form, self.motion))
+            rate = sympy.expand(along(form, self.motion) + form.diff(TIME))
             if rate.count_ops() > MOST_OPERATIONS or not self.is_steady(rate):
                 continue
             text = self.text(rate)
