@@ -131,6 +131,10 @@ SAMPLE = {
     "a damping 2 + sin(t)": (
         "x' = v; v' = -x - (2 + sin(t))*v; V = (x**2 + v**2)/2", "goes to zero", "",
     ),
+    "a damping sin(t)^2": (  # the rate of v sin(t) has the term v cos(t)
+        "x' = v; v' = -x - sin(t)**2*v; V = (x**2 + v**2)/2", "goes to zero", "rates",
+    ),
+    "a wave of a frequency": ("x' = -(2 + sin(t*w))*x; w = 3", "asymptotically stable", ""),
     "a negative divisor": ("x' = x/b; V = x**2/2; b = -1", "asymptotically stable", ""),
     "a function that rises": (
         "x' = -x - exp(x) + exp(y); y' = -y + exp(x) - exp(y); V = x**2/2 + y**2/2",
@@ -363,6 +367,9 @@ ALTERED = [  # a text of the file, another one for it
     ("a root", "/sqrt((r_x t)^2 + 1)", "/sqrt((r_x t)^2 + 2)"),
     ("an exponential", "(exp ((r_x t))) - 1)", "(exp ((r_x t))) + 1)"),
     ("a leak", "V i t <= c /", "V i t <= 0 * c /"),
+    ("a gain 2 + sin(t)", "<= 1 * (1)", "<= 1 * (2)"),
+    ("a damping tanh(t)", "(tanh (t))", "(tanh (t - 1))"),
+    ("a gain divided by cosh(x)", "(cosh ((r_x t)))", "(cosh (2*(r_x t)))"),
 ]  # fmt: skip
 
 
