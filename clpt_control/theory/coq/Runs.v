@@ -157,6 +157,31 @@ Proof. intros Hc F H t Ht.
   assert (E : V t - d / c <= (V 0 - d / c) * / exp (c * t)); [|lra].
   apply (Rmult_le_reg_r (exp (c * t))); [auto|]. rewrite Rmult_assoc, Rinv_l by lra. lra. Qed.
 
+(* V' <= c - k V: V is at most what decays to the level l = c/k *)
+Lemma decays_to k c l V dV : 0 < k -> l * k = c -> follows T V dV ->
+  (forall t, on T t -> dV t <= c - k * V t) ->
+  forall t, on T t -> V t <= l + (V 0 - l) * exp (- k * t).
+Proof. intros Hk <- F H t Ht. assert (A := decays V dV k (l * k) Hk F H t Ht).
+  replace (l * k / k) with l in A by (field; lra). exact A. Qed.
+Lemma below_max k l v0 t : 0 < k -> 0 <= t -> l + (v0 - l) * exp (- k * t) <= Rmax v0 l.
+Proof. intros Hk Ht. assert (P := exp_pos (- k * t)). assert (E : exp (- k * t) <= 1).
+  { rewrite <- exp_0. destruct (Req_dec t 0) as [->|N]; [right; f_equal; ring|].
+    left. apply exp_increasing. nra. }
+  assert (A := Rmax_l v0 l). assert (B := Rmax_r v0 l). nra. Qed.
+Lemma decays_near k l V c : 0 < k -> l < c -> (forall t, 0 <= t -> V t <= l + (V 0 - l) * exp (- k * t)) ->
+  exists s, forall t, s <= t -> V t < c.
+Proof. intros Hk Hc H. set (v0 := V 0) in *. set (d := (c - l) / (Rabs (v0 - l) + 1)). assert (N := Rabs_pos (v0 - l)).
+  assert (D : 0 < d) by (apply Rdiv_lt_0_compat; lra). exists (Rmax 0 (- ln d / k)).
+  intros t Ht. assert (K := Rmax_l 0 (- ln d / k)). assert (L := Rmax_r 0 (- ln d / k)). assert (E : exp (- k * t) <= d).
+  { rewrite <- (exp_ln d) by auto. assert (M : - k * t <= ln d).
+    { assert (Q : - ln d / k <= t) by lra. apply (Rmult_le_compat_l k) in Q; [|lra].
+      replace (k * (- ln d / k)) with (- ln d) in Q by (field; lra). lra. }
+    destruct M as [M| ->]; [apply Rlt_le, exp_increasing, M|lra]. }
+  assert (P := exp_pos (- k * t)). assert (A := Rle_abs (v0 - l)).
+  assert (F : (Rabs (v0 - l) + 1) * d = c - l) by (unfold d; field; lra).
+  assert (G : (v0 - l) * exp (- k * t) <= Rabs (v0 - l) * d) by nra.
+  assert (B := H t ltac:(lra)). nra. Qed.
+
 (* V' <= 0 where V < c: what begins below c stays there, and V falls *)
 Lemma stays_below V dV c : follows T V dV -> (forall t, on T t -> V t < c -> dV t <= 0) -> V 0 < c ->
   forall t, on T t -> V t < c.
@@ -193,6 +218,10 @@ Definition bounded (f : R -> R) : Prop := exists M, forall t, on T t -> Rabs (f 
 
 Lemma bounded_const a : bounded (fun _ => a).
 Proof. exists (Rabs a). intros; lra. Qed.
+Lemma bounded_between a b f : (forall t, on T t -> a <= f t <= b) -> bounded f.
+Proof. intros H. exists (Rabs a + Rabs b). intros t Ht. destruct (H t Ht). assert (A := Rle_abs b).
+  assert (B := Rle_abs (- a)). rewrite Rabs_Ropp in B. assert (C := Rabs_pos a). assert (D := Rabs_pos b).
+  apply Rabs_le. lra. Qed.
 Lemma bounded_plus f g : bounded f -> bounded g -> bounded (fun t => f t + g t).
 Proof. intros [M HM] [L HL]. exists (M + L). intros t Ht.
   eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; auto. Qed.
@@ -1041,6 +1070,15 @@ Ltac mean_of sum V loss := intros L P HL HP t Ht;
   assert (A := V t Ht); lra.
 Ltac decays_of d sum V loss := intros c Hc; refine (decays _ _ _ d c _ sum _); [positive|];
   intros u Hu; assert (A := loss u Hu); assert (B := Hc u Hu); lra.
+(* V' <= push - decay V, and V by it *)
+Ltac pulled_of loss_nonneg V loss := intros t Ht; assert (A := loss_nonneg t Ht); apply Rminus_le_0; eapply Rle_trans; [exact A|];
+  apply Req_le; unfold V, loss; equal.
+Ltac level_of push sum loss := refine (decays_to _ _ push _ _ _ _ _ sum _); [positive|field; nonzero|];
+  intros u Hu; assert (A := loss u Hu); lra.
+Ltac below_level k decays := intros t Ht; eapply Rle_trans; [exact (decays t Ht)|apply (below_max k); [positive|apply Ht]].
+Ltac near_level k V decays := intros E c Hc; refine (decays_near k _ V c _ Hc _); [positive|];
+  intros t Ht; apply decays; rewrite E; apply on_all, Ht.
+Ltac between_of bounds := intros t Ht; assert (A := bounds t Ht); lra.
 (* V <= V(0) exp(-c t), as c V <= loss term by term *)
 Lemma decays_to_zero T V dV c : 0 < c -> follows T V dV -> (forall t, on T t -> c * V t <= - dV t) ->
   forall t, on T t -> V t <= V 0 * exp (- c * t).

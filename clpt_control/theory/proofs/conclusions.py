@@ -137,6 +137,7 @@ CONDITIONS = {  # name -> sentence
     "t >= 0": "for t >= 0",
     "zero inputs": "where {} = 0",
     "bounded inputs": "where {} bounded",
+    "input bounds": "where {}",
     "existence": "as long as {} exist",
     "outside V, bounded": "{} not in V, and bounded",
     "outside V": "{} not in V, and not known to be bounded",

@@ -75,11 +75,29 @@ DECAYS = """\
 Lemma V_decays : forall i, forall c, (forall t, on (T i) t -> {push} <= c) ->
   forall t, on (T i) t -> V i t <= c / ({decay}) + (V i 0 - c / ({decay})) * exp (- ({decay}) * t).
 Proof. intros i. decays_of ({decay}) (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
+LEVELS = """\
+Lemma bound_rate : forall i, forall t, on (T i) t -> {rate} <= {push} - ({decay}) * V i t.
+Proof. intros i. pulled_of (loss_nonneg i) V loss. Qed.
+Lemma V_decays : forall i, forall t, on (T i) t ->
+  V i t <= {level} + (V i 0 - ({level})) * exp (- ({decay}) * t).
+Proof. intros i. level_of ({push}) (V_sum i) (loss_nonneg i). Qed.
+Lemma V_stays_below : forall i, forall t, on (T i) t -> V i t <= Rmax (V i 0) ({level}).
+Proof. intros i. below_level ({decay}) (V_decays i). Qed.
+Lemma V_stays_near : forall i, T i = p_infty -> forall c, {level} < c ->
+  exists s, forall t, s <= t -> V i t < c.
+Proof. intros i. near_level ({decay}) (V i) (V_decays i). Qed."""
 SPENT = """\
 Lemma spent : forall i, forall L P, follows (T i) L (loss i) ->
   follows (T i) P (fun t => {push}) ->
   forall t, on (T i) t -> L t - L 0 <= V i 0 + (P t - P 0).
 Proof. intros i. mean_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
+BOX = """\
+Lemma bounded_{name} : forall i, bounded (T i) (r_{name} i).
+Proof. intros i. exact (bounded_between _ _ _ _ (B_{name} i)). Qed.
+Lemma above_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
+Proof. intros i. between_of (B_{name} i). Qed.
+Lemma below_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
+Proof. intros i. between_of (B_{name} i). Qed."""
 NEAR = """\
 Definition near (d : R) (i : run) := {near}.
 Definition now (i : run) (t : R) := on (T i) t.

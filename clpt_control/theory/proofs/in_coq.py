@@ -19,9 +19,11 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
 from .coq_text import (
+    BOX,
     DECAYS,
     FALLS,
     FILE,
+    LEVELS,
     NEAR,
     REST,
     RUN,
@@ -89,7 +91,7 @@ class File:
         if "rounding" in self.conditions:
             raise NotASum("V' is known to the rounding of numbers only")
         is_bounded = "bounded inputs" in self.conditions and case.falls
-        self.bounded = {s for s in self.inputs if is_bounded}
+        self.bounded = {s for s in self.inputs if is_bounded or s in case.box}
         self.off = {s: s - case.rest.get(s, 0) for s in self.motion}  # from the rest
         self.zero = dict[Expr, str]()  # form that goes to zero -> its lemma
         self.is_stable = False
@@ -203,18 +205,41 @@ class File:
                 facts[f"H_{name}"] = f"follows T r_{name} (fun t => {rate})"
             elif sign_before(s):
                 facts[f"P_{name}"] = f"forall t, {sign_before(s)} r_{name} t"
-            if s in self.bounded:
+            if s in self.case.box:
+                low, high = map(at_t, self.case.box[s])
+                facts[f"B_{name}"] = (
+                    f"forall t, on T t -> {low} <= r_{name} t <= {high}"
+                )
+            elif s in self.bounded:
                 facts[f"B_{name}"] = f"bounded T r_{name}"
         if self.case.below is not None:
             V = CoqPrinter(self.signals, "0").doprint(self.case.V)
             facts["begins"] = f"{V} < {at_t(self.case.below)}"
         record = ";\n  ".join(map(" : ".join, (fields | facts).items()))
         self.lines.append(RUN.format(fields=record, facts=" ".join(facts)))
-        rest = {s: S.One * bool(sign_before(s)) for s in self.signals}
-        rest |= self.case.rest
+        for d, (low, high) in self.case.box.items():
+            shares = (sympy.expand(e / (high - low)) for e in (d - low, high - d))
+            self.write(BOX.format(*map(self.text, shares), name=self.name[d]))
+        rest = self.still()
         if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
             values = " ".join(f"(fun _ => {at_t(rest[s])})" for s in self.signals)
             self.write(REST.format(values=values, holes="_ " * len(facts)))
+
+    def still(self) -> dict[Any, Expr]:
+        """Return values of signals, those of a rest if rates are linear about the origin."""
+        values = {s: S.One * bool(sign_before(s)) for s in self.signals}
+        values |= {**self.case.rest}
+        for d, (low, high) in self.case.box.items():
+            values[d] = min(max(S.Zero, low), high)
+        rates = sympy.Matrix([*self.motion.values()])
+        slopes = rates.jacobian([*self.motion]).xreplace(values)
+        if self.case.box and slopes.det().is_nonzero:
+            step = slopes.inv() * rates.xreplace(values)
+            if self.is_fixed(step):
+                values |= {
+                    s: values[s] - e for s, e in zip(self.motion, step, strict=True)
+                }
+        return values
 
     def is_fixed(self, e: Expr) -> bool:
         """Return whether an expression is one of parameters alone."""
@@ -237,8 +262,10 @@ class File:
         if case.below is not None:
             self.level()
         self.lemma("loss_nonneg", f"{ON} 0 <= loss i t", "nonneg_loss loss")
-        by_sum = FALLS if case.falls else DECAYS if case.decay != 0 else SPENT
-        self.write(by_sum.format(push=push, decay=decay))
+        by_level = LEVELS if "input bounds" in self.conditions else DECAYS
+        by_sum = FALLS if case.falls else by_level if case.decay != 0 else SPENT
+        level, rate = text(case.push / (case.decay or 1)), text(case.rate)
+        self.write(by_sum.format(push=push, decay=decay, level=level, rate=rate))
 
     def level(self) -> None:
         """Write that V stays below the level where it begins."""

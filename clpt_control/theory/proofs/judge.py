@@ -48,6 +48,7 @@ from .outside import Motion
 from .rate_as_sum import NotASum
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
+from .where import Where
 
 
 @dataclass(frozen=True)
@@ -192,6 +193,7 @@ class LyapunovCandidate(ABC):
     rest: Mapping[Any, sympy.Expr] | None = (
         None  # where V is to be least, if that is given
     )
+    where = Where()  # sets of states, and bounds of inputs
     undefined: list[str]  # sentences on where there may be no value
     search: Any  # points at which it may fail
 
@@ -321,7 +323,8 @@ class LyapunovCandidate(ABC):
         """Return the motion of the states, with some inputs zero."""
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
-        return Motion(self.eq, rates, fixed, self.intervals, forms, definite.exist)
+        given = fixed, self.intervals, forms, definite.exist
+        return Motion(self.eq, rates, *given, in_box=self.where.box.keys())
 
 
 @dataclass

@@ -43,6 +43,7 @@ class Motion:
     )  # states, by what bounds them
     conditions: list[Condition] = field(default_factory=list)  # without those on inputs
     driving: set = field(default_factory=set)  # inputs that have to be bounded
+    in_box: Set[Any] = frozenset()  # inputs that have bounds
 
     def __post_init__(self) -> None:
         functions = {f for port in self.eq.inputs.values() for f in port.flat}
@@ -55,8 +56,9 @@ class Motion:
     @property
     def where(self) -> list[Condition]:
         """The conditions of what was shown so far."""
-        driven = Condition("bounded inputs", self._names_of(self.driving))
-        return self.conditions + [driven] * bool(self.driving)
+        driving = self.driving - self.in_box
+        driven = Condition("bounded inputs", self._names_of(driving))
+        return self.conditions + [driven] * bool(driving)
 
     def quiet(self, expression: Expr) -> Expr:
         """Return an expression with a symbol for each input, and for its rate."""

@@ -30,7 +30,7 @@ from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
 from .outside import CLOCK
-from .ultimate_bounds import Bounding, in_forms, pulled_at_once
+from .ultimate_bounds import Bounding, in_forms
 
 
 class NotASum(Exception):
@@ -70,9 +70,9 @@ class Term(NamedTuple):
 
     def text(self, text: Callable[[Expr], str]) -> str:
         """Return the term in Coq, its weight times the shape of its form."""
-        if self.form == 1:
-            return f"({text(self.weight * self.factor)})"
         factor = f" * ({text(self.factor)})" * (self.factor != 1)
+        if self.form == 1:
+            return f"(({text(self.weight)}){factor})"
         return f"(({text(self.weight)}){factor} * {self.shape_at(text(self.form))})"
 
     def shape_at(self, form: str) -> str:
@@ -111,6 +111,7 @@ class Case:
     below: Expr | None = None  # V of a run begins below this level
     rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
     lost: Iterable[Expr] = ()  # forms that go to zero by the verdict
+    box: Mapping[Any, tuple] = field(default_factory=dict)  # input -> its bounds
 
     @property
     def falls(self) -> bool:
@@ -137,6 +138,8 @@ Ways = list[Callable[[], Case]]
 
 def terms_of(expression: Expr, fixed: set) -> list[Term]:
     """Return an expression as a sum of terms that are not negative."""
+    if vanishes(expression):
+        return []
     total = squares(expression, fixed)
     if total is not None and total.constant.is_nonnegative:
         summands = [*total.terms, total.constant]
@@ -210,7 +213,8 @@ def term_of(summand: Expr, fixed: set) -> Term:
         factor = varying / shape.subs(FORM, form)
         if is_nonnegative(factor):
             return Term(weight, form, shape, factor)
-    return Term(S.One, S.One, factor=summand)
+    weight, factor = summand.as_coeff_Mul()
+    return Term(weight, S.One, factor=factor)
 
 
 # --- V' as a sum ---------------------------------------------------------------------------------
@@ -230,8 +234,7 @@ def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Ca
     losses = []
     for s, (a, b) in pairs.items():
         spare = rates[s] - decay
-        weights = (shares[s] * spare, S.One) if is_number else (shares[s], spare)
-        losses += [Term(weights[0], forms[s], factor=weights[1])] * (spare != 0)
+        losses += [Term(shares[s], forms[s], factor=spare)] * (spare != 0)
         losses.append(Term(a / 2, forms[s] - b / a))
         push += b**2 / (2 * a)
     fixed = case.fixed | decay.free_symbols
@@ -249,26 +252,39 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         motion = {s: read(rate) for s, rate in case.motion.items()}
         V, rate, lost = read(case.V), read(case.rate), [*map(read, fall.losses)]
         moves = sympy.Tuple(*(definite.least or {}).values()).has(TIME)
-        written = Case(motion, case.fixed, V, rate, terms_of(V, case.fixed), lost=lost)
+        terms = terms_of(V, case.fixed)
+        box = {read(d): ends for d, ends in case.where.box.items()}
+        written = Case(motion, case.fixed, V, rate, terms, lost=lost, box=box)
         return written if moves else replace(written, rest=definite.least or {})
 
     def falls() -> Case:
-        written = system()
-        return replace(written, losses=terms_of(-written.rate, case.fixed))
+        written, most = system(), case.where.largest(case.rate, case.never_positive)
+        if most is None:
+            return replace(written, losses=terms_of(-written.rate, case.fixed))
+        losses = terms_of(read(-most), case.fixed) + within(most)
+        return replace(written, losses=losses)
+
+    def within(most: Expr, waves: bool = False) -> list[Term]:
+        """Return a bound of V' less V' as a sum of what that is at the corners of inputs."""
+        terms = []
+        for shares, at in case.where.corners(case.rate, waves):
+            for term in terms_of(read(most - at), case.fixed):
+                # unevaluated, such that each factor keeps its sign
+                factors = [f for f in (*map(read, shares), term.factor) if f != 1]
+                terms.append(term._replace(factor=Mul(*factors, evaluate=False)))
+        return terms
 
     def pulls() -> Case:
         terms, written = in_forms(case, definite), system()
         if fall.level is None or terms is None:
             raise NotASum("V' does not pull V back")
-        terms = terms._replace(rate=without_calls(terms.rate))
-        numbers = pulled_at_once(*terms[:3]) or Bounding(case, terms).pulled(terms.rate)
-        if numbers is None or not all(n.is_Rational for n in numbers):
-            return pulled(written, *terms)
-        loss = numbers.push - numbers.rate * written.V - written.rate
-        losses = terms_of(loss, case.fixed)
-        return replace(written, losses=losses, decay=numbers.rate, push=numbers.push)
+        pull = Bounding(case, terms).pull()
+        if pull is None or not (case.where.box or all(n.is_Rational for n in pull)):
+            return pulled(written, *terms._replace(rate=without_calls(terms.rate)))
+        losses = within(pull.push - pull.rate * case.V, True)
+        return replace(written, losses=losses, push=pull.push, decay=pull.rate)
 
-    return [partial(checked, falls), partial(checked, pulls)]
+    return [partial(checked, falls if fall.level is None else pulls)]
 
 
 def in_region(region: Any, case: Any, level: float) -> Ways:
@@ -325,8 +341,8 @@ def refuse(case: Any) -> None:
     if case.eq.jumps or written.has(*case.intervals):
         names = " and ".join(case.eq.jumps) or "a sampled part"
         raise NotASum(f"states of {names} jump")
-    if case.kept:
-        raise NotASum("V' falls in a set that states do not leave")
+    if case.where.kept:
+        raise NotASum("V' falls in a set of states")
     powers = [power.exp for power in written.atoms(sympy.Pow) if power.exp.is_Integer]
     if max(*map(count_terms, written), *powers) > MOST_TERMS:
         raise NotASum("V' or a rate is too long to print")

@@ -11,7 +11,6 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import chain
 from math import pi
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -41,7 +40,7 @@ from ..algebra.exact import (
     whole_coefficients,
     without_rounding,
 )
-from ..algebra.facts import CLIP, SIGN, functions_in, has_time, is_continuous, sector_of
+from ..algebra.facts import SIGN, functions_in, has_time, is_continuous, sector_of
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, lost_in_groups, written_forms
@@ -56,8 +55,8 @@ from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
+from .where import NOTHING, Where
 
-NO_GAINS = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
@@ -68,9 +67,7 @@ class SystemCandidate(LyapunovCandidate):
     place = ""  # where V is to be least, as text
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
     disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
-    KD: Mapping[Any, Any] = NO_GAINS  # e of a law -> its gain
-    kept: Mapping[Any, Any] = NO_GAINS  # state -> the ends of its set
-    inside: Mapping[Any, Any] = NO_GAINS  # state -> what cannot leave its set
+    KD: Mapping[Any, Any] = NOTHING  # e of a law -> its gain
     are_numbers = False  # whether the verdict is of the parameters' values
     is_rounded = (
         False  # whether V, V' or rates are without rounding errors of their terms
@@ -85,7 +82,7 @@ class SystemCandidate(LyapunovCandidate):
         points: int = 1,
         seed: int = 0,
         numbers: bool = False,
-        where: Mapping[str, Sequence[float | None]] = NO_GAINS,
+        where: Mapping[str, Sequence[float | None]] = NOTHING,
         unsigned: Set[str] = frozenset(),
         symbols: Set[str] = frozenset(),
     ):
@@ -117,7 +114,7 @@ class SystemCandidate(LyapunovCandidate):
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
         self.rate = self._rate_of_V()
-        self._keep(where)
+        self.where = Where(where, self.states, self.inputs, self.V)
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
         self.place = "rest" if self.rest else ""
@@ -146,39 +143,11 @@ class SystemCandidate(LyapunovCandidate):
         self.is_rounded = True
         return of_numbers
 
-    def _keep(self, where: Mapping[str, Sequence[float | None]]) -> None:
-        """Set the ends of the sets of states, and states by symbols that cannot leave them."""
-        names = {str(s): s for s in self.states}
-        check_holds("where", names, where, f"states are {', '.join(names)}")
-        self.kept, self.inside = kept, inside = dict[Any, Any](), dict[Any, Any]()
-        for name, ends in where.items():
-            low, high = (end if end is None else rational(float(end)) for end in ends)
-            share: Any = sympy.Dummy(name, nonnegative=True)
-            if low is not None and high is not None:
-                share = CLIP(share, 0, 1) * (high - low)
-            kept[names[name]] = low, high
-            inside[names[name]] = high - share if low is None else low + share
-
-    @property
-    def margins(self) -> list[tuple[Any, sympy.Expr]]:
-        """States that have sets, and the distances from the ends, which are never negative."""
-        return [
-            (s, sign * (s - end))
-            for s, ends in self.kept.items()
-            for sign, end in zip((1, -1), ends, strict=True)
-            if end is not None
-        ]
-
-    @property
-    def sets(self) -> str:
-        """The sets that states do not leave, as text."""
-        return ", ".join(f"{margin} >= 0" for _, margin in self.margins)
-
     def has_values(self) -> Step:
         """Return the step that there are values, and that states do not leave their sets."""
-        if all(self._keeps(s, margin) for s, margin in self.margins):
+        if all(self._keeps(s, margin) for s, margin in self.where.margins):
             return super().has_values()
-        return exact(f"{self.sets} is kept", False)
+        return exact(f"{self.where.sets} is kept", False)
 
     def _keeps(self, s: Any, margin: sympy.Expr) -> bool:
         """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
@@ -200,7 +169,7 @@ class SystemCandidate(LyapunovCandidate):
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is never positive where states are in their sets."""
-        return super().never_positive(expression.xreplace(self.inside))
+        return super().never_positive(expression.xreplace(self.where.inside))
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq
@@ -256,7 +225,13 @@ class SystemCandidate(LyapunovCandidate):
         """Random points about the rest."""
         rest_state = self.rest or {}
         return PointSearch(
-            self.system, self.eq, self.V, self.output, rest_state, self.seed, self.kept
+            self.system,
+            self.eq,
+            self.V,
+            self.output,
+            rest_state,
+            self.seed,
+            self.where.kept,
         )
 
     def same_as_running(self) -> Step:
@@ -351,7 +326,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V rises at a jump, if jumps do not depend on time."""
-        if rise.has(TIME, *self.intervals):  # at few of which it jumps
+        # it jumps at few times, and points have inputs of any size
+        if rise.has(TIME, *self.intervals, *self.where.box):
             return None
         failure = self.search.sign_at(rise, 1)
         if failure is None:
@@ -362,6 +338,8 @@ class SystemCandidate(LyapunovCandidate):
     def _rises(self) -> Failure | None:
         """Return a point at which V' is above 0, or above the claim."""
         rate, zero = normal_form(self.rate), sympy.S.Zero
+        if rate.has(*self.where.box):  # points have inputs of any size
+            return None
         if self.claim is not None:
             return self.search.rate_above(rate, self.claim, still=False)
         still = self.search.rate_above(rate, zero, still=True)
@@ -399,7 +377,11 @@ class SystemCandidate(LyapunovCandidate):
             steps.append(exact(claim, holds, detail, "claimed"))
             if not holds:
                 return Fall(steps, claim)
-        zeroed, inputs = dict[Any, Any](), self.depends_on(bound)
+        most = self.where.largest(bound, self.never_positive)
+        if most is not None:
+            bound, claim = most, f"V' <= {self.text(factored(most))}"
+        inputs = [] if self.where.box else self.depends_on(bound)
+        zeroed = dict[Any, Any]()
         falling = self.falling(bound)
         if falling is None and inputs:
             zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
@@ -421,13 +403,16 @@ class SystemCandidate(LyapunovCandidate):
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
         bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
         loss = -whole_coefficients(normal_form(bound), (*self.states, *self.inputs))
-        shares = sympy.Tuple(*self.inside.values()).free_symbols
-        zero, inside = dict.fromkeys(shares, sympy.S.Zero), loss.xreplace(self.inside)
+        shares = sympy.Tuple(*self.where.inside.values()).free_symbols
+        zero, inside = (
+            dict.fromkeys(shares, sympy.S.Zero),
+            loss.xreplace(self.where.inside),
+        )
         at_ends = decided(inside.xreplace(zero))
-        if self.kept and self.never_positive(at_ends - inside):
+        if self.where.kept and self.never_positive(at_ends - inside):
             loss = at_ends
         losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
-        if not losses and not self.kept:
+        if not losses and not self.where.kept:
             rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
             losses = lost_in_groups(loss, rest, self.fixed, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
@@ -439,7 +424,7 @@ class SystemCandidate(LyapunovCandidate):
             losses,
             self.text(-self.readable_rate(bound)),
             zeroed=zeroed,
-            rate=falling if self.claim is None else None,
+            rate=falling if self.claim is None and most is None else None,
             conditions=self.conditions(inputs if zeroed else []),
         )
 
@@ -483,12 +468,14 @@ class SystemCandidate(LyapunovCandidate):
         """Return where V' is as shown."""
         nodes = wiring_of(self.system).nodes
         stand_ins = [*filter(None, (node.system.approximation for node in nodes))]
-        conditions = [Condition("t >= 0")] * has_time(self.V, self.rate)
+        # inputs within bounds are not taken as zero
+        rate = self.rate.xreplace(dict.fromkeys(self.where.box, sympy.Dummy()))
+        conditions = [Condition("t >= 0")] * has_time(self.V, rate)
         conditions += [Condition("zero inputs", " = ".join(zeroed))] * bool(zeroed)
         conditions += [Condition("approximation", ", ".join(stand_ins))] * bool(
             stand_ins
         )
-        conditions += [Condition("start", self.sets)] * bool(self.kept)
+        conditions += self.where.conditions
         conditions += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
         return conditions + [Condition("values", ", ".join(values))] * self.are_numbers

@@ -96,22 +96,28 @@ def _pull_of_polynomial(term: sympy.Expr, s: sympy.Symbol) -> Pull | None:
     c is the maximum of p + a s^2/2, rounded up.  Of a = -p'(r)/r, r the root of p farthest from
     zero, c/a is r^2/2, which is the least.
     """
-    is_known = term.free_symbols == {s} and term.is_polynomial(s)
-    p = sympy.Poly(term, s) if is_known else None
-    if p is None or not (p.domain.is_ZZ or p.domain.is_QQ):
+    if term.free_symbols != {s} or not term.is_polynomial(s):
         return None
-    if p.degree() % 2 or p.LC() >= 0:
-        return None
+    p = sympy.Poly(term, s)
     numbers = np.poly1d([float(c) for c in p.all_coeffs()])
     root = max(numbers.roots.real, key=abs)
     steepness = -numbers.deriv()(root) / root if root else 0.0
     a = rational(float(f"{steepness:.2g}")) if steepness > 0 else sympy.S.One
-    raised = numbers + np.poly1d([0.5 * float(a), 0.0, 0.0])
-    most = max(map(raised, raised.deriv().roots.real))
+    top = _maximum(p + sympy.Poly(a * s**2 / 2, s))
+    return None if top is None else Pull(a, top)
+
+
+def _maximum(p: sympy.Poly) -> sympy.Expr | None:
+    """Return the maximum of a polynomial of one symbol with rational numbers, rounded up."""
+    is_known = p.domain.is_ZZ or p.domain.is_QQ
+    if not is_known or p.degree() % 2 or p.LC() >= 0:
+        return None
+    numbers = np.poly1d([float(c) for c in p.all_coeffs()])
+    most = max(map(numbers, numbers.deriv().roots.real))
     for text in (f"{most:.4g}", at_most(1.001 * most)):
         c = rational(float(text))
-        if _is_never_negative(c - p - sympy.Poly(a * s**2 / 2, s)):
-            return Pull(a, c)
+        if _is_never_negative(c - p):
+            return c
     return None
 
 
@@ -134,25 +140,39 @@ def pulled_at_once(
 
     -z^T (A - r P) z + b^T z <= b^T (A - r P)^-1 b/4, with r half of the largest that A allows.
     """
-    states = [*rest]
-    polynomials = [
-        sympy.Poly(e, *states) for e in (V, rate) if e.is_polynomial(*states)
-    ]
-    if len(polynomials) < 2 or any(p.total_degree() > 2 for p in polynomials):
-        return None
-    P, A = (share * sympy.hessian(e, states) / 2 for e, share in ((V, 1), (rate, -1)))
-    b = sympy.Matrix([sympy.diff(rate, s).xreplace(rest) for s in states])
-    c = rate.xreplace(dict(rest))
-    if any(not entry.is_Rational for entry in (*P, *A, *b, c)):
+    P, A = sympy.hessian(V, [*rest]), -sympy.hessian(rate, [*rest])
+    if any(not entry.is_Rational for entry in (*P, *A)):
         return None
     if not (P.is_positive_definite and A.is_positive_definite):
         return None
     shares = np.linalg.eigvals(np.array(P.inv() * A, dtype=float)).real
     slowest = rational(float(f"{0.5 * shares.min():.2g}"))
-    reduced = A - slowest * P
-    if not reduced.is_positive_definite:
-        return None
-    return Pull(slowest, c + (b.T * reduced.inv() * b)[0] / 4)
+    top = maximum_of(sympy.expand(rate + slowest * V))
+    return None if top is None else Pull(slowest, top)
+
+
+def shared(V: sympy.Expr, rates: Sequence[sympy.Expr], pulls: Sequence[Pull]) -> Pull:
+    """Return the pull of the lowest level that all rates have."""
+    slowest, pushes = zip(*pulls, strict=True)
+    found = [Pull(sympy.Min(*slowest), sympy.Max(*pushes))]
+    for k in {*slowest} - {sympy.S.Zero}:
+        tops = [maximum_of(sympy.expand(e + k * V)) for e in rates]
+        if None not in tops:
+            found.append(Pull(k, sympy.Max(*tops)))
+    return min(found[1:] or found, key=lambda pull: pull.push / pull.rate)
+
+
+def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
+    """Return the maximum of concave squares, or of a polynomial in one symbol, rounded up."""
+    states = sorted(e.free_symbols, key=str)
+    H = -sympy.hessian(e, states)
+    if states[1:] or H[0].is_Rational:
+        if not (all(n.is_Rational for n in H) and H.is_positive_definite):
+            return None
+        at_zero = dict.fromkeys(states, sympy.S.Zero)
+        b = sympy.Matrix([e]).jacobian(states).xreplace(at_zero)
+        return e.xreplace(at_zero) + (b * H.inv() * b.T)[0] / 2
+    return _maximum(sympy.Poly(e, *states)) if e.is_polynomial(*states) else None
 
 
 class InForms(NamedTuple):
@@ -237,9 +257,7 @@ class Bounding:
 
     def bound(self) -> Fall | None:
         """Return what is known of V, or None."""
-        pull = self.pulled(self.rate)
-        if pull is None and not self.pushes:
-            pull = pulled_at_once(self.V, self.rate, self.truth)
+        pull = self.pull()
         if pull is not None and (fall := self.pulled_to(pull)):
             return fall
         # in discrete time a step may lead from below a level to above it
@@ -249,6 +267,17 @@ class Bounding:
         if fall is None and self.leaks:
             return self.rising() or self.within_balls()
         return fall
+
+    def pull(self) -> Pull | None:
+        """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
+        rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
+        pulls = [*map(self.pulled, rates)]
+        if None in pulls and not self.pushes:
+            pulls = [pulled_at_once(self.V, e, self.truth) for e in rates]
+        found = [pull for pull in pulls if pull is not None]
+        if not found or len(found) < len(rates):
+            return None
+        return shared(self.V, rates, found) if found[1:] else found[0]
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
@@ -289,7 +318,7 @@ class Bounding:
                 pull = Pull(pull.rate, share)
             push += pull.push
             rates.append(pull.rate / weight)
-        return None if push == 0 else Pull(sympy.Min(*rates), push)
+        return Pull(sympy.Min(*rates), push)
 
     def about_the_rest(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' in the errors of the states."""
@@ -383,11 +412,9 @@ class Bounding:
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
             port = leak.states[0].name.partition("_")[0]
-            radius, largest = (
-                f"|{port}| <= {at_most(float(radial.R))}",
-                f"{at_least(float(radial.M))}",
-            )
-            conditions.append((f"{self.size(leak)} <= {largest}", radius))
+            radius = f"|{port}| <= {at_most(float(radial.R))}"
+            truth = f"{self.size(leak)} <= {at_least(float(radial.M))}"
+            conditions.append((truth, radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
         where = [Condition("start", radii), Condition("truth", truths)]
         claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"

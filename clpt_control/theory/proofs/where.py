@@ -1,0 +1,129 @@
+"""Sets of states and bounds of inputs, given by `where=`; V' at the corners of a box of inputs.
+
+V' that is affine in each input d, low <= d <= high, is a mean of its values at the corners:
+
+    V' = sum of share V'(corner),    shares >= 0 with the sum 1
+
+So a bound of V' at each corner is one for every d(t) within the bounds.  Sines, cosines, tanh and
+e^(-c t) are between numbers, as inputs are.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Any
+
+import sympy
+from sympy import Expr, S, oo
+
+from ...base.arguments import check_holds
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ...engine.record.symbolic import rational
+from ..algebra.facts import CLIP
+from .conclusions import Condition
+
+NOTHING = MappingProxyType[Any, Any]({})
+MOST_CORNERS = 64
+WAVES = (sympy.sin, sympy.cos, sympy.tanh)  # from -1 to 1
+
+
+class Where:
+    """Sets that states do not leave, and bounds of inputs."""
+
+    def __init__(
+        self,
+        given: Mapping[str, Sequence[float | None]] = NOTHING,
+        states: Sequence[Any] = (),
+        inputs: Sequence[Any] = (),
+        V: Expr = S.Zero,
+    ):
+        self.kept = dict[Any, tuple]()  # state -> the ends of its set
+        self.inside = dict[Any, Expr]()  # state -> what cannot leave its set
+        self.box = dict[Any, tuple]()  # input -> its bounds
+        names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
+        check_holds("where", names, given, f"states and inputs are {', '.join(names)}")
+        for name, numbers in given.items():
+            s = names[name]
+            ends = [end if end is None else rational(float(end)) for end in numbers]
+            finite = [end for end in ends if end not in (None, oo, -oo)]
+            is_input = s in inputs
+            if is_input and V.has(s):
+                raise DiagramError(
+                    f"where: V depends on input {name}. Give a V of states."
+                )
+            is_set = len(ends) == 2 and finite == sorted(finite)
+            if not is_set or (is_input and len({*finite}) < 2):
+                raise DiagramError(
+                    f"where: the bounds of {name} are {tuple(numbers)}. Give two numbers, the "
+                    "lower first; of an input both are finite, and not equal."
+                )
+            low, high = ends
+            if is_input:
+                self.box[s] = low, high
+                continue
+            share: Any = sympy.Dummy(name, nonnegative=True)
+            if low is not None and high is not None:
+                share = CLIP(share, 0, 1) * (high - low)
+            self.kept[s] = low, high
+            self.inside[s] = high - share if low is None else low + share
+
+    @property
+    def margins(self) -> list[tuple[Any, Expr]]:
+        """States that have sets, and the distances from the ends, which are never negative."""
+        return [
+            (s, sign * (s - end))
+            for s, ends in self.kept.items()
+            for sign, end in zip((1, -1), ends, strict=True)
+            if end is not None
+        ]
+
+    @property
+    def sets(self) -> str:
+        """The sets that states do not leave, as text."""
+        return ", ".join(f"{margin} >= 0" for _, margin in self.margins)
+
+    @property
+    def conditions(self) -> list[Condition]:
+        """The sets and the bounds as conditions."""
+        box = self.box.items()
+        ends = (f"{float(a):.15g} <= {f.func} <= {float(b):.15g}" for f, (a, b) in box)
+        conditions = [Condition("start", self.sets)] * bool(self.kept)
+        return conditions + [Condition("input bounds", ", ".join(ends))] * bool(box)
+
+    def corners(self, rate: Expr, waves: bool = False) -> list[tuple]:
+        """Return factors of the share of each corner of the box of inputs, and the rate there.
+
+        There are none of too many inputs, or unless the rate is affine in each.  Waves in the
+        rate may be taken as inputs.
+        """
+        corners: list[tuple] = [((), sympy.expand(rate))]
+        ends = self.box | (ranges_in(rate) if waves and self.box else {})
+        for d, (low, high) in ends.items():
+            if not rate.has(d):
+                continue
+            before, corners = corners, []
+            for shares, at in before:
+                slope = at.coeff(d)
+                others = sympy.expand(at - slope * d)
+                if sympy.Tuple(slope, others).has(d) or len(before) >= MOST_CORNERS:
+                    return []
+                for end, other in ((low, high), (high, low)):
+                    share = sympy.expand((d - other) / (end - other))
+                    corners.append(((*shares, share), others + slope * end))
+        return corners
+
+    def largest(
+        self, rate: Expr, never_positive: Callable[[Expr], bool]
+    ) -> Expr | None:
+        """Return V' at the corner where it is largest for all states, if there is one."""
+        rates = [at for _, at in self.corners(rate)] if self.box else []
+        largest = (e for e in rates if all(never_positive(o - e) for o in rates))
+        return next(largest, None)
+
+
+def ranges_in(rate: Expr) -> dict[Any, tuple]:
+    """Return functions in a rate that are between numbers, with these."""
+    slopes = {e: e.args[0] / TIME for e in rate.atoms(sympy.exp)}
+    fading = [e for e, slope in slopes.items() if slope.is_Rational and slope < 0]
+    ranges = dict.fromkeys(rate.atoms(*WAVES), (-S.One, S.One))
+    return ranges | dict.fromkeys(fading, (S.Zero, S.One))

@@ -1,0 +1,196 @@
+"""Levels of V under bounded inputs, against closed forms and runs at the worst inputs."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+
+
+def loop(rates, states=1, **ports):
+    """Return a block of one port x, with inputs and parameters."""
+    inputs = ports.pop("inputs", {"d": 1})
+
+    def update(t, x, u, p):
+        return {"x": rates(x.x, u, p)}
+
+    states = {"x": states}
+    return clpt.Block("loop", update=update, states=states, inputs=inputs, **ports)
+
+
+def half(s):
+    return s.x**2 / 2
+
+
+lag = loop(lambda x, u, p: -x + u.d)
+cubic = loop(lambda x, u, p: -(x**3) + u.d)
+scaled = loop(lambda x, u, p: -x + u.d * x)
+gain = loop(lambda x, u, p: -p.a * x + u.d, parameters={"a": 2.0})
+vector = loop(lambda x, u, p: -2 * x + u.d, 2, inputs={"d": 2})
+
+
+spring = clpt.Block(
+    "spring",
+    update=lambda t, x, u, p: {"x": x.v, "v": -x.x - x.v + u.d},
+    states={"x": 1, "v": 1},
+    inputs={"d": 1},
+)
+
+
+def crossed(s):
+    return 1.5 * s.x**2 + s.x * s.v + s.v**2
+
+
+@pytest.mark.parametrize(
+    ("system", "bounds", "level"),
+    [
+        (lag, (-3, 3), 9 / 2),
+        (lag, (-1, 3), 9 / 2),
+        (lag, (0, 3), 9 / 2),
+        (lag, (2, 2), 4 / 2),
+        (gain, (-3, 3), (3 / 2) ** 2 / 2),
+        (gain, (-1, 3), (3 / 2) ** 2 / 2),
+        (cubic, (-2, 2), 2 ** (2 / 3) / 2),
+    ],
+)
+def test_the_level_is_that_of_the_rest_at_the_largest_input(system, bounds, level):
+    verdict = clpt.lyapunov(system, half, where={"d": bounds})
+    assert verdict.conclusion == "ultimately bounded"
+    # rounded up, to four digits
+    assert level <= float(verdict.level) <= 1.001 * level
+    assert "comes down to" in verdict.sentence
+
+
+def test_the_sentence_names_the_bounds():
+    sentence = clpt.lyapunov(lag, half, where={"d": (-1, 3)}).sentence
+    assert sentence == "V' <= -V + 4.5, so V comes down to 4.5; where -1 <= d <= 3"
+
+
+def test_corners_that_pull_unequally_give_a_higher_level():
+    level = clpt.lyapunov(cubic, half, where={"d": (-1, 3)}).level
+    # the least rate with the largest push: V at the rest is 3^(2/3)/2
+    assert 3 ** (2 / 3) / 2 < level < 3 ** (2 / 3) * 3 ** (2 / 3) / 2 * 1.01
+
+
+def test_a_vector_has_bounds_for_each_element():
+    square = partial(clpt.lyapunov, vector, lambda s: s.x @ s.x / 2)
+    # |x_j| comes to D_j/2
+    verdict = square(where={"d[0]": (-1, 1), "d[1]": (-2, 2)})
+    assert verdict.level == pytest.approx((0.5**2 + 1.0**2) / 2)
+    assert square(where={"d[0]": (-1, 1)}).status == "open"
+
+
+def test_a_v_with_cross_terms_bounds_the_worst_run():
+    verdict = clpt.lyapunov(spring, crossed, where={"d": (-1, 1)})
+    assert verdict.conclusion == "ultimately bounded"
+    # V' = -x^2 - v^2 + d (x + 2 v): the input that raises V most
+    x, worst = np.zeros(2), 0.0
+    for _ in range(40_000):
+        d = 1.0 if x[0] + 2 * x[1] >= 0 else -1.0
+        x = x + 1e-3 * np.array([x[1], -x[0] - x[1] + d])
+        worst = max(worst, 1.5 * x[0] ** 2 + x[0] * x[1] + x[1] ** 2)
+    # at constant d = 1 the rest x = (1, 0) has V = 1.5
+    assert 1.5 < worst <= verdict.level
+    energy = clpt.lyapunov(spring, lambda s: s.x**2 + s.v**2, where={"d": (-1, 1)})
+    assert energy.status == "open"
+
+
+@pytest.mark.parametrize("amplitude", [1.0, 3.0])
+def test_no_run_ends_above_the_level(amplitude):
+    level = clpt.lyapunov(cubic, half, where={"d": (-amplitude, amplitude)}).level
+    timepts = np.linspace(0.0, 30.0, 301)
+    for d in (amplitude, -amplitude, amplitude * np.sign(np.sin(timepts))):
+        run = clpt.simulate(cubic, timepts, {"d": d}, {"x": 5.0})
+        assert float(run.states[-1].item()) ** 2 / 2 <= level + 1e-6
+
+
+def test_an_input_that_multiplies_the_state():
+    judged = partial(clpt.lyapunov, scaled, half)
+    # V' = -(1 - d) x^2
+    assert judged(where={"d": (-0.5, 0.5)}).conclusion == "asymptotically stable"
+    assert judged(where={"d": (-5, 0.5)}).conclusion == "asymptotically stable"
+    assert judged(where={"d": (-1, 1)}).conclusion == "stable"
+    assert judged(where={"d": (-2, 2)}).status == "open"
+
+
+def test_an_input_of_zero_is_no_input():
+    verdict = clpt.lyapunov(lag, half, where={"d": (0, 0)})
+    assert verdict.conclusion == "asymptotically stable"
+    assert f"{verdict.rate}" == "-x**2 + x*d(t)"
+
+
+def test_two_inputs_of_which_one_is_bounded():
+    both = loop(lambda x, u, p: -x + u.d * x + u.e, inputs={"d": 1, "e": 1})
+    judged = partial(clpt.lyapunov, both, half)
+    assert judged(where={"d": (-0.5, 0.5)}).status == "open"
+    # x' = -x/2 + 1 rests at 2
+    verdict = judged(where={"d": (-0.5, 0.5), "e": (-1, 1)})
+    assert verdict.level == pytest.approx(2.0**2 / 2)
+
+
+def test_a_claim_within_bounds():
+    judged = partial(clpt.lyapunov, lag, half, where={"d": (-3, 3)})
+    # x d <= x^2/2 + d^2/2, but a claim is for inputs of any size
+    assert judged(lambda s: 4.5 - s.x**2 / 2).status == "open"
+    assert judged(lambda s: 4.4 - s.x**2 / 2).status == "open"
+
+
+@pytest.mark.parametrize(
+    "rates",
+    [
+        lambda x, u, p: -np.sin(x) + u.d,
+        lambda x, u, p: x + u.d,
+        lambda x, u, p: -x + u.d**2,
+        lambda x, u, p: -x + np.abs(u.d),
+    ],
+    ids=["V does not bound", "unstable", "square", "kink"],
+)
+def test_open_where_no_level_is_known(rates):
+    verdict = clpt.lyapunov(loop(rates), half, where={"d": (-0.5, 0.5)})
+    assert verdict.status == "open"
+
+
+@pytest.mark.parametrize(
+    ("bounds", "message"),
+    [
+        ((3, -3), "d has no finite bounds"),
+        ((None, 3), "d has no finite bounds"),
+        ((-np.inf, np.inf), "d has no finite bounds"),
+        ((np.nan, 1), "where"),
+        (("a", "b"), "where"),
+        ("ab", "where"),
+    ],
+)
+def test_bounds_that_are_none_are_refused(bounds, message):
+    with pytest.raises(clpt.ClptError, match=message):
+        clpt.lyapunov(lag, half, where={"d": bounds})
+
+
+def test_names_and_a_v_of_inputs_are_refused():
+    with pytest.raises(clpt.ClptError, match="states and inputs are x, d"):
+        clpt.lyapunov(lag, half, where={"q": (0, 1)})
+    with pytest.raises(clpt.ClptError, match="V depends on it"):
+        clpt.lyapunov(lag, lambda s: (s.x - s.d) ** 2 / 2, where={"d": (0, 1)})
+    same = clpt.Block(
+        "same", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1}, inputs={"x": 1}
+    )
+    with pytest.raises(clpt.ClptError):
+        clpt.lyapunov(same, half, where={"x": (0, 1)})
+
+
+def test_discrete_time_is_open():
+    step = clpt.Block(
+        "step",
+        update=lambda t, x, u, p: {"x": x.x / 2 + u.d},
+        states={"x": 1},
+        inputs={"d": 1},
+        dt=1.0,
+    )
+    assert clpt.lyapunov(step, half, where={"d": (-1, 1)}).status == "open"
+
+
+def test_no_file_of_coq_says_why():
+    verdict = clpt.lyapunov(lag, half, where={"d": (-3, 3)})
+    with pytest.raises(clpt.ClptError, match="a set of states or inputs"):
+        verdict.coq()
