@@ -1,9 +1,12 @@
 """Levels of V under bounded inputs, against closed forms and runs at the worst inputs."""
 
+import re
 from functools import partial
 
 import numpy as np
 import pytest
+import sympy
+from coq_files import REALS, compiled
 
 import clpt_control as clpt
 
@@ -48,7 +51,6 @@ def crossed(s):
         (lag, (-3, 3), 9 / 2),
         (lag, (-1, 3), 9 / 2),
         (lag, (0, 3), 9 / 2),
-        (lag, (2, 2), 4 / 2),
         (gain, (-3, 3), (3 / 2) ** 2 / 2),
         (gain, (-1, 3), (3 / 2) ** 2 / 2),
         (cubic, (-2, 2), 2 ** (2 / 3) / 2),
@@ -114,12 +116,6 @@ def test_an_input_that_multiplies_the_state():
     assert judged(where={"d": (-2, 2)}).status == "open"
 
 
-def test_an_input_of_zero_is_no_input():
-    verdict = clpt.lyapunov(lag, half, where={"d": (0, 0)})
-    assert verdict.conclusion == "asymptotically stable"
-    assert f"{verdict.rate}" == "-x**2 + x*d(t)"
-
-
 def test_two_inputs_of_which_one_is_bounded():
     both = loop(lambda x, u, p: -x + u.d * x + u.e, inputs={"d": 1, "e": 1})
     judged = partial(clpt.lyapunov, both, half)
@@ -154,9 +150,11 @@ def test_open_where_no_level_is_known(rates):
 @pytest.mark.parametrize(
     ("bounds", "message"),
     [
-        ((3, -3), "d has no finite bounds"),
-        ((None, 3), "d has no finite bounds"),
-        ((-np.inf, np.inf), "d has no finite bounds"),
+        ((3, -3), "Give two numbers, the lower first"),
+        ((None, 3), "of an input both are finite"),
+        ((-np.inf, np.inf), "of an input both are finite"),
+        ((2, 2), "and not equal"),
+        ((1, 2, 3), "Give two numbers"),
         ((np.nan, 1), "where"),
         (("a", "b"), "where"),
         ("ab", "where"),
@@ -170,7 +168,7 @@ def test_bounds_that_are_none_are_refused(bounds, message):
 def test_names_and_a_v_of_inputs_are_refused():
     with pytest.raises(clpt.ClptError, match="states and inputs are x, d"):
         clpt.lyapunov(lag, half, where={"q": (0, 1)})
-    with pytest.raises(clpt.ClptError, match="V depends on it"):
+    with pytest.raises(clpt.ClptError, match="V depends on input d"):
         clpt.lyapunov(lag, lambda s: (s.x - s.d) ** 2 / 2, where={"d": (0, 1)})
     same = clpt.Block(
         "same", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1}, inputs={"x": 1}
@@ -190,7 +188,61 @@ def test_discrete_time_is_open():
     assert clpt.lyapunov(step, half, where={"d": (-1, 1)}).status == "open"
 
 
-def test_no_file_of_coq_says_why():
-    verdict = clpt.lyapunov(lag, half, where={"d": (-3, 3)})
-    with pytest.raises(clpt.ClptError, match="a set of states or inputs"):
-        verdict.coq()
+pulled = loop(lambda x, u, p: -(2.0 + u.d) * x)
+pushed = loop(lambda x, u, p: -np.tanh(x) - 2 * x + u.d + u.e, inputs={"d": 1, "e": 1})
+FILES = {  # loop, V, bounds
+    "a lag": (lag, half, {"d": (-1, 3)}),
+    "a spring": (spring, crossed, {"d": (-1, 1)}),
+    "a cube": (cubic, half, {"d": (-2, 2)}),
+    "a product": (pulled, half, {"d": (-1, 1)}),
+    "two inputs": (pushed, half, {"d": (-1, 1), "e": (0, 2)}),
+    "away from zero": (lag, half, {"d": (2, 3)}),
+}
+# a text of the file, another one for it
+ALTERED = [
+    ("a lag", "<= V i t", "<= V i t - 1"),
+    ("a lag", "9/2 + (V i 0 - (9/2))", "8/2 + (V i 0 - (8/2))"),
+    ("a lag", "Rmax (V i 0) (9/2)", "Rmax (V i 0) (8/2)"),
+    ("a lag", "-1 <= r_d t <= 3", "-1 <= r_d t <= 4"),
+    ("a lag", "r_d t <= 3", "r_d t <= 3 \\/ True"),
+    ("a lag", "(fun t => (r_d t) - (r_x t))", "(fun t => (r_d t) + (r_x t))"),
+    ("a spring", "-1 <= r_d t <= 1", "-2 <= r_d t <= 2"),
+    ("two inputs", "0 <= r_e t <= 2", "0 <= r_e t <= 3"),
+]
+
+
+def file_of(name):
+    system, V, bounds = FILES[name]
+    verdict = clpt.lyapunov(system, V, where=bounds)
+    return verdict, verdict.coq()
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_file_assumes_the_bounds_and_states_the_level(name):
+    verdict, file = file_of(name)
+    last = file[file.index("Theorem verdict") :]
+    for d, (low, high) in FILES[name][2].items():
+        assert f"{low} <= r_{d} t <= {high}" in file
+    if verdict.conclusion == "ultimately bounded":
+        assert "exp (-" in last
+        assert "Rmax (V i 0)" in last
+        level = re.search(r"Rmax \(V i 0\) \(([^)]*)\)", last)[1]
+        assert float(sympy.Rational(level)) <= verdict.level
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize("name", FILES)
+def test_file_compiles(name, tmp_path):
+    accepted, axioms = compiled(tmp_path, file_of(name)[1])
+    assert accepted
+    assert axioms <= REALS
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize(("name", "text", "other"), ALTERED)
+def test_altered_file_is_refused(name, text, other, tmp_path):
+    _, file = file_of(name)
+    start = file.index("Section Loop.")
+    altered = file[start:].replace(text, other)
+    assert altered != file[start:]
+    assert compiled(tmp_path, file[:start] + altered)[0] is False

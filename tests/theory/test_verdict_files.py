@@ -1,12 +1,11 @@
 """Files of Coq of verdicts: refusals, sentence against file; those marked `coq` need coqc."""
 
 import re
-import shutil
-import subprocess
 
 import control
 import pytest
 import sympy
+from coq_files import REALS, compiled
 from judged_loops import RIGHT, WRONG
 from lyapunov_cases import CASES
 from small_scenarios import paper_of
@@ -18,7 +17,6 @@ from user_laws import RIGHT as OWN_LAWS
 import clpt_control as clpt
 from clpt_control.theory.proofs.conclusions import CONCLUSIONS, REQUIREMENTS
 
-REALS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
 # a box, what V stays below, and what is not in the file
 REGIONS = {
     "a cube": ("x' = -x + x**3; V = x**2", {"x": (-2, 2)}, "1999/2000", ""),
@@ -311,21 +309,6 @@ def test_law_of_the_paper():
 
 
 # --- coqc ---------------------------------------------------------------------------------------
-
-
-def compiled(folder, text):
-    """Return whether coqc accepts a file, and the axioms of its last theorem."""
-    (folder / "mine.v").write_text(text)
-    command = ["coqc", "-q", "-w", "none", "mine.v"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    axioms = re.findall(r"^([\w.']+)(?= :|\n  :)", done.stdout, re.MULTILINE)
-    return done.returncode == 0, {axiom.rpartition(".")[2] for axiom in axioms}
-
-
-@pytest.fixture(autouse=True)
-def _coqc(request):
-    if request.node.get_closest_marker("coq") and not shutil.which("coqc"):
-        pytest.skip("coqc is not installed")
 
 
 @pytest.mark.thirds
