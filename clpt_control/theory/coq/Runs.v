@@ -895,7 +895,8 @@ with nonneg :=
   | |- 0 <= ?a - ?b => first [above | solve [auto with clpt nocore]]
   | |- 0 <= ?a * ?a => apply Rle_0_sqr
   | |- 0 <= ?a * ?b => first [apply Rmult_le_pos; nonneg | rising]
-  | |- 0 <= ?a / ?b => first [apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive] | apply Rlt_le; positive]
+  | |- 0 <= ?a / ?b => first [apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive] | apply Rlt_le; positive
+      | solve [auto with clpt nocore]]
   | |- 0 <= / ?a => apply Rlt_le, Rinv_0_lt_compat; positive
   | |- 0 <= ?a ^ ?n =>
       let k := eval compute in (Nat.div2 n) in let odd := eval compute in (Nat.odd n) in

@@ -217,7 +217,8 @@ class File:
             facts["begins"] = f"{V} < {at_t(self.case.below)}"
         record = ";\n  ".join(map(" : ".join, (fields | facts).items()))
         self.lines.append(RUN.format(fields=record, facts=" ".join(facts)))
-        for d, (low, high) in self.case.box.items():
+        for d in filter(self.case.box.__contains__, self.inputs):
+            low, high = self.case.box[d]
             shares = (sympy.expand(e / (high - low)) for e in (d - low, high - d))
             self.write(BOX.format(*map(self.text, shares), name=self.name[d]))
         rest = self.still()
