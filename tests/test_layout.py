@@ -273,7 +273,7 @@ TOKENS = {
     "theory.design": 5666,
     "theory.excitation": 11948,
     "theory.laws": 16828,
-    "theory.proofs": 45883,
+    "theory.proofs": 48009,
     "theory.theorems": 8187,
 }
 LAID_OUT = {

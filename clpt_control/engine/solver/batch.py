@@ -56,7 +56,7 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
 class End(NamedTuple):
-    """Where a run was left to another leg, which passes `kinks` and begins with a step."""
+    """The end of a run that goes on in another leg, which passes `kinks` and has a first step."""
 
     time: float
     state: np.ndarray

@@ -123,7 +123,7 @@ class NativeRun:
 
     @property
     def description(self) -> str:
-        """What integrated, and since when."""
+        """The methods that integrated, and since when."""
         (_, words), *others = self.labels
         if self.slides:
             words += f", sliding on a switch from t = {self.slides[0]:.9g}"
