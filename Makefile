@@ -32,7 +32,8 @@ proofs: $(READY)  ## compile the theorems in Coq, then files with altered signs:
 	$(BIN)/clpt prove --coq build/coq
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tools/check_proofs.py build/coq
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m "coq and not long" --no-header \
-		tests/theory/test_coq.py tests/theory/test_verdict_files.py
+		tests/theory/test_coq.py tests/theory/test_verdict_files.py \
+		tests/theory/test_levels_under_inputs.py
 
 test-processes: $(READY)  ## processes that are interrupted, killed and given full disks; `make test` has one of each kind
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal -m processes --no-header

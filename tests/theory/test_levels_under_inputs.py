@@ -230,6 +230,7 @@ def test_file_assumes_the_bounds_and_states_the_level(name):
         assert float(sympy.Rational(level)) <= verdict.level
 
 
+@pytest.mark.thirds
 @pytest.mark.coq
 @pytest.mark.parametrize("name", FILES)
 def test_file_compiles(name, tmp_path):
@@ -238,6 +239,7 @@ def test_file_compiles(name, tmp_path):
     assert axioms <= REALS
 
 
+@pytest.mark.thirds
 @pytest.mark.coq
 @pytest.mark.parametrize(("name", "text", "other"), ALTERED)
 def test_altered_file_is_refused(name, text, other, tmp_path):
