@@ -278,9 +278,8 @@ class LawCandidate(LoopCandidate, SystemCandidate):
 
     def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum; where V is pulled back a disturbance pushes e."""
-        falls, _ = of_system(self, definite, fall)
-        _, pulls = of_system(self.disturbed(), definite, fall)
-        return [falls, pulls]
+        candidate = self if fall.level is None else self.disturbed()
+        return of_system(candidate, definite, fall)
 
     # --- what refutes ---------------------------------------------------------------------------
 
