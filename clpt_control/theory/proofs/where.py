@@ -49,13 +49,13 @@ class Where:
             is_input = s in inputs
             if is_input and V.has(s):
                 raise DiagramError(
-                    f"where: V depends on input {name}. Give a V of states."
+                    f"where: V depends on input {name}. Give a V of states"
                 )
             is_set = len(ends) == 2 and finite == sorted(finite)
             if not is_set or (is_input and len({*finite}) < 2):
                 raise DiagramError(
                     f"where: the bounds of {name} are {tuple(numbers)}. Give two numbers, the "
-                    "lower first; of an input both are finite, and not equal."
+                    "lower first; of an input both are finite, and not equal"
                 )
             low, high = ends
             if is_input:
