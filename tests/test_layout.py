@@ -272,8 +272,8 @@ TOKENS = {
     "theory.coq": 2395,
     "theory.design": 5666,
     "theory.excitation": 11948,
-    "theory.laws": 16828,
-    "theory.proofs": 48009,
+    "theory.laws": 16818,
+    "theory.proofs": 48040,
     "theory.theorems": 8187,
 }
 LAID_OUT = {

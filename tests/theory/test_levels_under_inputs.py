@@ -151,9 +151,11 @@ def test_open_where_no_level_is_known(rates):
     ("bounds", "message"),
     [
         ((3, -3), "Give two numbers, the lower first"),
-        ((None, 3), "of an input both are finite"),
-        ((-np.inf, np.inf), "of an input both are finite"),
-        ((2, 2), "and not equal"),
+        ((None, 3), "of an input they differ"),
+        ((-np.inf, np.inf), "of an input they differ"),
+        ((2, 2), "of an input they differ"),
+        ((-1e155, 1e155), "between 1e-100 and 1e100"),
+        ((0, 1e-162), "between 1e-100 and 1e100"),
         ((1, 2, 3), "Give two numbers"),
         ((np.nan, 1), "where"),
         (("a", "b"), "where"),
@@ -197,6 +199,11 @@ FILES = {  # loop, V, bounds
     "a product": (pulled, half, {"d": (-1, 1)}),
     "two inputs": (pushed, half, {"d": (-1, 1), "e": (0, 2)}),
     "away from zero": (lag, half, {"d": (2, 3)}),
+    "a name of a lemma": (
+        loop(lambda x, u, p: -x + u.exp, inputs={"exp": 1}),
+        half,
+        {"exp": (-1, 0)},
+    ),
 }
 # a text of the file, another one for it
 ALTERED = [

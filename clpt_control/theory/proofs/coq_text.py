@@ -92,11 +92,11 @@ Lemma spent : forall i, forall L P, follows (T i) L (loss i) ->
   forall t, on (T i) t -> L t - L 0 <= V i 0 + (P t - P 0).
 Proof. intros i. mean_of (V_sum i) (V_nonneg i) (loss_nonneg i). Qed."""
 BOX = """\
-Lemma bounded_{name} : forall i, bounded (T i) (r_{name} i).
+Lemma bounded_r_{name} : forall i, bounded (T i) (r_{name} i).
 Proof. intros i. exact (bounded_between _ _ _ _ (B_{name} i)). Qed.
-Lemma above_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
+Lemma above_r_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
 Proof. intros i. between_of (B_{name} i). Qed.
-Lemma below_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
+Lemma below_r_{name} : forall i, forall t, on (T i) t -> 0 <= {}.
 Proof. intros i. between_of (B_{name} i). Qed."""
 NEAR = """\
 Definition near (d : R) (i : run) := {near}.

@@ -348,7 +348,7 @@ class File:
             if self.is_bounded(rate):
                 name = self.name[s]
                 proof = f"eapply Lipschitz_rate; [exact (H_{name} i)|bnd]"
-                self.lemma(f"moves_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
+                self.lemma(f"moves_r_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
                 self.steady.add(s)
 
     def states_in(self, forms: Iterable[Expr]) -> None:
@@ -358,12 +358,12 @@ class File:
             self.bounded |= {s, self.off[s]}
             if self.is_stable and form != self.off[s]:
                 proof = f"small_as near_le (fun i t => {value})"
-                self.small(f"small_{self.name[s]}", [self.off[s]], proof)
+                self.small(f"small_r_{self.name[s]}", [self.off[s]], proof)
             if form != s:
                 value += f" + ({self.text(s - self.off[s])})" * (self.off[s] != s)
                 proof = f"bounded_as (fun t => {value})"
                 claim = f"bounded (T i) {self.function(s)}"
-                self.lemma(f"bounded_{self.name[s]}", claim, proof)
+                self.lemma(f"bounded_r_{self.name[s]}", claim, proof)
 
     def solved(self, forms: Iterable[Expr], known: Any, is_known: Any) -> Any:
         """Return a state, a form, and its distance from the rest by the form and what is known."""
@@ -390,7 +390,7 @@ class File:
                     f"apply (bounded_lag _ ({self.text(pull)}) _ (fun t => {self.text(rest)})); "
                     "[positive|rate_of|bnd]"
                 )
-                self.lemma(f"lag_{name}", f"bounded (T i) (r_{name} i)", proof)
+                self.lemma(f"lag_r_{name}", f"bounded (T i) (r_{name} i)", proof)
                 self.bounded.add(s)
 
     def is_bounded(self, e: Expr) -> bool:

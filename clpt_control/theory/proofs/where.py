@@ -24,6 +24,7 @@ from .conclusions import Condition
 
 NOTHING = MappingProxyType[Any, Any]({})
 MOST_CORNERS = 64
+MOST = sympy.Integer(10) ** 100  # size of a bound
 WAVES = (sympy.sin, sympy.cos, sympy.tanh)  # from -1 to 1
 
 
@@ -52,10 +53,12 @@ class Where:
                     f"where: V depends on input {name}. Give a V of states"
                 )
             is_set = len(ends) == 2 and finite == sorted(finite)
-            if not is_set or (is_input and len({*finite}) < 2):
+            # squares of bounds are numbers
+            sized = {end for end in finite if end == 0 or 1 / MOST <= abs(end) <= MOST}
+            if not is_set or (is_input and len(sized) < 2):
                 raise DiagramError(
                     f"where: the bounds of {name} are {tuple(numbers)}. Give two numbers, the "
-                    "lower first; of an input both are finite, and not equal"
+                    "lower first; of an input they differ, and are 0 or between 1e-100 and 1e100"
                 )
             low, high = ends
             if is_input:
