@@ -273,7 +273,7 @@ TOKENS = {
     "theory.design": 5666,
     "theory.excitation": 11948,
     "theory.laws": 16818,
-    "theory.proofs": 48040,
+    "theory.proofs": 48034,
     "theory.theorems": 8187,
 }
 LAID_OUT = {

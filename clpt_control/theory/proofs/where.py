@@ -15,7 +15,6 @@ from typing import Any
 import sympy
 from sympy import Expr, S, oo
 
-from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
@@ -42,8 +41,11 @@ class Where:
         self.inside = dict[Any, Expr]()  # state -> what cannot leave its set
         self.box = dict[Any, tuple]()  # input -> its bounds
         names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
-        check_holds("where", names, given, f"states and inputs are {', '.join(names)}")
         for name, numbers in given.items():
+            if name not in names:
+                raise DiagramError(
+                    f"where: there is no {name}. States and inputs are {', '.join(names)}"
+                )
             s = names[name]
             ends = [end if end is None else rational(float(end)) for end in numbers]
             finite = [end for end in ends if end not in (None, oo, -oo)]
