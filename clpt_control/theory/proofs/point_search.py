@@ -218,9 +218,9 @@ class PointSearch:
         low, high = self.ends.T
         return np.fmax(np.fmin(x, high), low)
 
-    def wide(self, count: int, still: bool = False) -> tuple:
+    def wide(self, count: int) -> tuple:
         """Return times, states and inputs of wider ranges, in some of which powers overflow."""
-        t, x, u = self.draw(count, still, widest=4.0)  # exp overflows
+        t, x, u = self.draw(count, False, widest=4.0)  # exp overflows
         x[:, ::10] *= 1000
         return t, x, u
 
@@ -319,14 +319,9 @@ class PointSearch:
         point = next(self.highest(sign * expression, True), None)
         return None if point is None else (point, self.value_at(expression, point))
 
-    def rate_above(
-        self, rate: Expr, claim: Expr, still: bool, sign: int = 1
-    ) -> Failure | None:
-        """Return a point at which V' of the running blocks is above a claim, and V'.
-
-        With `sign` -1, V' is below the claim.
-        """
-        for highest in self.highest(sign * (rate - claim), still):
+    def rate_above(self, rate: Expr, claim: Expr, still: bool) -> Failure | None:
+        """Return a point at which V' of the running blocks is above a claim, and V'."""
+        for highest in self.highest(rate - claim, still):
             states = self.scaled(highest.x, ENLARGED)
             is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
             is_small[-1] = True  # the point itself
@@ -334,8 +329,7 @@ class PointSearch:
             values, sizes, _ = self.rates_at(highest, states[is_small])
             for point, value, size in zip(points, values, sizes, strict=True):
                 claimed = self.value_at(claim, point)
-                excess = sign * (value - claimed)
-                if excess > SIGNIFICANT * max(size, abs(claimed)):
+                if value - claimed > SIGNIFICANT * max(size, abs(claimed)):
                     return point, float(value)
         return None
 

@@ -43,7 +43,6 @@ def theorem(
     claim: str,
     *,
     corrected: str = "",
-    cited: str = "",
     not_proved: tuple[str, ...] = (),
     **more: Any,
 ) -> Proof:
@@ -59,7 +58,6 @@ def theorem(
         claim,
         steps=steps,
         for_every_N=exact_for_every_N(steps),
-        cited=cited,
         printed=printed,
         assumptions=assumptions,
         corrected=corrected,

@@ -157,29 +157,27 @@ def _scalar_bound(stretches: list[Stretch], start: float) -> PrintedBound:
     return PrintedBound(equation, 1.0, times[late], e, np.ones_like(e))
 
 
-def square_wave_counterexample(gain: float = 100.0, periods: int = 60) -> PrintedBound:
-    """Run Delta = +1, -1 in turn at the resonance sqrt(gamma), phi = k = 1, from e = eta = 0.
+def square_wave_counterexample() -> PrintedBound:
+    """Run Delta = +1, -1 in turn at sqrt(gamma) = 10, the resonance, phi = k = 1, from e = eta = 0.
 
     limsup |e| -> 4/pi as gamma grows: the first harmonic of the wave.  There are 200 samples per
-    half period; the last quarter of the run is measured.
+    half period; the last quarter of 60 periods is measured.
     """
-    A, duration = scalar_matrix(1.0, gain), np.pi / np.sqrt(gain)
+    A, duration = scalar_matrix(1.0, 100.0), np.pi / 10.0
     period = [(duration, A, sign * DELTA, 200) for sign in (1.0, -1.0)]
-    return _scalar_bound(period * periods, 1.5 * periods * duration)
+    return _scalar_bound(period * 60, 90 * duration)
 
 
-def burst_counterexample(
-    faint: float = 0.2, quiet: float = 250.0, cycles: int = 4
-) -> PrintedBound:
-    """Run Delta = 1 with a regressor that is faint, then 1, from e = eta = 0.
+def burst_counterexample() -> PrintedBound:
+    """Run Delta = 1 with a regressor w that is 0.2, then 1, from e = eta = 0.
 
-    The faint regressor lets eta drift to -Delta/faint; the regressor of 1 turns eta into an error
-    near 0.55 (1/faint - 1) in every cycle.  `quiet` is the length of the faint stretch, well
-    above 1/(gamma faint^2), k = gamma = 1.  The second half of the cycles is measured.
+    The faint regressor lets eta drift to -Delta/w; the regressor of 1 turns eta into an error
+    near 0.55 (1/w - 1) in every cycle.  The faint stretch has a length well above 1/(gamma w^2),
+    k = gamma = 1.  The second half of four cycles is measured.
     """
-    drift = quiet, scalar_matrix(faint), DELTA, 400
+    drift = 250.0, scalar_matrix(0.2), DELTA, 400
     burst = 20.0, scalar_matrix(1.0), DELTA, 1000
-    return _scalar_bound([drift, burst] * cycles, cycles // 2 * (quiet + burst[0]))
+    return _scalar_bound([drift, burst] * 4, 2 * (drift[0] + burst[0]))
 
 
 AMPLITUDE = 0.05  # m/s
@@ -218,13 +216,11 @@ def disturbance_counterexample(
     return printed_bound(scenario, run, start)
 
 
-def known_flow_counterexample(
-    start: float = 400.0, end: float = 1200.0, step: float = 0.02
-) -> PrintedBound:
+def known_flow_counterexample() -> PrintedBound:
     """Violate Eq. (16): true gains, gamma = 0.03, one entry of theta_hat wrong by 0.1 m/s.
 
     Slow adaptation stores the tidal residual of one waypoint in K and Gamma and returns it
-    at the next.  The run is measured from start to end, s, at samples each `step`.
+    at the next.  The run is measured from 400 to 800 s, at samples each 0.05 s.
     """
     true = paper_scenario().started_true()
     estimate = np.array(true.flow.parameters)
@@ -235,29 +231,23 @@ def known_flow_counterexample(
             "learning.parameters": None,
             "learning.theta_estimate": estimate,
             "learning.gain": 0.03,
-            "run.duration": end,
+            "run.duration": 800.0,
         }
     )
-    return printed_bound(scenario, simulate(scenario, sample_times(end, step)), start)
+    return printed_bound(scenario, simulate(scenario, sample_times(800.0, 0.05)), 400.0)
 
 
-def limited_speed_counterexample(
-    end: float = 400.0, max_speed: float = 1.5
-) -> tuple[float, float]:
+def limited_speed_counterexample() -> tuple[float, float]:
     """Return the largest |e| of a vehicle of limited speed with hedging and without, length.
 
     Theorem 3.2 does not hold without hedging.  The runs start at the true parameters and end at
-    `end`, s, so that the limited command alone drives e.
+    200 s, so that the limited command alone drives e.
     """
     scenario = (
         paper_scenario()
         .started_true()
         .with_values(
-            {
-                "vehicle.max_speed": max_speed,
-                "run.duration": end,
-                "run.output_step": 0.1,
-            }
+            {"vehicle.max_speed": 1.5, "run.duration": 200.0, "run.output_step": 0.1}
         )
     )
     hedged = simulate(scenario.with_values({"learning.hedging": True}))
@@ -274,24 +264,23 @@ class Unlearned(NamedTuple):
     """A parameter that does not move although zc is exciting."""
 
     kappa: float  # smallest eigenvalue of int zc zc^T over a cycle, length^2 time
-    function: int  # number of the basis function, from 1
     moved: float  # largest change of the estimate, length per time
     error: float  # smallest error of the estimate at the end, length per time
 
 
-def unlearned_counterexample(end: float = 400.0, function: int = 2) -> Unlearned:
-    """Run the paper's track with a parameter that is not excited, to `end`, s.
+def unlearned_counterexample() -> Unlearned:
+    """Run the paper's track with a parameter that is not excited, to 220 s.
 
     With the kernel exp(-d^2/s) of Eq. (5) the second function, exp(-d^2/5) around (10, 10),
     vanishes on the circle.
     """
-    values = {"basis.kernel": "gaussian-sigma", "run.duration": end}
+    values = {"basis.kernel": "gaussian-sigma", "run.duration": 220.0}
     scenario = paper_scenario().with_values({**values, "run.output_step": 0.5})
     run = simulate(scenario)
-    estimates = run.flow_parameters_estimate.values[..., function - 1]
-    theta = np.array(scenario.flow.parameters)[:, function - 1]
+    estimates = run.flow_parameters_estimate.values[..., 1]
+    theta = np.array(scenario.flow.parameters)[:, 1]
     zc = scenario.waypoints
     kappa = np.linalg.eigvalsh(scenario.reference.dwell * zc.T @ zc)[0]
     moved = np.abs(estimates - estimates[0]).max()
     error = np.abs(estimates[-1] - theta).min()
-    return Unlearned(float(kappa), function, float(moved), float(error))
+    return Unlearned(float(kappa), float(moved), float(error))

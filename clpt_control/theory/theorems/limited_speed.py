@@ -14,7 +14,6 @@ if the flow is slower than the vehicle; x is then bounded.  A faster flow carrie
 """
 
 from collections.abc import Callable
-from functools import partial
 
 import sympy
 
@@ -153,7 +152,7 @@ def without_hedging() -> Proof:
             mean_square(),
             counterexample(  # largest |e| with hedging, and without
                 "the paper's system, started true, with v_max = 1.5: CLPE leaves zero",
-                partial(limited_speed_counterexample, end=200.0),
+                limited_speed_counterexample,
                 lambda largest: largest[0] < 1e-6 < 1e-2 < largest[1],
                 "largest |e| {0[1]:.3f} within a cycle, {0[0]:.0e} with hedging",
             ),

@@ -71,7 +71,7 @@ def theorem_3_1() -> Proof:
             *known_flow_steps(paper, FEWER),
             counterexample(
                 "the paper's system with one wrong theta_hat leaves Eq. (16) for every mu < KD",
-                partial(known_flow_counterexample, start=400.0, end=800.0, step=0.05),
+                known_flow_counterexample,
                 lambda run: run.ratio > 1.05,
                 "max|e| = {0.ratio:.3f} of the largest drive over KD",
             ),
@@ -151,9 +151,9 @@ def theorem_3_3() -> Proof:
         circle_step(),
         counterexample(
             "zc exciting is not enough: with the gaussian-sigma kernel a parameter stands still",
-            partial(unlearned_counterexample, end=220.0),
+            unlearned_counterexample,
             lambda run: run.kappa > 1.0 and run.moved < 1e-9 and run.error > 0.1,
-            "zc excites (smallest eigenvalue {0.kappa:.0f}), yet theta[{0.function}] moves by "
+            "zc excites (smallest eigenvalue {0.kappa:.0f}), yet theta[2] moves by "
             "{0.moved:.1e} and stays {0.error:.2f} off",
         ),
     ]
