@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 import sympy
 from sympy import Dummy, Expr, Mul, S, expand
-from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -27,8 +26,8 @@ from .facts import (
     Sector,
     facts_of,
     functions_in,
+    inputs_in,
     interval,
-    is_input,
     pieces_of,
     sector_of,
 )
@@ -141,8 +140,7 @@ def _is_nonnegative(factor: Expr) -> bool:
 
 def _inputs_in(expression: Expr) -> set:
     """Return the inputs in an expression, and their derivatives."""
-    calls = filter(is_input, expression.atoms(AppliedUndef))
-    return {*calls, *expression.atoms(sympy.Derivative)}
+    return {*inputs_in(expression), *expression.atoms(sympy.Derivative)}
 
 
 @lru_cache(maxsize=10_000)
@@ -187,9 +185,16 @@ def _group_never_positive(group: Expr, variables: set) -> bool:
         return True
     if len(sympy.Add.make_args(group)) > MOST_IN_GROUP:
         return False
-    factors = Mul.make_args(group)
-    signed = Mul(*(f for f in factors if not f.is_nonnegative))
+    signed = _signed(group)
     return any(test(signed, variables) for test in GROUP_TESTS)
+
+
+def _signed(product: Expr) -> Expr:
+    """Return the product of the factors that may be negative, even powers left out."""
+    factors = Mul.make_args(product)
+    return Mul(
+        *(f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
+    )
 
 
 def _by_factors(group: Expr, variables: set) -> bool:
@@ -207,14 +212,8 @@ def _by_factors(group: Expr, variables: set) -> bool:
 
 @lru_cache(maxsize=10_000)
 def _without_nonnegative_factors(group: Expr) -> Expr:
-    """Return the product of the factors that may be negative."""
-    factors = Mul.make_args(factored(group, MOST_IN_GROUP))
-    signed = [
-        factor
-        for factor in factors
-        if not (factor.is_nonnegative or factor.as_base_exp()[1].is_even)
-    ]
-    return expand(Mul(*signed))
+    """Return the product of the factors that may be negative, multiplied out."""
+    return expand(_signed(factored(group, MOST_IN_GROUP)))
 
 
 def _by_form(group: Expr, variables: set) -> bool:
@@ -392,21 +391,15 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
 
 
 def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
-    """Return an expression without factors that make a condition, and without even powers."""
-    product = _without_even_powers(factored(e))
+    """Return an expression without factors that make a condition or are not negative."""
+    product = _signed(factored(e))
     for condition in map(factored, conditions):
         powers = product.as_powers_dict()
         factors = condition.as_powers_dict().items()
         excess = [powers[f] - n for f, n in factors if not f.is_number]
         if excess and all(n.is_nonnegative for n in excess):
             product /= condition
-    return _without_even_powers(product)
-
-
-def _without_even_powers(product: Expr) -> Expr:
-    """Return a product without the factors that are even powers."""
-    factors = Mul.make_args(product)
-    return Mul(*(f for f in factors if not f.as_base_exp()[1].is_even))
+    return _signed(product)
 
 
 def _without_root(condition: Expr) -> Expr:

@@ -119,10 +119,6 @@ def _inside_number(s: Any, low: Any, high: Any) -> Any:
     return sympy.Integer(bool(low < s) and bool(s < high))
 
 
-def _trunc_number(s: Any) -> Any:
-    return sympy.sign(s) * sympy.floor(sympy.Abs(s))
-
-
 def _extreme(function: Any) -> Fact:
     return Fact(
         "kink",
@@ -167,7 +163,9 @@ FACTS: dict[str, Fact] = {
     ),
     "floor": Fact("step", "as all", number=sympy.floor),
     "ceil": Fact("step", "as all", number=sympy.ceiling),
-    "trunc": Fact("step", "as all", number=_trunc_number),
+    "trunc": Fact(
+        "step", "as all", number=lambda s: sympy.sign(s) * sympy.floor(sympy.Abs(s))
+    ),
     "mod": Fact("choice", "as branches", number=lambda a, b: a % b),
     **dict.fromkeys(
         ("where", "pick"), Fact("choice", "as branches", range=_range_of_choice)
@@ -203,11 +201,21 @@ def is_input(call: Any) -> bool:
     return [str(a) for a in call.args] == ["t"]
 
 
+def inputs_in(expression: Expr) -> set[Any]:
+    """Return the unknown functions of time alone in an expression."""
+    return {*filter(is_input, expression.atoms(AppliedUndef))}
+
+
+def roots_in(expression: Expr) -> list[Expr]:
+    """Return the bases of the powers in an expression that are no whole ones."""
+    return [p.base for p in expression.atoms(sympy.Pow) if not p.exp.is_Integer]
+
+
 def has_time(*expressions: Expr) -> bool:
     """Return whether expressions depend on time by themselves, not by an input alone."""
     total = sympy.Tuple(*expressions)
     slopes = dict.fromkeys(total.atoms(sympy.Derivative), S.Zero)
-    inputs = {f: S.Zero for f in total.atoms(AppliedUndef) if is_input(f)}
+    inputs = dict.fromkeys(inputs_in(total), S.Zero)
     return bool(total.xreplace(slopes).xreplace(inputs).has(TIME))
 
 

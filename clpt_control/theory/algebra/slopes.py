@@ -24,10 +24,11 @@ from .facts import (
     WHERE,
     fact_of,
     functions_in,
+    inputs_in,
     interval,
     is_continuous,
-    is_input,
     pieces_of,
+    roots_in,
 )
 
 
@@ -96,16 +97,13 @@ def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
 
 def jumps_nowhere(e: Expr) -> bool:
     """Return whether an expression is known to be continuous where it has a value."""
-    inputs = {
-        f: sympy.Dummy(real=True) for f in filter(is_input, e.atoms(AppliedUndef))
-    }
+    inputs = {f: sympy.Dummy(real=True) for f in inputs_in(e)}
     return is_continuous(e) or meets_smoothly(e.xreplace(inputs), 1)
 
 
 def meets_smoothly(V: Expr, order: int = 2) -> bool:
     """Return whether V and its slopes agree where pieces meet; V alone if the order is 1."""
-    powers = V.atoms(sympy.Pow)
-    if any(not p.exp.is_Integer and not p.base.is_positive for p in powers):
+    if not all(base.is_positive for base in roots_in(V)):
         return False
     return all(_call_meets_smoothly(V, call, order) for call in functions_in(V))
 
@@ -130,29 +128,29 @@ def _call_meets_smoothly(V: Expr, call: Any, order: int) -> bool:
     return True
 
 
-def _resolved(e: Expr, border: Expr) -> Expr:
-    """Return an expression without the functions that are of one piece where a border is zero."""
-    border = expand(border)
-    for s in sorted(border.free_symbols, key=str):
-        slope = sympy.diff(border, s)
-        if not slope.is_number or slope == 0:
-            continue
-        line = {s: expand(s - border / slope)}
-        for call in sorted(functions_in(e), key=str):
-            for margins, values in pieces_of(call):
-                if all(expand(m.xreplace(line)).is_positive for m in margins):
-                    return _resolved(decided(e.xreplace(values)), border)
+def in_known_pieces(e: Expr, is_positive: Callable[[Expr], Any]) -> Expr:
+    """Return an expression without the functions of which one piece is known to hold."""
+    for call in sorted(functions_in(e), key=str):
+        for margins, values in pieces_of(call):
+            if all(map(is_positive, margins)):
+                return in_known_pieces(decided(e.xreplace(values)), is_positive)
     return e
 
 
 def _agrees(difference: Expr, border: Expr, order: int) -> bool:
     """Return whether a difference vanishes, to an order, where a border is zero."""
-    difference = _resolved(difference, border)
-    divisor = expand(expand(border) ** order)
-    symbols = sorted(expand(border).free_symbols, key=str)
+    border = expand(border)
+    symbols = sorted(border.free_symbols, key=str)
+    for s in symbols:
+        slope = sympy.diff(border, s)
+        if slope.is_number and slope != 0:
+            line = {s: expand(s - border / slope)}
+            difference = in_known_pieces(
+                difference, lambda m, line=line: expand(m.xreplace(line)).is_positive
+            )
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
-        remainder = sympy.rem(expand(numerator), divisor, *symbols)
+        remainder = sympy.rem(expand(numerator), expand(border**order), *symbols)
     except (sympy.BasePolynomialError, ZeroDivisionError):
         return False
     return bool(remainder == 0)

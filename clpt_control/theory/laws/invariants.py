@@ -43,7 +43,7 @@ from ...engine.record.symbolic import extent
 from ...paper.laws.law import Law
 from ..algebra.decide import groups_never_positive
 from ..algebra.exact import as_factors, nonzero_residual, vanishes
-from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
+from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum, roots_in
 from ..algebra.texts import short
 from ..proofs.answers import Definite, Fall
 from ..proofs.conclusions import Condition
@@ -188,8 +188,8 @@ class Invariants(LoopCandidate):
 
     def forks(self, rate: sympy.Expr) -> bool:
         """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
-        roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
-        may_be_zero = sympy.Tuple(*(base for base in roots if not base.is_positive))
+        roots = (base for base in roots_in(rate) if not base.is_positive)
+        may_be_zero = sympy.Tuple(*roots)
         return bool(may_be_zero.free_symbols & {*self.loop.motion})
 
     # --- semidefinite matrices --------------------------------------------------------------

@@ -47,6 +47,7 @@ from ..proofs.symbolic_loop import (
 )
 from ..proofs.system_candidate import SystemCandidate
 from ..proofs.ultimate_bounds import bounded, pulled_forms
+from ..proofs.where import NOTHING
 from .default_candidate import WEIGHTS, LawV
 from .promises import truth_of
 from .theorem_loop import (
@@ -108,6 +109,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
     """A law with its V, on symbols and running."""
 
     place = "the truth"
+    sums = NOTHING  # signals are not written in place of their sums
 
     def __init__(self, law: Block, law_V: LawV, points: int, seed: int):
         self.N = N = functions_of(law)
@@ -157,10 +159,6 @@ class LawCandidate(LoopCandidate, SystemCandidate):
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the loop."""
         return expression.xreplace(self.coordinates.in_x)
-
-    def text(self, expression: sympy.Expr) -> str:
-        """Return an expression in e, in a line."""
-        return short(expression)
 
     def with_rate(self, claim: str) -> str:
         """Return a claim: V' of a law is long."""

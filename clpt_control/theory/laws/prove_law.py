@@ -185,12 +185,13 @@ def _judged_for_sizes(law: Law, points: int, seed: int) -> Verdict:
 
 def _has_signs_of(law: Law, block: Block) -> bool:
     """Return whether parameters have the signs that the proof of their law's row has."""
-    if block.parameters._fields != law_and_V(law, 1)[0].parameters._fields:
+    of_row = law_and_V(law, 1)[0].parameters
+    if block.parameters._fields != of_row._fields:
         return False  # as of a sampled law
-    pairs = zip(block.parameters, law_and_V(law, 1)[0].parameters, strict=True)
+    pairs = zip(block.parameters, of_row, strict=True)
     signs = ([{*np.sign(np.ravel(v)).tolist()} for v in pair] for pair in pairs)
     return all(
-        signs_of_own <= of_row or len(of_row) > 1 for signs_of_own, of_row in signs
+        own_signs <= row_signs or len(row_signs) > 1 for own_signs, row_signs in signs
     )
 
 

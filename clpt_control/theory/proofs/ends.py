@@ -241,13 +241,10 @@ def zero_in_all(cases: "Sequence[Still]", losses: Sequence[Expr]) -> list[Expr]:
 def point_of(cases: "Sequence[Still]") -> dict[Any, Expr] | None:
     """Return the one rest that all cases leave, each state as a number; otherwise None."""
     points = [case.point for case in cases]
-    common = points[0] if points else None
-    if common is None:
+    if not points or None in points:
         return None
-    agree = (
-        point is not None and all(vanishes(point[s] - common[s]) for s in common)
-        for point in points
-    )
+    common = points[0]
+    agree = (vanishes(point[s] - common[s]) for point in points for s in common)
     return common if all(agree) else None
 
 
@@ -391,7 +388,10 @@ class Still:
         )
         variables -= self.fixed
         changes = dict(zip(self.rates, self.changes, strict=True))
-        if all(_has_one_sign(changes[s], self.fixed) for s in variables):
+        if all(
+            any(never_positive(sign * changes[s], self.fixed) for sign in (1, -1))
+            for s in variables
+        ):
             return True
         angles = {call.args[0] for form in forms for call in form.atoms(*ANGLES)}
         level = sympy.Dummy()
@@ -450,8 +450,3 @@ class Still:
         rests = [{s: v.xreplace(p) for s, v in p.items()} for p in points]
         numbers = all(v.is_number for p in rests for v in p.values())
         return rests if numbers else []
-
-
-def _has_one_sign(e: Expr, fixed: set) -> bool:
-    """Return whether an expression is never positive, or never negative."""
-    return never_positive(e, fixed) or never_positive(-e, fixed)

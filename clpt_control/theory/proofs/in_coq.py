@@ -16,6 +16,7 @@ import sympy
 from sympy import Add, Expr, Mul, S
 
 from ...engine.diagram.symbol_names import TIME
+from ..algebra.facts import roots_in
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
 from .coq_text import (
@@ -404,7 +405,6 @@ class File:
     def is_steady(self, e: Expr) -> bool:
         """Return whether an expression is Lipschitz in time by its form."""
         calls = e.atoms(*BETWEEN)
-        roots = (p.base for p in e.atoms(sympy.Pow) if not p.exp.is_Integer)
         return (
             e.free_symbols <= self.fixed | self.steady | {TIME}
             and self.is_bounded(e)
@@ -412,7 +412,7 @@ class File:
             and all(
                 self.is_affine(a) or self.is_steady(a) for c in calls for a in c.args
             )
-            and all(is_above_zero(root, self.fixed) for root in roots)
+            and all(is_above_zero(root, self.fixed) for root in roots_in(e))
         )
 
     def is_affine(self, e: Expr) -> bool:

@@ -268,9 +268,10 @@ class LyapunovCandidate(ABC):
         return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
     def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive, for t >= 0."""
+        """Return whether an expression is never positive for t >= 0, states in their sets."""
         parameters = self.fixed if self.numbers is None else self.numbers
-        return never_positive(normal_form(expression), parameters)
+        inside = expression.xreplace(self.where.inside)
+        return never_positive(normal_form(inside), parameters)
 
     def refuted(
         self, definite: Definite, fall: Fall

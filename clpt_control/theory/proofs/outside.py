@@ -6,22 +6,22 @@ bounded; with rates that grow at most linearly in them they exist for all times 
 s' = 1 + s^2 escapes at t = pi/2.  Inputs are bounded.
 """
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Set
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from typing import Any
 
 import sympy
 from sympy import Expr
-from sympy.core.function import AppliedUndef
+from sympy.utilities.iterables import strongly_connected_components
 
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from ..algebra.facts import is_input
+from ..algebra.facts import inputs_in
 from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import squares
 from .conclusions import Condition, are
-from .steps import How, Step
+from .steps import How, Step, exact
 
 ANGLES = (sympy.sin, sympy.cos)
 CLOCK = sympy.Symbol("t", nonnegative=True)
@@ -79,7 +79,7 @@ class Motion:
         )
         self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
         if not outside:
-            return Step("V holds every state", True, "exact", "", False, "exists")
+            return exact("V holds every state", True, "", "exists")
         rates = {s: self.rates[s].xreplace(self.bounded) for s in outside}
         jumps = {
             s: self.quiet(after).xreplace(self.bounded)
@@ -89,12 +89,14 @@ class Motion:
         }
         # nothing is known of an opaque source, not even that it has a value at all times
         every_rate = sympy.Tuple(*rates.values())
-        sources = {f for f in every_rate.atoms(AppliedUndef) if is_input(f)}
+        sources = inputs_in(every_rate)
         how: How = "sampled" if sources else "exact"
         condition = f", if {self._names_of(sources)} bounded" * bool(sources)
         stable = list[Any]()
         self.free = outside
-        for states in _in_order(rates):  # each driven by those before it
+        drivers = [(s, d) for s in rates for d in rates[s].free_symbols & rates.keys()]
+        # groups that drive each other, each after those that drive it
+        for states in strongly_connected_components(([*rates], drivers)):
             own_rates = [rates[s].xreplace(self.bounded) for s in states]
             if not jumps.keys() & {*states} and self._is_linear_and_stable(
                 own_rates, states
@@ -130,7 +132,7 @@ class Motion:
         """Return the inputs, and opaque sources, that rates depend on."""
         total = sympy.Tuple(*rates)
         used = {f for f, s in self.inputs.items() if total.has(s)}
-        return used | {f for f in total.atoms(AppliedUndef) if is_input(f)}
+        return used | inputs_in(total)
 
     def _names_of(self, inputs: Iterable[Any]) -> str:
         """Return "u is" or "u, v are", each port of inputs once."""
@@ -160,19 +162,6 @@ class Motion:
         alone = [s for s in states if degree(e, {s}.__contains__) > 0]
         loose = alone or e.free_symbols & states
         return sorted(str(s).removeprefix("_") for s in loose)
-
-
-def _in_order(rates: Mapping[Any, Expr]) -> list[list]:
-    """Return the states in groups that drive each other, each group after those that drive it."""
-    drivers = {s: rate.free_symbols & rates.keys() for s, rate in rates.items()}
-    reached = {s: {*of} for s, of in drivers.items()}
-    for _ in rates:  # through one more state each time
-        reached = {s: of.union(*(reached[d] for d in of)) for s, of in reached.items()}
-    groups = dict[frozenset, list]()
-    for s, of in reached.items():
-        loop = frozenset({s} | {d for d in of if s in reached[d]})
-        groups.setdefault(loop, []).append(s)
-    return sorted(groups.values(), key=lambda group: len(reached[group[0]]))
 
 
 def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:

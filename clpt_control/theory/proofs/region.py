@@ -37,14 +37,8 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import ON_NUMBERS
 from ..algebra.decided import decided
 from ..algebra.exact import normal_form, vanishes
-from ..algebra.facts import (
-    COMPARISONS,
-    functions_in,
-    is_continuous,
-    is_smooth,
-    pieces_of,
-)
-from ..algebra.slopes import along, meets_smoothly
+from ..algebra.facts import COMPARISONS, is_continuous, is_smooth
+from ..algebra.slopes import along, in_known_pieces, meets_smoothly
 from ..algebra.texts import short
 from .system_candidate import SystemCandidate
 
@@ -262,7 +256,12 @@ class Region:
                 center + share * (end - center) for end in (self.low, self.high)
             )
             boxes, share = self.boxes(low[None], high[None]), share / 2
-            rate, *motion = (_in_one_piece(e, boxes) for e in (self.rate, *self.motion))
+            rate, *motion = (
+                in_known_pieces(
+                    e, lambda m, boxes=boxes: (enclosed(m, boxes)[0] > 0.0).all()
+                )
+                for e in (self.rate, *self.motion)
+            )
             if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
                 continue
             slopes = self.slopes_of(rate)
@@ -364,15 +363,6 @@ def _halved(low: np.ndarray, high: np.ndarray, box: np.ndarray) -> Ends:
         rows, axis
     ]
     return lows, highs
-
-
-def _in_one_piece(e: sympy.Expr, boxes: dict[Any, Interval]) -> sympy.Expr:
-    """Return an expression without the words that are of one piece in all of a box."""
-    for word in functions_in(e):
-        for facts, values in pieces_of(word):
-            if all((enclosed(fact, boxes)[0] > 0.0).all() for fact in facts):
-                return _in_one_piece(decided(e.xreplace(values)), boxes)
-    return e
 
 
 def _is_negative(hessian: np.ndarray) -> bool:

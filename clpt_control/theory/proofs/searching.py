@@ -85,16 +85,11 @@ def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
     modes = np.linalg.eigvals(np.array(A, dtype=float))
     margin = 1.0 - np.abs(modes) if discrete else -modes.real
     if margin.min() > 1e-9:
-        n = len(states)
-        indices = list(combinations_with_replacement(range(n), 2))
-        unknowns = {index: sympy.Symbol("p_{}_{}".format(*index)) for index in indices}
-        P = sympy.Matrix(n, n, lambda i, j: unknowns[min(i, j), max(i, j)])
+        n, z = len(states), sympy.Matrix(states)
+        P = sympy.Matrix(n, n, sympy.symbols(f"p_:{n * n}"))
         change = A.T * P * A - P if discrete else A.T * P + P * A
-        (solution,) = sympy.linsolve(list(change + sympy.eye(n)), *unknowns.values())
-        shares = zip(indices, solution, strict=True)
-        yield sympy.Add(
-            *(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares)
-        )
+        (solution,) = sympy.linsolve([*change + sympy.eye(n)], *P)
+        yield sympy.expand(z.dot(sympy.Matrix(n, n, solution) * z))
 
 
 def _terms(rates: Rates, discrete: bool) -> dict[sympy.Expr, tuple]:

@@ -40,7 +40,14 @@ from ..algebra.exact import (
     whole_coefficients,
     without_rounding,
 )
-from ..algebra.facts import SIGN, functions_in, has_time, is_continuous, sector_of
+from ..algebra.facts import (
+    SIGN,
+    functions_in,
+    has_time,
+    is_continuous,
+    roots_in,
+    sector_of,
+)
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, lost_in_groups, written_forms
@@ -156,20 +163,17 @@ class SystemCandidate(LyapunovCandidate):
         kept = all(self.never_positive(-margin.xreplace(change)) for change in nexts)
         if self.eq.discrete:
             return kept
-        roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
         inward = sympy.diff(margin, s) * rate
         at_end = inward.xreplace({s: sympy.solve(margin, s)[0]})
-        is_lipschitz = jumps_nowhere(rate) and all(root.is_positive for root in roots)
+        is_lipschitz = jumps_nowhere(rate) and all(
+            root.is_positive for root in roots_in(rate)
+        )
         return kept and is_lipschitz and self.never_positive(-at_end)
 
     def kept_signs(self) -> dict[str, tuple]:
         """Return states of V', but not of V, that stay at 0 or above if they begin so."""
         states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
         return {str(s): (0, None) for s in states if self._keeps(s, s)}
-
-    def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is never positive where states are in their sets."""
-        return super().never_positive(expression.xreplace(self.where.inside))
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq

@@ -116,17 +116,11 @@ def _maximum(p: sympy.Poly) -> sympy.Expr | None:
     most = max(map(numbers, numbers.deriv().roots.real))
     for text in (f"{most:.4g}", at_most(1.001 * most)):
         c = rational(float(text))
-        if _is_never_negative(c - p):
+        # c - p changes its sign at roots of odd multiplicity, which Sturm's theorem counts
+        _, factors = (c - p).sqf_list()
+        if not any(n % 2 and factor.count_roots() for factor, n in factors):
             return c
     return None
-
-
-def _is_never_negative(p: sympy.Poly) -> bool:
-    """Return whether a polynomial of one symbol, positive far away, is never negative.
-
-    Its sign changes at roots of odd multiplicity alone, which Sturm's theorem counts.
-    """
-    return not any(n % 2 and factor.count_roots() for factor, n in p.sqf_list()[1])
 
 
 def _moves(expression: sympy.Expr, moving: set) -> bool:
