@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, Mul, Poly, Pow, S, expand
+from sympy import Expr, Mul, Pow, S, expand
 from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
@@ -296,15 +296,9 @@ def coarse(e: Expr) -> Expr:
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
     """Return a polynomial in variables with each coefficient reduced; others as they are."""
-    symbols = {v: sympy.Dummy(real=True) for v in variables if e.has(v)}
-    polynomial = e.xreplace(symbols)
-    if not symbols or not polynomial.is_polynomial(*symbols.values()):
-        return e
-    total = S.Zero
-    for powers, coefficient in Poly(polynomial, *symbols.values()).terms():
-        factors = (v**n for v, n in zip(symbols, powers, strict=True))
-        total += sympy.cancel(coefficient) * Mul(*factors)
-    return total
+    used = [v for v in variables if e.has(v)]
+    is_polynomial = used and e.is_polynomial(*used)
+    return sympy.collect(expand(e), used, sympy.cancel) if is_polynomial else e
 
 
 # --- factors and sizes ----------------------------------------------------------------------

@@ -58,11 +58,11 @@ def _value(e: sympy.Expr, arguments: list[Any]) -> Any:
     if e.is_Pow:
         base, exponent = arguments
         return base**exponent
-    return _numpy_function(e if e.is_Atom else e.func, len(arguments))(*arguments)
+    return numpy_function(e if e.is_Atom else e.func, len(arguments))(*arguments)
 
 
 @cache
-def _numpy_function(function: Any, count: int) -> Callable[..., Any]:
+def numpy_function(function: Any, count: int) -> Callable[..., Any]:
     """Return a function of SymPy or of a record as a NumPy function, or a number."""
     if not count:
         return partial(np.float64, float(function))

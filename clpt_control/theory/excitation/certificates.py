@@ -178,13 +178,12 @@ def worst_drop(
 
 
 def window_drops(
-    w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
+    w: np.ndarray, weights: np.ndarray, k: np.ndarray, gain: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the exact and the guaranteed drop of V over a window, and Phi; axis first.
 
-    w (2, ..., pieces, nodes, n) is given at Gauss-Legendre nodes with weights (pieces, nodes).
+    w (2, pieces, nodes, n) is given at Gauss-Legendre nodes with weights (pieces, nodes).
     """
-    k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
     drop, transition = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
     lengths = weights.sum(axis=1)
     filtered, _ = propagate(w, k, 0.0, lengths)

@@ -37,6 +37,7 @@ from .coq_text import (
 )
 from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, least, total
 from .steps import Step
+from .where import RANGED
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
 STATEMENT = re.compile(r"^(?:Lemma|Theorem) ([\w']+) : (.*?)\.\nProof", re.M | re.S)
@@ -64,7 +65,7 @@ ALWAYS = (
     "V_stays",
 )  # beginnings of names of theorems
 OUTSIDE = "outside V, bounded"  # condition of a verdict
-BETWEEN = sympy.sin, sympy.cos, sympy.tanh, sympy.atan  # two numbers
+BETWEEN = *RANGED, sympy.atan  # two numbers
 # bounded where their arguments are
 GROWING = Add, Mul, sympy.Pow, sympy.exp, sympy.Abs, sympy.sinh, sympy.cosh
 UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (sympy.Abs, *RISING)}

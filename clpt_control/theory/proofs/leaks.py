@@ -47,7 +47,9 @@ def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
     leaks = []
     for factor, residual_term in residuals.items():
         states = tuple(s for s in truth if residual_term.has(s))
-        if not states or not all(map(_not_negative, sympy.Mul.make_args(factor))):
+        if not states or not all(
+            interval(f)[0].is_nonnegative for f in sympy.Mul.make_args(factor)
+        ):
             return []
         weight = -residual_term.coeff(states[0], 2)
         leak_form = sympy.Add(*(-weight * s * (s - truth[s]) for s in states))
@@ -65,11 +67,6 @@ def _is_factor(f: sympy.Expr, moving: set) -> bool:
     base, power = f.as_base_exp()
     root = power == sympy.S.Half and base.free_symbols & moving
     return bool(root) or str(base.func) in ("clip", "maximum")
-
-
-def _not_negative(f: sympy.Expr) -> bool:
-    """Return whether a factor is known not to be negative; a root is not, where it is a number."""
-    return f.as_base_exp()[1] == sympy.S.Half or bool(interval(f)[0].is_nonnegative)
 
 
 def radial_of(leak: Leak) -> Radial | None:

@@ -31,6 +31,7 @@ from ..algebra.texts import short
 from .answers import Definite, Fall
 from .outside import CLOCK
 from .ultimate_bounds import Bounding, in_forms
+from .where import RANGED
 
 
 class NotASum(Exception):
@@ -121,7 +122,6 @@ class Case:
 
 RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
 SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.cosh, sympy.Abs, *RISING)
-RANGED = (sympy.sin, sympy.cos, sympy.tanh)
 LEAST_DIVISOR = sympy.Rational(1, 100)  # that the tactic `bnd` tries
 WAVES = (sympy.sin, sympy.cos, sympy.log, *RISING)  # of numbers: not computed in Coq
 PARTS = tuple(

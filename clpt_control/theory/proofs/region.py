@@ -24,7 +24,7 @@ Each operation is rounded outward: sums and products by one unit in the last pla
 Source: Moore, R. E., Kearfott, R. B., Cloud, M. J. (2009), Introduction to Interval Analysis, SIAM.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import reduce
 from typing import Any
 
@@ -37,7 +37,8 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import ON_NUMBERS
 from ..algebra.decided import decided
 from ..algebra.exact import normal_form, vanishes
-from ..algebra.facts import COMPARISONS, is_continuous, is_smooth
+from ..algebra.facts import COMPARISONS, ODD, is_continuous, is_smooth
+from ..algebra.numeric_values import numpy_function
 from ..algebra.slopes import along, in_known_pieces, meets_smoothly
 from ..algebra.texts import short
 from .system_candidate import SystemCandidate
@@ -47,10 +48,7 @@ UNITS = 16.0 * 2.0**-52  # as a share: of a function of NumPy, in the last place
 LARGEST = 1e5  # angle whose turns are counted
 TURN = 1e-9  # share of a turn: where a sine is at its top is not known better
 
-RISING: dict[Any, Callable[..., Any]] = {
-    **{sympy.exp: np.exp, sympy.sinh: np.sinh, sympy.tanh: np.tanh},
-    **{sympy.atan: np.arctan, sympy.asinh: np.arcsinh, sympy.log: np.log},
-}
+RISING = *ODD, sympy.exp, sympy.log
 EXACT = ("sign", "floor", "ceil", "trunc", "maximum", "minimum", "clip")
 STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {
     "or_": np.maximum,
@@ -87,9 +85,8 @@ def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
         return reduce(times, of)
     if e.is_Pow and e.exp.is_number:
         return _power(*of[0], e.exp)
-    if e.func in RISING:
-        low, high = of[0]
-        return _outward(RISING[e.func](low), RISING[e.func](high))
+    if isinstance(e, RISING):
+        return _outward(*map(numpy_function(e.func, 1), of[0]))
     if isinstance(e, sympy.cosh):
         low, high = _size(*of[0])
         return _outward(np.cosh(low), np.cosh(high))

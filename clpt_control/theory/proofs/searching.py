@@ -15,7 +15,6 @@ Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, The
 
 from collections import defaultdict
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import chain, combinations, combinations_with_replacement
 
 import numpy as np
@@ -217,7 +216,7 @@ def _rounded(
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
     rationals = [
-        sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values
+        sympy.Rational(float(v)).limit_denominator(SHARE) for v in values
     ]
     numbers = [row.get(k, 0) for row in exact for k in used]
     reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()

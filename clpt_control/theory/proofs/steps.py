@@ -115,8 +115,3 @@ def first_failure(steps: Iterable[Step]) -> str:
 def exact(claim: str, holds: bool, detail: str = "", shows: str = "") -> Step:
     """Return an exact step for one N."""
     return Step(claim, holds, "exact", detail, False, shows)
-
-
-def cited(claim: str, source: str) -> Step:
-    """Return a step that is taken from a source, not checked."""
-    return Step(claim, True, "cited", source)

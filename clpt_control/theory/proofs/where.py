@@ -24,7 +24,7 @@ from .conclusions import Condition
 NOTHING = MappingProxyType[Any, Any]({})
 MOST_CORNERS = 64
 MOST = sympy.Integer(10) ** 100  # size of a bound
-WAVES = (sympy.sin, sympy.cos, sympy.tanh)  # from -1 to 1
+RANGED = sympy.sin, sympy.cos, sympy.tanh  # from -1 to 1
 
 
 class Where:
@@ -130,5 +130,5 @@ def ranges_in(rate: Expr) -> dict[Any, tuple]:
     """Return functions in a rate that are between numbers, with these."""
     slopes = {e: e.args[0] / TIME for e in rate.atoms(sympy.exp)}
     fading = [e for e, slope in slopes.items() if slope.is_Rational and slope < 0]
-    ranges = dict.fromkeys(rate.atoms(*WAVES), (-S.One, S.One))
+    ranges = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
     return ranges | dict.fromkeys(fading, (S.Zero, S.One))
