@@ -131,7 +131,7 @@ def _where_not_zero(factors: Iterable[Expr]) -> list[tuple[Expr, ...]]:
 
 def _is_nonnegative(factor: Expr) -> bool:
     """Return whether a factor is never negative; of a power also by the squares in its base."""
-    if factor.is_nonnegative or interval(factor)[0].is_nonnegative:
+    if interval(factor)[0].is_nonnegative:
         return True
     base, _ = factor.as_base_exp()
     completed = squares(base, set()) if base.is_Add else None

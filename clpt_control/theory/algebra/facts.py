@@ -115,10 +115,6 @@ def _clip_number(s: Any, low: Any, high: Any) -> Any:
     return Min(Max(s, low), high)
 
 
-def _inside_number(s: Any, low: Any, high: Any) -> Any:
-    return sympy.Integer(bool(low < s) and bool(s < high))
-
-
 def _extreme(function: Any) -> Fact:
     return Fact(
         "kink",
@@ -159,7 +155,11 @@ FACTS: dict[str, Fact] = {
         "step", "bounded", pieces=_pieces_of_sign, range=UNIT, number=sympy.sign
     ),
     "inside": Fact(
-        "step", "bounded", pieces=_pieces_of_clip, range=TRUTH, number=_inside_number
+        "step",
+        "bounded",
+        pieces=_pieces_of_clip,
+        range=TRUTH,
+        number=lambda s, low, high: sympy.Integer(bool(low < s < high)),
     ),
     "floor": Fact("step", "as all", number=sympy.floor),
     "ceil": Fact("step", "as all", number=sympy.ceiling),
@@ -276,14 +276,13 @@ def interval(e: Expr) -> Interval:
     if e.is_number and e.is_real:
         return e, e
     ends = [interval(a) for a in e.args]
-    fact = fact_of(e)
-    if fact.range is not None:
-        return fact.range(*ends)
     # runs begin at t = 0
     low: Any = S.Zero if e.is_nonnegative or e == TIME else -oo
     high: Any = S.Zero if e.is_nonpositive else oo
     bounds = low, high
-    if e.is_Add:
+    if (range_of := fact_of(e).range) is not None:
+        bounds = range_of(*ends)
+    elif e.is_Add:
         lows, highs = zip(*ends, strict=True)
         bounds = Add(*lows), Add(*highs)
     elif e.is_Mul:

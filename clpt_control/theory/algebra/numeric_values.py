@@ -55,9 +55,6 @@ def _value(e: sympy.Expr, arguments: list[Any]) -> Any:
         return sum(arguments)
     if e.is_Mul:
         return prod(arguments)
-    if e.is_Pow:
-        base, exponent = arguments
-        return base**exponent
     return numpy_function(e if e.is_Atom else e.func, len(arguments))(*arguments)
 
 

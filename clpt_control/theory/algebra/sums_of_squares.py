@@ -371,7 +371,7 @@ def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     is_known = weight.free_symbols <= fixed | bounded and not weight.atoms(AppliedUndef)
     if low.is_positive or (is_known and weight.is_positive):
         return form
-    return S.Zero if low.is_extended_nonnegative or weight.is_nonnegative else None
+    return S.Zero if low.is_extended_nonnegative else None
 
 
 def split_dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:

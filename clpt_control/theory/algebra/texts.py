@@ -1,6 +1,7 @@
 """Expressions and bounds as text in a line."""
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import sympy
@@ -36,6 +37,11 @@ def short(expression: Any, most: int = 160) -> str:
 def cut(text: str, most: int) -> str:
     """Return a text, or its first words and "..."."""
     return text if len(text) <= most else text[: most - 4].rpartition(" ")[0] + " ..."
+
+
+def listed(items: Sequence[str]) -> str:
+    """Return "a, b and c"."""
+    return " and ".join(item for item in (", ".join(items[:-1]), items[-1]) if item)
 
 
 def bound_text(bound: Any, up: bool = True) -> str:

@@ -16,6 +16,7 @@ import numpy as np
 from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
 from ...base.units import at_least, at_most
+from ..algebra.texts import listed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -174,9 +175,9 @@ def not_learnable_of(excitation: Any) -> list[str]:
     for single, mixed in _not_learnable_names(excitation):
         sentences += [f"{name} is not learnable on this track" for name in single]
         if mixed:
-            joined = ", ".join(mixed[:-1])
-            joined = f"{joined} and {mixed[-1]}" if joined else mixed[0]
-            sentences.append(f"{joined} are not learnable one by one on this track")
+            sentences.append(
+                f"{listed(mixed)} are not learnable one by one on this track"
+            )
     return sentences
 
 

@@ -339,12 +339,6 @@ class Invariants(LoopCandidate):
         falls = self.falls(definite).steps
         return [self.has_values(), definite.step, *falls, *jumps]
 
-    def rises_at_jumps(self) -> list[sympy.Expr]:
-        """Return by how much V rises at each set of jumps, where the relations hold."""
-        after = self.loop.jumps_at_once()
-        rises = (self.V.xreplace(change) - self.V for change in after)
-        return [sympy.expand(self.reduced(rise)) for rise in rises]
-
     def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a file of Coq."""
         return []

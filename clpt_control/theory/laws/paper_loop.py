@@ -55,6 +55,7 @@ class PaperLoop:
             return named(vehicle, kind) if vehicle else kind
 
         self.loop = loop
+        self.rate = loop.derivative  # of an array along the blocks that run
         states, parameters = loop.states, loop.parameters
         car = parameters[of("vehicle_controller")]
         self.KD, self.GammaD, self.alpha_M = car.KD, car.GammaD, car.alpha_M
@@ -70,10 +71,6 @@ class PaperLoop:
         if of("alpha") in states:
             self.alpha = states[of("alpha")]
             self.eta = self.theta + self.alpha
-
-    def rate(self, value: Any) -> Any:
-        """Return the time derivative of an array along the blocks that run."""
-        return self.loop.derivative(value)
 
     @property
     def vehicle_rate(self) -> Any:

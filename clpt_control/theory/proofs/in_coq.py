@@ -36,7 +36,6 @@ from .coq_text import (
     without_signs,
 )
 from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, least, total
-from .steps import Step
 from .where import RANGED
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
@@ -125,11 +124,6 @@ class File:
     def needed(self) -> frozenset[str]:
         """Names of what the conclusion requires."""
         return CONCLUSIONS[self.verdict.conclusion].requires
-
-    def beyond(self) -> tuple[Step, ...]:
-        """Return the steps by which the verdict is stronger than the last theorem."""
-        steps = self.verdict.steps
-        return tuple(s for s in steps if self.missing & {*s.shows.split()})
 
     @property
     def missing(self) -> set[str]:

@@ -127,7 +127,8 @@ class Verdict(Judged):
 
     def beyond_coq(self) -> tuple[Step, ...]:
         """Return the steps by which the verdict is stronger than the file's last theorem."""
-        return self._file().beyond()
+        missing = self._file().missing
+        return tuple(s for s in self.steps if missing & {*s.shows.split()})
 
     def _file(self) -> File:
         """Return the file of the first way to write V' as a sum."""

@@ -191,7 +191,7 @@ class Region:
 
     def __init__(self, case: SystemCandidate, within: Any):
         self.states, self.discrete = case.states, case.eq.discrete
-        self.rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
+        self.rest = case.origin
         self.low, self.high = _box(self.rest, within)
         zero = dict.fromkeys(case.inputs, sympy.S.Zero)
         zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}

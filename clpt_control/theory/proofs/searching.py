@@ -44,7 +44,7 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
 
     First for any inputs, then for inputs of 0.
     """
-    rest_state = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
+    rest_state = case.origin
     zero, discrete = dict.fromkeys(case.inputs, sympy.S.Zero), case.eq.discrete
     rates: Rates = {}
     for s, rate in case.eq.motion.items():
@@ -215,9 +215,7 @@ def _rounded(
 ) -> list[sympy.Expr]:
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
-    rationals = [
-        sympy.Rational(float(v)).limit_denominator(SHARE) for v in values
-    ]
+    rationals = [sympy.Rational(float(v)).limit_denominator(SHARE) for v in values]
     numbers = [row.get(k, 0) for row in exact for k in used]
     reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]

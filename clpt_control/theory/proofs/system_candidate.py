@@ -224,16 +224,20 @@ class SystemCandidate(LyapunovCandidate):
         rate = normal_form(rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
+    @property
+    def origin(self) -> Mapping[Any, sympy.Expr]:
+        """The rest, or 0 for each state."""
+        return self.rest or dict.fromkeys(self.states, sympy.S.Zero)
+
     @cached_property
     def search(self) -> PointSearch:
         """Random points about the rest."""
-        rest_state = self.rest or {}
         return PointSearch(
             self.system,
             self.eq,
             self.V,
             self.output,
-            rest_state,
+            self.origin,
             self.seed,
             self.where.kept,
         )
@@ -417,8 +421,7 @@ class SystemCandidate(LyapunovCandidate):
             loss = at_ends
         losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
         if not losses and not self.where.kept:
-            rest = self.rest or dict.fromkeys(self.states, sympy.S.Zero)
-            losses = lost_in_groups(loss, rest, self.fixed, bounded)
+            losses = lost_in_groups(loss, self.origin, self.fixed, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))

@@ -33,7 +33,7 @@ from ...engine.record.symbolic import rational
 from ..algebra.exact import groups_of
 from ..algebra.facts import interval
 from ..algebra.sums_of_squares import squares, zero_of
-from ..algebra.texts import bound_text
+from ..algebra.texts import bound_text, listed
 from .answers import Definite, Fall
 from .conclusions import Condition
 from .leaks import Leak, leaks_of, radial_of, stays_within
@@ -413,8 +413,3 @@ class Bounding:
         where = [Condition("start", radii), Condition("truth", truths)]
         claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"
         return bounded(claim, "pulled", level, conditions=where)
-
-
-def listed(items: Sequence[str]) -> str:
-    """Return "a, b and c"."""
-    return " and ".join(item for item in (", ".join(items[:-1]), items[-1]) if item)
