@@ -268,13 +268,13 @@ TOKENS = {
     "plots": 14,
     "plots.drawing": 6383,
     "simulation": 43339,
-    "theory.algebra": 19267,
+    "theory.algebra": 19161,
     "theory.coq": 2395,
     "theory.design": 5666,
-    "theory.excitation": 11948,
-    "theory.laws": 16818,
-    "theory.proofs": 48034,
-    "theory.theorems": 8187,
+    "theory.excitation": 11903,
+    "theory.laws": 16712,
+    "theory.proofs": 47368,
+    "theory.theorems": 8071,
 }
 LAID_OUT = {
     *(tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT),
