@@ -268,12 +268,12 @@ TOKENS = {
     "plots": 14,
     "plots.drawing": 6383,
     "simulation": 43339,
-    "theory.algebra": 19161,
+    "theory.algebra": 19177,
     "theory.coq": 2395,
     "theory.design": 5666,
     "theory.excitation": 11903,
     "theory.laws": 16712,
-    "theory.proofs": 47368,
+    "theory.proofs": 47389,
     "theory.theorems": 8071,
 }
 LAID_OUT = {

@@ -145,9 +145,11 @@ def _agrees(difference: Expr, border: Expr, order: int) -> bool:
         slope = sympy.diff(border, s)
         if slope.is_number and slope != 0:
             line = {s: expand(s - border / slope)}
-            difference = in_known_pieces(
-                difference, lambda m, line=line: expand(m.xreplace(line)).is_positive
-            )
+
+            def is_above(margin: Expr, line: dict[Any, Expr] = line) -> Any:
+                return expand(margin.xreplace(line)).is_positive
+
+            difference = in_known_pieces(difference, is_above)
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
         remainder = sympy.rem(expand(numerator), expand(border**order), *symbols)

@@ -240,7 +240,7 @@ def zero_in_all(cases: "Sequence[Still]", losses: Sequence[Expr]) -> list[Expr]:
 
 def point_of(cases: "Sequence[Still]") -> dict[Any, Expr] | None:
     """Return the one rest that all cases leave, each state as a number; otherwise None."""
-    points = [case.point for case in cases]
+    points: list[Any] = [case.point for case in cases]
     if not points or None in points:
         return None
     common = points[0]

@@ -253,11 +253,12 @@ class Region:
                 center + share * (end - center) for end in (self.low, self.high)
             )
             boxes, share = self.boxes(low[None], high[None]), share / 2
+
+            def is_above(margin: sympy.Expr, boxes: Any = boxes) -> bool:
+                return bool((enclosed(margin, boxes)[0] > 0.0).all())
+
             rate, *motion = (
-                in_known_pieces(
-                    e, lambda m, boxes=boxes: (enclosed(m, boxes)[0] > 0.0).all()
-                )
-                for e in (self.rate, *self.motion)
+                in_known_pieces(e, is_above) for e in (self.rate, *self.motion)
             )
             if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
                 continue

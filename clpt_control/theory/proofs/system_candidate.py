@@ -260,7 +260,7 @@ class SystemCandidate(LyapunovCandidate):
     # --- in the user's signals ------------------------------------------------------------------
 
     @cached_property
-    def sums(self) -> dict[sympy.Expr, sympy.Expr]:
+    def sums(self) -> Mapping[sympy.Expr, sympy.Expr]:
         """Each signal that is a sum: the sum -> its symbol."""
         names: dict[sympy.Expr, sympy.Expr] = {}
         for port, symbols in self.eq.signals.items():
