@@ -614,10 +614,6 @@ Lemma shape_cosh : shape (fun x => cosh x - 1).
 Proof. apply (shape_above _ _ (/ 2) shape_exp); [lra|]. intros x. unfold cosh. assert (A := exp_line (- x)). lra. Qed.
 Lemma cosh_above x : 1 <= cosh x.
 Proof. assert (A := proj1 shape_cosh x). simpl in A. lra. Qed.
-Lemma sinh_square x : sinh x ^ 2 = cosh x ^ 2 - 1.
-Proof. unfold sinh, cosh. assert (E : exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field [E]. Qed.
-Lemma tanh_square x : tanh x ^ 2 = 1 - / cosh x ^ 2.
-Proof. assert (A := cosh_above x). unfold tanh. replace ((sinh x / cosh x) ^ 2) with (sinh x ^ 2 / cosh x ^ 2) by (field; lra). rewrite sinh_square. field. lra. Qed.
 Lemma root_above x d e : 0 < e -> d = e / (3 + 3 * e) -> e <= Rabs x -> 1 + d * Rabs x <= sqrt (x ^ 2 + 1).
 Proof. intros He Ed Hx. assert (D : 0 < d <= 1 / 3 /\ d <= e / 3).
   { subst d. split; [split|].
