@@ -65,12 +65,17 @@ class SystemRun:
         wiring: Wiring,
         params: Any,
         engine: str | None,
-        apart: Mapping[tuple[int, str], Any] = {},
+        varied: Sequence[str] = (),
     ):
         self.name = name
         self.wiring = wiring
         self.params = params
-        self.runner = make_runner(wiring, params, engine, name, apart)
+        self.runner = self.made_runner(engine, varied)
+
+    def made_runner(self, engine: str | None, varied: Sequence[str]) -> Runner:
+        """Return the engine of this system."""
+        apart = fields_of(self.wiring, varied)
+        return make_runner(self.wiring, self.params, engine, self.name, apart)
 
     @property
     def labels(self) -> list[str]:
@@ -126,10 +131,14 @@ class SystemRun:
             solution, why = run_compared(runner, *given, is_compared)
             if not why:
                 return solution, runner.signals(solution, inputs)
-            warn_python(self.name, why)
+            self.leave_machine_code(why)
             parameters = runner.block_parameters
             runner = PythonDiagram(self.wiring).with_parameters(parameters)
         return run_in_python(runner, self.name, *given)
+
+    def leave_machine_code(self, why: str) -> None:
+        """Warn that the system runs in Python."""
+        warn_python(self.name, why)
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
@@ -155,9 +164,8 @@ class DiagramRun(SystemRun):
         wiring = wiring_of(diagram, params, sizes)
         if stop is not None:
             wiring = with_stop(wiring, stop, *labels_of(diagram, wiring)[:2])
-        apart = fields_of(wiring, varied)
-        super().__init__(diagram.name, wiring, params and dict(params), engine, apart)
-        outputs, inputs, self.states = labels_of(diagram, self.wiring)
+        outputs, inputs, self.states = labels_of(diagram, wiring)
+        super().__init__(diagram.name, wiring, params and dict(params), engine, varied)
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
         outputs = whole_labels(outputs)

@@ -160,16 +160,16 @@ class FitProblem:
         parameters: Mapping[str, Any],
     ):
         self.run = run
-        self.names = [*run.varied]
-        signals = {label: [k] for k, label in enumerate(run.labels)}
-        self.ports = signals | ports_of(run.labels)
+        self.names = [*run.locations]
+        signals = {label: [k] for k, label in enumerate(run.output_labels)}
+        self.ports = signals | ports_of(run.output_labels)
         self._read(measured)
         self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
     def _read(self, measured: Mapping[str, np.ndarray]) -> None:
         """Read the measurements: columns of outputs, their names, values and finite ones."""
-        n = len(self.run.times) - self.run.skipped
+        n = len(self.run.request.times) - self.run.request.skipped
         self.columns: list[int] = []
         self.outputs: list[str] = []
         values: list[np.ndarray] = []
@@ -186,10 +186,10 @@ class FitProblem:
                 )
             self.columns += columns
             values += list(array.reshape(n, -1).T)
-            labels = [self.run.labels[k] for k in columns]
+            labels = [self.run.output_labels[k] for k in columns]
             self.outputs += labels if len(columns) > 1 else [name]
         if not values:
-            ports = ", ".join(ports_of(self.run.labels))
+            ports = ", ".join(ports_of(self.run.output_labels))
             raise ArgumentError(f"data: has no finite numbers of the outputs {ports}")
         self.measured = np.array(values).T
         self.is_measured = np.isfinite(self.measured)
@@ -219,7 +219,7 @@ class FitProblem:
         if self.last is not None and np.array_equal(values, self.last[0]):
             return self.last[1]
         try:
-            run = self.run.run(values)
+            run = self.run.at(values)
         except SimulationError as error:
             pairs = zip(self.names, values, strict=True)
             point = ", ".join(f"{name} = {value:.6g}" for name, value in pairs)
@@ -305,13 +305,13 @@ class FitProblem:
         free_names = [*compress(self.names, free)]
         sentences = [_sentence(free_names, direction) for direction in directions]
         sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
-        times = self.run.times[self.run.skipped :]
+        times = self.run.request.times[self.run.request.skipped :]
         modelled = self.run_at(values).outputs[: len(times), self.columns, 0]
         columns = zip(self.outputs, self.measured.T, modelled.T, strict=True)
         outputs = {name: FittedOutput(times, *pair) for name, *pair in columns}
         start, parameters = self.run.with_values(values)
         params = {}
-        for name, location in self.run.varied.items():
+        for name, location in self.run.locations.items():
             for k, key in location.fields[:1]:
                 value = getattr(parameters[k], key)
                 params[name.partition("[")[0]] = value if value.ndim else float(value)
@@ -448,7 +448,7 @@ def fit_parameters(
         unknown |= measured.keys() & ports_of(run.input_labels).keys()
     if unknown:
         raise ArgumentError(
-            f"data: {min(unknown)} is not an output; they are {', '.join(ports_of(run.labels))}; "
+            f"data: {min(unknown)} is not an output; they are {', '.join(ports_of(run.output_labels))}; "
             "inputs= takes inputs"
         )
     return problem.fit()

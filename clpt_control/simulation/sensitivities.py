@@ -18,14 +18,14 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.directional_derivatives import Directions, may_jump, put, value_at
+from ..engine.diagram.interconnection import changed_parameters
 from ..engine.record.unread import Unread
-from ..engine.solver.engine_choice import run_compared
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.scenario.experiment import Scenario
 from .dataset_template import diagram_template
-from .diagram_runs import compiled, signal_units
+from .diagram_runs import DiagramRun, signal_units
 from .requests import request_of
 from .sensitivity_names import START, varied_numbers
 
@@ -50,10 +50,11 @@ class RunWithDerivatives(NamedTuple):
         return np.concatenate([self.outputs, self.states], axis=1)
 
 
-class SensitivityRun:
+class SensitivityRun(DiagramRun):
     """A diagram with derivatives by named parameters and initial states, ready to run.
 
-    `varied` has the location of each varied number by name.
+    `locations` has the location of each varied number by name, `jumping` the names of blocks that
+    may jump.
     """
 
     def __init__(
@@ -67,98 +68,88 @@ class SensitivityRun:
         **solver: Any,
     ):
         request = request_of(system, timepts, inputs, initial_state, **solver)
-        self.name = request.diagram.name
-        self.times = request.times
-        self.skipped = request.skipped
-        self.options = request.options
+        self.request = request
+        names = [to] if isinstance(to, str) else [*to]
         try:
             with request.drawn_around():
-                run = compiled(request.diagram, params, request.sizes)
-            self.wiring = run.wiring
-            self.atol = (
-                0.0 if self.wiring.dt else request.options.atol or RunOptions.atol
-            )
-            self.states = run.states
-            self.parameters = run.runner.sweep.parameters
-            self.varied = varied_numbers(to, self.wiring, self.states)
-            self.runner = self._compile(params)
+                super().__init__(request.diagram, params, request.sizes, varied=names)
         except (Uncompiled, Unread) as error:
             raise SimulationError(
-                f"{self.name}: has no known derivative: {error}"
+                f"{request.diagram.name}: has no known derivative: {error}"
             ) from None
         noutputs = len(self.wiring.outputs)
-        self.labels = run.signal_labels[:noutputs]
-        self.input_labels = run.signal_labels[noutputs:]
-        self.units = signal_units(run.wiring)[:noutputs]
-        self.inputs, self.start = request.inputs, request.start
+        self.output_labels = self.signal_labels[:noutputs]
+        self.input_labels = self.signal_labels[noutputs:]
+        self.atol = 0.0 if self.wiring.dt else request.options.atol or RunOptions.atol
 
-    def _compile(self, params: Mapping[str, Any] | None) -> NativeDiagram:
-        """Return the diagram with derivatives by each varied number, ready to run."""
+    def made_runner(self, engine: str | None, varied: Sequence[str]) -> NativeDiagram:
+        """Return the diagram with derivatives by each varied number, in machine code."""
+        self.locations = varied_numbers(varied, self.wiring, self.states)
         for node in self.wiring.nodes:
             if node.system.jumps_at_level:
                 raise SimulationError(
                     f"{node.name}: jumps at a level, whose time varies. Compare runs of slightly "
                     "different numbers instead of `sensitivity`"
                 )
-        locations = self.varied.values()
-        directions = tuple(location.elements(self.parameters) for location in locations)
+        locations = self.locations.values()
+        parameters = changed_parameters(self.wiring.blocks, self.params)
+        directions = tuple(location.elements(parameters) for location in locations)
         varied_blocks = {k for direction in directions for k, _, _ in direction}
-        self.jumping = [  # names of blocks that may jump
+        self.jumping = [
             node.name
             for k, node in enumerate(self.wiring.nodes)
             if may_jump(node.system)
             or (k in varied_blocks and node.system.breakpoints_function is not None)
         ]
         fields = {field: field for location in locations for field in location.fields}
-        return NativeDiagram(self.wiring, params, Directions(directions), fields)
+        return NativeDiagram(self.wiring, self.params, Directions(directions), fields)
+
+    def leave_machine_code(self, why: str) -> None:
+        """Refuse to run in Python, which has no derivatives."""
+        raise SimulationError(f"{self.name}: its derivative is not known: {why}")
 
     @property
     def values(self) -> np.ndarray:
         """The values of the varied numbers in the system."""
-        locations = self.varied.values()
-        return np.array([value_at(p, self.parameters, self.start) for p in locations])
+        parameters, start = self.runner.block_parameters, self.request.start
+        locations = self.locations.values()
+        return np.array([value_at(place, parameters, start) for place in locations])
 
     def with_values(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
         """Return the initial state and the parameters of blocks with values of varied numbers."""
-        start = self.start.copy()
-        parameters = list(self.parameters)
-        for location, value in zip(self.varied.values(), values, strict=True):
+        start = self.request.start.copy()
+        parameters = list(self.runner.block_parameters)
+        for location, value in zip(self.locations.values(), values, strict=True):
             put(location, value, parameters, start)
         return start, parameters
 
-    def run(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
+    def at(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with values of the varied numbers."""
+        request, skipped = self.request, self.request.skipped
         start, parameters = self.with_values(values)
         # the state, then its derivative by each number
-        x = np.zeros((1 + len(self.varied), len(start)))
+        x = np.zeros((1 + len(self.locations), len(start)))
         x[0] = start
-        for row, location in zip(x[1:], self.varied.values(), strict=True):
+        for row, location in zip(x[1:], self.locations.values(), strict=True):
             row[list(location.states)] = 1.0
-        runner = self.runner.with_parameters(parameters)
-        options = replace(self.options, **solver)
-        given = x.ravel(), self.times, self.inputs, options
-        solution, reason = run_compared(runner, *given)
-        if reason:
-            raise SimulationError(f"{self.name}: its derivative is not known: {reason}")
+        options = replace(request.options, **solver)
+        given = x.ravel(), request.times, request.inputs, options
+        solution, blocks = self.run(*given, self.runner.with_parameters(parameters))
 
         # arrays of shape (nt, count, 1 + nparameters)
-        blocks = runner.signals(solution, self.inputs)
         blocks = blocks.reshape(len(blocks), len(x), -1)
         inputs = np.zeros((len(blocks), len(x), self.wiring.ninputs))
-        inputs[:, 0] = self.inputs.along(solution.t).T
+        inputs[:, 0] = request.inputs.along(solution.t).T
         outputs = self.wiring.outputs_of(blocks, inputs).transpose(0, 2, 1)
-        outputs = outputs[self.skipped :]
-        states = solution.x.reshape(len(blocks), *x.shape).transpose(0, 2, 1)[
-            self.skipped :
-        ]
-        solution = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
-        return RunWithDerivatives(solution, outputs, states)
+        states = solution.x.reshape(len(blocks), *x.shape).transpose(0, 2, 1)[skipped:]
+        solution = replace(solution, t=solution.t[skipped:], x=states[..., 0])
+        return RunWithDerivatives(solution, outputs[skipped:], states)
 
     def confirm(self, values: np.ndarray, run: RunWithDerivatives) -> None:
         """Raise `SimulationError` for derivatives that differ from differences of runs."""
         if not self.jumping:
             return
-        for j, (name, value) in enumerate(zip(self.varied, values, strict=True)):
+        for j, (name, value) in enumerate(zip(self.locations, values, strict=True)):
             size = abs(value) or 1.0
             if np.isinf(size):
                 continue
@@ -168,7 +159,7 @@ class SensitivityRun:
             wrong, largest = self._wrong_signals(values, change, derivatives * size)
             if wrong.any():
                 k = int(np.argmax(wrong))
-                label = [*self.labels, *self.states][k]
+                label = [*self.output_labels, *self.states][k]
                 reason = (
                     f"a function jumps where the run crosses something that moves with it (look in "
                     f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as "
@@ -200,8 +191,8 @@ class SensitivityRun:
         tolerance = TOLERANCE * np.abs(derivative).max(axis=0)
         largest = np.zeros(derivative.shape[1:])
         for h in STEPS:
-            above = self.run(values + h * change, **solver).signals[..., 0]
-            below = self.run(values - h * change, **solver).signals[..., 0]
+            above = self.at(values + h * change, **solver).signals[..., 0]
+            below = self.at(values - h * change, **solver).signals[..., 0]
             n = min(len(above), len(below), len(wrong))
             difference = above[:n] - below[:n]
             largest = np.maximum(largest, np.abs(difference).max(axis=0))
@@ -274,7 +265,7 @@ def sensitivity(
     system_run = SensitivityRun(
         system, timepts, to, inputs, initial_state, params, **solver
     )
-    run = system_run.run(system_run.values)
+    run = system_run.at(system_run.values)
     system_run.confirm(system_run.values, run)
     data = _dataset(system_run, run)
     if of is None:
@@ -291,19 +282,20 @@ def _dataset(system_run: SensitivityRun, run: RunWithDerivatives) -> "xarray.Dat
     """Return the derivatives of ports and states as a Dataset."""
     import xarray
 
-    labels = system_run.labels, system_run.units, system_run.states
+    units = signal_units(system_run.wiring)[: len(system_run.output_labels)]
+    labels = system_run.output_labels, units, system_run.states
     template = diagram_template(system_run.name, *map(tuple, labels))
     datasets = [
         template.filled(
             replace(run.solution, x=run.states[..., j]), run.outputs[..., j]
         )
-        for j in range(1, 1 + len(system_run.varied))
+        for j in range(1, 1 + len(system_run.locations))
     ]
     if "parameter" in datasets[0].variables:
         raise SimulationError(
             "parameter: is a dimension of the result. Rename it in the system"
         )
-    names = xarray.Variable("parameter", [*system_run.varied])
+    names = xarray.Variable("parameter", [*system_run.locations])
     data = xarray.concat(datasets, names, combine_attrs="override")
     data = data.transpose(..., "parameter")
     data.attrs["title"] = f"Sensitivities of {system_run.name}"
