@@ -24,7 +24,7 @@ from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
 from ..paper.scenario.experiment import Scenario
-from .diagram_runs import DiagramRun, compiled
+from .diagram_runs import CompiledRun, DiagramRun
 from .requests import as_diagram, stacked_state
 
 FIXED = " fixed"  # suffix of a parameter that must not change
@@ -66,7 +66,7 @@ def c_file(
     if initial_state is None:
         initial_state = own_arguments.get("initial_state")
     try:
-        run = compiled(system, params)
+        run = CompiledRun(system, params)
         if kind is not None:
             refuse_levels(run)
         start = stacked_state("initial_state", initial_state, run.runner.nstates)
@@ -120,11 +120,10 @@ class CFile:
         self.name = _c_name(run.name)[:MAX_NAME]
         self.work_size = max(1, self.program.components.room)
         self.memory_size = max(1, len(self.record.set_by_integrator))
-        noutputs = len(self.wiring.outputs)
         self.labels = {
             "x": _labels(run.states),
-            "u": _labels(run.signal_labels[noutputs:]),
-            "y": _labels(run.signal_labels[:noutputs]),
+            "u": _labels(run.input_labels),
+            "y": _labels(run.output_labels),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
         self.rate, self.turns = self._counted()

@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
-from warnings import catch_warnings, simplefilter
 
 import control
 import numpy as np
@@ -18,8 +17,6 @@ import numpy as np
 from ..base.errors import SimulationError
 from ..engine.diagram.interconnection import with_stop
 from ..engine.diagram.wiring import (
-    Params,
-    Part,
     Sizes,
     Wiring,
     call_names,
@@ -168,8 +165,8 @@ class DiagramRun(SystemRun):
         super().__init__(diagram.name, wiring, params and dict(params), engine, varied)
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
-        outputs = whole_labels(outputs)
-        self.signal_labels = outputs + _distinct_inputs(whole_labels(inputs), outputs)
+        self.output_labels = whole_labels(outputs)
+        self.input_labels = _distinct_inputs(whole_labels(inputs), self.output_labels)
 
     def solve(
         self, request: "Request", runner: Runner | None = None, is_compared: bool = True
@@ -230,7 +227,7 @@ class DiagramRun(SystemRun):
     @cached_property
     def template(self) -> DatasetTemplate:
         """The template of the Dataset."""
-        labels = self.signal_labels
+        labels = self.output_labels + self.input_labels
         units = signal_units(self.wiring)
         if self.loop is None:
             return diagram_template(
@@ -244,6 +241,14 @@ class DiagramRun(SystemRun):
         return scenario_template(
             self.loop.scenario, self.signals(labels), attributes, ports, self.states
         )
+
+
+class CompiledRun(DiagramRun):
+    """A diagram in machine code; one that cannot be compiled raises `Uncompiled`."""
+
+    def made_runner(self, engine: str | None, varied: Sequence[str]) -> Runner:
+        """Return the machine code."""
+        return NativeDiagram(self.wiring, self.params)
 
 
 def fields_of(
@@ -302,13 +307,3 @@ def signal_units(wiring: Wiring) -> list[str]:
         return block_units[column] if column >= 0 else input_units[~column]
 
     return [unit_of(row) for row in wiring.outputs] + input_units
-
-
-def compiled(diagram: Part, params: Params, sizes: Sizes = (None, None)) -> DiagramRun:
-    """Return a diagram that runs as machine code, or raise `Uncompiled`."""
-    with catch_warnings():
-        simplefilter("ignore")  # the warning of a run in Python
-        run = DiagramRun(diagram, params, sizes, engine="native")
-    if run.runner.engine != "native":
-        NativeDiagram(run.wiring, params)
-    return run

@@ -448,8 +448,8 @@ def fit_parameters(
         unknown |= measured.keys() & ports_of(run.input_labels).keys()
     if unknown:
         raise ArgumentError(
-            f"data: {min(unknown)} is not an output; they are {', '.join(ports_of(run.output_labels))}; "
-            "inputs= takes inputs"
+            f"data: {min(unknown)} is not an output; they are "
+            f"{', '.join(ports_of(run.output_labels))}; inputs= takes inputs"
         )
     return problem.fit()
 

@@ -77,9 +77,6 @@ class SensitivityRun(DiagramRun):
             raise SimulationError(
                 f"{request.diagram.name}: has no known derivative: {error}"
             ) from None
-        noutputs = len(self.wiring.outputs)
-        self.output_labels = self.signal_labels[:noutputs]
-        self.input_labels = self.signal_labels[noutputs:]
         self.atol = 0.0 if self.wiring.dt else request.options.atol or RunOptions.atol
 
     def made_runner(self, engine: str | None, varied: Sequence[str]) -> NativeDiagram:
