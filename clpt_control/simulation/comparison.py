@@ -21,9 +21,9 @@ from ..base.figures import (
     literal,
     with_formulas,
 )
+from ..base.run_attributes import LABELS
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
-from .run_notes import LABELS
 from .run_plots import clpe_plot, learning_plot, run_plot
 from .track_chart import legend_beside, run_style, style_line, track_plot
 

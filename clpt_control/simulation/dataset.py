@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.run_attributes import CHANGED, OWN_LAW
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.on_arrays import on_arrays
@@ -24,7 +25,6 @@ from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import own_parts, scenario_to_text
-from ..paper.scenario.run_constants import CHANGED, OWN_LAW
 from ..paper.scenario.tables import Units
 from .dataset_template import DatasetTemplate, Series, Signals, port_variables
 from .user_components import LAW

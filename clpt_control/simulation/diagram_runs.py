@@ -15,6 +15,14 @@ import control
 import numpy as np
 
 from ..base.errors import SimulationError
+from ..base.run_attributes import (
+    DIAGRAM,
+    LABELS,
+    MOST_BYTES,
+    OWN_PARTS,
+    REFERENCE,
+    RunDiagram,
+)
 from ..engine.diagram.interconnection import with_stop
 from ..engine.diagram.wiring import (
     Sizes,
@@ -36,9 +44,7 @@ from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.python_runs import PythonDiagram
 from ..engine.solver.runner import Runner, RunOptions
 from ..engine.solver.termination import Solution
-from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template
-from .run_notes import DIAGRAM, LABELS, RunDiagram
 
 if TYPE_CHECKING:
     import xarray

@@ -11,12 +11,11 @@ import control
 import numpy as np
 
 from ..base.arguments import public
+from ..base.run_attributes import ARGUMENTS, BEYOND, TEAM
 from ..engine.solver.runner import checked_method
-from ..paper.scenario.run_constants import BEYOND, TEAM
 from .diagram_runs import DiagramRun
 from .requests import Times, request_of, times_from_zero
 from .run_cache import cached_run, diagram_key
-from .run_notes import ARGUMENTS
 
 if TYPE_CHECKING:
     import xarray

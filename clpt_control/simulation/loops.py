@@ -14,6 +14,7 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import DiagramError
+from ..base.run_attributes import OWN_LAW, OWN_PARTS
 from ..engine.diagram.interconnection import (
     PARAMETER_HINTS,
     Diagram,
@@ -29,7 +30,6 @@ from ..paper.laws.consensus import consensus_block, pulled_law
 from ..paper.laws.table import LAWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.quantities import call_time_hint
-from ..paper.scenario.run_constants import OWN_LAW, OWN_PARTS
 from ..paper.scenario.team import TEAM_LAW, Team
 from .loop_blocks import changed_blocks, remaining_blocks
 from .user_components import UNCHANGED, Changes, changes_of

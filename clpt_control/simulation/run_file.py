@@ -11,6 +11,15 @@ from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.files import write_file
 from ..base.files.reading import open_netcdf
+from ..base.run_attributes import (
+    ARGUMENTS,
+    FORM,
+    KEYS,
+    MOST_BYTES,
+    TEAM,
+    note_texts,
+    read_note,
+)
 from ..paper.scenario import file
 from ..paper.scenario.recorded_run import (
     check_response,
@@ -18,9 +27,7 @@ from ..paper.scenario.recorded_run import (
     is_response,
     kind_of,
 )
-from ..paper.scenario.run_constants import FORM, MOST_BYTES, TEAM
 from ..paper.scenario.team import Team, system_of_run, team_to_text
-from .run_notes import ARGUMENTS, KEYS, note_texts, read_note
 
 if TYPE_CHECKING:
     import xarray

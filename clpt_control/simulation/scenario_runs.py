@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.errors import SimulationError
+from ..base.run_attributes import TEAM
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.model.ports import bare_labels, split
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.run_constants import TEAM
 from ..paper.scenario.team import Team, team_to_text
 from .dataset import scenario_template
 from .dataset_template import STATE, STATES, DatasetTemplate, Signals

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..base.arguments import check_holds
 from ..base.errors import DataError
+from ..base.run_attributes import ARGUMENTS
 from ..engine.methods.table import ROWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
@@ -25,7 +26,6 @@ from .flows import explained_variance, flow_error, speeds_of
 from .integrate import simulate
 from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
 from .requests import sample_times
-from .run_notes import ARGUMENTS
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -172,7 +172,7 @@ def _run_figures(run: Any, folder: Path, kinds: tuple[str, ...]) -> dict[Path, A
     Figures 1 to 4 are the track, CLPE, and the learning of both axes.
     """
     from ...base.figures import figure_of
-    from ...paper.scenario.run_constants import TEAM
+    from ...base.run_attributes import TEAM
     from ...simulation.run_plots import clpe_plot, learning_plot
     from ...simulation.team_plots import team_plot
     from ...simulation.track_chart import track_plot

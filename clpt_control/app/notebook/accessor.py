@@ -18,9 +18,9 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
+from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
 from ...engine.model.ports import ports_of
 from ...paper.scenario.recorded_run import kind_of
-from ...paper.scenario.run_constants import BEYOND
 from ...simulation.comparison import (
     named,
     ports_along,
@@ -30,7 +30,6 @@ from ...simulation.comparison import (
 )
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop
-from ...simulation.run_notes import DIAGRAM, RunDiagram
 
 if TYPE_CHECKING:
     import pandas

@@ -11,9 +11,9 @@ from typing import Any
 from xarray import Dataset
 
 from ...base.html import Result, shortened
+from ...base.run_attributes import TEAM
 from ...base.units import percent
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.run_constants import TEAM
 from ...paper.scenario.team import Team
 from ...simulation.summary import SUMMARY, ending_of, figures_of
 

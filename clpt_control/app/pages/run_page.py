@@ -9,11 +9,11 @@ from ...base.errors import ClptError
 from ...base.figures import figure_of, new_figure
 from ...base.html import Result, folded, listing
 from ...base.page import Drawn, Page, Section, drawn, versions_section
+from ...base.run_attributes import BEYOND, CHANGED, OWN_LAW, OWN_PARTS, TEAM
 from ...engine.diagram.interconnection import Diagram
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...paper.scenario.recorded_run import unknown_parts, waypoints_of
-from ...paper.scenario.run_constants import BEYOND, CHANGED, OWN_LAW, OWN_PARTS, TEAM
 from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples

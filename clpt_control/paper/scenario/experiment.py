@@ -18,6 +18,7 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.geodesy import LocalPlane, angle_near, is_place
 from ...base.html import facts, fragment, shortened
+from ...base.run_attributes import MOST_BYTES
 from ...engine.model.block import Block
 from ...engine.model.sampled import Sampled
 from ..blocks.flow import flow_basis
@@ -25,7 +26,6 @@ from ..laws.law import LawContext
 from ..laws.table import LAWS
 from . import tables
 from .learning import Learning
-from .run_constants import MOST_BYTES
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run

@@ -17,8 +17,8 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
+from ...base.run_attributes import BEYOND, FORM, OWN_PARTS, TEAM
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
-from .run_constants import BEYOND, FORM, OWN_PARTS, TEAM
 
 LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read

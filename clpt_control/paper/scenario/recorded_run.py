@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...base.errors import DataError
+from ...base.run_attributes import CHANGED, REFERENCE, TEAM
 from ...engine.model.block import evaluate
 from ..blocks.vehicle import vehicle_controller
 from .experiment import Scenario
 from .file import own_parts
-from .run_constants import CHANGED, REFERENCE, TEAM
 from .team import Team
 
 if TYPE_CHECKING:

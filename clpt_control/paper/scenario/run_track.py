@@ -17,13 +17,13 @@ import xarray
 from scipy.interpolate import CubicSpline
 
 from ...base.errors import DataError, ScenarioError
+from ...base.run_attributes import BEYOND, CHANGED, OWN_PARTS
 from ...engine.model.block import evaluate
 from ...engine.model.declaration import multiples
 from ..blocks import vehicle
 from .experiment import Scenario
 from .file import scenario_of_run
 from .recorded_run import check_run, commanded_velocity
-from .run_constants import BEYOND, CHANGED, OWN_PARTS
 
 LEAST = 5  # samples between two changes of the waypoint, or of the noise
 

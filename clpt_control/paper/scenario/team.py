@@ -27,9 +27,9 @@ from pydantic import Field, Strict, model_validator
 from ...base.arguments import brief, public
 from ...base.errors import DataError, ScenarioError
 from ...base.html import facts, fragment, shortened
+from ...base.run_attributes import TEAM
 from . import file
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
-from .run_constants import TEAM
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"

@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ...base.errors import ArgumentError, DataError, ScenarioError
+from ...base.run_attributes import CHANGED, OWN_LAW, OWN_PARTS
 from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import check_run, unknown_parts
-from ...paper.scenario.run_constants import CHANGED, OWN_LAW, OWN_PARTS
 from ...paper.scenario.team import Team, system_of_run
 from ...simulation.comparison import ports_along, signals_of
 from ...simulation.integrate import simulate

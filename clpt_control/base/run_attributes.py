@@ -1,4 +1,4 @@
-"""Notes on a run: arguments of `simulate`, and labels of its diagram.
+"""Attributes of a run: their names, and notes: arguments of `simulate`, labels of its diagram.
 
 With its scenario, the arguments repeat a scenario's run.  The run of another diagram is repeated
 by the script that made it.  Notes are in the `encoding` of a run, which xarray passes on, and are
@@ -11,10 +11,31 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..base.errors import DataError
+from .errors import DataError
 
 if TYPE_CHECKING:
     import xarray
+
+MOST_BYTES = 4 * 10**9  # memory of a run
+CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
+# attribute of a team's run, in place of its scenario: the team as TOML text
+TEAM = "team"
+OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
+# attribute of a run: other blocks of its diagram that were given in Python
+OWN_PARTS = "own_parts"
+REFERENCE = "reference"  # name of the block of the waypoints
+FORM = "run_format"  # attribute of a run's file: the number of its format; default 1
+IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
+BEYOND = {  # attribute of a run -> change that its scenario does not have, remedy in Python
+    CHANGED: (
+        "parameters given at call time",
+        "the parameters to simulate(params=...)",
+    ),
+    OWN_LAW: ("a law given in Python", IN_PYTHON),
+    OWN_PARTS: ("parts given in Python", IN_PYTHON),
+}
+
+# --- notes ----------------------------------------------------------------------------------------
 
 ARGUMENTS = "arguments"
 LABELS = "labels"
