@@ -188,10 +188,10 @@ class DiagramRun(SystemRun):
             steps = request.steps[request.steps < len(solution.t)]
             solution = replace(solution, t=solution.t[steps], x=solution.x[steps])
             signals = signals[steps]
-        u = request.inputs.along(solution.t).T
+        u = request.inputs.along(solution.t).T if self.wiring.ninputs else None
         if not self._outputs_are_signals:
             signals = self.wiring.outputs_of(signals, u)
-        return solution, np.hstack([signals, u]) if self.wiring.ninputs else signals
+        return solution, signals if u is None else np.hstack([signals, u])
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution, outputs and inputs with names, units and attributes."""

@@ -185,9 +185,10 @@ class Batch:
         parameters = self.runs.parameters
         in_lanes[: parameters.shape[1]] = parameters[:1].T
         in_lanes[self.segments.indices] = self.segments.values[:1].T
-        indices, (first, stop) = self.segments.indices, callee.slopes
-        slopes = self.segments.values[:, (indices >= first) & (indices < stop)]
-        timed = callee.timed or (stop and slopes.any())
+        timed = callee.timed
+        if callee.slopes:
+            in_segments = np.isin(self.segments.indices, callee.slopes)
+            timed |= self.segments.values[:, in_segments].any()
         if timed:
             longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
         self.lane[MAX_STEP] = longest

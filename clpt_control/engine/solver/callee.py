@@ -4,6 +4,7 @@ The solver takes arrays by their addresses.  The arrays of a call are kept for t
 same shape: making them takes longer than a small evaluation.
 """
 
+from collections.abc import Sequence
 from ctypes import addressof, c_char
 from typing import Any, NamedTuple
 
@@ -37,8 +38,8 @@ class Callee(NamedTuple):
     kept: dict[Any, Any]  # arrays of calls by shape, while no thread uses them
     linear: Jacobian = Jacobian()  # of Rodas5P
     timed: bool = False  # whether steps are short, as time may do much in little of it
-    # places in P of the slopes of inputs: steps are short where one is not zero
-    slopes: tuple[int, int] = (0, 0)
+    # places in P of the slopes of inputs that rates read: steps are short where one is not zero
+    slopes: Sequence[int] = ()
     code: tuple = ()  # objects that must live for as long as addresses are used
 
     @property

@@ -196,9 +196,10 @@ class NativeDiagram(Runner):
         """
         if lanes > 1 and (self.sweep.guarded or self.code.program.decided):
             lanes = 1
-        if (lanes, method) not in self._callees:
-            self._callees[lanes, method] = self._callee(lanes, method)
-        return self._callees[lanes, method]
+        callee = self._callees.get((lanes, method))
+        if callee is None:
+            callee = self._callees[lanes, method] = self._callee(lanes, method)
+        return callee
 
     def _callee(self, lanes: int, method: Method) -> Callee:
         code = self.code
@@ -214,7 +215,7 @@ class NativeDiagram(Runner):
         at_level = [s.jumps_at_level for s in systems if s.guard is not None]
         levels = np.zeros(program.guarded)
         levels[: len(at_level)] = at_level
-        slopes = self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2
+        slopes = range(self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2)
         callee = Callee(
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
             lanes=lanes,
@@ -231,7 +232,7 @@ class NativeDiagram(Runner):
             kept={},
             linear=code.sparsity() if method.implicit else Jacobian(),
             timed=program.timed,
-            slopes=slopes if program.ramped else (0, 0),
+            slopes=slopes if program.ramped else (),
             code=(code,),
         )
         return with_formulas(callee)

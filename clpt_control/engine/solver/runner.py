@@ -173,9 +173,9 @@ class Runner(ABC):
         signals = solution.signals
         if signals is None:
             signals = self.evaluate(solution, inputs)
-        finite = np.isfinite(signals).all(axis=1)
+        finite = np.isfinite(signals)
         if not finite.all():
-            k = int(np.argmin(finite))
+            k = int(np.argmin(finite.all(axis=1)))
             x, t = solution.x[k, : self.sweep.nstates], float(times[k])
             self.sweep.enter(t)
             advice = f"{ADVICE}, or keep its arguments in range"

@@ -241,21 +241,21 @@ class SeriesRuns:
             P = parameters[members, : len(diagram.layout.P)]
             arrays.begin(own, P, times, segments, options)
             arrays.go(options.progress)
-            self._write(np.arange(count)[members], arrays)
+            self._write(members, arrays)
             if arrays.is_small:
                 keep(code.kept, shape, arrays)
 
-    def _write(self, members: np.ndarray, arrays: SeriesArrays) -> None:
+    def _write(self, members: Any, arrays: SeriesArrays) -> None:
         """Write the samples and counts of arrays, and the ends of those that have not arrived."""
         states, status, _, counts = self.results
-        m, (nt, n) = len(members), states.shape[1:]
-        states[members] = arrays.samples.reshape(-1, nt, n)[:m]
+        numbers = np.arange(len(status))[members]
+        m, shape = len(numbers), states.shape[1:]
+        states[members] = arrays.samples.reshape(-1, *shape)[:m]
         lanes = arrays.time.shape[1]
         steps = arrays.integers[:, series.STEPS :][:, :lanes]
         counts[members, :2] = steps.reshape(-1, 1)[:m]
         counts[members, 2] = len(arrays.edges) - 1
-        for k, end in enumerate(arrays.status.ravel()[:m].tolist()):
-            if end != series.ARRIVED:
-                member = int(members[k])
-                status[member] = Status.SERIES_ENDED
-                self.ends[member] = arrays.end(k)
+        has_ended = arrays.status.ravel()[:m] != series.ARRIVED
+        for k in np.flatnonzero(has_ended).tolist():
+            status[numbers[k]] = Status.SERIES_ENDED
+            self.ends[int(numbers[k])] = arrays.end(k)
