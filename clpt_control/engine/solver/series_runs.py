@@ -110,6 +110,7 @@ class SeriesArrays:
         self._first = self.samples[:, :, 0]
         self.time = self.numbers[:, series.TIME : series.TIME + lanes]
         self.status = self.integers[:, series.STATUS : series.STATUS + lanes]
+        self.steps = self.integers[:, series.STEPS : series.STEPS + lanes]
         self.times = np.empty(samples)
         self.edges = np.empty(len(segments.edges))
         self.indices = np.zeros(max(1, len(segments.indices)), dtype=np.int64)
@@ -248,14 +249,12 @@ class SeriesRuns:
     def _write(self, members: Any, arrays: SeriesArrays) -> None:
         """Write the samples and counts of arrays, and the ends of those that have not arrived."""
         states, status, _, counts = self.results
-        numbers = np.arange(len(status))[members]
-        m, shape = len(numbers), states.shape[1:]
-        states[members] = arrays.samples.reshape(-1, *shape)[:m]
-        lanes = arrays.time.shape[1]
-        steps = arrays.integers[:, series.STEPS :][:, :lanes]
-        counts[members, :2] = steps.reshape(-1, 1)[:m]
+        m = len(status[members])
+        states[members] = arrays.samples.reshape(-1, *states.shape[1:])[:m]
+        counts[members, :2] = arrays.steps.reshape(-1, 1)[:m]
         counts[members, 2] = len(arrays.edges) - 1
-        has_ended = arrays.status.ravel()[:m] != series.ARRIVED
-        for k in np.flatnonzero(has_ended).tolist():
-            status[numbers[k]] = Status.SERIES_ENDED
-            self.ends[int(numbers[k])] = arrays.end(k)
+        ended = np.flatnonzero(arrays.status.ravel()[:m] != series.ARRIVED)
+        if len(ended):
+            runs = np.arange(len(status))[members][ended].tolist()
+            status[runs] = Status.SERIES_ENDED
+            self.ends |= zip(runs, map(arrays.end, ended.tolist()), strict=True)
