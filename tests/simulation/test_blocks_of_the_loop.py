@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from loop_scenarios import LOOPS
 from paths import ROOT
@@ -48,3 +49,26 @@ def test_each_signal_with_a_unit_has_it_in_a_run():
         none = {"phi_x", "phi_z", "phi_x_true", "taken", "states", *law.output_ports}
         units = {name: one.attrs.get("units") for name, one in run.data_vars.items()}
         assert {name for name, unit in units.items() if unit is None} <= none
+
+
+def in_still_water(N):
+    """Return the paper's experiment with N functions, without any flow, for an hour."""
+    zero = np.zeros((2, N)).tolist()
+    of_functions = {
+        "centers": np.full((N, 2), 5.0).tolist(),
+        "widths": [5.0] * N,
+        "periods": [12.42] * N,
+        "phases": [0.0] * N,
+    }
+    values = {f"basis.{name}": value for name, value in of_functions.items()}
+    for table in ("flow", "model", "learning"):
+        values[f"{table}.parameters"] = zero
+    return clpt.paper_scenario().with_values({**values, "run.duration": 1.0})
+
+
+def test_a_loop_runs_that_is_too_large_for_the_matrices_of_python_control():
+    many, few = in_still_water(1400), in_still_water(2)
+    with pytest.raises(clpt.DiagramError, match="for which python-control needs"):
+        clpt.closed_loop(many)
+    tracks = [clpt.simulate(one).position.values for one in (many, few)]
+    np.testing.assert_allclose(*tracks, atol=1e-7)
