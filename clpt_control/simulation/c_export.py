@@ -6,24 +6,19 @@ blocks between two steps.  The code allocates nothing and needs only math.h of t
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from importlib import resources
-from pathlib import Path
 from string import Template
 from typing import Any
 
-import control
 import numpy as np
 
-from ..base.arguments import public
 from ..base.errors import DiagramError, Uncompiled
-from ..base.files import write_file
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
-from ..engine.model.ports import ports_of
-from ..paper.scenario.experiment import Scenario
+from ..engine.model.ports import bare_labels
 from .diagram_runs import CompiledRun, DiagramRun
 from .requests import as_diagram, stacked_state
 
@@ -35,33 +30,23 @@ TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-
 DIVIDES = " * dt must divide the periods at which blocks sample or jump.\n"
 SECTIONS = map(Template, TEMPLATES.split("//\n"))
 HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS, COUNTED, COUNT = SECTIONS
-
-
-@public
-def export_c(
-    system: Scenario | control.InputOutputSystem,
-    path: str | Path | None = None,
-    initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
-) -> str:
-    """Write a diagram as one self-contained file of C99.
-
-    >>> import control
-    >>> import clpt_control as clpt
-    >>> text = export_c(control.tf(1, [0.5, 1], name="lag"))
-    >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
-    ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
-    """
-    text = c_file(system, initial_state, params).text
-    if path is not None:
-        write_file(path, text)
-    return text
+OPTIONAL = {  # fields that only some files fill
+    **dict.fromkeys(("begins", "divides", "samples", "next"), ""),
+    **dict.fromkeys(("counted", "count", "count_again"), ""),
+    **dict.fromkeys(("u_middle", "u_end"), "u"),
+}
 
 
 def c_file(
     system: Any, initial_state: Any, params: Any, kind: type["CFile"] | None = None
 ) -> "CFile":
-    """Return the C file of a diagram, or raise `DiagramError`."""
+    """Return the C file of a diagram, or raise `DiagramError`.
+
+    >>> import control
+    >>> file = c_file(control.tf(1, [0.5, 1], name="lag"), None, None)
+    >>> [line for line in file.text.splitlines() if line.startswith("void lag_step")]
+    ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
+    """
     system, own_arguments = as_diagram(system)
     if initial_state is None:
         initial_state = own_arguments.get("initial_state")
@@ -121,9 +106,9 @@ class CFile:
         self.work_size = max(1, self.program.components.room)
         self.memory_size = max(1, len(self.record.set_by_integrator))
         self.labels = {
-            "x": _labels(run.states),
-            "u": _labels(run.input_labels),
-            "y": _labels(run.output_labels),
+            "x": bare_labels(run.states),
+            "u": bare_labels(run.input_labels),
+            "y": bare_labels(run.output_labels),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
         self.rate, self.turns = self._counted()
@@ -139,14 +124,10 @@ class CFile:
             f"\n{self.program.function(name)}" for name in self.program.functions
         ]
         fields: dict[str, Any] = {
+            **OPTIONAL,
             "name": self.name,
             "title": _comment(self.run.name),
             "within": "t" if is_discrete else "t + 0.5 * dt",
-            "counted": COUNTED.substitute(intervals=as_lines(self._whole_intervals()))
-            if self.turns
-            else "",
-            "count": "",
-            "count_again": "",
             "kept": self.memory_size,
             "room": self.work_size,
             "states": nstates,
@@ -166,32 +147,27 @@ class CFile:
                 f"after[{self._jump_index(k)}]" for k in self.layout.jumps
             ),
         }
+        if self.turns:
+            intervals = as_lines(self._whole_intervals())
+            fields["counted"] = COUNTED.substitute(intervals=intervals)
         return self.filled(fields)
 
     def filled(self, fields: dict[str, Any]) -> str:
         """Return the file from the fields of its templates."""
         endings = [RUNGE_KUTTA]
-        fields |= {
-            "begins": "",
-            "divides": DIVIDES if self.layout.jumps and not self.wiring.dt else "",
-            "samples": "",
-            "next": "",
-            "u_middle": "u",
-            "u_end": "u",
-        }
-        if self.wiring.dt:
-            dt = self.wiring.dt
+        if dt := self.wiring.dt:
             period = "" if dt is True else f", {float(dt):.12g}"
             fields["step"] = (
                 f"one step of the diagram's own time{period}; dt is not used"
             )
             endings = [DISCRETE]
-        if self.turns and not self.wiring.dt:
+        elif self.turns:
             fields["count"] = COUNT.substitute(rate=self.rate)
             fields["count_again"] = "    counted_(n + 1.0, steps, after);\n"
         if self.layout.jumps:
             endings.append(JUMP)
             fields["begins"] = BEGINS.substitute(fields)
+            fields["divides"] = "" if dt else DIVIDES
         fields["ending"] = "".join(ending.substitute(fields) for ending in endings)
         return HEAD.substitute(fields) + FILE.substitute(fields)
 
@@ -365,16 +341,6 @@ def _c_name(text: str) -> str:
 def _comment(text: str) -> str:
     """Return a text that is safe in a comment of C."""
     return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
-
-
-def _labels(labels: Sequence[str]) -> list[str]:
-    """Return labels without the index of ports with a single signal."""
-    scalars = {
-        f"{port}[0]": port
-        for port, columns in ports_of(labels).items()
-        if len(columns) == 1
-    }
-    return [scalars.get(label, label) for label in labels]
 
 
 def _numbers(values: Iterable[float]) -> str:

@@ -1,6 +1,6 @@
 """Functional mock-up unit (FMU) of a diagram, for Simulink, Modelica and other simulators.
 
-The FMU has the C file of `export_c` with the functions of FMI 3.0 for model exchange (`fmi3.c`):
+The FMU has the C file of `c_file` with the functions of FMI 3.0 for model exchange (`fmi3.c`):
 the importer integrates, and stops at samples and jumps.  If this machine has a C compiler, the FMU
 also has the compiled library.
 
@@ -11,23 +11,16 @@ import hashlib
 import io
 import platform
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from importlib import resources
-from pathlib import Path
 from string import Template
-from typing import Any
 from xml.sax.saxutils import quoteattr
 
-import control
-
-from ..base.arguments import public
 from ..base.errors import DiagramError
-from ..base.files import write_file
 from ..base.html import plain
 from ..base.progress import note
 from ..engine.codegen.c_library import ENDINGS, compiled
-from ..paper.scenario.experiment import Scenario
-from .c_export import FIXED, CFile, as_lines, c_file, refuse_levels
+from .c_export import FIXED, CFile, as_lines, refuse_levels
 
 FUNCTIONS, DOCUMENTS = (
     (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")
@@ -59,27 +52,15 @@ STRUCTURE = {  # elements of ModelStructure, and the kinds that they list
 TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 
-@public
-def export_fmu(
-    system: Scenario | control.InputOutputSystem,
-    path: str | Path,
-    initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
-) -> None:
-    """Write a diagram as an FMU of FMI 3.0, for model exchange.
+def fmu(file: CFile) -> bytes:
+    """Return a diagram as an FMU of FMI 3.0 for model exchange: the bytes of a ZIP archive.
 
-    >>> import control, pathlib, tempfile, zipfile
-    >>> import clpt_control as clpt
-    >>> file = pathlib.Path(tempfile.mkdtemp()) / "lag.fmu"
-    >>> export_fmu(control.tf(1, [0.5, 1], name="lag"), file)
-    >>> sorted(zipfile.ZipFile(file).namelist())[-2:]
+    >>> import control
+    >>> from clpt_control.simulation.c_export import c_file
+    >>> archive = fmu(c_file(control.tf(1, [0.5, 1], name="lag"), None, None))
+    >>> sorted(zipfile.ZipFile(io.BytesIO(archive)).namelist())[-2:]
     ['sources/buildDescription.xml', 'sources/lag.c']
     """
-    write_file(path, _packed(c_file(system, initial_state, params)))
-
-
-def _packed(file: CFile) -> bytes:
-    """Return the bytes of the FMU, a ZIP archive."""
     if file.wiring.dt:
         raise DiagramError(
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "

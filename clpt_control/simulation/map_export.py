@@ -4,13 +4,11 @@ The scenario has an `origin`, so that the run has latitudes and longitudes.  If 
 (`time_origin`), start and end have their time.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..base.errors import DataError
-from ..base.files import write_file
 from ..base.map_files import BLUE, GREEN, ORANGE, Feature, geojson, kml
 from ..base.units import SECONDS
 from ..paper.scenario.file import scenario_of_run
@@ -22,8 +20,8 @@ if TYPE_CHECKING:
 SUFFIXES = (".kml", ".geojson")
 
 
-def export_track(run: "xarray.Dataset", path: Path) -> None:
-    """Write the track of a scenario's run as KML or GeoJSON, by the ending of the name.
+def track_text(run: "xarray.Dataset", suffix: str) -> str:
+    """Return the track of a scenario's run as KML or GeoJSON, by the ending of a name.
 
     Features are the track, the predicted track, the waypoints, start and end.
     """
@@ -52,8 +50,7 @@ def export_track(run: "xarray.Dataset", path: Path) -> None:
             Feature(name, "Point", [track[sample]], BLUE, time, "", properties)
         )
     title = str(run.attrs.get("title", "")) or "run"
-    text = kml(features, title) if path.suffix == ".kml" else geojson(features)
-    write_file(path, text)
+    return kml(features, title) if suffix == ".kml" else geojson(features)
 
 
 def _date(run: "xarray.Dataset", seconds: float) -> str:

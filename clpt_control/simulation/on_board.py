@@ -40,7 +40,7 @@ INPUTS = {  # of learners, and their meaning
 }
 
 
-def learner_text(system: Any, name: str, initial_state: Any, params: Any) -> str:
+def learner_file(system: Any, name: str, initial_state: Any, params: Any) -> CFile:
     """Return the C file of the learner of a scenario or of a closed loop."""
     loop = getattr(system, "origin", None)
     if isinstance(system, Scenario):
@@ -57,7 +57,7 @@ def learner_text(system: Any, name: str, initial_state: Any, params: Any) -> str
                 "and see docs/on_board.md for late fixes"
             )
         params = {**(params or {}), "adaptation.interval": 0.0}
-    return c_file(learner(loop, name), initial_state, params, LearnerFile).text
+    return c_file(learner(loop, name), initial_state, params, LearnerFile)
 
 
 def received(t, x, u, p):

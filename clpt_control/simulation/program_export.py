@@ -14,11 +14,11 @@ from ..base.arguments import public
 from ..base.errors import ClptError
 from ..base.files import check_writable, write_file
 from ..paper.scenario.experiment import Scenario
-from .c_export import export_c
+from .c_export import c_file
 from .flow_map import flow_map
-from .fmu_export import export_fmu
-from .map_export import SUFFIXES, export_track
-from .on_board import learner_text
+from .fmu_export import fmu
+from .map_export import SUFFIXES, track_text
+from .on_board import learner_file
 
 if TYPE_CHECKING:
     import xarray
@@ -107,25 +107,24 @@ def export(
             )
         path = Path(path)
         check_writable(path, "a map", (*SUFFIXES, ".nc"))
-        if path.suffix == ".nc":
-            write_file(path, flow_map(system))
-        else:
-            export_track(system, path)
+        is_flow = path.suffix == ".nc"
+        write_file(
+            path, flow_map(system) if is_flow else track_text(system, path.suffix)
+        )
         return None
     if path is not None:
         path = Path(path)
-        fmu = () if part or single else (".fmu",)
-        check_writable(path, "a program", (".c", ".h", *fmu))
-        if path.suffix == ".fmu":
-            export_fmu(system, path, initial_state, params)
-            return None
+        endings = (".c", ".h") if part or single else (".c", ".h", ".fmu")
+        check_writable(path, "a program", endings)
     if part is None:
-        text = export_c(system, None, initial_state, params)
+        file = c_file(system, initial_state, params)
     else:
         name = "learner" if path is None else path.stem
-        text = learner_text(system, name, initial_state, params)
-    if single:
-        text = in_single_precision(text)
+        file = learner_file(system, name, initial_state, params)
+    if path is not None and path.suffix == ".fmu":
+        write_file(path, fmu(file))
+        return None
+    text = in_single_precision(file.text) if single else file.text
     if path is not None:
         write_file(path, text)
     return text
