@@ -12,7 +12,6 @@ They are computed from the states, for all members of a batch at once.  `varied`
 `VariedScenario`.
 """
 
-import itertools
 from collections.abc import Sequence
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -23,11 +22,14 @@ from ..base.errors import ScenarioError
 from ..engine.model.ports import ports_of
 from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
-from ..simulation.dataset import BY_FUNCTION, VARIABLES, unit_of
+from ..simulation.dataset import BY_FUNCTION, VARIABLES, plane_axes, series, unit_of
 from ..simulation.dataset_template import Axes, Series
 from ..simulation.flows import speed_figures
 from ..simulation.mean_squares import (
+    last_quarter,
     nearest,
+    rms,
+    rms_of_rounds,
     samples_for_means,
     starts_of_rounds,
     union,
@@ -129,11 +131,7 @@ def axes_of(scenario: Scenario, times: SampleTimes) -> Axes:
         "cycle": (cycles, rounds),
         "mark": (marks, since),
         "time": (samples, since),
-        "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
-        "basis": (
-            1 + np.arange(scenario.basis.N),
-            {"long_name": "flow basis function"},
-        ),
+        **plane_axes(scenario.basis.N),
         "waypoint": (waypoints, {"long_name": "waypoint"}),
     }
 
@@ -143,20 +141,15 @@ def summaries_of(varied: Any) -> list[tuple[str, Series]]:
     scenario = varied.scenario
     summaries = []
     for name, (dims, lengths, rates, long_name) in SUMMARIES.items():
-        attributes = {
-            "long_name": long_name.format(scenario),
-            "units": unit_of(scenario.units, lengths, rates) or "1",
-        }
-        series = Series(tuple(dims.split()), getattr(LoopBatch, name), attributes)
-        summaries.append((name, series))
+        unit = unit_of(scenario.units, lengths, rates) or "1"
+        of, words = getattr(LoopBatch, name), long_name.format(scenario)
+        summaries.append((name, series(tuple(dims.split()), of, words, unit)))
     for name in TRAJECTORIES:
         port, long_name = VARIABLES[name]
         unit = unit_of(scenario.units, *POWERS[port])
         of = partial(LoopBatch.trajectory, port=port)
-        attributes = {"long_name": long_name, "units": unit}
-        summaries.append(
-            (name, Series(BY_FUNCTION[: 2 + (port == "alpha")], of, attributes))
-        )
+        dims_of_port = BY_FUNCTION[: 2 + (port == "alpha")]
+        summaries.append((name, series(dims_of_port, of, long_name, unit)))
     return [one for one in summaries if one[0] not in varied.absent]
 
 
@@ -196,13 +189,12 @@ class LoopBatch(MemberBatch):
 
     def clpe_rms(self) -> np.ndarray:
         """Return the rms of the CLPE over each cycle."""
-        rounds = itertools.pairwise(self.varied.times.starts)
-        means = [np.mean(self.squares[:, begin:end], axis=1) for begin, end in rounds]
-        return np.sqrt(np.array(means).reshape(-1, len(self.squares)).T)
+        rounds = rms_of_rounds(self.squares, self.varied.times.starts)
+        return np.array(rounds).reshape(-1, len(self.squares)).T
 
     def clpe_rms_whole(self) -> np.ndarray:
         """Return the rms of the CLPE over the whole run."""
-        return np.sqrt(np.mean(self.squares, axis=1))
+        return rms(self.squares)
 
     def flow_parameter_error(self) -> np.ndarray:
         """Return the largest error of a flow parameter at the marks."""
@@ -255,11 +247,11 @@ class LoopBatch(MemberBatch):
                 faster = figures["faster_flow"]
                 shares[m] = faster["share"] if faster else 0.0
             if "flow_error" not in varied.absent:
-                late = times >= times[-1] - 0.25 * (times[-1] - times[0])
+                late = times >= last_quarter(times)
                 phi = signals[late][:, ports["phi_x"]]
                 estimate = theta[m, :reached][late].reshape(len(phi), 2, -1)
                 off = flow[late] - np.einsum("taN,tN->ta", estimate, phi)
-                errors[m] = np.sqrt(np.mean(np.sum(off**2, axis=1)))
+                errors[m] = rms((off**2).sum(axis=1))
         return errors, shares
 
     def flow_error(self) -> np.ndarray:

@@ -26,7 +26,7 @@ from ..paper.laws.regressions import error_by_P
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import own_parts, scenario_to_text
 from ..paper.scenario.tables import Units
-from .dataset_template import DatasetTemplate, Series, Signals, port_variables
+from .dataset_template import Axes, DatasetTemplate, Series, Signals, port_variables
 from .user_components import LAW
 
 VARIABLES = {  # name -> (port, long name)
@@ -86,7 +86,7 @@ def scenario_template(
         shape = (2, N) if port == "alpha" else (2,)
         dims = BY_FUNCTION[: 1 + len(shape)]
         unit = unit_of(units, *POWERS[port])
-        variables[name] = _series(dims, signals.of(port, *shape), long_name, unit)
+        variables[name] = series(dims, signals.of(port, *shape), long_name, unit)
     if scenario.origin is not None and "position" in table:
         variables |= _coordinates(scenario, signals.of(table["position"][0], 2))
     variables |= _estimates(scenario, signals, LAW in replaced)
@@ -108,17 +108,23 @@ def scenario_template(
     extra_variables, axes = port_variables(
         extra_ports, dim_names, variables, port_units
     )
-    axes["axis"] = [1, 2], {"long_name": "axis of the plane, x1 and x2"}
-    axes["basis"] = np.arange(1, N + 1), {"long_name": "flow basis function"}
     return DatasetTemplate(
         variables | extra_variables,
-        axes,
+        axes | plane_axes(N),
         {**_attributes(scenario), **attributes},
         {"long_name": "time since the start of the run", "units": units.time},
         states,
         str(scenario._folder),
         note,
     )
+
+
+def plane_axes(N: int) -> Axes:
+    """Return values and attributes of the dimensions of the plane and of N functions."""
+    return {
+        "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
+        "basis": (np.arange(1, N + 1), {"long_name": "flow basis function"}),
+    }
 
 
 def _table(signals: Signals) -> dict[str, tuple[str, str]]:
@@ -133,8 +139,9 @@ def _table(signals: Signals) -> dict[str, tuple[str, str]]:
     }
 
 
-def _series(dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> Series:
-    return Series(dims, series, {"long_name": long_name, "units": unit})
+def series(dims: tuple[str, ...], of: Any, long_name: str, unit: str) -> Series:
+    """Return a variable of a Dataset with its long name and its unit."""
+    return Series(dims, of, {"long_name": long_name, "units": unit})
 
 
 def _coordinates(scenario: Scenario, position: Any) -> dict[str, Series]:
@@ -162,7 +169,7 @@ def _estimates(
     """Return the variables of the law's estimate of theta."""
     row = scenario.learning.row
     speed = unit_of(scenario.units, 1, 1)
-    estimate = _series(
+    estimate = series(
         BY_FUNCTION,
         _estimate(scenario, signals),
         "estimate of the flow parameters theta",
@@ -171,7 +178,7 @@ def _estimates(
     variables = {"flow_parameters_estimate": estimate}
     if not row.readout or law_replaced:
         return variables
-    readout = _series(
+    readout = series(
         BY_FUNCTION,
         signals.of(row.readout, 2, scenario.basis.N),
         "readout of the flow parameters theta; "
@@ -182,7 +189,7 @@ def _estimates(
         comment = f"not theta exactly: {keys} is taken for flow of the basis"
         readout.attributes["comment"] = comment
     variables["flow_parameters_readout"] = readout
-    variables["error_left"] = _series(
+    variables["error_left"] = series(
         ("time",),
         signals.of(row.error_left),
         "share of the first error of theta_hat that is left",
@@ -229,7 +236,7 @@ def _truths(
     units = scenario.units
     theta = parameters["true_flow"].theta
     variables = {
-        "flow_parameters": _series(
+        "flow_parameters": series(
             ("axis", "basis"),
             lambda signals: theta.copy(),
             "true flow parameters theta",
@@ -244,7 +251,7 @@ def _truths(
     p = parameters[LAW]
     V = _lyapunov(row.V(p, truth, along_run=True), signals.column)
     unit = f"{units.length}2"
-    variables["lyapunov"] = _series(("time",), V, "Lyapunov candidate V", unit)
+    variables["lyapunov"] = series(("time",), V, "Lyapunov candidate V", unit)
     return variables, row.doubt(p, truth)
 
 

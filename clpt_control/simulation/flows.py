@@ -25,7 +25,8 @@ from ..paper.currents.plane import read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import commanded_velocity, unknown_parts
 from ..paper.scenario.tables import Units
-from .loop_blocks import paper_blocks
+from .loop_blocks import true_flow_block
+from .mean_squares import last_quarter, rms
 
 if TYPE_CHECKING:
     import xarray
@@ -71,9 +72,7 @@ def flow_velocity(
     """
     points = np.atleast_2d(numbers("points", points, 2))
     if parameters is None and scenario.flow.parameters is None:
-        calm = scenario.with_values({"flow.disturbance": None})
-        block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
-        return evaluate(block, timepts, points)
+        return evaluate(true_flow_block(scenario), timepts, points)
     values = scenario.flow.parameters if parameters is None else parameters
     theta = numbers("parameters", values, 2, scenario.basis.N)
     phi = evaluate(scenario.basis_block(), timepts, points)
@@ -142,7 +141,8 @@ def explained_variance(
             f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}. "
             "Give the scenario that was run"
         )
-    window = window or last_quarter(run)
+    times = run.time.values
+    window = window or (last_quarter(times), float(times[-1]))
     flows = flows_learned(scenario, run, window)
     shares = {name: explained_share(*pair) for name, pair in flows.items()}
     return {
@@ -151,20 +151,15 @@ def explained_variance(
     }
 
 
-def last_quarter(run: "xarray.Dataset") -> tuple[float, float]:
-    """Return first and last time of the last quarter of a run."""
-    t = run.time.values
-    return float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1])
-
-
 def flow_error(scenario: Scenario, run: "xarray.Dataset") -> dict[str, float]:
     """Return the rms error of the learned flow along the track and over the box, length/time.
 
     Where functions overlap, parameters may be far off while the flow is right.
     """
-    flows = flows_learned(scenario, run, last_quarter(run))
+    times = run.time.values
+    flows = flows_learned(scenario, run, (last_quarter(times), times[-1]))
     return {
-        name: float(np.sqrt(np.mean(np.sum((true - learned) ** 2, axis=1))))
+        name: float(rms(((true - learned) ** 2).sum(axis=1)))
         for name, (true, learned) in flows.items()
     }
 

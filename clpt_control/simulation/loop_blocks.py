@@ -84,7 +84,7 @@ def changed_blocks(
             disturbance.disturbance(delta.kind, delta.amplitude, period, seed)
         )
     disturbed = delta is not None or "delta" in external
-    blocks.append(_true_flow(scenario, disturbed, true_position))
+    blocks.append(true_flow_block(scenario, disturbed, true_position))
     if not at_fixes:
         blocks.append(flow.modeled_flow(alpha_M))
     controller = vehicle.vehicle_controller(
@@ -142,7 +142,10 @@ def _localization(scenario: Scenario) -> list[Block]:
     return [measured, scenario.basis_block(TRUE)]
 
 
-def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
+def true_flow_block(
+    scenario: Scenario, disturbed: bool = False, position: str = "x"
+) -> Block:
+    """Return the block of a scenario's true flow, of functions or of a gridded current."""
     if scenario.flow.parameters is not None:
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
     if (basis := scenario.flow.basis) is not None:

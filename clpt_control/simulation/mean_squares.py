@@ -69,19 +69,28 @@ def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]
     """Return the rms of CLPE over each round from t = 0 on, the run, and its last quarter."""
     times = run.time.values
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    start = float(times[0])
-    end = float(times[-1])
-    tolerance = 1e-9 * max(1.0, end)
+    tolerance = 1e-9 * max(1.0, float(times[-1]))
     starts: Any = []
-    if start <= tolerance:
+    if times[0] <= tolerance:
         starts = starts_of_rounds(times, scenario.cycle)
-    last_quarter = start + 0.75 * (end - start) - tolerance
+    late = np.searchsorted(times, last_quarter(times) - tolerance)
     return {
-        "clpe_rms_per_cycle": [_rms(squares[a:b]) for a, b in pairwise(starts)],
-        "clpe_rms": _rms(squares),
-        "clpe_rms_last_quarter": _rms(squares[np.searchsorted(times, last_quarter) :]),
+        "clpe_rms_per_cycle": [*map(float, rms_of_rounds(squares, starts))],
+        "clpe_rms": float(rms(squares)),
+        "clpe_rms_last_quarter": float(rms(squares[late:])),
     }
 
 
-def _rms(squares: np.ndarray) -> float:
-    return float(np.sqrt(squares.mean()))
+def last_quarter(times: np.ndarray) -> float:
+    """Return the time at which the last quarter of a run begins."""
+    return float(times[-1] - 0.25 * (times[-1] - times[0]))
+
+
+def rms_of_rounds(squares: np.ndarray, starts: np.ndarray) -> list[Any]:
+    """Return the rms over each round of the waypoints, along the last axis."""
+    return [rms(squares[..., begin:end]) for begin, end in pairwise(starts)]
+
+
+def rms(squares: np.ndarray) -> Any:
+    """Return the root of the mean of squares, along the last axis."""
+    return np.sqrt(squares.mean(axis=-1))

@@ -108,15 +108,14 @@ def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
 
 
 def figures_of(
-    system: Scenario | Team, run: "Dataset", fine: Any = None, dense: Any = None
+    system: Scenario | Team, run: "Dataset", fine: "Dataset", dense: "Dataset"
 ) -> dict[str, Any]:
     """Return the figures of a run, for a team by vehicle, ready for JSON.
 
     Mean squares and speeds are those of `fine`, whose samples are even, errors those of `dense`,
     which has samples at the times of errors.
     """
-    fine = run if fine is None else fine
-    samples = _error_samples(run if dense is None else dense)
+    samples = _error_samples(dense)
     if isinstance(system, Scenario):
         return _vehicle_figures(system, run, fine, samples)
     disagreement = {}

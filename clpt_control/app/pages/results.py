@@ -58,7 +58,7 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Summary:
         run_result(numbers, "")
         if figures["end"] == ending["end"]:
             return numbers
-    return {**ending, "of_samples": True, **figures_of(system, run)}
+    return {**ending, "of_samples": True, **figures_of(system, run, run, run)}
 
 
 def asked(system: Scenario | Team, waypoints: int) -> str:
