@@ -22,7 +22,8 @@ from ..base.errors import ScenarioError
 from ..engine.model.ports import ports_of
 from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
-from ..simulation.dataset import BY_FUNCTION, VARIABLES, plane_axes, series, unit_of
+from ..paper.scenario.recorded_run import DIMS
+from ..simulation.dataset import VARIABLES, plane_axes, series, unit_of
 from ..simulation.dataset_template import Axes, Series
 from ..simulation.flows import speed_figures
 from ..simulation.mean_squares import (
@@ -148,8 +149,7 @@ def summaries_of(varied: Any) -> list[tuple[str, Series]]:
         port, long_name = VARIABLES[name]
         unit = unit_of(scenario.units, *POWERS[port])
         of = partial(LoopBatch.trajectory, port=port)
-        dims_of_port = BY_FUNCTION[: 2 + (port == "alpha")]
-        summaries.append((name, series(dims_of_port, of, long_name, unit)))
+        summaries.append((name, series(DIMS[name], of, long_name, unit)))
     return [one for one in summaries if one[0] not in varied.absent]
 
 

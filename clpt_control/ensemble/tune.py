@@ -248,16 +248,15 @@ def score_of(unknown: Unknown, candidate: LawDesign, members: int, seed: int) ->
         error_median,
         _quantile(final_error, 0.95),
         rms,
-        _quantile(np.array([np.inf if time is None else time for time in times])),
+        _quantile([np.inf if time is None else time for time in times]),
         float(np.sqrt(np.prod(np.maximum(shares, ENOUGH)))),
         failed,
     )
 
 
-def _quantile(values: np.ndarray, share: float = 0.5) -> float:
+def _quantile(values: Any, share: float = 0.5) -> float:
     """Return a quantile of values that may be infinite."""
-    index = int(np.ceil(share * len(values)) - 1)
-    return float(np.sort(values)[min(len(values) - 1, index)])
+    return float(np.quantile(values, share, method="inverted_cdf"))
 
 
 # --- report ---------------------------------------------------------------------------------------

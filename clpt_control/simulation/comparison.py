@@ -214,10 +214,9 @@ def compare(
     >>> [line.get_label() for line in top.lines if line.get_label()[0] != "_"]
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
-    names = (
-        [*runs] if isinstance(runs, Mapping) else [*map(str, range(1, len(runs) + 1))]
-    )
-    every = [*runs.values()] if isinstance(runs, Mapping) else [*runs]
+    if not isinstance(runs, Mapping):
+        runs = {str(number): run for number, run in enumerate(runs, 1)}
+    every = [*runs.values()]
     if labels is not None and len(labels) != len(every):
         raise ArgumentError(f"labels: has {len(labels)}; must be {len(every)}, as runs")
     check_runs(every)
@@ -228,17 +227,18 @@ def compare(
     draw = COMPARED.get(plot) if isinstance(plot, str) else None
     if draw is None:
         draw, is_new_figure = partial(signals_plot, names=plot), False
+    names = [*map(str, labels or runs)]
     signals = [changing_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
         raise DataError(
             f"not all runs have the same signals: choose some, as run[{signals[0][:1]}]"
         )
-    for colour, name, run in zip(COLOURS, labels or names, every, strict=False):
-        ax = draw(run, ax=ax, label=str(name), color=colour, **options)
+    for colour, name, run in zip(COLOURS, names, every, strict=False):
+        ax = draw(run, ax=ax, label=name, color=colour, **options)
     panels = np.ravel(ax)
     if draw is response_plot and all(len(one.lines) == len(every) for one in panels):
-        for line, name in zip(panels[0].lines, labels or names, strict=True):
-            line.set_label(with_formulas(str(name)))
+        for line, name in zip(panels[0].lines, names, strict=True):
+            line.set_label(with_formulas(name))
         legend_beside(panels[0])
         for panel in panels[1:]:
             panel.get_legend().remove()

@@ -25,6 +25,7 @@ from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import own_parts, scenario_to_text
+from ..paper.scenario.recorded_run import DIMS
 from ..paper.scenario.tables import Units
 from .dataset_template import Axes, DatasetTemplate, Series, Signals, port_variables
 from .user_components import LAW
@@ -53,7 +54,6 @@ REFERENCES = (
     "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
     "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey"
 )
-BY_FUNCTION = ("time", "axis", "basis")
 NO_ATTRIBUTES: Mapping[str, str] = MappingProxyType({})
 
 
@@ -82,11 +82,11 @@ def scenario_template(
 
     table = _table(signals)
     variables = {}
+    sizes = {"axis": 2, "basis": N}
     for name, (port, long_name) in table.items():
-        shape = (2, N) if port == "alpha" else (2,)
-        dims = BY_FUNCTION[: 1 + len(shape)]
+        of = signals.of(port, *(sizes[dim] for dim in DIMS[name][1:]))
         unit = unit_of(units, *POWERS[port])
-        variables[name] = series(dims, signals.of(port, *shape), long_name, unit)
+        variables[name] = series(DIMS[name], of, long_name, unit)
     if scenario.origin is not None and "position" in table:
         variables |= _coordinates(scenario, signals.of(table["position"][0], 2))
     variables |= _estimates(scenario, signals, LAW in replaced)
@@ -169,8 +169,9 @@ def _estimates(
     """Return the variables of the law's estimate of theta."""
     row = scenario.learning.row
     speed = unit_of(scenario.units, 1, 1)
+    dims = DIMS["flow_parameters_estimate"]
     estimate = series(
-        BY_FUNCTION,
+        dims,
         _estimate(scenario, signals),
         "estimate of the flow parameters theta",
         speed,
@@ -179,7 +180,7 @@ def _estimates(
     if not row.readout or law_replaced:
         return variables
     readout = series(
-        BY_FUNCTION,
+        dims,
         signals.of(row.readout, 2, scenario.basis.N),
         "readout of the flow parameters theta; "
         f"theta_hat until {row.error_left} is small enough",

@@ -28,18 +28,18 @@ def varied_numbers(
 ) -> dict[str, Place]:
     """Return the locations of the numbers that have these names, one by one."""
     parameters = [node.system.parameters for node in wiring.nodes]
-    locations = places_of(wiring, parameters, states)
-    initial_states = {
-        f"{START}.{name}": candidates[-1]
-        for name, candidates in locations.items()
+    known = places_of(wiring, parameters, states)
+    known |= {
+        f"{START}.{name}": candidates[-1:]
+        for name, candidates in known.items()
         if candidates[-1].states
     }
-    initial_states[START] = Place(states=tuple(range(len(states))))
+    known[START] = [Place(states=tuple(range(len(states))))]
     varied: dict[str, Place] = {}
     for name in [names] if isinstance(names, str) else names:
-        location = initial_states.get(name) or place_of(name, locations, parameters)
+        location = place_of(name, known, parameters)
         if location is None:  # unknown, or the name of a parameter and of a state
-            raise _unknown_name(name, sorted({*locations, *initial_states}))
+            raise _unknown_name(name, sorted(known))
         for k in location.states:
             varied[f"{START}.{states[k]}"] = Place(states=(k,))
         if location.fields:

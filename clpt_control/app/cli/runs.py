@@ -308,23 +308,19 @@ def ensemble(
             --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
     """
     from ...ensemble.ensemble_statistics import ensemble_summary
-    from ...ensemble.sampled_parameters import grid_count, read_vary
+    from ...ensemble.sampled_parameters import grid_count, read_varies
     from ...paper.scenario.file import load_vehicle_scenario
     from ..pages.ensemble_page import percentile_table
 
     experiment = load_vehicle_scenario(scenario)
     check_out(figure, *FIGURE)
-    if members is None:
-        members, design = (
-            grid_count([read_vary(text) for text in vary]),
-            design or "grid",
-        )
-    with progress_bar(f"running {scenario.name}", members, "members") as report:
+    count = grid_count(read_varies(vary)) if members is None else members
+    with progress_bar(f"running {scenario.name}", count, "members") as report:
         data = clpt.run_ensemble(
             experiment,
             vary,
             members,
-            design or "lhs",
+            design,
             seed,
             out,
             threads=threads,
