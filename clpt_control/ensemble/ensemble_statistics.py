@@ -44,11 +44,17 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
         raise ArgumentError(
             f"percentiles: name = '{name}': must have the dimensions member and another"
         )
-    members, columns = data[name].shape
+    return _percentiles_of(data[name])
+
+
+def _percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
+    """Return percentiles over the members, shape (5, n); n is 1 for numbers by member."""
+    signal = signal if signal.ndim == 2 else signal.expand_dims("one", axis=1)
+    members, columns = signal.shape
     wide = max(1, READ_BYTES // (8 * members))
     result = np.full((len(PERCENTS), columns), np.nan)
     for begin in range(0, columns, wide):
-        block = data[name][:, begin : begin + wide].values
+        block = signal[:, begin : begin + wide].values
         for k, column in enumerate(block.T, begin):
             column = column[np.isfinite(column)]
             if len(column):
@@ -136,12 +142,6 @@ def _elements(array: "xarray.DataArray") -> "Iterator[tuple[str, xarray.DataArra
             is_cycle = dim in ("cycle", "mark")
             label += f" {dim} {array[dim].values[k]:g}" if is_cycle else f"[{k}]"
         yield label, array.isel(dict(zip(dims, index, strict=True)))
-
-
-def _percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
-    """Return percentiles over the members, shape (5, n); n is 1 for numbers by member."""
-    columns = signal if signal.ndim == 2 else signal.expand_dims("one", axis=1)
-    return percentiles(columns.reset_coords(drop=True).to_dataset(name="one"), "one")
 
 
 def unit_of(values: "xarray.DataArray") -> str:

@@ -5,6 +5,7 @@ Each frame is a sample of the run with vehicle, prediction, waypoint, and both f
 
 from base64 import b64encode
 from collections.abc import Iterator
+from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,9 +29,9 @@ from ..base.files import check_writable, write_file
 from ..base.html import fragment
 from ..base.progress import progress_bar
 from ..base.progress.interrupt import check
-from ..paper.scenario.recorded_run import waypoints_of
+from ..paper.scenario.recorded_run import scenario_with, waypoints_of
 from .flows import flow_to_draw
-from .track_chart import scenario_with, square_chart
+from .track_chart import square_chart
 
 if TYPE_CHECKING:
     import xarray
@@ -61,11 +62,13 @@ ARROW = {
 }
 
 
+@dataclass(repr=False)
 class Movie:
     """Animation of a run, which a notebook shows; `gif` has the bytes of the file."""
 
-    def __init__(self, gif: bytes, frames: int, seconds: float):
-        self.gif, self.frames, self.seconds = gif, frames, seconds
+    gif: bytes
+    frames: int
+    seconds: float
 
     def __repr__(self) -> str:
         size = len(self.gif) / 1e6

@@ -1,6 +1,8 @@
 """Export of a diagram as a program (C99, FMU), of a run as a map (KML, GeoJSON, NetCDF).
 
-The ending of the file's name chooses the kind.
+The ending of the file's name chooses the kind.  Features of a track are the track of the vehicle,
+its prediction, the waypoints, start and end.  If the run has a date (`time_origin`), start and end
+have their time.
 """
 
 import re
@@ -9,20 +11,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 import control
+import numpy as np
 
 from ..base.arguments import public
-from ..base.errors import ClptError
+from ..base.errors import ClptError, DataError
 from ..base.files import check_writable, write_file
+from ..base.map_files import BLUE, GREEN, ORANGE, Feature, geojson, kml
+from ..base.units import SECONDS
 from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.recorded_run import scenario_with, waypoints_of
 from .c_export import c_file
 from .flow_map import flow_map
 from .fmu_export import fmu
-from .map_export import SUFFIXES, track_text
 from .on_board import learner_file
 
 if TYPE_CHECKING:
     import xarray
 
+SUFFIXES = (".kml", ".geojson")  # of tracks
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 
@@ -135,3 +141,46 @@ def in_single_precision(text: str) -> str:
     text = re.sub(r"\bdouble\b", "float", text).replace("math.h", "tgmath.h")
     head, include, code = text.partition("#include")
     return head + include + NUMBER.sub(r"\g<0>f", code)
+
+
+# --- track of a run ------------------------------------------------------------------------------
+
+
+def track_text(run: "xarray.Dataset", suffix: str) -> str:
+    """Return the track of a scenario's run as KML or GeoJSON, by the ending of a name.
+
+    Features are the track, the predicted track, the waypoints, start and end.
+    """
+    scenario = scenario_with(run, "position")
+    if scenario.origin is None:
+        raise DataError(
+            "the run has no latitude and longitude. Give its scenario an origin: "
+            "origin = [41.2, -69.5]"
+        )
+
+    def places(points: np.ndarray) -> np.ndarray:
+        return np.column_stack(scenario.plane.to_earth(*points.T))
+
+    track = places(run.position.values)
+    features = [Feature("track", "LineString", track, BLUE)]
+    if "predicted_position" in run:
+        predicted = places(run.predicted_position.values)
+        features.append(Feature("prediction", "LineString", predicted, GREEN))
+    for number, place in enumerate(places(waypoints_of(run, scenario)), 1):
+        features.append(Feature(f"waypoint {number}", "Point", [place], ORANGE))
+    for name, sample in (("start", 0), ("end", -1)):
+        time = _date(run, float(run.time[sample]) * SECONDS[scenario.units.time])
+        properties = {"time": time} if time else {}
+        features.append(
+            Feature(name, "Point", [track[sample]], BLUE, time, "", properties)
+        )
+    title = str(run.attrs.get("title", "")) or "run"
+    return kml(features, title) if suffix == ".kml" else geojson(features)
+
+
+def _date(run: "xarray.Dataset", seconds: float) -> str:
+    """Return the date of a time of a run as ISO 8601, or "" if the run has none."""
+    origin = run.attrs.get("time_origin")
+    if origin is None:
+        return ""
+    return f"{np.datetime64(origin, 's') + np.timedelta64(round(seconds), 's')}Z"

@@ -1,7 +1,7 @@
-"""Plots of a scenario's run over time: CLPE, flow parameters and gains.
+"""Plots of a run over time: CLPE, flow parameters and gains of a vehicle, and a team's errors.
 
-`run_plot` has the track and all of these in one figure.  Every plot returns the Axes on which it
-drew.
+`run_plot` has the track and all plots of a vehicle in one figure, `team_plot` the tracks and errors
+of a team.  Every plot returns the Axes on which it drew.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -10,10 +10,32 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import ClptError
-from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, line_style
+from ..base.figures import (
+    BLUE,
+    COLOURS,
+    GREY,
+    TITLE,
+    axes_for,
+    legend_above_data,
+    line_style,
+)
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
-from .track_chart import TRUTH, positive, run_style, scenario_with, track_plot
+from ..paper.scenario.recorded_run import (
+    check_run,
+    scenario_with,
+    unknown_parts,
+    waypoints_of,
+)
+from ..paper.scenario.team import team_of_run
+from .track_chart import (
+    TRUTH,
+    draw_first_flow,
+    draw_track,
+    positive,
+    run_style,
+    square_chart,
+    track_plot,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -260,4 +282,51 @@ def run_plot(
     clpe_plot(run, ax=axes[1:3], **options)
     for axis in (1, 2):
         learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]], **options)
+    return axes
+
+
+@public
+def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+    """Draw a team's tracks, CLPE and errors.
+
+    >>> import clpt_control as clpt
+    >>> paper = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> team = clpt.Team(members={"a": paper, "b": paper}, coupling=0.5)
+    >>> tracks, clpe, errors = team_plot(clpt.simulate(team))
+    """
+    team = team_of_run(run)
+    check_run(run, team, "time", "position", "clpe")
+    axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
+    chart, top, bottom = axes
+    units = team.first.units
+    time = run.time.values
+    waypoints = [scenario.waypoints for scenario in team.members.values()]
+    points = np.concatenate([*waypoints, run.position.values.reshape(-1, 2)])
+    draw_first_flow(chart, run, team.first, square_chart(chart, team.first, points, 18))
+    has_truth = "flow_parameters" in run
+    errors = run.flow_parameters_estimate
+    if has_truth:
+        errors = errors - run.flow_parameters
+    errors = abs(errors).max(("axis", "basis"))
+    disagreement = run.alpha.max("vehicle") - run.alpha.min("vehicle")
+    disagreement = disagreement.max(("axis", "basis")).values
+    bottom.semilogy(time, positive(disagreement), ":", color=GREY, label="disagreement")
+    for k, name in enumerate(team.members):
+        vehicle_run = run.sel(vehicle=name)
+        e = np.hypot(*vehicle_run.clpe.values.T)
+        error = errors.sel(vehicle=name).values
+        with run_style(axes, name, COLOURS[k % len(COLOURS)]):
+            draw_track(chart, vehicle_run, waypoints[k])
+            top.semilogy(time, positive(e), label="|e|", linewidth=0.7)
+            label = "error" if has_truth else "parameter"
+            bottom.semilogy(time, positive(error), label=label)
+    chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
+    top.set_ylabel(f"|CLPE| ({units.length})")
+    top.set_title("Prediction errors", **TITLE)
+    bottom.set_xlabel(f"time ({units.time})")
+    bottom.set_ylabel(f"size ({units.length}/{units.time})")
+    quantity = "error of a flow parameter" if has_truth else "flow parameter"
+    bottom.set_title(f"Largest {quantity} of each vehicle", **TITLE)
+    for panel in (top, bottom):
+        panel.set_xlim(time[0], time[-1])
     return axes

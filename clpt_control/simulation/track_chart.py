@@ -23,8 +23,7 @@ from ..base.figures import (
     with_formulas,
 )
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import scenario_of_run
-from ..paper.scenario.recorded_run import check_run, waypoints_of
+from ..paper.scenario.recorded_run import scenario_with, waypoints_of
 
 if TYPE_CHECKING:
     import xarray
@@ -35,13 +34,6 @@ LEAST = 1e-16  # smallest value on a logarithmic axis
 MAX_NUMBERED = 40  # waypoints with a number
 NUMBER_DISTANCE = 0.035  # of the chart's width
 MARKERS = dict(zip(COLOURS, ("", *"osD^v"), strict=True))
-
-
-def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
-    """Return the scenario of a run that has some variables along its time."""
-    scenario = scenario_of_run(run)
-    check_run(run, scenario, "time", *names)
-    return scenario
 
 
 @public

@@ -173,8 +173,7 @@ def _run_figures(run: Any, folder: Path, kinds: tuple[str, ...]) -> dict[Path, A
     """
     from ...base.figures import figure_of
     from ...base.run_attributes import TEAM
-    from ...simulation.run_plots import clpe_plot, learning_plot
-    from ...simulation.team_plots import team_plot
+    from ...simulation.run_plots import clpe_plot, learning_plot, team_plot
     from ...simulation.track_chart import track_plot
 
     plots: dict[str, Any] = {
@@ -221,7 +220,7 @@ def export(
     from ...base.files.reading import open_netcdf
     from ...paper.scenario.file import load_vehicle_scenario
     from ...paper.scenario.recorded_run import kind_of
-    from ...simulation.map_export import SUFFIXES
+    from ...simulation.program_export import SUFFIXES
 
     if drawing:
         _draw_diagram(scenario, out)

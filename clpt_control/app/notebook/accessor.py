@@ -8,9 +8,9 @@ MATLAB with a matrix for each port, whose columns are its signals.
 
 import re
 from collections.abc import Sequence
-from importlib import import_module
 from os import PathLike
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,29 +39,29 @@ if TYPE_CHECKING:
     from ...paper.scenario.team import Team
 
 
-# kind of dataset -> name of a plot -> module and function; "" is the plot that shows most
-PLOTS: dict[str, dict[str, tuple[str, str]]] = {
-    "team": {"": ("simulation.team_plots", "team_plot")},
-    "ensemble": {"": ("ensemble.ensemble_statistics", "ensemble_plot")},
+# kind of dataset -> name of a plot -> its function; "" is the plot that shows most
+PLOTS: dict[str, dict[str, str]] = {
+    "team": {"": "simulation.run_plots:team_plot"},
+    "ensemble": {"": "ensemble.ensemble_statistics:ensemble_plot"},
     "run": {
-        "": ("simulation.run_plots", "run_plot"),
-        "track": ("simulation.track_chart", "track_plot"),
-        "map": ("simulation.flow_map_plot", "flow_map_plot"),
-        "clpe": ("simulation.run_plots", "clpe_plot"),
-        "learning": ("simulation.run_plots", "learning_plot"),
-        "signals": ("simulation.comparison", "response_plot"),
+        "": "simulation.run_plots:run_plot",
+        "track": "simulation.track_chart:track_plot",
+        "map": "simulation.flow_map:flow_map_plot",
+        "clpe": "simulation.run_plots:clpe_plot",
+        "learning": "simulation.run_plots:learning_plot",
+        "signals": "simulation.comparison:response_plot",
     },
     "fixes": {
-        "": ("app.pages.fixes_page", "learned_flow_plot"),
-        "map": ("simulation.flow_map_plot", "flow_map_plot"),
+        "": "app.pages.fixes_page:learned_flow_plot",
+        "map": "simulation.flow_map:flow_map_plot",
     },
     "replay": {
-        "": ("ocean.forecast.plots", "replay_plot"),
-        "map": ("ocean.forecast.track_map", "map_plot"),
-        "clpe": ("ocean.forecast.plots", "dive_clpe_plot"),
-        "current": ("ocean.forecast.plots", "current_plot"),
+        "": "ocean.forecast.plots:replay_plot",
+        "map": "ocean.forecast.track_map:map_plot",
+        "clpe": "ocean.forecast.plots:dive_clpe_plot",
+        "current": "ocean.forecast.plots:current_plot",
     },
-    "diagram": {"": ("simulation.comparison", "response_plot")},
+    "diagram": {"": "simulation.comparison:response_plot"},
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
 
@@ -203,8 +203,7 @@ class ClptAccessor:
             if names:
                 advice = f"must be {names}, for a {self.kind}"
             raise ArgumentError(f"plot '{name}': {advice}")
-        module, plot = plots[name]
-        draw = getattr(import_module(f"clpt_control.{module}"), plot)
+        draw = resolve_name(f"clpt_control.{plots[name]}")
         return draw(self._data, ax=ax, **options)
 
     @public

@@ -25,9 +25,8 @@ from ...simulation.comparison import (
     signals_of,
 )
 from ...simulation.loops import closed_loop
-from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot
+from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot, team_plot
 from ...simulation.summary import claims
-from ...simulation.team_plots import team_plot
 from ...simulation.track_chart import track_plot
 from ...theory.excitation.gramian import gramian
 from . import results

@@ -13,7 +13,7 @@ from ...base.run_attributes import CHANGED, REFERENCE, TEAM
 from ...engine.model.block import evaluate
 from ..blocks.vehicle import vehicle_controller
 from .experiment import Scenario
-from .file import own_parts
+from .file import own_parts, scenario_of_run
 from .team import Team
 
 if TYPE_CHECKING:
@@ -185,3 +185,10 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
             f"the run's times go from {times[0]:g} to {times[-1]:g}; must lie in 0 to {latest:g} "
             f"{scenario.units.time}"
         )
+
+
+def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
+    """Return the scenario of a run that has some variables along its time."""
+    scenario = scenario_of_run(run)
+    check_run(run, scenario, "time", *names)
+    return scenario
