@@ -36,9 +36,16 @@ from ..base.progress.processes import processes
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
-from .results import COMPLETED, STATUS, EnsembleResults, arrays_of, attributes_of
+from .results import (
+    COMPLETED,
+    STATUS,
+    EnsembleResults,
+    arrays_of,
+    attributes_of,
+    begun_or_made,
+    open_store,
+)
 from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
-from .store import begun_or_made, open_store
 from .varied_diagram import VariedDiagram
 from .varied_scenario import VariedScenario
 

@@ -202,7 +202,7 @@ def _page_of_replay(data: Any, title: str | None, name: str) -> "Page":
 def read(path: Path) -> "xarray.Dataset":
     """Return what lies there: a run, an ensemble or a replay."""
     if os.path.isdir(path):  # noqa: PTH112 - never raises
-        from ...ensemble.store import open_ensemble
+        from ...ensemble.results import open_ensemble
 
         return open_ensemble(path)
     from ...simulation.run_file import load_run
