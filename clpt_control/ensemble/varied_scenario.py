@@ -228,7 +228,7 @@ def variable_values(scenario: Scenario) -> Values:
 
 def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
     """Return changes as blocks; refuse blocks without the states that summaries need."""
-    changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
+    changes, row = changes.of_blocks(), scenario.learning.row
     if changes.law is not None:
         functions_of(changes.law)
     if changes == UNCHANGED:

@@ -120,9 +120,8 @@ def request_of(
     if timepts is None and isinstance(inputs, control.TimeResponseData):
         timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)
-    state, own_state = initial_state, own_arguments.pop("initial_state", None)
-    if isinstance(state, Mapping):
-        state = vector_by_name("initial_state", diagram, "state", state, own_state)
+    own_state = own_arguments.pop("initial_state", None)
+    state = vector_by_name("initial_state", diagram, "state", initial_state, own_state)
     # 2. times
     skipped, steps = 0, None
     as_given = timepts

@@ -64,7 +64,7 @@ class Changes(NamedTuple):
             f"{location}: {component.name}" for location, component in items
         )
 
-    def of_blocks(self, user: str) -> "Changes":
+    def of_blocks(self) -> "Changes":
         """Return the changes for machine code; raise `DiagramError` for a component in Python.
 
         A law that is a `control.nlsys` becomes a block.
@@ -76,8 +76,8 @@ class Changes(NamedTuple):
         for component in changes.components:
             if not isinstance(component, Block):
                 raise DiagramError(
-                    f"{component.name}: is a {type(component).__name__}; {user} takes blocks, "
-                    "control.ss and control.tf"
+                    f"{component.name}: is a {type(component).__name__}; an ensemble takes "
+                    "blocks, control.ss and control.tf"
                 )
         return changes
 
@@ -204,10 +204,11 @@ def with_ports(
 
 def _output_sizes(components: Sequence[Part]) -> dict[str, int]:
     """Return the number of signals of each output port."""
-    sizes: dict[str, int] = {}
-    for component in components:
-        sizes |= counts_of(component.output_labels)
-    return sizes
+    return {
+        port: count
+        for component in components
+        for port, count in counts_of(component.output_labels).items()
+    }
 
 
 def _in_place(
