@@ -19,6 +19,7 @@ SECONDS = {
     "us": 1e-6,
     "ns": 1e-9,
 }
+DEGREES = {"latitude": "degrees_north", "longitude": "degrees_east"}  # of CF
 KNOT = 1852.0 / 3600.0  # m/s
 SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
     r"\s*(\w+)(?:\s*/\s*|\s+per\s+)(\w+)\s*|\s*(\w+)[\s.]+([a-z]+)\s*(?:\^|\*\*)?-1\s*",

@@ -285,15 +285,23 @@ def ports_along(run: "xarray.Dataset") -> list[str]:
 
 def changing_ports(run: "xarray.Dataset") -> list[str]:
     """Return the names of the ports along time but constant inputs, unless all are constant."""
-    labels = run.encoding.get(LABELS, {})
-    outputs, inputs = (ports_of(labels.get(k, [])) for k in ("outputs", "inputs"))
     ports = ports_along(run)
-    changing = []
-    for name in ports:
-        is_input = name not in outputs and name.removesuffix("_input") in inputs
-        if not (is_input and "time" in run.dims and (run[name] == run[name][0]).all()):
-            changing.append(name)
+    changing = [
+        port
+        for port in ports
+        if labels_of(run, port)[0] == "outputs" or (run[port] != run[port][0]).any()
+    ]
     return changing or ports
+
+
+def labels_of(run: "xarray.Dataset", port: str) -> tuple[str, list[str]]:
+    """Return "inputs" or "outputs", and the labels that a port's signals have in the diagram."""
+    noted = run.encoding.get(LABELS, {})
+    for kind, name in (("outputs", port), ("inputs", port.removesuffix("_input"))):
+        labels = noted.get(kind, [])
+        if indices := ports_of(labels).get(name):
+            return kind, [labels[k] for k in indices]
+    return "outputs", []
 
 
 def signals_of(port: "xarray.DataArray", along: str = "time") -> dict[str, np.ndarray]:
@@ -333,14 +341,10 @@ def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
     if "time" not in run.dims or not ports_along(run):
         raise DataError("the dataset has no signal along time. Give a run")
     names = run.encoding.get(LABELS, {})
-    labels_by = {key: ports_of(names.get(key, [])) for key in ("inputs", "outputs")}
     signals: dict[str, dict[str, np.ndarray]] = {"inputs": {}, "outputs": {}}
     for port in ports_along(run):
-        is_output = port in labels_by["outputs"]
-        name = port if is_output else port.removesuffix("_input")
-        key = "inputs" if not is_output and name in labels_by["inputs"] else "outputs"
+        key, labels = labels_of(run, port)
         rows = signals_of(run[port])
-        labels = [names[key][k] for k in labels_by[key].get(name, [])]
         if len(labels) != len(rows):
             labels = [*rows]
         signals[key] |= zip(labels, rows.values(), strict=True)

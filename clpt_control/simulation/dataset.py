@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..base.run_attributes import CHANGED, OWN_LAW
+from ..base.units import DEGREES
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.on_arrays import on_arrays
@@ -81,12 +82,12 @@ def scenario_template(
         replaced |= {LAW}
 
     table = _table(signals)
-    variables = {}
+    variables: dict[str, Series] = {}
     sizes = {"axis": 2, "basis": N}
     for name, (port, long_name) in table.items():
         of = signals.of(port, *(sizes[dim] for dim in DIMS[name][1:]))
         unit = unit_of(units, *POWERS[port])
-        variables[name] = series(DIMS[name], of, long_name, unit)
+        variables |= variable_of_run(name, of, long_name, unit)
     if scenario.origin is not None and "position" in table:
         variables |= _coordinates(scenario, signals.of(table["position"][0], 2))
     variables |= _estimates(scenario, signals, LAW in replaced)
@@ -144,6 +145,11 @@ def series(dims: tuple[str, ...], of: Any, long_name: str, unit: str) -> Series:
     return Series(dims, of, {"long_name": long_name, "units": unit})
 
 
+def variable_of_run(name: str, of: Any, long_name: str, unit: str) -> dict[str, Series]:
+    """Return a variable of `DIMS` by its name."""
+    return {name: series(DIMS[name], of, long_name, unit)}
+
+
 def _coordinates(scenario: Scenario, position: Any) -> dict[str, Series]:
     """Return latitude and longitude of the vehicle on the local plane of the scenario."""
     plane = scenario.plane
@@ -152,14 +158,10 @@ def _coordinates(scenario: Scenario, position: Any) -> dict[str, Series]:
         return np.asarray(plane.to_earth(*position(signals).T)[k])
 
     coordinates = {}
-    units = {"latitude": "degrees_north", "longitude": "degrees_east"}
-    for k, (name, unit) in enumerate(units.items()):
-        attributes = {
-            "standard_name": name,
-            "long_name": f"{name} of the vehicle",
-            "units": unit,
-        }
-        coordinates[name] = Series(("time",), partial(coordinate, k), attributes)
+    for k, (name, unit) in enumerate(DEGREES.items()):
+        of, long_name = partial(coordinate, k), f"{name} of the vehicle"
+        coordinates[name] = series(("time",), of, long_name, unit)
+        coordinates[name].attributes["standard_name"] = name
     return coordinates
 
 
@@ -169,18 +171,16 @@ def _estimates(
     """Return the variables of the law's estimate of theta."""
     row = scenario.learning.row
     speed = unit_of(scenario.units, 1, 1)
-    dims = DIMS["flow_parameters_estimate"]
-    estimate = series(
-        dims,
+    variables = variable_of_run(
+        "flow_parameters_estimate",
         _estimate(scenario, signals),
         "estimate of the flow parameters theta",
         speed,
     )
-    variables = {"flow_parameters_estimate": estimate}
     if not row.readout or law_replaced:
         return variables
-    readout = series(
-        dims,
+    readout = variable_of_run(
+        "flow_parameters_readout",
         signals.of(row.readout, 2, scenario.basis.N),
         "readout of the flow parameters theta; "
         f"theta_hat until {row.error_left} is small enough",
@@ -188,15 +188,14 @@ def _estimates(
     )
     if keys := _keys_of_other_flow(scenario):
         comment = f"not theta exactly: {keys} is taken for flow of the basis"
-        readout.attributes["comment"] = comment
-    variables["flow_parameters_readout"] = readout
-    variables["error_left"] = series(
-        ("time",),
+        readout["flow_parameters_readout"].attributes["comment"] = comment
+    error_left = variable_of_run(
+        "error_left",
         signals.of(row.error_left),
         "share of the first error of theta_hat that is left",
         "1",
     )
-    return variables
+    return variables | readout | error_left
 
 
 def _estimate(scenario: Scenario, signals: Signals) -> Any:
@@ -236,14 +235,12 @@ def _truths(
         return {}, ""
     units = scenario.units
     theta = parameters["true_flow"].theta
-    variables = {
-        "flow_parameters": series(
-            ("axis", "basis"),
-            lambda signals: theta.copy(),
-            "true flow parameters theta",
-            unit_of(units, 1, 1),
-        )
-    }
+    variables = variable_of_run(
+        "flow_parameters",
+        lambda signals: theta.copy(),
+        "true flow parameters theta",
+        unit_of(units, 1, 1),
+    )
     if not {"vehicle_controller", LAW} <= blocks:
         return variables, ""
     controller = parameters["vehicle_controller"]
@@ -252,7 +249,7 @@ def _truths(
     p = parameters[LAW]
     V = _lyapunov(row.V(p, truth, along_run=True), signals.column)
     unit = f"{units.length}2"
-    variables["lyapunov"] = series(("time",), V, "Lyapunov candidate V", unit)
+    variables |= variable_of_run("lyapunov", V, "Lyapunov candidate V", unit)
     return variables, row.doubt(p, truth)
 
 

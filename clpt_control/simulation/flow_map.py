@@ -24,7 +24,7 @@ from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, DataError
 from ..base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ..base.geodesy import LocalPlane, angle_near
-from ..base.units import SECONDS
+from ..base.units import DEGREES, SECONDS
 from ..engine.model.block import evaluate
 from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
@@ -169,8 +169,7 @@ def map_of(
             for name, values, axis in zip("uv", (u, v), names, strict=True)
         }
 
-    degrees = ("latitude", "longitude")
-    dims = ["time", *(degrees if learned.is_geographic else "yx")]
+    dims = ["time", *(DEGREES if learned.is_geographic else "yx")]
     flow = phi @ learned.theta.T
     data = components(flow, "", "learned")
     if learned.has_truth:
@@ -211,11 +210,10 @@ def _dataset(
     """Return the variables of a map with units and coordinates."""
     import xarray
 
-    degrees = {"latitude": "degrees_north", "longitude": "degrees_east"}
     coordinates = {"time": time}
     for name, values in axes.items():
-        standard = name if name in degrees else f"projection_{name}_coordinate"
-        unit = degrees.get(name, learned.scenario.units.length)
+        standard = name if name in DEGREES else f"projection_{name}_coordinate"
+        unit = DEGREES.get(name, learned.scenario.units.length)
         coordinates[name] = (name, values, {"standard_name": standard, "units": unit})
     for *_, attributes in data.values():
         attributes["units"] = learned.unit

@@ -52,10 +52,10 @@ def union(*series: np.ndarray) -> np.ndarray:
 
 def nearest(times: np.ndarray, targets: np.ndarray) -> np.ndarray:
     """Return the indices of increasing times that are nearest to targets up to the last time."""
+    from pandas import Index
+
     targets = targets[targets <= times[-1] * (1 + 1e-12)]
-    after = np.clip(np.searchsorted(times, targets), 1, len(times) - 1)
-    before = after - 1
-    return np.where(targets - times[before] < times[after] - targets, before, after)
+    return Index(times).get_indexer(targets, method="nearest")
 
 
 def starts_of_rounds(times: np.ndarray, cycle: float) -> np.ndarray:

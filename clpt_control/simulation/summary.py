@@ -145,14 +145,10 @@ def figures_of(
 
 def _error_samples(run: "Dataset") -> "dict[str, Dataset]":
     """Return the samples of a run at the times of errors, and the last, by time."""
-    times = run.time.values
-    samples = {}
-    for t in TIMES:
-        k = int(np.abs(times - t).argmin())
-        if t < times[-1] and abs(times[k] - t) <= 1e-9 * t:
-            samples[f"{t:g}"] = run.isel(time=k)
-    samples[f"{times[-1]:g}"] = run.isel(time=-1)
-    return samples
+    times, targets = run.indexes["time"], np.array(TIMES, dtype=float)
+    targets = targets[targets < times[-1]]
+    indices = times.get_indexer(targets, method="nearest", tolerance=1e-9 * targets)
+    return {f"{times[k]:g}": run.isel(time=k) for k in (*indices[indices >= 0], -1)}
 
 
 def _vehicle_figures(

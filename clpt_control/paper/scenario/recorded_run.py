@@ -36,7 +36,7 @@ DIMS = {  # variable of a run -> its dimensions, after those of a team
     "flow_parameters_estimate": ("time", "axis", "basis"),
     "flow_parameters_readout": ("time", "axis", "basis"),
     "flow_parameters": ("axis", "basis"),
-    "lyapunov": ("time",),
+    **dict.fromkeys(("lyapunov", "error_left"), ("time",)),
 }
 SHARED = (
     "time",
