@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..base.arguments import Count, Seed, public
+from ..base.arguments import Seed, public
 from ..base.errors import (
     ClptError,
     DataError,
@@ -78,9 +78,9 @@ def run_ensemble(
     rtol: float | None = None,
     atol: float | None = None,
     method: str | None = None,
-    threads: Count | None = None,
+    threads: int | None = None,
     trajectories: bool = False,
-    chunk: Count | None = None,
+    chunk: int | None = None,
     times: Sequence[float] | None = None,
     summary: Mapping[str, Callable] | None = None,
     progress: bool | Callable[[int], None] | None = None,
@@ -165,6 +165,8 @@ def run_ensemble(
     array([0.865, 0.632, 0.393])
     """
     # 1. check arguments
+    if threads is not None and threads < 1:
+        raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ["zarr"] * (out is not None) + ["distributed"] * (dask is not None):
@@ -443,4 +445,6 @@ def _chunk(chunk: int | None, arrays: "Mapping[str, xarray.Variable]") -> int:
         trajectories = (array for array in arrays.values() if "time" in array.dims)
         size = sum(8 * int(np.prod(array.shape[1:])) for array in trajectories)
         chunk = max(1, min(CHUNK, CHUNK_BYTES // size)) if size else CHUNK
+    if chunk < 1:
+        raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk
