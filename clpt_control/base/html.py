@@ -122,8 +122,8 @@ def listing(text: str) -> str:
 
 @cache
 def asset(name: str) -> str:
-    """Return the text of a style or a script of the package."""
-    return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
+    """Return the text of a file of the package's data: a style, a script, a template."""
+    return (resources.files("clpt_control") / "data" / name).read_text("utf-8")
 
 
 def fragment(kind: str, name: object, *contents: str) -> str:

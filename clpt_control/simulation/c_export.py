@@ -7,13 +7,13 @@ blocks between two steps.  The code allocates nothing and needs only math.h of t
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from importlib import resources
 from string import Template
 from typing import Any
 
 import numpy as np
 
 from ..base.errors import DiagramError, Uncompiled
+from ..base.html import asset
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
@@ -26,9 +26,8 @@ FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63
 ROUNDING = "1e-6"  # tolerance of sample times, relative to a period
 MOST_PARTS = 1000  # of the shortest period: the common period is no shorter
-TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8")
 DIVIDES = " * dt must divide the periods at which blocks sample or jump.\n"
-SECTIONS = map(Template, TEMPLATES.split("//\n"))
+SECTIONS = map(Template, asset("diagram.c").split("//\n"))
 HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS, COUNTED, COUNT = SECTIONS
 OPTIONAL = {  # fields that only some files fill
     **dict.fromkeys(("begins", "divides", "samples", "next"), ""),

@@ -12,21 +12,17 @@ import io
 import platform
 import zipfile
 from collections.abc import Iterator
-from importlib import resources
 from string import Template
 from xml.sax.saxutils import quoteattr
 
 from ..base.errors import DiagramError
-from ..base.html import plain
+from ..base.html import asset, plain
 from ..base.progress import note
 from ..engine.codegen.c_library import ENDINGS, compiled
 from .c_export import FIXED, CFile, as_lines, refuse_levels
 
-FUNCTIONS, DOCUMENTS = (
-    (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")
-    for kind in ("c", "xml")
-)
-DESCRIPTION, BUILD = DOCUMENTS.split("<!-- sources/buildDescription.xml -->\n")
+FUNCTIONS = asset("fmi3.c")
+DESCRIPTION, BUILD = asset("fmi3.xml").split("<!-- sources/buildDescription.xml -->\n")
 FLAGS = ("-O2", "-fvisibility=hidden")
 PROCESSORS = {"AMD64": "x86_64", "arm64": "aarch64"}
 CONTINUOUS = {"variability": "continuous"}

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import DiagramError
+from ..base.html import asset
 from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
 from ..engine.diagram.wiring import Part, input_ports, output_ports
@@ -27,8 +28,7 @@ from .dataset import unit_of
 from .loop_blocks import changed_blocks
 from .loops import ClosedLoop
 
-TEMPLATES = (resources.files("clpt_control.data") / "learner.c").read_text("utf-8")
-HEAD, FIXES, MIDDLE, SAMPLES, FIX = map(Template, TEMPLATES.split("//\n"))
+HEAD, FIXES, MIDDLE, SAMPLES, FIX = map(Template, asset("learner.c").split("//\n"))
 THEOREMS = resources.files("clpt_control") / "theory" / "coq"
 INPUTS = {  # of learners, and their meaning
     "x": "measured position",

@@ -8,7 +8,6 @@ are one array.  Intervals and jumps, which an integrator sets, are another array
 """
 
 from collections.abc import Callable, Iterator
-from importlib import resources
 from itertools import chain
 from math import copysign, inf, isnan
 from typing import Any
@@ -16,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ...base.errors import BlockError
+from ...base.html import asset
 from ..record.graph import deep
 from ..record.operations import CONDITIONS, TABLE
 from .diagram_record import DiagramRecord, Layout
@@ -37,9 +37,7 @@ ARRAYS = {
     "W": "w",
     "D": "out",
 }
-FUNCTIONS = (
-    (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
-)
+FUNCTIONS = asset("numpy.c").split("\n\n")
 HELPERS = {one.split()[2].partition("(")[0]: one.strip() for one in FUNCTIONS}
 
 

@@ -9,7 +9,6 @@ import os
 import re
 import tomllib
 from collections.abc import Mapping
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
+from ...base.html import asset
 from ...base.run_attributes import BEYOND, FORM, OWN_PARTS, TEAM
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 
@@ -208,7 +208,7 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
 
 def paper_text() -> str:
     """Return the paper's scenario as commented TOML text."""
-    return (resources.files("clpt_control.data") / "paper.toml").read_text("utf-8")
+    return asset("paper.toml")
 
 
 def paper_scenario() -> Scenario:
