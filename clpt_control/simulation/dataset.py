@@ -8,7 +8,6 @@ import json
 from collections.abc import Mapping, Sequence
 from functools import partial
 from importlib.metadata import version
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -55,7 +54,6 @@ REFERENCES = (
     "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
     "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey"
 )
-NO_ATTRIBUTES: Mapping[str, str] = MappingProxyType({})
 
 
 def unit_of(units: Units, lengths: int, rates: int) -> str:
@@ -66,8 +64,8 @@ def unit_of(units: Units, lengths: int, rates: int) -> str:
 def scenario_template(
     scenario: Scenario,
     signals: Signals,
-    attributes: Mapping[str, str] = NO_ATTRIBUTES,
-    ports: Mapping[str, str] = NO_ATTRIBUTES,
+    attributes: Mapping[str, str] = {},
+    ports: Mapping[str, str] = {},
     states: Sequence[str] | None = None,
 ) -> DatasetTemplate:
     """Return the template of a scenario's runs; samples at jumps are right limits.
@@ -270,7 +268,7 @@ def _attributes(scenario: Scenario) -> dict[str, Any]:
 
 
 def changed_parameters(
-    params: Params, attributes: Mapping[str, str] = NO_ATTRIBUTES
+    params: Params, attributes: Mapping[str, str] = {}
 ) -> dict[str, str]:
     """Return attributes with call-time parameters added to those that they have."""
     values = json.loads(attributes.get(CHANGED, "{}"))

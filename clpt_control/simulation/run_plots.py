@@ -308,8 +308,7 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     if has_truth:
         errors = errors - run.flow_parameters
     errors = abs(errors).max(("axis", "basis"))
-    disagreement = run.alpha.max("vehicle") - run.alpha.min("vehicle")
-    disagreement = disagreement.max(("axis", "basis")).values
+    disagreement = run.alpha.reduce(np.ptp, "vehicle").max(("axis", "basis")).values
     bottom.semilogy(time, positive(disagreement), ":", color=GREY, label="disagreement")
     for k, name in enumerate(team.members):
         vehicle_run = run.sel(vehicle=name)

@@ -118,11 +118,10 @@ def figures_of(
     samples = _error_samples(dense)
     if isinstance(system, Scenario):
         return _vehicle_figures(system, run, fine, samples)
-    disagreement = {}
-    for time, sample in samples.items():
-        alpha = sample.alpha
-        spread = alpha.max("vehicle") - alpha.min("vehicle")
-        disagreement[time] = float(spread.max())
+    disagreement = {
+        time: float(sample.alpha.reduce(np.ptp, "vehicle").max())
+        for time, sample in samples.items()
+    }
     figures: dict[str, Any] = {
         "vehicles": list(system.members),
         "coupling": system.coupling,

@@ -20,7 +20,7 @@ from ..engine.diagram.wiring import (
 )
 from ..engine.model.block import Block
 from ..engine.model.declaration import ports_line
-from ..engine.model.ports import counts_of, labels, renamed
+from ..engine.model.ports import counts_of, renamed, whole_labels
 from ..engine.model.system import block_of_ports, is_linear, on_each_axis
 
 LAW = "adaptation"  # the block of the adaptive law
@@ -190,15 +190,8 @@ def with_ports(
     if isinstance(component, Block):
         return renamed(component, component.name, inputs, outputs)
     copy = component.copy(name=component.name)
-    for new_names, ports, set_labels in (
-        (inputs, input_ports(component), copy.set_inputs),
-        (outputs, output_ports(component), copy.set_outputs),
-    ):
-        names: dict[int, str] = {}
-        for port, indices in ports.items():
-            new_labels = labels({new_names.get(port, port): len(indices)})
-            names |= zip(indices, new_labels, strict=True)
-        set_labels([names[index] for index in range(len(names))])
+    copy.set_inputs(whole_labels(component.input_labels, inputs))
+    copy.set_outputs(whole_labels(component.output_labels, outputs))
     return copy
 
 

@@ -197,10 +197,13 @@ def bare_labels(labels: Sequence[str]) -> list[str]:
     return bare if counts_of(bare) == counts_of(labels) else [*labels]
 
 
-def whole_labels(labels: Iterable[str]) -> list[str]:
-    """Return labels with a number for each signal: ``e, v[0]`` are ``e[0], v[0]``."""
+def whole_labels(labels: Iterable[str], names: Mapping[str, str] = {}) -> list[str]:
+    """Return labels with a number for each signal: ``e, v[0]`` are ``e[0], v[0]``.
+
+    `names` has new names of ports: {old: new}.
+    """
     numbered = {
-        index: f"{port}[{k}]"
+        index: f"{names.get(port, port)}[{k}]"
         for port, indices in ports_of(labels).items()
         for k, index in enumerate(indices)
     }
