@@ -147,7 +147,8 @@ def unknown_of(
     ):
         varies["localization.seed"] = range(members)
     noise = 0.0 if localization is None else float(localization.noise)
-    return Unknown(drawn, deviation, varies, _rms(drawn), noise)
+    rms = 0.0 if delta is None else float(np.hypot(*delta.amplitude)) * delta.row.rms
+    return Unknown(drawn, deviation, varies, rms, noise)
 
 
 def belief(scenario: Scenario) -> np.ndarray:
@@ -158,9 +159,3 @@ def belief(scenario: Scenario) -> np.ndarray:
     if alpha is not None and np.any(alpha):
         return -np.array(alpha)
     return np.array(scenario.model_parameters)
-
-
-def _rms(scenario: Scenario) -> float:
-    """Return the rms of the disturbance, both axes."""
-    delta = scenario.flow.disturbance
-    return 0.0 if delta is None else float(np.hypot(*delta.amplitude)) * delta.row.rms

@@ -39,6 +39,10 @@ if TYPE_CHECKING:
 POINTS = 41  # on each side of the box by default
 BETWEEN = 4  # points of the map from arrow to arrow
 SHADES = {"standard_error", "error"}
+STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
+    False: ("sea_water_x_velocity", "sea_water_y_velocity"),
+    True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
+}
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -163,10 +167,14 @@ def map_of(
         u, v = flow.T
         if plane is not None:
             u, v = plane.rotate(north, east, u, v, inverse=True)
-        names = _axes(learned.is_geographic)
+        long_name = f"{words} flow"
+        names = STANDARD_NAMES[learned.is_geographic]
         return {
-            prefix + name: (*masked(values), {**axis, "long_name": f"{words} flow"})
-            for name, values, axis in zip("uv", (u, v), names, strict=True)
+            prefix + name: (
+                *masked(values),
+                {"standard_name": standard, "long_name": long_name},
+            )
+            for name, values, standard in zip("uv", (u, v), names, strict=True)
         }
 
     dims = ["time", *(DEGREES if learned.is_geographic else "yx")]
@@ -194,14 +202,6 @@ def _row(name: str, values: Any) -> np.ndarray:
             f"{name}: has shape {row.shape}. Give a number, or a row of them"
         )
     return row
-
-
-def _axes(is_geographic: bool) -> list[dict[str, str]]:
-    """Return the CF names of the two components."""
-    names = ("sea_water_x_velocity", "sea_water_y_velocity")
-    if is_geographic:
-        names = ("eastward_sea_water_velocity", "northward_sea_water_velocity")
-    return [{"standard_name": name} for name in names]
 
 
 def _dataset(

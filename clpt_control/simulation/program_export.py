@@ -17,7 +17,7 @@ from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.files import check_writable, write_file
 from ..base.map_files import BLUE, GREEN, ORANGE, Feature, geojson, kml
-from ..base.units import SECONDS
+from ..base.units import SECONDS, iso, seconds_since_1970
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import scenario_with, waypoints_of
 from .c_export import c_file
@@ -168,19 +168,13 @@ def track_text(run: "xarray.Dataset", suffix: str) -> str:
         features.append(Feature("prediction", "LineString", predicted, GREEN))
     for number, place in enumerate(places(waypoints_of(run, scenario)), 1):
         features.append(Feature(f"waypoint {number}", "Point", [place], ORANGE))
+    origin = run.attrs.get("time_origin")
     for name, sample in (("start", 0), ("end", -1)):
-        time = _date(run, float(run.time[sample]) * SECONDS[scenario.units.time])
+        elapsed = round(float(run.time[sample]) * SECONDS[scenario.units.time])
+        time = iso(seconds_since_1970(origin) + elapsed) if origin else ""
         properties = {"time": time} if time else {}
         features.append(
             Feature(name, "Point", [track[sample]], BLUE, time, "", properties)
         )
     title = str(run.attrs.get("title", "")) or "run"
     return kml(features, title) if suffix == ".kml" else geojson(features)
-
-
-def _date(run: "xarray.Dataset", seconds: float) -> str:
-    """Return the date of a time of a run as ISO 8601, or "" if the run has none."""
-    origin = run.attrs.get("time_origin")
-    if origin is None:
-        return ""
-    return f"{np.datetime64(origin, 's') + np.timedelta64(round(seconds), 's')}Z"
