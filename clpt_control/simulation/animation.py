@@ -214,16 +214,17 @@ def draw_samples(ax: Any, run: "xarray.Dataset", samples: np.ndarray) -> Iterato
         ax.set_title(note, loc="right", fontsize=8, color=GREY)
     excess = np.hypot(*learned.T) / (max_speed * MAX_LEARNED / LENGTH)
     bounded = learned / np.maximum(excess, 1.0)[:, None]
-    flows = []
-    if true.any():
-        flows.append((true, FAINT, 0.008, "true flow"))
-    if learned.any():
-        flows.append((bounded, ORANGE, 0.0042, "learned flow"))
+    flows = [
+        (true, FAINT, 0.008, "true flow"),
+        (bounded, ORANGE, 0.0042, "learned flow"),
+    ]
 
     ax.plot(*waypoints.T, "o", color="black", ms=5, mfc="none")
     for j, k in enumerate(samples):
         artists = []
         for flow, color, width, label in flows:
+            if not flow.any():
+                continue
             arrows = flow.reshape(len(samples), -1, 2)[j]
             artists.append(
                 ax.quiver(

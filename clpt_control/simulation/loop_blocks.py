@@ -189,8 +189,9 @@ def remaining_blocks(
     blocks = changed_blocks(scenario, changes, external)
     if not external:
         return blocks
-    ports = {port for block in blocks for port in input_ports(block)}
-    ports |= {port for block in blocks for port in output_ports(block)}
+    ports = {
+        port for block in blocks for port in input_ports(block) | output_ports(block)
+    }
     for port in external:
         if port not in ports:
             raise DiagramError(

@@ -53,16 +53,15 @@ class Changes(NamedTuple):
     @property
     def description(self) -> str:
         """The components except a law as one line of text, `location: name`."""
-        locations = {
-            name: component for name, component in self.replace.items() if name != LAW
-        }
+        texts = [
+            f"{name}: {component.name}"
+            for name, component in self.replace.items()
+            if name != LAW
+        ]
         for key, component in self.insert.items():
             location = key if isinstance(key, str) else " to ".join(key)
-            locations[location] = component
-        items = locations.items()
-        return ", ".join(
-            f"{location}: {component.name}" for location, component in items
-        )
+            texts.append(f"{location}: {component.name}")
+        return ", ".join(texts)
 
     def of_blocks(self) -> "Changes":
         """Return the changes for machine code; raise `DiagramError` for a component in Python.
