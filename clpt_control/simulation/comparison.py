@@ -289,12 +289,12 @@ def changing_ports(run: "xarray.Dataset") -> list[str]:
     changing = [
         port
         for port in ports
-        if labels_of(run, port)[0] == "outputs" or (run[port] != run[port][0]).any()
+        if noted_labels(run, port)[0] == "outputs" or (run[port] != run[port][0]).any()
     ]
     return changing or ports
 
 
-def labels_of(run: "xarray.Dataset", port: str) -> tuple[str, list[str]]:
+def noted_labels(run: "xarray.Dataset", port: str) -> tuple[str, list[str]]:
     """Return "inputs" or "outputs", and the labels that a port's signals have in the diagram."""
     noted = run.encoding.get(LABELS, {})
     for kind, name in (("outputs", port), ("inputs", port.removesuffix("_input"))):
@@ -343,7 +343,7 @@ def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
     names = run.encoding.get(LABELS, {})
     signals: dict[str, dict[str, np.ndarray]] = {"inputs": {}, "outputs": {}}
     for port in ports_along(run):
-        key, labels = labels_of(run, port)
+        key, labels = noted_labels(run, port)
         rows = signals_of(run[port])
         if len(labels) != len(rows):
             labels = [*rows]
