@@ -62,7 +62,7 @@ ARROW = {
 }
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Movie:
     """Animation of a run, which a notebook shows; `gif` has the bytes of the file."""
 
