@@ -10,12 +10,12 @@ import platform
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
-from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .figures import TITLE, figure_of, inline_svg
 from .html import Result, asset, paragraphs, safe, table
+from .run_attributes import versions
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -114,7 +114,7 @@ def page_html(page: Page) -> str:
             f"{contents if len(page.sections) > 1 else ''}<main>",
             *map(_section, page.sections),
             '</main><footer class="soft">',
-            f"<p>Written by clpt-control {version('clpt-control')}.</p></footer>",
+            f"<p>Written by {versions('clpt-control')}.</p></footer>",
             f"<script>{script}</script></body></html>",
             "",
         ]
@@ -152,11 +152,12 @@ def _figure(drawn: Drawn) -> str:
 
 def versions_section(attrs: Mapping[Any, Any]) -> Section:
     """Return what the attributes record of versions and solver, and what made the page."""
-    packages = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     names = [str(name) for name in attrs]
     recorded = [
         name for name in names if name in RECORDED or name.startswith("solver_")
     ]
     rows = [[name.replace("_", " "), str(attrs[name])] for name in recorded]
-    rows.append(["page made with", f"Python {platform.python_version()}, {packages}"])
+    rows.append(
+        ["page made with", f"Python {platform.python_version()}, {versions(*PACKAGES)}"]
+    )
     return Section("versions", "Versions", Result("Software", ["", ""], rows))

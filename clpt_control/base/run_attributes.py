@@ -7,6 +7,8 @@ attributes of its file, as JSON.  The diagram itself is in the `encoding` of a r
 
 import json
 from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +17,13 @@ from .errors import DataError
 
 if TYPE_CHECKING:
     import xarray
+
+
+@cache
+def versions(*packages: str) -> str:
+    """Return the names and versions of packages in one line."""
+    return ", ".join(f"{name} {version(name)}" for name in packages)
+
 
 MOST_BYTES = 4 * 10**9  # memory of a run
 CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time

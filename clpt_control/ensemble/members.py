@@ -18,12 +18,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import field as made_by
 from functools import cache, cached_property, lru_cache
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 
 from ..base.errors import DiagramError, SimulationError
+from ..base.run_attributes import versions
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
@@ -133,7 +133,7 @@ class Ensemble:
     def code(self) -> str:
         """A hash of the code and the versions that compute the numbers."""
         code = getattr(self.native, "code", None)
-        facts = software(), repr(code and code.program), repr(processor())
+        facts = versions(*SOFTWARE), repr(code and code.program), repr(processor())
         return hashlib.sha256("\n".join(facts).encode()).hexdigest()[:16]
 
     # --- members from values --------------------------------------------------------------
@@ -366,12 +366,6 @@ def verified_ensemble(varied: Varied, values: Values) -> Ensemble:
             warn_python(varied.name, reason)
             return Ensemble(varied, values, "python")
     return ensemble
-
-
-@cache
-def software() -> str:
-    """Return the versions of the packages that compute an ensemble."""
-    return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
 def hash_of(wiring: Wiring, parameters: Iterable[Any], *extras: Any) -> str:

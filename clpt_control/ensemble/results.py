@@ -24,9 +24,10 @@ import numpy as np
 from ..base.errors import DataError, ScenarioError, import_optional
 from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
+from ..base.run_attributes import versions
 from ..engine.solver.solver_layout import Status
 from ..simulation.dataset_template import index_of, variable_of
-from .members import KERNEL, Values, Varied, member_count, software
+from .members import KERNEL, SOFTWARE, Values, Varied, member_count
 
 if TYPE_CHECKING:
     import xarray
@@ -84,8 +85,8 @@ def attributes_of(
     return {
         "Conventions": "CF-1.11",
         "title": title,
-        "source": software().partition(",")[0],
-        "software": software(),
+        "source": versions(SOFTWARE[0]),
+        "software": versions(*SOFTWARE),
         **{name: arguments[name] for name in REPEATED if name in arguments},
         CODE: code,
         ARGUMENTS: json.dumps(arguments),

@@ -7,12 +7,11 @@ versions and the solver's statistics, so that a run can be repeated from its fil
 import json
 from collections.abc import Mapping, Sequence
 from functools import partial
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 
-from ..base.run_attributes import CHANGED, OWN_LAW
+from ..base.run_attributes import CHANGED, OWN_LAW, versions
 from ..base.units import DEGREES
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
@@ -260,7 +259,7 @@ def _attributes(scenario: Scenario) -> dict[str, Any]:
     return {
         "Conventions": "CF-1.11",
         "title": scenario.title,
-        "source": f"clpt-control {version('clpt-control')}",
+        "source": versions("clpt-control"),
         "references": REFERENCES,
         "scenario": scenario_to_text(scenario),
         **time_attributes,

@@ -3,15 +3,15 @@
 The runs of one system share a template, which is filled with the signals of each run.
 """
 
-import platform
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
-from importlib.metadata import version
+from functools import lru_cache
+from platform import python_version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ..base.run_attributes import versions
 from ..engine.model.ports import bare_labels, ports_of
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import Solution
@@ -214,17 +214,10 @@ def columns(indices: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.nd
 def solver_attributes(solution: Solution) -> dict[str, Any]:
     """Return attributes of a run: versions, status and the solver's statistics."""
     return {
-        "software": _software(),
+        "software": f"Python {python_version()}, {versions(*PACKAGES)}",
         "status": solution.status,
         "message": solution.message,
         "engine": solution.engine,
         "method": solution.method,
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
-
-
-@cache
-def _software() -> str:
-    versions = [f"Python {platform.python_version()}"]
-    versions += [f"{name} {version(name)}" for name in PACKAGES]
-    return ", ".join(versions)

@@ -7,7 +7,6 @@ parameters are those of all legs at once; each forecast is still made before its
 """
 
 from collections.abc import Iterable
-from importlib.metadata import version
 from math import hypot
 from operator import attrgetter
 from typing import Any
@@ -19,6 +18,7 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.geodesy import displacement
 from ...base.progress.interrupt import check
+from ...base.run_attributes import versions
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ..gliders.dives import Dive, reckoned
@@ -303,7 +303,7 @@ def flow_of_legs(
             "fix_law": scenario.learning.law,
             "scenario": scenario_to_text(scenario),
             "fix_method": method,
-            "source": f"clpt-control {version('clpt-control')}",
+            "source": versions("clpt-control"),
             "origin": list(frame.place),
             "has_origin": int(has_origin),  # else a made one, of a run in a plane
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),

@@ -13,7 +13,6 @@ plots, tables and files for other programs are made of the same JSON.
 import json
 import re
 from collections.abc import Sequence
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ import xarray
 
 from ...base.arguments import public
 from ...base.errors import DataError
+from ...base.run_attributes import versions
 from ...base.units import seconds_since_1970
 from ..gliders.dive_fields import EPOCH
 from ..gliders.dives import FIELDS
@@ -131,7 +131,7 @@ def dataset_of(replay: Source) -> xarray.Dataset:
             "featureType": "trajectory",
             "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
             "history": "written by clpt replay",
-            "source": f"clpt-control {version('clpt-control')}",
+            "source": versions("clpt-control"),
             "estimator": report["estimator"],
             "flow": ",".join(report["flow"]),
             "learn_speed": int(report["learn_speed"]),

@@ -22,7 +22,6 @@ to the field by its name alone, so that the two files can be moved together.
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +32,7 @@ from ...base.arguments import Count, public
 from ...base.errors import DataError, naming
 from ...base.files import check_writable, write_together
 from ...base.geodesy import LocalPlane
+from ...base.run_attributes import versions
 from ...base.units import finite_or_none
 from ...engine.model.block import evaluate
 from ..scenario import tidal_periods
@@ -81,7 +81,7 @@ class Fit:
         report, scenario = self.report, self.scenario
         attributes = {
             "title": scenario.title,
-            "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
+            "source": f"{report['source']}, by {versions('clpt-control')}",
             "time_origin": report["start"],
             ORIGIN: report["origin"],
             "comment": "gaps are filled harmonically in space and time; fit_report counts them",
@@ -333,7 +333,7 @@ def _scenario(
 def _header(report: dict) -> str:
     """Return the comment lines that say where the scenario came from."""
     lines = [
-        f"Made by clpt-control {version('clpt-control')}; x1 is east, x2 north.",
+        f"Made by {versions('clpt-control')}; x1 is east, x2 north.",
         "The true flow is the measured current, gaps filled harmonically in space and time.",
         "The learner does not know theta of the fit, which the field's fit_report has.",
     ]
