@@ -68,7 +68,7 @@ def advect(
 ) -> tuple[np.ndarray, float]:
     """Move passive particles by RK4; return final positions (2, n) and seconds."""
     block = drifter(time, axis, u, v)
-    native = compile(clpt.connect([block], name="drifter")).in_form("free")
+    native = compile(clpt.connect([block], name="drifter")).in_form(locking=False)
     starts = np.column_stack([x1, x2])
     ends = np.array([0.0, step * steps])
 

@@ -17,7 +17,8 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import SimulationError, Uncompiled
-from ..engine.codegen.directional_derivatives import Directions, may_jump, put, value_at
+from ..engine.codegen.diagram_record import Form
+from ..engine.codegen.directional_derivatives import may_jump, put, value_at
 from ..engine.diagram.interconnection import changed_parameters
 from ..engine.record.unread import Unread
 from ..engine.solver.native_diagram import NativeDiagram
@@ -99,7 +100,8 @@ class SensitivityRun(DiagramRun):
             or (k in varied_blocks and node.system.breakpoints_function is not None)
         ]
         fields = {field: field for location in locations for field in location.fields}
-        return NativeDiagram(self.wiring, self.params, Directions(directions), fields)
+        form = Form(directions=directions)
+        return NativeDiagram(self.wiring, self.params, form, fields)
 
     def leave_machine_code(self, why: str) -> None:
         """Refuse to run in Python, which has no derivatives."""

@@ -30,7 +30,7 @@ import clpt_control as clpt
 from clpt_control.base.errors import BlockError, DiagramError
 from clpt_control.engine.codegen.c_library import ENDINGS, compiled, compiler
 from clpt_control.engine.codegen.c_text import CProgram, CRecord
-from clpt_control.engine.codegen.diagram_record import lay_out
+from clpt_control.engine.codegen.diagram_record import Form, lay_out
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.conformance.checks import (
     Sample,
@@ -101,7 +101,7 @@ def readings(
 
     def native(form: str | None = None, lanes: int = 1) -> Backend:
         return _compiled_backend(
-            lambda: _MachineCode(NativeDiagram(diagram, params, form), lanes)
+            lambda: _MachineCode(NativeDiagram(diagram, params, Form(form)), lanes)
         )
 
     backends = {

@@ -11,6 +11,7 @@ from all_backends import BACKEND, compare_backends, readings
 
 from clpt_control.engine.codegen import machine, vectors
 from clpt_control.engine.codegen.c_library import compiler
+from clpt_control.engine.codegen.diagram_record import Form
 from clpt_control.engine.codegen.elementary import FUNCTIONS
 from clpt_control.engine.codegen.fused_expressions import Component, Write
 from clpt_control.engine.codegen.llvm_text import print_program
@@ -68,6 +69,7 @@ __all__ = [
     "Confirmation",
     "Diagram",
     "Each",
+    "Form",
     "Machine",
     "NativeDiagram",
     "Nest",
@@ -105,8 +107,8 @@ __all__ = [
 
 ENGINES = {
     "python": PythonDiagram,
-    "unrolled": partial(NativeDiagram, form="unrolled"),
-    "looped": partial(NativeDiagram, form="looped"),
+    "unrolled": partial(NativeDiagram, form=Form("unrolled")),
+    "looped": partial(NativeDiagram, form=Form("looped")),
 }
 
 

@@ -18,7 +18,7 @@ from ...base.errors import BlockError
 from ...base.html import asset
 from ..record.graph import deep
 from ..record.operations import CONDITIONS, TABLE
-from .diagram_record import DiagramRecord, Layout
+from .diagram_record import DiagramRecord, Form, Layout
 from .fused_expressions import Components, Write
 from .loop_nests import Body, Element, Key, LoopPrinter
 from .plan import Nest, Planner
@@ -47,7 +47,7 @@ class CRecord(DiagramRecord):
     def __init__(self, wiring: Any, layout: Layout):
         # places in P
         self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]
-        super().__init__(wiring, layout, "free")
+        super().__init__(wiring, layout, Form(locking=False))
         systems = [node.system for node in wiring.nodes]
         guarded = [k for k, system in enumerate(systems) if system.guard is not None]
         # distances of guards at which states jump, by block

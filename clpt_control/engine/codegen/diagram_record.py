@@ -15,7 +15,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from math import pi, prod
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -39,16 +39,35 @@ SIGNED = named(attrgetter("signed_zero"))
 FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
-# the lengths from which on an axis without and with a name loops, and whether decisions are locked
-# for a step; all forms but None are there to be compared
-FORMS = {
-    None: (SHORT + 1, NAMED, True),
-    "unrolled": (10**9, 10**9, True),
-    "looped": (2, 2, True),
-    "free": (SHORT + 1, NAMED, False),
-}
+# the lengths from which on an axis without and with a name loops
+LOOPED_FROM = {None: (SHORT + 1, NAMED), "unrolled": (10**9, 10**9), "looped": (2, 2)}
 MARGIN_ROUNDING = 1e-9  # of margins that have no unit, as shares have none
 Ref = Any  # the place of an entry (int), or a constant (float)
+
+
+# (block, field, index in it) of varied parameters
+Varied = tuple[tuple[int, str, int], ...]
+
+
+class Form(NamedTuple):
+    """Form in which a diagram's record is written."""
+
+    axes: Literal["unrolled", "looped"] | None = (
+        None  # all axes; else short ones unroll
+    )
+    locking: bool = True  # decisions are locked for a step
+    # operations whose decisions are not, counted as they are locked
+    passed: Collection[int] = ()
+    held: tuple[Any, ...] = ()  # switches on which runs slide (`sliding_rates`)
+    directions: tuple[Varied, ...] = ()  # of derivatives, behind the states
+
+    @property
+    def copies(self) -> int:
+        """Number of vectors as long as the state: the state and its derivatives."""
+        return 1 + len(self.directions)
+
+
+PLAIN = Form()
 
 
 # --- where each number lies ------------------------------------------------------------------
@@ -212,20 +231,14 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `record.graph`, with loads in place of leaves.  `at` of a load is (array,
     offset), of a sum (axis, length, is it a loop?), of a part the offset among all elements of its
     argument, row by row.  An axis without a name is a loop from the length `long` on, an axis with
-    a name from the length `named` on.  Decisions of `passed` operations are not
-    locked; none are if it is None, for `slide`.
+    a name from the length `named` on.
     """
 
-    def __init__(
-        self,
-        wiring: Wiring,
-        layout: Layout,
-        form: str | None = None,
-        passed: Collection[int] | None = (),
-    ):
+    def __init__(self, wiring: Wiring, layout: Layout, form: Form):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout = layout
-        self.long, self.named, self.locking = FORMS[form]
+        self.long, self.named = LOOPED_FROM[form.axes]
+        self.locking = form.locking
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
@@ -245,8 +258,8 @@ class DiagramRecord(RecordMerger):
         self.held_margins = [*self.margins]  # with the decisions of a step's beginning
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         self.margin_roundings = [*map(self.decisions.rounding_of, self.margins)]
-        if self.locking and passed is not None and not wiring.dt:
-            self.rates = self.lock(passed=passed)
+        if self.locking and not form.held and not wiring.dt:
+            self.rates = self.lock(passed=form.passed)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
         self.leaps: list[Port] = []

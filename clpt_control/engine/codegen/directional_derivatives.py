@@ -26,28 +26,17 @@ from ..record.operations import JUMP, named
 from ..trace.arrays import operand
 from ..trace.derivative import OF_ROOTS, Direction
 from ..trace.elementwise import lifted
-from .diagram_record import DiagramRecord, is_read
+from .diagram_record import DiagramRecord, Varied, is_read
 from .switching_conditions import Port
 
 JUMPING = named(lambda row: row.smoothness >= JUMP)
-# (block, field, index in it) of varied parameters
-Varied = tuple[tuple[int, str, int], ...]
 
 
-class Directions(NamedTuple):
-    """Form of a diagram with derivatives: one direction for each tuple of varied parameters."""
+def add_derivatives(record: DiagramRecord, directions: tuple[Varied, ...]) -> None:
+    """Append the derivatives along directions to rates, jumps and signals of a record.
 
-    parameters: tuple[Varied, ...]
-    form: Any = None  # form of the diagram itself
-
-    @property
-    def copies(self) -> int:
-        """Number of vectors as long as the state: the state and its derivatives."""
-        return 1 + len(self.parameters)
-
-
-def add_derivatives(record: DiagramRecord, form: Directions) -> None:
-    """Append the derivatives along each direction to rates, jumps and signals of a record."""
+    There is one direction for each tuple of varied parameters.
+    """
     last_node = record.wiring.nodes[-1]
     nstates = last_node.states.stop
     nsignals = last_node.outputs.stop
@@ -60,7 +49,7 @@ def add_derivatives(record: DiagramRecord, form: Directions) -> None:
     entries = reached(record.entries, roots)
     loads = [k for k in sorted(entries) if record.entries[k].kind == "load"]
     originals: list[list[Port]] = [[*ports] for ports, _ in groups]
-    for number, varied in enumerate(form.parameters, 1):
+    for number, varied in enumerate(directions, 1):
         direction = _direction(record, loads, varied, number * nstates)
         for original, (ports, count) in zip(originals, groups, strict=True):
             for port in original:

@@ -247,7 +247,7 @@ class Batch:
             budget = int(min(wished, 4 * budget))
             if over_kinks is not None:
                 kinks = over_kinks.found(self, rtol, atol)
-                if kinks is not None:
+                if kinks:
                     self._leave(0, Status.MANY_KINKS, kinks)
                     break
 

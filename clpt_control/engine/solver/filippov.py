@@ -33,7 +33,7 @@ from .active_switches import (
     sides_of,
 )
 from .batch import Batch
-from .sliding_rates import NEGLIGIBLE, HeldSwitches
+from .sliding_rates import NEGLIGIBLE, HeldSwitch, decisions_of
 from .solver_layout import DECISION, DISTANCE, EVENT_INDEX, SAMPLE_POINTS, STATE, Status
 from .termination import decision_name, stopped_at
 
@@ -43,7 +43,7 @@ class Sliding(NamedTuple):
 
     runner: Any
     parameters: ndarray
-    held: HeldSwitches
+    held: tuple[HeldSwitch, ...]
     state: ndarray  # with which it begins
 
 
@@ -62,7 +62,7 @@ def enter(
     changed = before != behind
     chosen = changed | crossing.undecided & (np.abs(before) == 1.0)
     if sliding is not None:
-        chosen[[*sliding.held.decisions]] = True
+        chosen[[*decisions_of(sliding.held)]] = True
     try:
         sides = sides_of(crossing, crossing.switches(chosen, changed))
         state_of = active_set(sides)
@@ -78,12 +78,12 @@ def leave(diagram: Any, batch: Batch, sliding: Sliding | None) -> Sliding | None
     """
     k = int(batch.integers[EVENT_INDEX, 0]) - batch.callee.decided
     k -= diagram.code.program.guarded
-    if sliding is None or not k < 2 * len(sliding.held.switches) > 2:
+    if sliding is None or not k < 2 * len(sliding.held) > 2:
         return None
     t, state = stopped_at(batch)
     crossing = _crossing(diagram, batch, t, state)
     with suppress(Refused):
-        sides = sides_of(crossing, [*sliding.held.switches])
+        sides = sides_of(crossing, [*sliding.held])
         state_of = active_set(sides, {k // 2: k % 2})
         return _sliding_on(diagram, batch, crossing, sides, state_of)
     return None
@@ -103,7 +103,7 @@ def _sliding_on(
     sliding = np.flatnonzero(state_of == SLIDES)
     if not len(sliding):
         return None
-    held = HeldSwitches(tuple(sides.switches[k] for k in sliding))
+    held = tuple(sides.switches[k] for k in sliding)
     one_side = sides.decisions[0].copy()
     for k in np.flatnonzero(state_of == 1):
         decisions = [*sides.switches[k].decisions]
@@ -115,7 +115,7 @@ def _sliding_on(
             on_sides[flipped, decisions] = sides.decisions[1 + k, decisions]
     # 2. parameters with the decisions on the sides
     try:
-        runner = diagram.in_form(held)
+        runner = diagram.in_form(held=held)
     except (Unread, Uncompiled):
         return None
     parameters = runner.parameters(batch.runs.parameters[0])
@@ -123,8 +123,8 @@ def _sliding_on(
     parameters[offset - 2 : offset] = batch.memory.P[offset - 2 : offset]
     parameters[offset : offset + on_sides.size] = on_sides.ravel()
     # 3. on the switches the shares are within bounds
-    numbers = [switch.switch for switch in held.switches]
-    moves = crossing.distance[numbers] @ normals_of(crossing, held.switches).T
+    numbers = [switch.switch for switch in held]
+    moves = crossing.distance[numbers] @ normals_of(crossing, held).T
     state = crossing.state - moves
     events = runner.callee().events_at(
         [crossing.time], state[None], crossing.segments, parameters

@@ -9,7 +9,7 @@ same on both sides each time.  Other operations are located as before.  What was
 later is left to the estimate of the error, at the smaller tolerances.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -29,13 +29,8 @@ from .solver_layout import (
 
 SHARE = 1.0 / 3.0  # of restarts in the steps: more are too many
 FEWEST = 64  # tries after which they are counted
+NONE = frozenset[int]()
 LOOKS = 400  # tries in which the kinks are found
-
-
-class PassedKinks(NamedTuple):
-    """Operations whose decisions change within a step, counted as they are locked."""
-
-    operations: frozenset[int]
 
 
 class ManyKinks:
@@ -54,19 +49,20 @@ class ManyKinks:
         tries = batch.counts[0, STEPS] + batch.counts[0, REJECTIONS]
         return max(int(self.next_look - tries), 1)
 
-    def found(self, batch: Batch, rtol: float, atol: float) -> PassedKinks | None:
-        """Return the kinks that a run goes on without locating, or None."""
+    def found(self, batch: Batch, rtol: float, atol: float) -> frozenset[int]:
+        """Return the kinks that a run goes on without locating, most often none.
+
+        They are operations, counted as they are locked.
+        """
         counts = batch.counts[0]
         tries = counts[STEPS] + counts[REJECTIONS]
         if tries < self.next_look:
-            return None
+            return NONE
         self.next_look = 2 * int(tries)
         if counts[RESTARTS] <= SHARE * counts[STEPS]:
-            return None
+            return NONE
         kinks = _kinks(self.diagram, batch, rtol, atol)
-        if not kinks or batch.integers[RUN_INDEX, 0] < 0:
-            return None
-        return PassedKinks(frozenset(kinks))
+        return NONE if batch.integers[RUN_INDEX, 0] < 0 else frozenset(kinks)
 
 
 def _kinks(diagram: Any, batch: Batch, rtol: float, atol: float) -> set[int]:

@@ -169,7 +169,7 @@ class NativeRun:
         if self.diagram.code.program.decided and self.status in STUCK:
             # it is stuck: once more, without located switches
             with suppress(SimulationError):  # the error is that of the first run
-                free = self._again(self.diagram.in_form("free"))
+                free = self._again(self.diagram.in_form(locking=False))
                 free.locates = False
                 free = free.go_on(free.first_leg())
                 if free.status in (Status.FINISHED, Status.GUARD_LEFT):
@@ -271,7 +271,7 @@ class NativeRun:
 
     def over_kinks(self) -> Leg:
         """Go on without locating kinks, which are many."""
-        program = self.diagram.in_form(self.end.kinks)
+        program = self.diagram.in_form(passed=self.end.kinks)
         P = program.parameters(self.parameters)  # without the decisions
         return self._from_end(program=program, parameters=P, passes_kinks=True)
 

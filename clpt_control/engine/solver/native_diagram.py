@@ -8,14 +8,13 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ..codegen.diagram_record import lay_out
-from ..codegen.directional_derivatives import Directions
+from ..codegen.diagram_record import PLAIN, Form, lay_out
 from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
 from ..methods.method import Method
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS
 from .callee import MOST_KEPT, Callee, keep
-from .diagram_code import Form, code_of, copies_of
+from .diagram_code import code_of
 from .inputs import Inputs
 from .jacobian_pattern import Jacobian
 from .kernels import with_formulas
@@ -33,9 +32,8 @@ FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 class NativeDiagram(Runner):
     """A diagram compiled to machine code.
 
-    `params` are call-time parameters by qualified name.  `form` is "unrolled" or "looped" (all
-    axes; by default short ones are unrolled), "free" (decisions are not locked for a step) or a
-    `HeldSwitches`.  `apart` has blocks' fields that differ from run to run.
+    `params` are call-time parameters by qualified name.  `apart` has blocks' fields that
+    differ from run to run.
 
     Attributes
     ----------
@@ -58,16 +56,15 @@ class NativeDiagram(Runner):
         self,
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
-        form: Form = None,
+        form: Form = PLAIN,
         apart: Mapping[tuple[int, str], Any] = {},
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
         self.form = form
         self.code = code_of(self.wiring, self.layout, form)
-        copies = copies_of(form)
-        self.nstates *= copies
-        self.nsignals *= copies
+        self.nstates *= form.copies
+        self.nsignals *= form.copies
         self.intervals = self.layout.intervals
         self.jumps = self.layout.jumps
         self.time_tables = tuple(self.layout.time_tables.values())
@@ -101,12 +98,10 @@ class NativeDiagram(Runner):
         """Return whether a run is looked at for its kinks."""
         return not self.resetting and self.code.program.decided >= MANY_DECISIONS
 
-    def in_form(self, form: Form) -> Self:
-        """Return the diagram in another form; derivatives stay."""
+    def in_form(self, **changed: Any) -> Self:
+        """Return the diagram in another form, of which some fields change."""
         diagram = copy(self)
-        diagram.form = form
-        if isinstance(self.form, Directions):
-            diagram.form = self.form._replace(form=form)
+        diagram.form = self.form._replace(**changed)
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
         diagram._forget()
         return diagram

@@ -15,9 +15,9 @@ from ...base.errors import SimulationError, Uncompiled
 from ...base.progress.interrupt import check
 from ..codegen import series_loop as series
 from ..codegen.machine import LANES, address_of
-from ..codegen.plan import Program
 from .batch import PARTS, End, finished
 from .callee import MOST_KEPT, aligned, keep
+from .diagram_code import Code
 from .schedule import Schedule
 from .solver_layout import Status
 
@@ -39,13 +39,12 @@ def order_of(rtol: float) -> int:
 class SeriesCode(NamedTuple):
     """The compiled series of a diagram, and the arrays of its last runs by shape."""
 
-    program: Program
+    code: Code  # must live as long as the entry is used
     order: int
     lanes: int
     entry: Callable
     tables: np.ndarray
     kept: dict[Any, "SeriesArrays"]
-    machine: Any  # must live as long as the entry is used
 
 
 def refused(why: str) -> SimulationError:
@@ -71,13 +70,13 @@ def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
     code = diagram.code
     try:
         if any(nest.lengths for nest in program.functions["derivative"]):
-            code = diagram.in_form("unrolled").code
-        machine = code.series(lanes, order)
+            code = diagram.in_form(axes="unrolled").code
+        (address,) = code.addresses(["series"], lanes, order)
     except Uncompiled as error:
         raise refused(str(error)) from None
-    entry = ENTRY(machine.addresses["series"])
+    entry = ENTRY(address)
     tables = np.concatenate([diagram.layout.T, code.program.tables])
-    made = SeriesCode(code.program, order, lanes, entry, tables, {}, machine)
+    made = SeriesCode(code, order, lanes, entry, tables, {})
     diagram.kept_series[key] = made
     return made
 
@@ -90,7 +89,8 @@ class SeriesArrays:
     ):
         lanes = code.lanes
         groups = -(-count // lanes)
-        size, room = code.program.parameters + 1, code.program.room + 1
+        program = code.code.program
+        size, room = program.parameters + 1, program.room + 1
         self.memory, arrays = aligned(
             *(groups * lanes * rows for rows in (n, size)),
             lanes * room,
@@ -104,7 +104,7 @@ class SeriesArrays:
         self.out = np.empty((groups, lanes * samples + 1, n))
         self.samples = self.out[:, :-1].reshape(groups, lanes, samples, n)
         # views of each run
-        own = code.program.parameters
+        own = program.parameters
         self._starts = self.states.transpose(0, 2, 1)
         self._parameters = parameters[:, :own].transpose(0, 2, 1)
         self._first = self.samples[:, :, 0]
@@ -133,7 +133,7 @@ class SeriesArrays:
             call = X, P, T, W, times, edges, values, out, numbers, indices, integers
             self._calls.append(call)
         self._entry = code.entry
-        self._timed = code.program.timed
+        self._timed = program.timed
         self._shared: tuple[Any, Any] = None, None
         self.is_small = self.memory.size + self.out.size + self.values.size < MOST_KEPT
 

@@ -40,18 +40,12 @@ class HeldSwitch(NamedTuple):
     switch: int
 
 
-class HeldSwitches(NamedTuple):
-    """Switches on which a run slides at once."""
-
-    switches: tuple[HeldSwitch, ...]
-
-    @property
-    def decisions(self) -> tuple[int, ...]:
-        """Decisions that stay for as long as the run slides."""
-        return tuple(k for held in self.switches for k in held.decisions)
+def decisions_of(held: tuple[HeldSwitch, ...]) -> tuple[int, ...]:
+    """Return the decisions that stay for as long as a run slides on switches."""
+    return tuple(k for switch in held for k in switch.decisions)
 
 
-def slide(record: Any, held: HeldSwitches) -> None:
+def slide(record: Any, held: tuple[HeldSwitch, ...]) -> None:
     """Replace the rates of a `DiagramRecord` by those on switches.
 
     Each w and 1 - w become margins, and so does that the run stays on each switch, and that the
@@ -59,13 +53,11 @@ def slide(record: Any, held: HeldSwitches) -> None:
     """
     conditions = record.decisions
     # 1. rates on one side of all switches, and their changes on the other side of each
-    rates = record.lock(fixed=held.decisions)
-    changes = [
-        _changes(record, rates, held.decisions, switch.decisions)
-        for switch in held.switches
-    ]
+    fixed = decisions_of(held)
+    rates = record.lock(fixed=fixed)
+    changes = [_changes(record, rates, fixed, switch.decisions) for switch in held]
     # 2. shares of the other sides, with which no distance changes
-    distances = [conditions.distance_of(switch.switch) for switch in held.switches]
+    distances = [conditions.distance_of(switch.switch) for switch in held]
     base = {port: record.tape.value(port.ref) for port in rates}
     slopes = [_slope(record, distance, base, 1.0) for distance in distances]
     matrix = [
@@ -78,7 +70,7 @@ def slide(record: Any, held: HeldSwitches) -> None:
         record.require(operand(1.0 - share))
     every: Slopes = {}
     if len(changes) > 1:
-        every = _changes(record, rates, held.decisions, held.decisions)
+        every = _changes(record, rates, fixed, fixed)
     # 3. the mean of the rates
     record.rates = []
     for port in rates:
@@ -149,10 +141,10 @@ def _stay_on(record: Any, distances: list[Any]) -> None:
         record.require(operand(1.0 - np.fabs(value) / allowed))
 
 
-def _stay_parallel(record: Any, held: HeldSwitches, base: Slopes) -> None:
+def _stay_parallel(record: Any, held: tuple[HeldSwitch, ...], base: Slopes) -> None:
     """Require that the other distances of each switch do not change."""
     mean = {port: record.tape.value(port.ref) for port in record.rates}
-    for switch in held.switches:
+    for switch in held:
         for decision in set(switch.decisions) - {switch.switch}:
             distance = record.decisions.distance_of(decision)
             moved = np.fabs(_slope(record, distance, mean, 1.0))

@@ -11,6 +11,7 @@ import pytest
 from engine_runs import (
     ENGINES,
     LANES,
+    Form,
     NativeDiagram,
     PythonDiagram,
     Status,
@@ -301,7 +302,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     tight = {"rtol": 1e-11, "atol": 1e-12}
     for form in ("unrolled", "looped"):
         for diagram, x, states in zip(diagrams[:2], starts, wanted, strict=False):
-            found = NativeDiagram(diagram, form=form).run(x, times, **tight)
+            found = NativeDiagram(diagram, form=Form(form)).run(x, times, **tight)
             close(found.x, states, 1e-8, (seed, form))
     whole = NativeDiagram(diagrams[0])
     first = whole.run(starts[0], times[:4], **tight)
@@ -310,7 +311,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     )
     in_python = PythonDiagram(diagrams[0]).run(starts[0], times, rtol=1e-7, atol=1e-9).x
     close(in_python, wanted[0], 1e-4, (seed, "python"))
-    runner = NativeDiagram(diagrams[0], form="unrolled")
+    runner = NativeDiagram(diagrams[0], form=Form("unrolled"))
     P = np.tile(runner.parameters(), (len(members), 1))
     for row, own in zip(P, members, strict=True):
         packed = runner.layout.packed(own)

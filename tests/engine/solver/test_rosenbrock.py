@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from engine_runs import (
     Batch,
+    Form,
     NativeDiagram,
     PythonDiagram,
     Status,
@@ -159,7 +160,7 @@ SLOPES = {
 @pytest.mark.parametrize("case", SLOPES)
 def test_slopes_are_those_of_small_differences(case):
     diagram, form = SLOPES[case]
-    runner, t = NativeDiagram(diagram, form=form), 0.7
+    runner, t = NativeDiagram(diagram, form=Form(form)), 0.7
     n, times, P = runner.nstates, np.array([t, t + 1.0]), runner.parameters()[None]
     pieces = [runner.schedule(tuple(times))]
     runner.sweep.enter(t)
