@@ -22,7 +22,7 @@ from clpt_control.engine.methods.formulas import (
     stage,
     weighted_sum,
 )
-from clpt_control.engine.methods.method import Method
+from clpt_control.engine.methods.table import Method
 from clpt_control.engine.solver.solver_layout import (
     ARGUMENT,
     FAILURE,
@@ -58,9 +58,10 @@ def _dense(s: StepTape) -> New:
     return dense_cubic(s)[0], {INTERPOLANT_ERROR: 0.0 * s.lane(TIME)}
 
 
-def _formulas() -> dict[str, Any]:
+def formulas() -> dict[str, Any]:
+    """Return the formulas in the solver's order."""
     stages = [partial(stage, [0.0] * k + [c], c) for k, c in enumerate(STAGES)]
     return in_order(_control, _dense, stages, attempt=_attempt)
 
 
-RK4 = Method("RK4", stages=4, order=4, formulas=_formulas)
+RK4 = Method("RK4", stages=4, order=4, module=__name__)

@@ -267,12 +267,7 @@ class Ensemble:
             for begin in range(0, len(of_group), count):
                 rows = of_group[begin : begin + count]
                 signals = self.native.callee().evaluate_runs(
-                    SIGNALS,
-                    times,
-                    run.states[rows],
-                    schedule,
-                    members.P[rows],
-                    self.native.nsignals,
+                    SIGNALS, times, run.states[rows], schedule, members.P[rows]
                 )
                 signals[np.arange(len(times)) >= run.reached[rows, None]] = np.nan
                 yield rows, signals

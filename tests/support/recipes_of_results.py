@@ -8,7 +8,7 @@ INTEGRATOR = Recipe(
     "Add an integrator",
     (
         Step(
-            "tableau, formulas and row",
+            "tableau and formulas",
             "engine.methods.tsit5",
             (
                 (
@@ -24,10 +24,9 @@ INTEGRATOR = Recipe(
             (
                 (
                     TABLE,
-                    "import RODAS5P\n",
-                    "import RODAS5P\nfrom .tsit5 import TSIT5\n",
+                    "ROWS = (DOP853,",
+                    'TSIT5 = Method("Tsit5", 7, 5, ".tsit5")\nROWS = (DOP853, TSIT5,',
                 ),
-                (TABLE, "ROWS = (DOP853,", "ROWS = (DOP853, TSIT5,"),
             ),
         ),
         Step(

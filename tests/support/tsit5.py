@@ -20,7 +20,6 @@ from clpt_control.engine.methods.formulas import (
     stage,
     weighted_sum,
 )
-from clpt_control.engine.methods.method import Method
 from clpt_control.engine.solver.solver_layout import (
     ARGUMENT,
     INTERPOLANT_ERROR,
@@ -78,6 +77,3 @@ def formulas():
     """Return the formulas in the solver's order."""
     stages = [partial(stage, np.array(A[k]), TIMES[k]) for k in range(1, 7)]
     return in_order(control, dense, stages, first_step_order=5)
-
-
-TSIT5 = Method("Tsit5", stages=7, order=5, formulas=formulas)

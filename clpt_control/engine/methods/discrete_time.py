@@ -23,7 +23,6 @@ from ..solver.solver_layout import (
     Status,
 )
 from .formulas import Formula, New, StepTape, in_order
-from .method import Method
 
 
 def _to_next_sample(s: StepTape) -> New:
@@ -63,8 +62,6 @@ def _dense(s: StepTape) -> New:
     return {TERMS: s.z(ARGUMENT) - s.z(STATE)}, {}
 
 
-def _formulas() -> dict[str, Formula]:
+def formulas() -> dict[str, Formula]:
+    """Return the formulas in the solver's order."""
     return in_order(_control, _dense, [], attempt=_to_next_sample, accept=_accept)
-
-
-DISCRETE = Method("none", stages=1, order=0, formulas=_formulas, discrete=True)

@@ -33,7 +33,6 @@ from .formulas import (
     stage_time,
     weighted_sum,
 )
-from .method import Method
 
 # share of the interpolant's last term that is its error in a stiff step
 LAST_TERM = 1.23e-3
@@ -124,7 +123,8 @@ def _stiffness(last: Any, limit: float, s: StepTape) -> New:
     return {}, {STIFF_STEPS: steps, CALM_STEPS: calm}
 
 
-def _formulas() -> dict[str, Formula]:
+def formulas() -> dict[str, Formula]:
+    """Return the formulas in the solver's order."""
     times = table.C.tolist()
     stages: list[Formula] = [
         partial(stage, table.A[k, :k], times[k]) for k in range(1, STAGES + 4)
@@ -132,6 +132,3 @@ def _formulas() -> dict[str, Formula]:
     stages[STAGES - 1] = _stage_at_end
     stiffness = partial(_stiffness, table.A[11, :11], 6.1)
     return in_order(_control, _dense, stages, stiffness=stiffness)
-
-
-DOP853 = Method("DOP853", stages=STAGES, order=8, formulas=_formulas, dense_stages=3)

@@ -40,7 +40,6 @@ from .formulas import (
     stage_time,
     weighted_sum,
 )
-from .method import Method
 
 GAMMA = 0.21193756319429014
 # fmt: off
@@ -125,7 +124,8 @@ def _dense_implicit(s: StepTape) -> New:
     return interpolant_terms(s, delta, k1, k2 + k3, -k3), {}
 
 
-def _formulas() -> dict[str, Formula]:
+def formulas() -> dict[str, Formula]:
+    """Return the formulas in the solver's order."""
     stages: list[Formula] = [
         partial(_stage_implicit, number) for number in range(len(C))
     ]
@@ -135,8 +135,3 @@ def _formulas() -> dict[str, Formula]:
         stages,
         attempt=partial(attempt, diagonal=GAMMA),
     )
-
-
-RODAS5P = Method(
-    "Rodas5P", stages=len(C) + 1, order=5, formulas=_formulas, implicit=True
-)

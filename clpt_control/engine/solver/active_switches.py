@@ -145,7 +145,7 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     # 2. decisions and rates there
     times = np.full(len(states), crossing.time)
     callee, segments, P = crossing.callee, crossing.segments, crossing.parameters
-    rates = callee.evaluate(DERIVATIVE, times, states, segments, P, crossing.state.size)
+    rates = callee.evaluate(DERIVATIVE, times, states, segments, P)
     if not np.isfinite(rates).all():
         raise Refused("have rates that are not finite", switches)
     largest = np.abs(rates).max()

@@ -92,10 +92,10 @@ class Batch:
         m, n = starts.shape
         if group is None:
             group = np.zeros(m, dtype=np.int64)
-        of_runs = starts, parameters, group
-        self.runs = Runs(*[np.array(array, order="C") for array in of_runs])
+        self.runs = Runs(np.empty((m, n)), np.empty(parameters.shape), np.array(group))
+        self.schedules = schedules
         self.segments = _stacked(schedules)
-        self.times = np.array(times)
+        self.times = np.empty(len(times))
         # 2. results
         self.results = finished(m, len(times), n)
         self.out, self.status, self.reached, self.counts = self.results
@@ -138,28 +138,7 @@ class Batch:
         self._call = numbers_of(self.solver[:-1], linear, 0, 0)
         sizes = self._reals.size, self.out.size, self.segments.values.size
         self.is_small = sum(sizes) < MOST_KEPT
-        self._begin(schedules, longest, opening)
-
-    def begin_again(
-        self,
-        start: np.ndarray,
-        parameters: np.ndarray,
-        times: np.ndarray,
-        schedule: Schedule,
-        longest: float,
-        opening: float,
-    ) -> None:
-        """Begin another run in the arrays of a run of the same shape."""
-        self._reals.fill(0.0)
-        self.runs.states[0] = start
-        self.runs.parameters[0] = parameters
-        self.times[:] = times
-        if schedule is not self.schedules[0]:
-            for array, values in zip(self.segments, _stacked([schedule]), strict=True):
-                array[:] = values
-        for matrix in self.linear[:3]:
-            matrix.fill(0)
-        self._begin([schedule], longest, opening)
+        self.begin(starts, parameters, times, schedules, longest, opening)
 
     def release(self) -> None:
         """Keep the arrays of a run that is over for another one, if they are small."""
@@ -167,10 +146,27 @@ class Batch:
             P, values = self.runs.parameters[0], self.segments.values
             keep(self.callee.kept, (P.shape, self.times.shape, values.shape), self)
 
-    def _begin(self, schedules: list[Schedule], longest: float, opening: float) -> None:
-        """Set all runs to their beginning."""
+    def begin(
+        self,
+        starts: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        schedules: list[Schedule],
+        longest: float,
+        opening: float,
+    ) -> None:
+        """Begin runs in the arrays of this batch, whose shapes theirs have."""
         callee = self.callee
-        self.schedules = schedules
+        self._reals.fill(0.0)
+        self.runs.states[:] = starts
+        self.runs.parameters[:] = parameters
+        self.times[:] = times
+        if schedules[0] is not self.schedules[0]:
+            self.schedules = schedules
+            for array, values in zip(self.segments, _stacked(schedules), strict=True):
+                array[:] = values
+        for matrix in self.linear[:3]:
+            matrix.fill(0)
         # 1. results
         self.out.fill(np.nan)
         self.out[:, 0] = self.runs.states
@@ -182,7 +178,6 @@ class Batch:
         self.solver.queue[:] = 0, len(self.status), 0
         self.states[STATE] = self.runs.states[:1].T
         in_lanes = self.memory.P.reshape(-1, callee.lanes)
-        parameters = self.runs.parameters
         in_lanes[: parameters.shape[1]] = parameters[:1].T
         in_lanes[self.segments.indices] = self.segments.values[:1].T
         timed = callee.timed
@@ -317,10 +312,10 @@ def batch_of(
     """Return a batch of one run, in arrays of an earlier one if there are some of its shape."""
     shape = P.shape, times.shape, segments.values.shape
     batch = callee.kept.pop(shape, None)
+    runs = start[None], P[None], times, [segments]
     if batch is None:
-        runs = start[None], P[None], times, [segments]
         return Batch(callee, *runs, None, longest, opening)
-    batch.begin_again(start, P, times, segments, longest, opening)
+    batch.begin(*runs, longest, opening)
     return batch
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..codegen.machine import LANES, compiled_solver, numbers_of
-from ..methods.method import Method
+from ..methods.table import Method
 from .jacobian_pattern import Jacobian
 from .schedule import Schedule
 from .solver_layout import DECIDE, Shape
@@ -23,9 +23,10 @@ MOST_SHAPES = 6  # of the arrays that are kept of a diagram
 class Callee(NamedTuple):
     """Functions that the solver calls, and sizes of its arrays; `shape` is the solver's."""
 
-    functions: Any  # in the solver's order: their addresses, an array
+    functions: np.ndarray  # their addresses, in the solver's order
     lanes: int  # runs that are taken at once
     nstates: int
+    counts: tuple[int, ...]  # of the results of each function of the diagram
     method: Method
     guarded: int  # number of guards
     levels: np.ndarray  # of each guard: 1 if states jump there
@@ -69,25 +70,15 @@ class Callee(NamedTuple):
         return int(function(addressof(c_char.from_buffer(numbers.data))))
 
     def evaluate(
-        self,
-        role: int,
-        times: Any,
-        x: Any,
-        segments: Schedule,
-        parameters: Any,
-        count: int,
+        self, role: int, times: Any, x: Any, segments: Schedule, parameters: Any
     ) -> np.ndarray:
-        """Return the first `count` results of a function at times and states x (nt, n), a row each.
+        """Return the results of a function at times and states x (nt, n), a row each.
 
         `parameters` are P, or its beginning.
         """
-        shape = role, count, len(times), len(parameters), segments.values.shape
-        given = times, x, segments, parameters
-        evaluation = self.kept.pop(shape, None)
-        if evaluation is None:
-            evaluation = Evaluation(self, role, count, *given)
-        else:
-            evaluation.fill(*given)
+        shape = role, len(times), len(parameters), segments.values.shape
+        evaluation = self.kept.pop(shape, None) or Evaluation(self, *shape)
+        evaluation.fill(times, x, segments, parameters)
         self.call("evaluate", evaluation.numbers)
         if not evaluation.is_small:
             return evaluation.out
@@ -102,9 +93,8 @@ class Callee(NamedTuple):
         x: np.ndarray,
         segments: Schedule,
         parameters: np.ndarray,
-        count: int,
     ) -> np.ndarray:
-        """Return results at states (m, nt, n) of runs with parameters (m, nP), (m, nt, count).
+        """Return results (m, nt, count) at states (m, nt, n) of runs with parameters (m, nP).
 
         The segments of all runs, one behind the other, set the parameters of each.
         """
@@ -113,19 +103,18 @@ class Callee(NamedTuple):
         rows = np.repeat(parameters, each, axis=0), np.tile(segments.values, (m, 1))
         indices = np.append(np.arange(size), segments.indices)
         every = segments._replace(indices=indices, values=np.hstack(rows))
-        at = np.tile(times, m), x.reshape(m * len(times), -1)
-        evaluation = Evaluation(self, role, count, *at, every, parameters[0])
+        evaluation = Evaluation(self, role, m * len(times), size, every.values.shape)
+        evaluation.fill(np.tile(times, m), x, every, parameters[0])
         which = np.searchsorted(segments.edges, times, "right")
         evaluation.which_segment[:] = np.add.outer(each * np.arange(m), which).ravel()
         self.call("evaluate", evaluation.numbers)
-        return evaluation.out.reshape(m, len(times), count)
+        return evaluation.out.reshape(m, len(times), -1)
 
     def events_at(
         self, times: Any, x: Any, segments: Schedule, parameters: Any
     ) -> np.ndarray:
         """Return decisions, distances and rounding errors of all events, (nt, 3, events)."""
-        count = 3 * self.events
-        numbers = self.evaluate(DECIDE, times, x, segments, parameters, count)
+        numbers = self.evaluate(DECIDE, times, x, segments, parameters)
         return numbers.reshape(-1, 3, self.events)
 
 
@@ -133,30 +122,20 @@ class Evaluation:
     """Arrays of an evaluation, which live as long as the `numbers` with their addresses."""
 
     def __init__(
-        self,
-        callee: Callee,
-        role: int,
-        count: int,
-        times: Any,
-        x: np.ndarray,
-        segments: Schedule,
-        parameters: np.ndarray,
+        self, callee: Callee, role: int, points: int, size: int, segments: tuple
     ):
-        self.times = np.array(times, dtype=float)
-        self.which_segment = np.searchsorted(segments.edges, times, "right")
-        self.states = x.ravel()
-        self.indices = segments.indices.copy()
-        self.values = segments.values.copy()
-        self.out = np.empty((len(times), count))
-        size = max(callee.size, len(parameters)) + 1
-        results = max(count, 3 * callee.events) + 1
+        self.times = np.empty(points)
+        self.which_segment = np.empty(points, dtype=np.int64)
+        self.states = np.empty(points * callee.nstates)
+        self.indices = np.empty(segments[1], dtype=np.int64)
+        self.values = np.empty(segments)
+        self.out = np.empty((points, callee.counts[role]))
+        size = max(callee.size, size) + 1
+        results = max(self.out.shape[1], 3 * callee.events) + 1
         self.memory, arrays = aligned(1, size, callee.room + 1, results)
         time, self.P, W, D = arrays
-        self.P[: len(parameters)] = parameters
         sizes = self.states.size, self.out.size, self.values.size, self.memory.size
         self.is_small = sum(sizes) <= MOST_KEPT
-        if self.is_small:
-            self.states = self.states.copy()
         self.numbers = numbers_of(
             callee.functions,
             role,
@@ -172,7 +151,7 @@ class Evaluation:
     def fill(
         self, times: Any, x: np.ndarray, segments: Schedule, parameters: np.ndarray
     ) -> None:
-        """Write other points, their segments and P into the arrays."""
+        """Write points, their segments and P into the arrays."""
         self.times[:] = times
         self.which_segment[:] = segments.edges.searchsorted(times, "right")
         self.states[:] = x.ravel()

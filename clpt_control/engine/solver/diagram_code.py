@@ -1,17 +1,27 @@
-"""The code of a diagram: a program for all diagrams of one structure, and its machine code."""
+"""The code of a diagram and of a method: programs, and their machine code.
+
+Diagrams of one structure have one program.  The formulas of a method have one for each number of
+states and of lanes.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 from ...base.errors import Uncompiled
 from ..codegen.diagram_record import PLAIN, DiagramRecord, Form, Layout
+from ..codegen.fused_expressions import Components
 from ..codegen.machine import Machine, once, one_at_a_time
-from ..codegen.plan import NO_TABLES, Program, program_of
+from ..codegen.plan import NO_TABLES, Planner, Program, program_of
+from ..codegen.switching_conditions import Port
 from ..diagram.wiring import Wiring
+from ..methods.formulas import Formula, StepTape
+from ..methods.table import Method
 from ..record.operations import ELEMENTWISE
 from ..record.unread import Unread
+from ..trace.arrays import operand
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 
 # components of a long program, and how much shorter one of loops is
@@ -155,3 +165,41 @@ def _planned(structure: Structure, form: Form) -> Code:
     program = program_of(record, signals, layout.inputs(wiring.ninputs))
     operations = tuple(record.decisions.operations)
     return Code(program, lambda: jacobian(reach_of(record, states)), operations)
+
+
+# --- formulas of a method ---------------------------------------------------------------------
+
+
+def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
+    """Return the program of formulas for n states."""
+    step = StepTape(n)
+    components = Components(SimpleNamespace(entries=step.tape.operations), 0)
+    writes = {}
+    for name, formula in formulas.items():
+        rows, numbers = formula(step)
+        in_rows = [
+            Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()
+        ]
+        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
+        writes[name] = components.writes(in_rows, "X")
+        writes[name] += components.writes(in_lane, "t")
+    planner = Planner(components)
+    # loops come first: they read numbers of the lane, which are written behind them
+    functions = {
+        name: tuple(sorted(planner.nests(written), key=lambda nest: not nest.lengths))
+        for name, written in writes.items()
+    }
+    return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
+
+
+@once(16)
+def kernels(n: int, lanes: int, method: Method) -> Machine:
+    """Return the formulas of a method for n states as machine code."""
+    named = method.formulas()
+
+    def module() -> Any:
+        from ..codegen.llvm_text import print_program
+
+        return print_program(program_of_formulas(named, n), tuple(named), lanes)
+
+    return Machine(named, f"formulas {n} {lanes} {method.name}", module, plain=True)

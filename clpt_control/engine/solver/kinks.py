@@ -99,7 +99,7 @@ def _effect_of_event(
     now = callee.events_at(*at)[0, DECISION, : callee.decided]
     held = batch.memory.P[callee.decided_at :][: callee.decided]
     changed = np.flatnonzero(now != held)
-    rates = callee.evaluate(DERIVATIVE, *at, callee.nstates)[0]
+    rates = callee.evaluate(DERIVATIVE, *at)[0]
     difference = np.abs(rates - batch.states[RATE, :, 0])
     mean_step = (batch.now - batch.times[0]) / batch.counts[0, STEPS]
     tolerances = atol + rtol * np.abs(state[0])

@@ -52,7 +52,7 @@ def jump_at_level(
 
     def distances(t: float, x: ndarray) -> tuple[ndarray, ndarray, ndarray]:
         """Return distances, those at the end of this instant, and the edges (`set_edges`)."""
-        rates = callee.evaluate(DERIVATIVE, [t], x[None], segments, P, len(x))
+        rates = callee.evaluate(DERIVATIVE, [t], x[None], segments, P)
         soon = RESOLVED * max(abs(t), batch.times[-1] - batch.times[0])
         states = np.vstack([x, x + soon * rates])
         events = callee.events_at([t, t + soon], states, segments, P)
@@ -92,7 +92,7 @@ def jump_at_level(
         if not jumping:
             break
         requests = segments.requesting(diagram.jumps, jumping)
-        (x,) = callee.evaluate(JUMP, [t], x[None], requests, P, len(x))
+        (x,) = callee.evaluate(JUMP, [t], x[None], requests, P)
         jumped += jumping
         now, _, edges_behind = distances(t, x)
         left = now < -np.maximum(edges, edges_behind)

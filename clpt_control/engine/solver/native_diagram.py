@@ -11,13 +11,11 @@ import numpy as np
 from ..codegen.diagram_record import PLAIN, Form, lay_out
 from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
-from ..methods.method import Method
-from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS
+from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
 from .callee import MOST_KEPT, Callee, keep
-from .diagram_code import code_of
+from .diagram_code import code_of, kernels
 from .inputs import Inputs
 from .jacobian_pattern import Jacobian
-from .kernels import with_formulas
 from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -143,9 +141,7 @@ class NativeDiagram(Runner):
     def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
         points = solution.t, solution.x, self.segments_of(solution, inputs)
-        return self.callee().evaluate(
-            SIGNALS, *points, self.parameters(), self.nsignals
-        )
+        return self.callee().evaluate(SIGNALS, *points, self.parameters())
 
     def results(
         self,
@@ -158,13 +154,13 @@ class NativeDiagram(Runner):
         sweep, callee, P = self.sweep, self.callee(), self.parameters()
         at = times, x, segments
         if signals is None:
-            signals = callee.evaluate(SIGNALS, *at, P, self.nsignals)
+            signals = callee.evaluate(SIGNALS, *at, P)
         results = [signals]
         if self.nstates:
-            results.append(callee.evaluate(DERIVATIVE, *at, P, self.nstates))
+            results.append(callee.evaluate(DERIVATIVE, *at, P))
         if sweep.jumping:
             all_jump = segments.requesting(self.jumps, sweep.jumping)
-            results.append(callee.evaluate(JUMP, times, x, all_jump, P, self.nstates))
+            results.append(callee.evaluate(JUMP, times, x, all_jump, P))
         if sweep.guarded:
             events = callee.events_at(*at, P)
             results.append(events[:, DECISION, callee.decided :])
@@ -202,7 +198,8 @@ class NativeDiagram(Runner):
         # in discrete time no state jumps
         jumping = int(not method.discrete and bool(self.jumps))
         # 1. addresses of the functions, 0 of those that are not called
-        called = {"jump": jumping, "decide": program.decided + program.guarded}
+        events = program.decided + program.guarded
+        called = {"jump": jumping, "decide": events}
         names = [name for name in FUNCTIONS if called.get(name, True)]
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
@@ -211,10 +208,16 @@ class NativeDiagram(Runner):
         levels = np.zeros(program.guarded)
         levels[: len(at_level)] = at_level
         slopes = range(self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2)
-        callee = Callee(
-            functions=[addresses.get(name, 0) for name in FUNCTIONS],
+        functions = [addresses.get(name, 0) for name in FUNCTIONS]
+        machine = None
+        if self.nstates:
+            machine = kernels(self.nstates, lanes, method)
+            functions += machine.addresses.values()
+        return Callee(
+            functions=np.array(functions, dtype=np.int64),
             lanes=lanes,
             nstates=self.nstates,
+            counts=(self.nstates, 0, self.nsignals, self.nstates, 3 * events),
             method=method,
             guarded=program.guarded,
             levels=levels,
@@ -228,9 +231,8 @@ class NativeDiagram(Runner):
             linear=code.sparsity() if method.implicit else Jacobian(),
             timed=program.timed,
             slopes=slopes if program.ramped else (),
-            code=(code,),
+            code=(code, machine),
         )
-        return with_formulas(callee)
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

@@ -256,5 +256,4 @@ def sampled_start(
     callee: Callee, start: Any, t: float, segments: Schedule, P: Any
 ) -> ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
-    states = callee.evaluate(JUMP, [t], start, segments, P, len(start))
-    return states[0]
+    return callee.evaluate(JUMP, [t], start, segments, P)[0]

@@ -3,11 +3,12 @@
 import control
 import numpy as np
 import pytest
-from engine_runs import METHODS, ROWS
-from tsit5 import ERROR, LAST, TIMES, TSIT5, A
+from engine_runs import METHODS, ROWS, Method
+from tsit5 import ERROR, LAST, TIMES, A
 
 import clpt_control as clpt
 
+TSIT5 = Method("Tsit5", stages=7, order=5, module="tsit5")
 TURNS = np.linspace(0.0, 20.0, 401)
 EACH = pytest.mark.parametrize(
     "row", [row for row in ROWS if not row.discrete], ids=lambda row: row.name
