@@ -52,8 +52,8 @@ class CRecord(DiagramRecord):
         guarded = [k for k, system in enumerate(systems) if system.guard is not None]
         # distances of guards at which states jump, by block
         self.levels = {
-            k: margin
-            for k, margin in zip(guarded, self.margins, strict=True)
+            k: guard.now
+            for k, guard in zip(guarded, self.guards, strict=True)
             if systems[k].jumps_at_level
         }
 

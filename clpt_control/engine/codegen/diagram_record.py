@@ -29,7 +29,7 @@ from ..record.operations import named
 from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
 from ..trace.elementwise import spread
-from .switching_conditions import LOCKED, Decisions, Port
+from .switching_conditions import LOCKED, Decisions, Event, Port
 
 # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SHORT = 16
@@ -251,13 +251,12 @@ class DiagramRecord(RecordMerger):
         ] = {}  # states of a block after jumps, once known
         self.inputs[0] = self._inputs()
         self.signals = self._rates()
-        self.margins: list[Ref] = []  # of guards
+        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        self.guards: list[Event] = []
         for k, node in enumerate(wiring.nodes):
             if node.system.guard is not None:
-                self.margins += self.run(k, "guard", self.fed(k))
-        self.held_margins = [*self.margins]  # with the decisions of a step's beginning
-        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        self.margin_roundings = [*map(self.decisions.rounding_of, self.margins)]
+                (margin,) = self.run(k, "guard", self.fed(k))
+                self.require(margin, self.decisions.rounding_of(margin))
         if self.locking and not form.held and not wiring.dt:
             self.rates = self.lock(passed=form.passed)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
@@ -286,16 +285,15 @@ class DiagramRecord(RecordMerger):
 
     def lock(self, **options: Any) -> list[Port]:
         """Return the rates with locked decisions; those of guards are locked as well."""
-        margins = [Port(0, (), (), ref) for ref in self.margins]
+        margins = [Port(0, (), (), guard.now) for guard in self.guards]
         locked = self.decisions.lock([*self.rates, *margins], **options)
-        self.held_margins = [port.ref for port in locked[len(self.rates) :]]
+        for k, port in enumerate(locked[len(self.rates) :]):
+            self.guards[k] = self.guards[k]._replace(distance=port.ref)
         return locked[: len(self.rates)]
 
-    def require(self, margin: Ref) -> None:
-        """End a run where a margin, which has no unit, falls below 0."""
-        self.margins.append(margin)
-        self.held_margins.append(margin)
-        self.margin_roundings.append(MARGIN_ROUNDING)
+    def require(self, margin: Ref, rounding: Ref = MARGIN_ROUNDING) -> None:
+        """End a run where a margin, by default one without unit, falls below 0."""
+        self.guards.append(Event(len(self.guards), (), (), margin, margin, rounding))
 
     # --- blocks ---------------------------------------------------------------------------
 

@@ -21,7 +21,6 @@ from ..diagram.evaluation_order import unsampled
 from ..diagram.wiring import Wiring, call_names
 from ..model.block import Block
 from ..model.ports import indices_by_name
-from ..record.graph import reached
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
 from ..trace.derivative import OF_ROOTS, Direction
@@ -45,12 +44,9 @@ def add_derivatives(record: DiagramRecord, directions: tuple[Varied, ...]) -> No
         (record.leaps, nstates),
         (record.signals, nsignals),
     ]
-    roots = [port.ref for ports, _ in groups for port in ports]
-    entries = reached(record.entries, roots)
-    loads = [k for k in sorted(entries) if record.entries[k].kind == "load"]
     originals: list[list[Port]] = [[*ports] for ports, _ in groups]
     for number, varied in enumerate(directions, 1):
-        direction = _direction(record, loads, varied, number * nstates)
+        direction = _direction(record, varied, number * nstates)
         for original, (ports, count) in zip(originals, groups, strict=True):
             for port in original:
                 value = record.tape.value(port.ref)
@@ -59,9 +55,7 @@ def add_derivatives(record: DiagramRecord, directions: tuple[Varied, ...]) -> No
                 ports.append(port._replace(first=offset, ref=slope))
 
 
-def _direction(
-    record: DiagramRecord, loads: list[int], varied: Varied, state_offset: int
-) -> Direction:
+def _direction(record: DiagramRecord, varied: Varied, state_offset: int) -> Direction:
     """Return the direction of varied parameters and of the derivatives of states in X."""
     tape = record.tape
     layout = record.layout
@@ -69,17 +63,18 @@ def _direction(
     for block, field, index in varied:
         slot = layout.slots[block, field]
         parameter_slopes[slot.offset + index] = 1.0
-    slopes: dict[int, Any] = {}
-    for k in loads:
+
+    def slope_of(k: int) -> Any:
         _, _, shape, (array, offset) = record.entries[k]
         if array == "X":
-            ref = record.load("X", state_offset + offset, shape)
-            slopes[k] = tape.value(ref)
-        elif array == "P":
-            end = offset + prod(shape)
-            numbers = parameter_slopes[offset:end]
-            slopes[k] = lifted(tape, numbers.reshape(shape)) if numbers.any() else None
-    return Direction(tape, slopes, undefined=OF_ROOTS)
+            return tape.value(record.load("X", state_offset + offset, shape))
+        end = offset + prod(shape)
+        numbers = parameter_slopes[offset:end]
+        if array != "P" or not numbers.any():
+            return None
+        return lifted(tape, numbers.reshape(shape))
+
+    return Direction(tape, slope_of, undefined=OF_ROOTS)
 
 
 # --- names of varied values -----------------------------------------------------------------

@@ -255,15 +255,13 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     first_prepared = prepared + 2 + count if count else prepared
     components = Components(record, room, first_prepared)
     # behind the decisions D has their distances, then the rounding errors of these
-    events = count + len(record.margins)
-    decided: list[Port] = []
-    for begin, ports, margins in (
-        (0, decisions.now, record.margins),
-        (events, decisions.distances, record.held_margins),
-        (2 * events, decisions.least, record.margin_roundings),
-    ):
-        decided += [port._replace(first=begin + port.first) for port in ports]
-        decided += [Port(k, (), (), m) for k, m in enumerate(margins, begin + count)]
+    guards = [guard._replace(first=count + guard.first) for guard in record.guards]
+    events = count + len(guards)
+    decided = [
+        Port(number * events + first, shape, long, values[number])
+        for number in range(3)
+        for first, shape, long, *values in (*decisions.events, *guards)
+    ]
     with deep():
         writes = {
             "derivative": components.writes(
@@ -274,4 +272,4 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             "decide": components.writes(decided, "D"),
         }
     program = Planner(components).program(writes, decisions)
-    return program._replace(guarded=events - count)
+    return program._replace(guarded=len(guards))

@@ -12,7 +12,7 @@ condition and begins a new step there, with new decisions.
 Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from math import prod
 from operator import attrgetter
 from typing import Any, NamedTuple
@@ -40,6 +40,17 @@ ROUNDING = 1e-12  # relative, of the numbers that are compared
 OF_TIME = 2e-15  # the same of time and parameters, which have no error of integration
 NAN_IF_ANY = ("sign", "minimum", "maximum")  # NaN where an argument is NaN
 Ref = Any
+
+
+class Event(NamedTuple):
+    """A switching condition or a guard: values that `decide` computes, ordered as a `Port`."""
+
+    first: int
+    shape: tuple[int, ...]
+    long: tuple[bool, ...]
+    now: Ref  # the decision; of a guard the distance with the decisions made now
+    distance: Ref  # with the decisions of a step's beginning
+    rounding: Ref
 
 
 class Port(NamedTuple):
@@ -93,9 +104,7 @@ class Decisions:
         self.record = record
         self.tolerances = tolerances  # offset in P: relative, absolute
         self.first = tolerances + 2  # offset in P of the decisions
-        self.now: list[Port] = []
-        self.distances: list[Port] = []
-        self.least: list[Port] = []
+        self.events: list[Event] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.operations: list[int] = []  # the first decision of each operation
         self.count = 0  # how many numbers are decided
@@ -109,8 +118,8 @@ class Decisions:
         self._numbers = dict[tuple, int]()  # of each operation's decisions in these
         self._block = 0  # how many numbers were decided before
         self._sources: dict[int, frozenset[str]] = {}  # arrays that an entry reads
-        self._bounded: set[int] = set()  # entries whose states have a rounding error
-        self._bound = Direction(record.tape, {}, bound=True)
+        # change of values with states that change by rounding
+        self._bound = change_with(record, lambda size: ROUNDING * size)
         self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(
@@ -261,12 +270,8 @@ class Decisions:
                 # fixed decisions stay as they are
                 now = _chosen(is_fixed, H, now)
                 distance = _chosen(is_fixed, 1.0, distance)
-            for ports, value in (
-                (self.now, now),
-                (self.distances, distance),
-                (self.least, least),
-            ):
-                ports.append(Port(number, shape, long, operand(value)))
+            values = map(operand, (now, distance, least))
+            self.events.append(Event(number, shape, long, *values))
             self.of.append((number, made_in))
             if is_shared:
                 other_side = np.isin(numbers, flipped)
@@ -369,21 +374,22 @@ class Decisions:
 
     def _rounding(self, distance: Ref) -> Any:
         """Return by how much a distance changes with states that change by rounding."""
-        record = self.record
         if type(distance) is float:
             return 0.0
-        new = reached(record.entries, [distance], self._bounded)
-        self._bounded |= new
-        for k in new:
-            kind, _, _, at = record.entries[k]
-            if kind == "load" and at[0] == "X":
-                self._bound.known.setdefault(
-                    k, ROUNDING * np.fabs(record.tape.value(k))
-                )
         try:
-            return self._bound.of(record.tape.value(distance))
+            return self._bound.of(self.record.tape.value(distance))
         except Unread:
             return 0.0
+
+
+def change_with(record: Any, change: Callable[[Any], Any]) -> Direction:
+    """Return by how much values change at most with states that change as their sizes say."""
+
+    def slope_of(k: int) -> Any:
+        array, _ = record.entries[k].at
+        return change(np.fabs(record.tape.value(k))) if array == "X" else None
+
+    return Direction(record.tape, slope_of, bound=True)
 
 
 def _chosen(mask: np.ndarray, value: Any, other: Any) -> Any:

@@ -72,7 +72,7 @@ class _About:
         self.unit_vectors = np.eye(self.count)
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
-        self.direction = Direction(self.tape, {}, undefined=OF_OVERFLOW)
+        self.direction = Direction(self.tape, self.slope_of, undefined=OF_OVERFLOW)
         self.parameters = {
             node.name: node.system.parameters_at(t, p)
             for node, p in zip(wiring.nodes, block_parameters, strict=True)
@@ -107,14 +107,19 @@ class _About:
 
     def varying(self, key: tuple, shape: Shape, position: slice) -> Any:
         """Return a leaf with a value at the point, and with directions."""
-        leaf = self.tape.add("leaf", (), shape, key)
-        self.direction.known[operand(leaf)] = self.tape.add(
-            "leaf", (), shape, ("d", key)
-        )
         self.values[key] = self.point[position].reshape(*shape, 1)
         self.values["d", key] = self.unit_vectors[position].reshape(*shape, self.count)
         self.positions[key] = position
-        return leaf
+        return self.tape.add("leaf", (), shape, key)
+
+    def slope_of(self, ref: int) -> Any:
+        """Return the directions of a state or input; parameters and time do not vary."""
+        _, _, shape, key = self.tape.operations[ref]
+        return (
+            self.tape.add("leaf", (), shape, ("d", key))
+            if key in self.positions
+            else None
+        )
 
     def numbers(
         self,
@@ -148,12 +153,11 @@ class _About:
 
     def is_at_level(self, distance: Any) -> bool:
         """Return whether a distance at the point is 0, but for the rounding of its leaves."""
-        sizes = {
-            ref: LEVEL_ROUNDING * np.fabs(self.tape.value(ref))
-            for ref in reached(self.tape.operations, [operand(distance)])
-            if self.tape.operations[ref].kind == "leaf"
-        }
-        rounding = Direction(self.tape, sizes, bound=True).of(distance)
+
+        def rounding_of(leaf: int) -> Any:
+            return LEVEL_ROUNDING * np.fabs(self.tape.value(leaf))
+
+        rounding = Direction(self.tape, rounding_of, bound=True).of(distance)
         pair = [np.fabs(distance), rounding]
         size, rounding = self.numbers(pair, [(), ()], self.values, 1).ravel()
         return size <= rounding

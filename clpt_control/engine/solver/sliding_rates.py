@@ -19,8 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.sparse.csgraph import connected_components
 
-from ..codegen.switching_conditions import Port
-from ..record.graph import reached
+from ..codegen.switching_conditions import Port, change_with
 from ..record.unread import Unread
 from ..trace.arrays import operand
 from ..trace.derivative import Direction
@@ -129,13 +128,8 @@ def _stay_on(record: Any, distances: list[Any]) -> None:
     """Require that distances stay 0: decisions that they depend on may move a switch."""
     rtol, atol = (record.load("P", record.decisions.tolerances + k, ()) for k in (0, 1))
     rtol, atol = record.tape.value(rtol), record.tape.value(atol)
+    bound = change_with(record, lambda size: atol + rtol * size)
     for distance in distances:
-        tolerances = {
-            k: atol + rtol * np.fabs(record.tape.value(k))
-            for k in reached(record.entries, [distance])
-            if record.entries[k].kind == "load" and record.entries[k].at[0] == "X"
-        }
-        bound = Direction(record.tape, tolerances, bound=True)
         value = record.tape.value(distance)
         allowed = DRIFT * bound.of(value) + TINY
         record.require(operand(1.0 - np.fabs(value) / allowed))
@@ -180,24 +174,19 @@ def _total(record: Any, port: Port, array: Any) -> Any:
 
 def _slope(record: Any, distance: int, rates: Slopes, time: float = 0.0) -> Any:
     """Return the derivative of a distance along rates, and along time."""
-    direction: dict[int, Any] = {}
-    for k in reached(record.entries, [distance]):
-        kind, _, shape, location = record.entries[k]
-        if kind != "load":
-            continue
-        if location[0] == "t" and time:
-            direction[k] = time
-        if location[0] != "X":
-            continue
-        begin = location[1]
+
+    def slope_of(k: int) -> Any:
+        _, _, shape, (array, begin) = record.entries[k]
+        if array == "t":
+            return time or None
         end = begin + prod(shape)
-        for port, rate in rates.items():
+        for port, rate in rates.items() if array == "X" else ():
             if port.first <= begin and end <= port.first + prod(port.shape):
                 ref = operand(rate)
-                if type(ref) is int:
-                    rate = record.tape.value(
-                        record.part(ref, begin - port.first, shape)
-                    )
-                direction[k] = rate
-    derivative = Direction(record.tape, direction)
+                if type(ref) is float:
+                    return rate
+                return record.tape.value(record.part(ref, begin - port.first, shape))
+        return None
+
+    derivative = Direction(record.tape, slope_of)
     return derivative.of(record.tape.value(distance))

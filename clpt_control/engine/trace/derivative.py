@@ -8,7 +8,7 @@ side.  Operations that jump (`where`, floor, sign, an index in a table) have a s
 and none across: if `smooth`, a direction that reaches their condition is refused.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
 from operator import add
 from typing import Any
@@ -39,15 +39,16 @@ OF_ROOTS = dict.fromkeys(("sqrt", "hypot", "pow"), lambda f, *_: f == 0.0)
 
 
 class Direction:
-    """Derivatives along a direction, given for each leaf that changes: an array or a number.
+    """Derivatives along a direction.
 
-    A derivative that is NaN is 0 where `undefined` says so.
+    `slope_of` returns the derivative of a leaf or load, by its place: an array or a number, None
+    where it does not change.  A derivative that is NaN is 0 where `undefined` says so.
     """
 
     def __init__(
         self,
         tape: Tape,
-        slopes: Mapping[int, Any],
+        slope_of: Callable[[int], Any],
         smooth: bool = False,
         bound: bool = False,
         undefined: Mapping[str, Any] = {},
@@ -56,7 +57,8 @@ class Direction:
         self.undefined = undefined
         self.smooth = smooth
         self.bound = bound  # add the sizes of all terms: by how much a value may change
-        self.known: dict[int, Any] = dict(slopes)
+        self.slope_of = slope_of
+        self.known: dict[int, Any] = {}
 
     def of(self, value):
         """Return the derivative of a value of the tape, of its shape; 0.0 where it is zero."""
@@ -82,6 +84,8 @@ class Direction:
 
     def _slope(self, k: int) -> Any:
         kind, arguments, shape, at = self.tape.operations[k]
+        if kind in ("leaf", "load"):
+            return self.slope_of(k)
         slopes = [self.known.get(a) if type(a) is int else None for a in arguments]
         if all(slope is None for slope in slopes):
             return None

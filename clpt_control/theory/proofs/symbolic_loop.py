@@ -25,7 +25,7 @@ from ...engine.model.declaration import Parameters
 from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import LONG, extent
-from ...engine.trace.arrays import Tape, operand
+from ...engine.trace.arrays import Tape
 from ...engine.trace.derivative import Direction
 from ..algebra.every_n import EveryN
 from ..algebra.exact import nonzero_residual
@@ -204,19 +204,15 @@ class ArrayLoop:
 
     @cached_property
     def _direction(self) -> Direction:
-        rates: dict[Any, Any] = {
-            operand(state): self.rates[name] for name, state in self.states.items()
-        }
-        for k, operation in enumerate(self.tape.operations):
-            if operation.kind != "leaf":
-                continue
-            group, *name = operation.at
+        def rate_of(k: int) -> Any:
+            _, _, shape, (group, *name) = self.tape.operations[k]
             if group == "t":
-                rates[k] = 1.0
-            elif group == "u":
-                leaf = ("u'", *name)
-                rates[k] = self.tape.add("leaf", (), operation.shape, leaf)
-        return Direction(self.tape, rates, smooth=True)
+                return 1.0
+            if group == "u":
+                return self.tape.add("leaf", (), shape, ("u'", *name))
+            return self.rates[name[0]] if group == "x" else None
+
+        return Direction(self.tape, rate_of, smooth=True)
 
     # --- the leaves, by the paper's names ----------------------------------------------------
 
