@@ -34,8 +34,8 @@ from ..engine.solver.legs import NativeRun, may_go_on
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.series_runs import SeriesRuns
-from ..engine.solver.solver_layout import SIGNALS, Results, Status
-from ..engine.solver.termination import Solution, sampled_start
+from ..engine.solver.solver_layout import JUMP, SIGNALS, Results, Status
+from ..engine.solver.termination import Solution
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
 MOST_MEMBERS = 512  # of a batch
@@ -162,7 +162,7 @@ class Ensemble:
             callee = self.native.callee()
             for m, x0 in enumerate(members.x0):
                 schedule = members.schedule(m)
-                x0[:] = sampled_start(callee, x0, begin, schedule, members.P[m])
+                x0[:] = callee.evaluate(JUMP, [begin], x0, schedule, members.P[m])
         return members
 
     def _make_one_by_one(self, members: Members, values: Values) -> None:

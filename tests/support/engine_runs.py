@@ -45,7 +45,6 @@ from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.python_runs import PythonDiagram
 from clpt_control.engine.solver.runner import RunOptions
 from clpt_control.engine.solver.solver_layout import Status
-from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
 from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
@@ -126,9 +125,9 @@ def side_by_side(runner, lanes, starts, times, P=None, schedules=None, rtol=1e-8
 def run_many(native, starts, times, rtol=1e-8):
     """Return the states (m, nt, n) of runs in lanes, whose blocks sample as the runs begin."""
     P, segments = native.parameters(), native.schedule(times)
-    begin = partial(sampled_start, native.callee(), t=float(times[0]))
     begun = starts
     if segments.begins:
-        begun = [begin(start, segments=segments, P=P) for start in starts]
+        at = times[0] * np.ones(len(starts)), np.array(starts), segments, P
+        begun = native.callee().evaluate(solver_layout.JUMP, *at)
     lanes = native.lanes(len(starts))
     return side_by_side(native, lanes, np.array(begun), times, rtol=rtol).out

@@ -16,10 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.progress.interrupt import check
-from ..codegen.machine import flattened, numbers_of
+from ..codegen.machine import numbers_of
 from ..methods.table import TAYLOR
 from .callee import MOST_KEPT, Callee, aligned, keep
-from .jacobian_pattern import NO_LINEAR
 from .schedule import Schedule
 from .solver_layout import (
     FALLS,
@@ -48,7 +47,6 @@ BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 LATER = 64
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
-NO_LINEAR_NUMBERS = flattened(NO_LINEAR, [])
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
@@ -133,9 +131,7 @@ class Batch:
             levels=callee.levels,
             linear=self.linear,
         )
-        is_explicit = self.linear is NO_LINEAR
-        linear = NO_LINEAR_NUMBERS if is_explicit else self.linear
-        self._call = numbers_of(self.solver[:-1], linear, 0, 0)
+        self._call = numbers_of(self.solver, 0, 0)
         sizes = self._reals.size, self.out.size, self.segments.values.size
         self.is_small = sum(sizes) < MOST_KEPT
         self.begin(starts, parameters, times, schedules, longest, opening)

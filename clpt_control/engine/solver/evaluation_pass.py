@@ -59,7 +59,8 @@ class Sweep:
         ]
         jumping = [system.jump_function is not None for system in systems]
         self.jumping = np.flatnonzero(jumping).tolist()
-        self.guarded = any(system.guard is not None for system in systems)
+        guarded = [system.guard is not None for system in systems]
+        self.guarded = np.flatnonzero(guarded).tolist()
         # names of blocks that jump at a level
         self.resetting = [
             node.name for node in self.nodes if node.system.jumps_at_level
@@ -261,12 +262,11 @@ class Sweep:
         """Return the distances to the edges of guards, by block."""
         self.evaluate(t, x, u)
         distances = {}
-        for k, node in enumerate(self.nodes):
-            if node.system.guard is not None:
-                inputs = self._gather(k)
-                arguments = x[node.states], inputs, self._current[k]
-                (distance,) = node.system.values("guard", 1, t, *arguments)
-                distances[k] = float(distance)
+        for k in self.guarded:
+            node = self.nodes[k]
+            arguments = x[node.states], self._gather(k), self._current[k]
+            (distance,) = node.system.values("guard", 1, t, *arguments)
+            distances[k] = float(distance)
         return distances
 
     def first_trouble(

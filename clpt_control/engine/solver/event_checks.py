@@ -56,31 +56,23 @@ DEEPER = 1.5  # so much deeper than the vertex of a parabola may a distance fall
 
 
 def hold_decisions(solver):
-    """Hold the decisions of this time until the next event, where integration begins anew."""
-    lane = solver.lane
-    decide(solver, lane[TIME], solver_layout.STATE, 0)
-    if lane[FRESH, 0] > 0.5:
-        first = solver.shape.first_decision
-        for j in range(solver.shape.decisions):
-            solver.memory.P[first + j] = solver.points[0, DECISION, j]
-    prepare(solver, lane[TIME])
+    """Hold the decisions of this time until the next event, where integration begins anew.
 
-
-def decisions_changed(solver):
-    """Return whether decisions change where a segment begins, and begin anew there if they do.
-
-    An input may reach a threshold where a segment ends, and stay there: no step crosses it.
+    It begins anew where decisions change as a segment begins: an input may reach a threshold where
+    a segment ends, and stay there, so that no step crosses it.
     """
-    lane = solver.lane
-    decide(solver, lane[TIME], solver_layout.STATE, 0)
-    if lane[FRESH, 0] != ENTERED:
-        return False
-    lane[FRESH, 0] = 0.0
+    lane, P, points = solver.lane, solver.memory.P, solver.points
     first = solver.shape.first_decision
-    for j in range(solver.shape.decisions):
-        if solver.points[0, DECISION, j] != solver.memory.P[first + j]:
-            lane[FRESH, 0] = 1.0
-    return lane[FRESH, 0] > 0.5
+    decide(solver, lane[TIME], solver_layout.STATE, 0)
+    if lane[FRESH, 0] == ENTERED:
+        lane[FRESH, 0] = 0.0
+        for j in range(solver.shape.decisions):
+            if points[0, DECISION, j] != P[first + j]:
+                lane[FRESH, 0] = 1.0
+    if lane[FRESH, 0] > 0.5:
+        for j in range(solver.shape.decisions):
+            P[first + j] = points[0, DECISION, j]
+        prepare(solver, lane[TIME])
 
 
 def evaluate_points(solver):

@@ -61,16 +61,9 @@ class Jacobian(NamedTuple):
     def for_solver(self) -> Linear:
         """The solver's argument, with room for matrices and pivots."""
         n = len(self.positions)
-        return self._with_room(n) if n else NO_LINEAR
-
-    def _with_room(self, n: int) -> Linear:
-        """Return the solver's argument for n states."""
         matrix, factors = np.zeros((2, n * n))
         pivots, nonzero, queue = np.zeros((3, n), np.int64)
         return Linear(matrix, factors, pivots, nonzero, queue, *self)
-
-
-NO_LINEAR = Jacobian()._with_room(0)  # of explicit methods
 
 
 def jacobian(reach: np.ndarray) -> Jacobian:

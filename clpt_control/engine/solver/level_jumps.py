@@ -30,7 +30,7 @@ RESOLVED = 1e-13  # times that differ by so much of the run are one instant
 
 def left_guard(diagram: Any, batch: Batch) -> int | None:
     """Return the block whose guard a stopped run left; None if it left a switch."""
-    guarded = _guarded(diagram)
+    guarded = diagram.sweep.guarded
     k = int(batch.integers[EVENT_INDEX, 0]) - batch.callee.decided
     return guarded[k] if k < len(guarded) else None
 
@@ -43,7 +43,7 @@ def jump_at_level(
     Return None if a run that begins at this level (`is_again`) did not rise above it by more than
     rounding.  Refuse a run that begins (`is_first`) outside.
     """
-    guarded = _guarded(diagram)
+    guarded = diagram.sweep.guarded
     nodes = diagram.wiring.nodes
     segments = batch.schedules[0]
     callee = diagram.callee()
@@ -101,12 +101,6 @@ def jump_at_level(
             f"at t = {t:.9g}: the level of {nodes[block].name} could not be located. Lower max_step"
         )
     return t, x
-
-
-def _guarded(diagram: Any) -> list[int]:
-    """Return the blocks with guards, in the order of the events."""
-    nodes = diagram.wiring.nodes
-    return [k for k, node in enumerate(nodes) if node.system.guard is not None]
 
 
 def _bracket(batch: Batch) -> list[tuple[float, ndarray]]:

@@ -20,7 +20,7 @@ from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
 from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
-from .termination import Solution, sampled_start, without_states
+from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY_DECISIONS = 32  # of a large model
@@ -135,7 +135,7 @@ class NativeDiagram(Runner):
             return without_states(self.sweep, times, inputs, self.engine)
         segments, P = self.schedule(times, inputs), self.parameters()
         if segments.begins:
-            start = sampled_start(self.callee(), start, float(times[0]), segments, P)
+            (start,) = self.callee().evaluate(JUMP, times[:1], start, segments, P)
         return NativeRun(self, start, P, times, segments, options).solution(inputs)
 
     def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
@@ -203,8 +203,8 @@ class NativeDiagram(Runner):
         names = [name for name in FUNCTIONS if called.get(name, True)]
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
-        systems = [node.system for node in self.wiring.nodes]
-        at_level = [s.jumps_at_level for s in systems if s.guard is not None]
+        nodes, guarded = self.wiring.nodes, self.sweep.guarded
+        at_level = [nodes[k].system.jumps_at_level for k in guarded]
         levels = np.zeros(program.guarded)
         levels[: len(at_level)] = at_level
         slopes = range(self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2)

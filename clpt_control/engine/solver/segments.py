@@ -21,20 +21,17 @@ from .solver_layout import (
     ENTERED,
     EVALUATIONS,
     EVENT_INDEX,
-    FALLS,
     FIRST_STEP,
     FRESH,
     HELD_RATE,
     HIGH,
     LAST_EVENT,
     LOOK_TIME,
-    MAX_STEP,
     NEXT_LOOK,
     NEXT_RUN,
     NEXT_STOP,
     NOT_FINITE,
     ON,
-    REALS,
     REJECTED,
     RESTARTS,
     ROUNDING,
@@ -99,18 +96,11 @@ def take_run(solver, k):
 
 
 def clear_lane(solver, k):
-    """Reset the numbers of a lane, except those that a run keeps."""
+    """Reset the numbers of a lane, except those that stay for the next run."""
     lane = solver.lane
-    stiff_steps = lane[STIFF_STEPS, k]
-    max_step = lane[MAX_STEP, k]
-    first_step = lane[FIRST_STEP, k]
-    falls = lane[FALLS, k]
-    for number in range(REALS):
-        lane[number, k] = 0.0
-    lane[STIFF_STEPS, k] = stiff_steps if stiff_steps == -math.inf else 0.0
-    lane[MAX_STEP, k] = max_step
-    lane[FIRST_STEP, k] = first_step
-    lane[FALLS, k] = falls if falls == -math.inf else 0.0
+    for number in range(FIRST_STEP):
+        if number < STIFF_STEPS or lane[number, k] != -math.inf:
+            lane[number, k] = 0.0
     lane[NEXT_LOOK, k] = FIRST_LOOK
     lane[FRESH, k] = 1.0
     lane[LAST_EVENT, k] = -math.inf
@@ -160,24 +150,14 @@ def write_samples_until(solver, k, end):
 
 
 def stop_outside(solver, k, state_row):
-    """Stop the run of a lane if a row of states is beyond the edge of a guard."""
-    lane = solver.lane
-    if solver.shape.guarded > 0:
-        guard = first_outside(solver, state_row)
-        if guard >= 0:
-            solver.integers[EVENT_INDEX, k] = guard
-            fail(solver, k, Status.GUARD_LEFT)
-            lane[SEGMENT_END, k] = lane[TIME, k]
-            lane[HIGH, k] = 0.0
-
-
-def first_outside(solver, state_row):
-    """Return the first guard beyond whose edge a row of states is, or -1.
+    """Stop the run of a lane if a row of states is beyond the edge of a guard.
 
     In place of a decision guards have the distance with the decisions made there.  As in
     `set_edges` the edge is as wide as the distance changes in the shortest step.
     """
     lane, states, points = solver.lane, solver.states, solver.points
+    if solver.shape.guarded == 0:
+        return
     shortest = shortest_step(solver)
     lane[STAGE_TIME, 0] = lane[TIME, 0] + shortest
     derivative(solver, lane[TIME], state_row, HELD_RATE)
@@ -191,8 +171,11 @@ def first_outside(solver, state_row):
         change = abs(points[BEFORE, DISTANCE, guard] - points[BEHIND, DISTANCE, guard])
         edge = edge_of(points[BEHIND, ROUNDING, guard], change)
         if points[BEHIND, DECISION, guard] < -edge:
-            return guard
-    return -1
+            solver.integers[EVENT_INDEX, k] = guard
+            fail(solver, k, Status.GUARD_LEFT)
+            lane[SEGMENT_END, k] = lane[TIME, k]
+            lane[HIGH, k] = 0.0
+            return
 
 
 def enter_segment(solver, k):

@@ -89,24 +89,27 @@ EVENT_CROSSED = 12  # 1 if the step ends right behind an event
 LOW = 13  # bracket of the guard that stops a run: shares of the step before it
 HIGH = 14  # and behind it
 LAST_EVENT = 15  # time of the last event
-FIRST_STEP = 16  # to try, or 0
-CALM_STEPS = 17  # checked steps since a stiff one
-DIAGONAL = 18  # 1/(h gamma) of the matrix of the implicit method
-NEXT_STOP = 19  # next sample, or the end of the segment
-TRIES_LEFT = 20  # steps until the lane is checked
-DUE = 21  # 1 if the lane is checked after this step
-ACCEPTED_COUNT = 22  # steps since the last check
-REJECTED_COUNT = 23
-CHECKS_STIFFNESS = 24  # 1 if the step is checked for stiffness
-INTERPOLANT_ERROR = 25  # above 1 no sample is taken from the interpolant
-STOP_AT = 26  # time up to which a step may go, for a sample at its end
-STIFF_STEPS = 27  # checked steps that look stiff; below 0 they do not count
-MAX_STEP = 28
-NEXT_LOOK = 29  # tries after which the pace of the run is measured
-LOOK_TIME = 30  # time at the last measurement
-LOOK_ADVANCE = 31  # advance in time between the last two measurements
-LOOK_SIZE = 32  # largest state at the last measurement with a pace that did not fall
-FALLS = 33  # measurements with a falling pace since then; below 0 they do not count
+CALM_STEPS = 16  # checked steps since a stiff one
+DIAGONAL = 17  # 1/(h gamma) of the matrix of the implicit method
+NEXT_STOP = 18  # next sample, or the end of the segment
+TRIES_LEFT = 19  # steps until the lane is checked
+DUE = 20  # 1 if the lane is checked after this step
+ACCEPTED_COUNT = 21  # steps since the last check
+REJECTED_COUNT = 22
+CHECKS_STIFFNESS = 23  # 1 if the step is checked for stiffness
+INTERPOLANT_ERROR = 24  # above 1 no sample is taken from the interpolant
+STOP_AT = 25  # time up to which a step may go, for a sample at its end
+NEXT_LOOK = 26  # tries after which the pace of the run is measured
+LOOK_TIME = 27  # time at the last measurement
+LOOK_ADVANCE = 28  # advance in time between the last two measurements
+LOOK_SIZE = 29  # largest state at the last measurement with a pace that did not fall
+# Numbers that stay for the next run of the lane; of these two -inf, which says that none count
+STIFF_STEPS = 30  # checked steps that look stiff; below 0 they do not count
+FALLS = (
+    31  # measurements with a falling pace since `LOOK_SIZE`; below 0 they do not count
+)
+FIRST_STEP = 32  # to try, or 0
+MAX_STEP = 33
 REALS = 34
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run

@@ -13,14 +13,12 @@ from numpy import ndarray
 
 from ...base.errors import SimulationError
 from .batch import Batch
-from .callee import Callee
 from .evaluation_pass import Sweep, rounding
 from .inputs import Inputs, inputs_at
 from .schedule import Schedule
 from .solver_layout import (
     EVENT_INDEX,
     HIGH,
-    JUMP,
     RATE,
     SEGMENT_END,
     STATE,
@@ -250,10 +248,3 @@ def stopped_between(
     end = at_end[0] if len(at_end) else t
     states = np.array([*solution.x[: len(times)], x])
     return stopped(solution, policy, sentence, np.append(times, end), states)
-
-
-def sampled_start(
-    callee: Callee, start: Any, t: float, segments: Schedule, P: Any
-) -> ndarray:
-    """Return the state with which a run begins; blocks that sample then have sampled inputs."""
-    return callee.evaluate(JUMP, [t], start, segments, P)[0]

@@ -16,7 +16,7 @@ any others.  One pass of `advance`:
 All numbers are computed by the diagram's functions and the formulas of the method (`methods`).
 """
 
-from .event_checks import comes_near, decisions_changed, hold_decisions
+from .event_checks import comes_near, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
 from .segments import (
@@ -47,6 +47,7 @@ from .solver_layout import (
     FAILURE,
     FALLS,
     FIRST,
+    FRESH,
     INTERPOLANT_ERROR,
     LOOK_ADVANCE,
     LOOK_SIZE,
@@ -148,11 +149,10 @@ def start_segments(solver):
     # 1. parameters of the segment, and the decisions that hold in it
     prepare(solver, lane[TIME])
     if shape.decisions > 0:
-        anew = decisions_changed(solver) or anew
+        hold_decisions(solver)
+        anew = anew or lane[FRESH, 0] > 0.5
     if not anew:
         return False
-    if shape.decisions > 0:
-        hold_decisions(solver)
     # 2. the first step, from the change of the rates over a trial step
     if shape.discrete == 0:
         derivative(solver, lane[TIME], STATE, RATE + 1)
