@@ -58,7 +58,7 @@ def _dense(s: StepTape) -> New:
     return dense_cubic(s)[0], {INTERPOLANT_ERROR: 0.0 * s.lane(TIME)}
 
 
-def formulas() -> dict[str, Any]:
+def formulas() -> list[Any]:
     """Return the formulas in the solver's order."""
     stages = [partial(stage, [0.0] * k + [c], c) for k, c in enumerate(STAGES)]
     return in_order(_control, _dense, stages, attempt=_attempt)

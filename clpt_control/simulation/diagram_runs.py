@@ -41,7 +41,6 @@ from ..engine.solver.engine_choice import (
 )
 from ..engine.solver.inputs import Inputs
 from ..engine.solver.native_diagram import NativeDiagram
-from ..engine.solver.python_runs import PythonDiagram
 from ..engine.solver.runner import Runner, RunOptions
 from ..engine.solver.termination import Solution
 from .dataset_template import DatasetTemplate, Signals, diagram_template
@@ -135,6 +134,8 @@ class SystemRun:
             if not why:
                 return solution, runner.signals(solution, inputs)
             self.leave_machine_code(why)
+            from ..engine.solver.python_runs import PythonDiagram
+
             parameters = runner.block_parameters
             runner = PythonDiagram(self.wiring).with_parameters(parameters)
         return run_in_python(runner, self.name, *given)

@@ -62,6 +62,6 @@ def _dense(s: StepTape) -> New:
     return {TERMS: s.z(ARGUMENT) - s.z(STATE)}, {}
 
 
-def formulas() -> dict[str, Formula]:
+def formulas() -> list[Formula]:
     """Return the formulas in the solver's order."""
     return in_order(_control, _dense, [], attempt=_to_next_sample, accept=_accept)

@@ -123,7 +123,7 @@ def _stiffness(last: Any, limit: float, s: StepTape) -> New:
     return {}, {STIFF_STEPS: steps, CALM_STEPS: calm}
 
 
-def formulas() -> dict[str, Formula]:
+def formulas() -> list[Formula]:
     """Return the formulas in the solver's order."""
     times = table.C.tolist()
     stages: list[Formula] = [

@@ -11,11 +11,15 @@ The choice of steps is that of Hairer, Norsett, Wanner, Solving Ordinary Differe
 
 from collections.abc import Callable
 from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy import maximum, minimum, power, sqrt, where
 
+from ..codegen.fused_expressions import Components
+from ..codegen.plan import Planner, Program
+from ..codegen.switching_conditions import Port
 from ..solver.solver_layout import (
     ACCEPTED,
     ACCEPTED_COUNT,
@@ -272,22 +276,42 @@ def in_order(
     attempt: Formula = attempt,
     accept: Formula = accept,
     stiffness: Formula = never_stiff,
-) -> dict[str, Formula]:
+) -> list[Formula]:
     """Return the formulas of a method in the solver's order; those it does not give are shared.
 
     The first step is that of a method of `first_step_order`; Rodas5P has that of DOP853.
     """
-    named: dict[str, Formula] = {
-        "attempt": attempt,
-        "control": control,
-        "sizes": trial_size,
-        "trial": partial(stage, [0.0, 1.0], 1.0),
-        "first": partial(first_step, first_step_order),
-        "accept": accept,
-        "dense": dense,
-        "cubic": dense_cubic,
-        "stiffness": stiffness,
+    return [
+        attempt,
+        control,
+        trial_size,
+        partial(stage, [0.0, 1.0], 1.0),
+        partial(first_step, first_step_order),
+        accept,
+        dense,
+        dense_cubic,
+        stiffness,
+        *stages,
+    ]
+
+
+def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
+    """Return the program of formulas for n states."""
+    step = StepTape(n)
+    components = Components(SimpleNamespace(entries=step.tape.operations), 0)
+    writes = {}
+    for name, formula in formulas.items():
+        rows, numbers = formula(step)
+        in_rows = [
+            Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()
+        ]
+        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
+        writes[name] = components.writes(in_rows, "X")
+        writes[name] += components.writes(in_lane, "t")
+    planner = Planner(components)
+    # loops come first: they read numbers of the lane, which are written behind them
+    functions = {
+        name: tuple(sorted(planner.nests(written), key=lambda nest: not nest.lengths))
+        for name, written in writes.items()
     }
-    for k, formula in enumerate(stages, 1):
-        named[f"stage_{k}"] = formula
-    return named
+    return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())

@@ -124,7 +124,7 @@ def _dense_implicit(s: StepTape) -> New:
     return interpolant_terms(s, delta, k1, k2 + k3, -k3), {}
 
 
-def formulas() -> dict[str, Formula]:
+def formulas() -> list[Formula]:
     """Return the formulas in the solver's order."""
     stages: list[Formula] = [
         partial(_stage_implicit, number) for number in range(len(C))

@@ -6,6 +6,11 @@ The formulas of a method are in a file of their own, which is loaded when they a
 from importlib import import_module
 from typing import Any, NamedTuple
 
+FORMULAS = (
+    *("attempt", "control", "sizes", "trial", "first"),
+    *("accept", "dense", "cubic", "stiffness"),
+)
+
 
 class Method(NamedTuple):
     """Facts about an integration method.
@@ -39,9 +44,16 @@ class Method(NamedTuple):
         kind = "implicit, for stiff equations" if self.implicit else "explicit"
         return f"{kind}, order {self.order}"
 
+    @property
+    def names(self) -> list[str]:
+        """Names of its formulas, in the order in which the solver numbers them."""
+        stages = self.stages - 1 + (self.dense_stages and self.dense_stages + 1)
+        return [*FORMULAS, *(f"stage_{k}" for k in range(1, stages + 1))]
+
     def formulas(self) -> dict[str, Any]:
-        """Return its formulas by name, in the order in which the solver numbers them."""
-        return import_module(self.module, __package__).formulas()
+        """Return its formulas by name."""
+        formulas = import_module(self.module, __package__).formulas()
+        return dict(zip(self.names, formulas, strict=True))
 
 
 DOP853 = Method("DOP853", 12, 8, ".dop853", dense_stages=3)

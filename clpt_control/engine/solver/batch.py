@@ -33,6 +33,7 @@ from .solver_layout import (
     STIFF_AFTER,
     STIFF_STEPS,
     TIME,
+    Linear,
     Memory,
     Results,
     Runs,
@@ -43,6 +44,8 @@ from .solver_layout import (
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
+NONE = (np.zeros(0),)
+NO_LINEAR = Linear(*5 * NONE, (0, 0), *6 * NONE)  # of explicit methods
 # looks for stiffness that do not count, after a run was found not to be stiff
 LATER = 64
 # of step times eigenvalue: half of what is stable
@@ -113,7 +116,7 @@ class Batch:
         self.points = D[:at_points].reshape(POINTS, 3, callee.events)
         # 5. the solver's argument
         self._tolerances = np.zeros(2)
-        self.linear = callee.linear.for_solver
+        self.linear = callee.linear.for_solver if callee.linear else NO_LINEAR
         self.solver = Solver(
             code=callee.functions,
             shape=callee.shape,

@@ -7,22 +7,16 @@ states and of lanes.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
 from ...base.errors import Uncompiled
 from ..codegen.diagram_record import PLAIN, DiagramRecord, Form, Layout
-from ..codegen.fused_expressions import Components
 from ..codegen.machine import Machine, once, one_at_a_time
-from ..codegen.plan import NO_TABLES, Planner, Program, program_of
-from ..codegen.switching_conditions import Port
+from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
-from ..methods.formulas import Formula, StepTape
 from ..methods.table import Method
 from ..record.operations import ELEMENTWISE
 from ..record.unread import Unread
-from ..trace.arrays import operand
-from .jacobian_pattern import Jacobian, jacobian, reach_of
 
 # components of a long program, and how much shorter one of loops is
 MANY, SHORTER = (1500, 3)
@@ -55,7 +49,7 @@ class Code:
     def __init__(
         self,
         program: Program,
-        sparsity: Callable[[], Jacobian],
+        sparsity: Callable[[], Any],
         decided_operations: tuple[int, ...],
     ):
         self.program, self.sparsity = program, cache(sparsity)
@@ -163,43 +157,28 @@ def _planned(structure: Structure, form: Form) -> Code:
     signals = form.copies * last.outputs.stop
     states = form.copies * last.states.stop
     program = program_of(record, signals, layout.inputs(wiring.ninputs))
-    operations = tuple(record.decisions.operations)
-    return Code(program, lambda: jacobian(reach_of(record, states)), operations)
+
+    def sparsity() -> Any:
+        from .jacobian_pattern import jacobian, reach_of
+
+        return jacobian(reach_of(record, states))
+
+    return Code(program, sparsity, tuple(record.decisions.operations))
 
 
 # --- formulas of a method ---------------------------------------------------------------------
 
 
-def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
-    """Return the program of formulas for n states."""
-    step = StepTape(n)
-    components = Components(SimpleNamespace(entries=step.tape.operations), 0)
-    writes = {}
-    for name, formula in formulas.items():
-        rows, numbers = formula(step)
-        in_rows = [
-            Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()
-        ]
-        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
-        writes[name] = components.writes(in_rows, "X")
-        writes[name] += components.writes(in_lane, "t")
-    planner = Planner(components)
-    # loops come first: they read numbers of the lane, which are written behind them
-    functions = {
-        name: tuple(sorted(planner.nests(written), key=lambda nest: not nest.lengths))
-        for name, written in writes.items()
-    }
-    return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
-
-
 @once(16)
 def kernels(n: int, lanes: int, method: Method) -> Machine:
     """Return the formulas of a method for n states as machine code."""
-    named = method.formulas()
+    names = method.names
 
-    def module() -> Any:
+    def module() -> Any:  # unless it is cached
         from ..codegen.llvm_text import print_program
+        from ..methods.formulas import program_of_formulas
 
-        return print_program(program_of_formulas(named, n), tuple(named), lanes)
+        program = program_of_formulas(method.formulas(), n)
+        return print_program(program, tuple(names), lanes)
 
-    return Machine(named, f"formulas {n} {lanes} {method.name}", module, plain=True)
+    return Machine(names, f"formulas {n} {lanes} {method.name}", module, plain=True)

@@ -24,7 +24,6 @@ from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
 from .inputs import Inputs, inputs_at
 from .native_diagram import NativeDiagram
-from .python_runs import PythonDiagram
 from .runner import Runner, RunOptions
 from .schedule import Schedule
 from .solver_layout import Status
@@ -55,6 +54,8 @@ def make_runner(
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
             warn_python(name, str(error))
+    from .python_runs import PythonDiagram
+
     runner = PythonDiagram(wiring, params)
     runner.hidden_state = hidden_state(wiring)
     return runner

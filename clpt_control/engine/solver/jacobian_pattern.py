@@ -23,7 +23,6 @@ from ..record.scalar_graph import Elements, Index
 from ..record.unread import Unread
 from .solver_layout import Linear
 
-NONE = np.zeros(0, np.int64)
 # explicit steps that a change of the method is worth
 MANY_STEPS, FEW_STATES = (5_000, 20)
 # for each state, so that a factorization is counted in evaluations
@@ -34,13 +33,13 @@ FULL = 0.3  # share of elements from which on a matrix counts as full
 class Jacobian(NamedTuple):
     """Sparsity of the Jacobian matrix, as `solver_layout.Linear` explains it."""
 
-    band: tuple[int, int] = 0, 0
-    positions: np.ndarray = NONE
-    groups: np.ndarray = NONE
-    begins: np.ndarray = NONE
-    rows: np.ndarray = NONE
-    columns: np.ndarray = NONE
-    to: np.ndarray = NONE
+    band: tuple[int, int]
+    positions: np.ndarray
+    groups: np.ndarray
+    begins: np.ndarray
+    rows: np.ndarray
+    columns: np.ndarray
+    to: np.ndarray
 
     def steps_worth(self, stages: int, explicit_stages: int) -> float:
         """Return the explicit steps ahead for which changing to the implicit method pays.

@@ -15,7 +15,6 @@ from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import code_of, kernels
 from .inputs import Inputs
-from .jacobian_pattern import Jacobian
 from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -228,7 +227,7 @@ class NativeDiagram(Runner):
             room=program.room,
             tables=np.concatenate([self.layout.T, program.tables]),
             kept={},
-            linear=code.sparsity() if method.implicit else Jacobian(),
+            linear=code.sparsity() if method.implicit else None,
             timed=program.timed,
             slopes=slopes if program.ramped else (),
             code=(code, machine),
