@@ -4,7 +4,7 @@ A nest is a set of loops around statements (`plan.Nest`).  A value is printed wh
 at the beginning of the innermost loop on which it depends, and once for each loop index.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from .fused_expressions import Component, Write, row_strides
@@ -15,6 +15,7 @@ ROW_ARGUMENT = {"pick": 1, "search": 1, "argmin": 0}
 NO_LOOP = -1
 # prints an iteration: index, sums before it -> sums after it
 Body = Callable[[Any, list], list]
+Printer = Callable[..., Any]
 Location = tuple[str, int, tuple[int, ...]]  # array, offset, stride of each axis
 # component, loops of its axes, for eight iterations
 Key = tuple[int, tuple[int, ...], bool]
@@ -37,18 +38,18 @@ class LoopPrinter:
 
     vector_loop = NO_LOOP
     # methods of a subclass, which print
-    begin_body: Callable[..., None]  # beginning of statements inside `depth` loops
+    begin_body: Printer  # beginning of statements inside `depth` loops
     # the loop inside `depth` others, of a body, with its sums; returns the sums after it
-    print_loop: Callable[..., Iterable[Any]]
+    print_loop: Printer
     # a value at the beginning of the statements inside `depth` loops: depth, key, printer
-    insert: Callable[..., Any]
-    add: Callable[..., Any]  # a sum with one more value: total, value
-    load: Callable[..., Any]  # an element of an array
-    store: Callable[..., None]  # a value into an element: value, element
-    number: Callable[..., Any]  # a constant: value, for eight iterations or one
-    operation: Callable[..., Any]  # name, loops, values
+    insert: Printer
+    add: Printer  # a sum with one more value: total, value
+    load: Printer  # an element of an array
+    store: Printer  # a value into an element: value, element
+    number: Printer  # a constant: value, for eight iterations or one
+    operation: Printer  # name, loops, values
     # an operation on a row: name, (array, offset, stride, count), values
-    row_operation: Callable[..., Any]
+    row_operation: Printer
 
     def __init__(self, components: Sequence[Component], prepared: dict[int, int]):
         self.components = components

@@ -14,6 +14,8 @@ from .fused_expressions import LONG, Components, Value
 
 HEAVY = 10  # cost of a function, beside an addition
 MOST = 64  # terms of one sum; a longer one is left as it is
+# of the arguments of a sum: whether they are added
+SIGNS = {"add": (True, True), "sub": (True, False), "neg": (False,)}
 # a term: whether it is added, the block it comes from, its value
 Signed = tuple[bool, int, Value]
 
@@ -69,11 +71,9 @@ class MergedSums:
             return
         kind, arguments, _, at = components.operations[ref]
         owner = components.record.owners.get(ref, WIRE)
-        if kind in ("add", "sub"):
-            self.terms(plus, arguments[0], trimmed, unsummed, sums)
-            self.terms(plus == (kind == "add"), arguments[1], trimmed, unsummed, sums)
-        elif kind == "neg":
-            self.terms(not plus, arguments[0], trimmed, unsummed, sums)
+        if kind in SIGNS:
+            for sign, argument in zip(SIGNS[kind], arguments, strict=True):
+                self.terms(plus == sign, argument, trimmed, unsummed, sums)
         elif kind == "sum" and at[2]:
             axis, count, _ = at
             symbol = count, 0
@@ -137,13 +137,12 @@ class MergedSums:
     def signed_terms(self, plus: bool, owner: int, value: Value) -> list[Signed]:
         """Return the terms of a coefficient."""
         name, values = self.components.operation(value)
-        if name not in ("add", "sub", "neg"):
+        if name not in SIGNS:
             return [(plus, owner, value)]
-        if name == "neg":
-            return self.signed_terms(not plus, owner, values[0])
-        left = self.signed_terms(plus, owner, values[0])
-        right_plus = plus == (name == "add")
-        return left + self.signed_terms(right_plus, owner, values[1])
+        terms: list[Signed] = []
+        for sign, argument in zip(SIGNS[name], values, strict=True):
+            terms += self.signed_terms(plus == sign, owner, argument)
+        return terms
 
     def added(self, terms: list[Signed]) -> Value:
         """Return a sum of terms."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from ...base.progress.interrupt import check
 from ..codegen.machine import numbers_of
-from ..methods.table import TAYLOR
+from ..methods.table import TAYLOR, Method
 from .callee import MOST_KEPT, Callee, aligned, keep
 from .schedule import Schedule
 from .solver_layout import (
@@ -44,10 +44,12 @@ from .solver_layout import (
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
-NONE = (np.zeros(0),)
-NO_LINEAR = Linear(*5 * NONE, (0, 0), *6 * NONE)  # of explicit methods
 # looks for stiffness that do not count, after a run was found not to be stiff
 LATER = 64
+# explicit steps that a change of the method is worth
+MANY_STEPS, FEW_STATES = (5_000, 20)
+# for each state, so that a factorization is counted in evaluations
+OPERATIONS_OF_A_RATE = 10
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
 PARTS = 256  # of a run in which time alone decides: no step is longer
@@ -116,7 +118,7 @@ class Batch:
         self.points = D[:at_points].reshape(POINTS, 3, callee.events)
         # 5. the solver's argument
         self._tolerances = np.zeros(2)
-        self.linear = callee.linear.for_solver if callee.linear else NO_LINEAR
+        self.linear = with_room(callee.linear)
         self.solver = Solver(
             code=callee.functions,
             shape=callee.shape,
@@ -263,10 +265,7 @@ class Batch:
         # many steps must be ahead
         t, h = self.lane[[TIME, STEP_SIZE], k].tolist()
         callee = implicit()
-        worth = callee.linear.steps_worth(
-            callee.method.stages, self.callee.method.stages
-        )
-        if self.times[-1] - t < h * worth:
+        if self.times[-1] - t < h * steps_worth(callee, self.callee.method):
             return
         # the first implicit step computes the Jacobian
         schedule = self.schedules[self.runs.schedule[m]].after(t)
@@ -326,6 +325,28 @@ def finished(runs: int, samples: int, n: int) -> Results:
         np.full(runs, samples),
         np.zeros((runs, 4), dtype=np.int64),
     )
+
+
+def with_room(linear: Linear) -> Linear:
+    """Return the sparsity of a Jacobian matrix with room for matrices and pivots."""
+    n = len(linear.order)
+    matrix, factors = np.zeros((2, n * n))
+    pivots, nonzero, queue = np.zeros((3, n), np.int64)
+    return Linear(matrix, factors, pivots, nonzero, queue, *linear[5:])
+
+
+def steps_worth(implicit: Callee, method: Method) -> float:
+    """Return the steps of a method ahead for which changing to an implicit one pays.
+
+    Fewer of them for many states, whose explicit steps take longer than preparing the method,
+    unless the matrix is full: an implicit step then takes many evaluations.
+    """
+    linear, n = implicit.linear, implicit.nstates
+    evaluations = 2 * (len(linear.begins) - 1) + implicit.method.stages
+    operations = sum(linear.band) * (1 + linear.band[0])
+    work = evaluations + operations / OPERATIONS_OF_A_RATE
+    ratio = work / method.stages  # of the work of an implicit step and an explicit one
+    return MANY_STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
 
 
 def radius(matrix: np.ndarray) -> float:

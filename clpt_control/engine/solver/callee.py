@@ -13,7 +13,7 @@ import numpy as np
 from ..codegen.machine import LANES, compiled_solver, numbers_of
 from ..methods.table import Method
 from .schedule import Schedule
-from .solver_layout import DECIDE, Shape
+from .solver_layout import DECIDE, Linear, Shape
 
 MOST_KEPT = 50_000  # numbers in the arrays of a call that are kept
 MOST_SHAPES = 6  # of the arrays that are kept of a diagram
@@ -36,7 +36,7 @@ class Callee(NamedTuple):
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
     kept: dict[Any, Any]  # arrays of calls by shape, while no thread uses them
-    linear: Any = None  # `Jacobian` of an implicit method
+    linear: Linear  # sparsity of the matrix of an implicit method
     timed: bool = False  # whether steps are short, as time may do much in little of it
     # places in P of the slopes of inputs that rates read: steps are short where one is not zero
     slopes: Sequence[int] = ()

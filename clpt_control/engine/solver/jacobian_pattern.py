@@ -8,7 +8,6 @@ ordered so that the matrix has a narrow band (Cuthill and McKee).
 from functools import reduce
 from math import prod
 from operator import or_
-from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import bandwidth
@@ -23,50 +22,14 @@ from ..record.scalar_graph import Elements, Index
 from ..record.unread import Unread
 from .solver_layout import Linear
 
-# explicit steps that a change of the method is worth
-MANY_STEPS, FEW_STATES = (5_000, 20)
-# for each state, so that a factorization is counted in evaluations
-OPERATIONS_OF_A_RATE = 10
 FULL = 0.3  # share of elements from which on a matrix counts as full
 
 
-class Jacobian(NamedTuple):
-    """Sparsity of the Jacobian matrix, as `solver_layout.Linear` explains it."""
+def jacobian(reach: np.ndarray) -> Linear:
+    """Return the sparsity of the Jacobian matrix, of truth values (n, n + 1).
 
-    band: tuple[int, int]
-    positions: np.ndarray
-    groups: np.ndarray
-    begins: np.ndarray
-    rows: np.ndarray
-    columns: np.ndarray
-    to: np.ndarray
-
-    def steps_worth(self, stages: int, explicit_stages: int) -> float:
-        """Return the explicit steps ahead for which changing to the implicit method pays.
-
-        Fewer of them for many states, whose explicit steps take longer than preparing the method,
-        unless the matrix is full: an implicit step then takes many evaluations.
-        """
-        n = len(self.positions)
-        evaluations = 2 * (len(self.begins) - 1) + stages
-        operations = sum(self.band) * (1 + self.band[0])
-        work = evaluations + operations / OPERATIONS_OF_A_RATE
-        ratio = (
-            work / explicit_stages
-        )  # of the work of an implicit step and an explicit one
-        return MANY_STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
-
-    @property
-    def for_solver(self) -> Linear:
-        """The solver's argument, with room for matrices and pivots."""
-        n = len(self.positions)
-        matrix, factors = np.zeros((2, n * n))
-        pivots, nonzero, queue = np.zeros((3, n), np.int64)
-        return Linear(matrix, factors, pivots, nonzero, queue, *self)
-
-
-def jacobian(reach: np.ndarray) -> Jacobian:
-    """Return the Jacobian of rates that states and time reach: truth values (n, n + 1)."""
+    They are true where a state, or time, reaches a rate.
+    """
     n = len(reach)
     positions, lower, upper = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
@@ -77,7 +40,8 @@ def jacobian(reach: np.ndarray) -> Jacobian:
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(positions, 0)[columns] * n + positions[rows]
     arrays = (positions, groups, begins, rows, columns, to)
-    return Jacobian((lower, upper), *(array.astype(np.int64) for array in arrays))
+    of_pattern = (array.astype(np.int64) for array in arrays)
+    return Linear(*5 * (None,), (lower, upper), *of_pattern)
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

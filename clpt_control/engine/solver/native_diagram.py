@@ -18,11 +18,13 @@ from .inputs import Inputs
 from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
-from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
+from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Linear
 from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY_DECISIONS = 32  # of a large model
+NONE = (np.zeros(0),)
+NO_LINEAR = Linear(*5 * NONE, (0, 0), *6 * NONE)  # of explicit methods
 FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
@@ -227,7 +229,7 @@ class NativeDiagram(Runner):
             room=program.room,
             tables=np.concatenate([self.layout.T, program.tables]),
             kept={},
-            linear=code.sparsity() if method.implicit else None,
+            linear=code.sparsity() if method.implicit else NO_LINEAR,
             timed=program.timed,
             slopes=slopes if program.ramped else (),
             code=(code, machine),
