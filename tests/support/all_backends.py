@@ -286,8 +286,8 @@ class _MachineCode:
         P = native.parameters()
         layout = native.layout
         inputs = [t, *u, *np.zeros(len(u))]  # begin, values, slopes
-        end = native.ramp + len(inputs)
-        P[native.ramp : end] = inputs
+        begin = len(layout.P)
+        P[begin : begin + len(inputs)] = inputs
         for k, index in layout.intervals.items():
             block = native.wiring.nodes[k].system
             parameters = block.parameters_at(t, native.sweep.parameters[k])

@@ -51,6 +51,7 @@ class Event(NamedTuple):
     now: Ref  # the decision; of a guard the distance with the decisions made now
     distance: Ref  # with the decisions of a step's beginning
     rounding: Ref
+    unfixed: Ref = 0.0  # the distance, of fixed decisions too
 
 
 class Port(NamedTuple):
@@ -120,7 +121,6 @@ class Decisions:
         self._sources: dict[int, frozenset[str]] = {}  # arrays that an entry reads
         # change of values with states that change by rounding
         self._bound = change_with(record, lambda size: ROUNDING * size)
-        self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(
         self,
@@ -211,10 +211,10 @@ class Decisions:
 
     def distance_of(self, number: int) -> Ref:
         """Return the distance of a single decision from its switching point."""
-        for port in self._true:
-            offset = number - port.first
-            if 0 <= offset < prod(port.shape):
-                return self.record.part(port.ref, offset, ())
+        for event in self.events:
+            offset = number - event.first
+            if 0 <= offset < prod(event.shape):
+                return self.record.part(event.unfixed, offset, ())
         raise IndexError(number)
 
     def _lock(
@@ -253,7 +253,7 @@ class Decisions:
             stays |= is_fixed
             H = loaded(number)
             # the decision now, and its distance from the decision in force
-            now, distance, least = H, 1.0, 0.0
+            now, distance, least, unfixed = H, 1.0, 0.0, 1.0
             if not is_shared:
                 decided = operands(kind, name, settled)
                 now = record.tape.add(name, decided, shape, side)
@@ -266,11 +266,11 @@ class Decisions:
                     now = self._unless_nan(decided, now, np.nan)
                     distance = self._unless_nan(compared, distance, -1.0)
                     least = self._unless_nan(compared, least, 0.0)
-                self._true.append(Port(number, shape, long, operand(distance)))
+                unfixed = distance
                 # fixed decisions stay as they are
                 now = _chosen(is_fixed, H, now)
                 distance = _chosen(is_fixed, 1.0, distance)
-            values = map(operand, (now, distance, least))
+            values = map(operand, (now, distance, least, unfixed))
             self.events.append(Event(number, shape, long, *values))
             self.of.append((number, made_in))
             if is_shared:

@@ -91,7 +91,7 @@ def jump_at_level(
             )
         if not jumping:
             break
-        requests = segments.requesting(diagram.jumps, jumping)
+        requests = segments.requesting(diagram.layout.jumps, jumping)
         (x,) = callee.evaluate(JUMP, [t], x[None], requests, P)
         jumped += jumping
         now, _, edges_behind = distances(t, x)

@@ -49,6 +49,7 @@ class NativeDiagram(Runner):
     """
 
     engine = "native"
+    ramps = True
     most = 500_000_000
 
     def __init__(
@@ -64,11 +65,7 @@ class NativeDiagram(Runner):
         self.code = code_of(self.wiring, self.layout, form)
         self.nstates *= form.copies
         self.nsignals *= form.copies
-        self.intervals = self.layout.intervals
-        self.jumps = self.layout.jumps
-        self.time_tables = tuple(self.layout.time_tables.values())
-        self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
-        # and of the decisions, behind the tolerances
+        # offset in P of the decisions, behind the tolerances
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
         # of the last runs by times and inputs, the same for any parameters
         self._schedules: dict[Any, Schedule] = {}
@@ -160,7 +157,7 @@ class NativeDiagram(Runner):
         if self.nstates:
             results.append(callee.evaluate(DERIVATIVE, *at, P))
         if sweep.jumping:
-            all_jump = segments.requesting(self.jumps, sweep.jumping)
+            all_jump = segments.requesting(self.layout.jumps, sweep.jumping)
             results.append(callee.evaluate(JUMP, times, x, all_jump, P))
         if sweep.guarded:
             events = callee.events_at(*at, P)
@@ -197,7 +194,7 @@ class NativeDiagram(Runner):
         code = self.code
         program = code.program
         # in discrete time no state jumps
-        jumping = int(not method.discrete and bool(self.jumps))
+        jumping = int(not method.discrete and bool(self.layout.jumps))
         # 1. addresses of the functions, 0 of those that are not called
         events = program.decided + program.guarded
         called = {"jump": jumping, "decide": events}

@@ -66,7 +66,7 @@ class PythonDiagram(Runner):
 
     def parameters(self) -> ndarray:
         """Return P, which says which blocks jump."""
-        return np.zeros(len(self.jumps))
+        return np.zeros(len(self.layout.jumps))
 
     def solve(
         self, start: ndarray, times: ndarray, inputs: Inputs | None, options: RunOptions

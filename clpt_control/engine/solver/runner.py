@@ -20,6 +20,7 @@ import numpy as np
 
 from ...base.arguments import numbers
 from ...base.errors import SimulationError
+from ..codegen.diagram_record import Layout
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods.table import METHODS
@@ -33,16 +34,15 @@ class Runner(ABC):
     """A diagram ready to run.
 
     `wiring` holds its blocks, and `sweep` evaluates them in Python.  States and signals are counted
-    in `nstates` and `nsignals`.
+    in `nstates` and `nsignals`.  `layout` has the places of parameters in P; in Python these are
+    the requests of jumps alone.
     """
 
     engine: str
     most: int  # tries of a run
     comparisons = 0  # runs of machine code that were compared with Python
+    ramps = False  # the inputs are straight lines behind `layout.P`
     hidden_state = ""  # a sentence on a function that has one
-    intervals: Mapping[int, int] = {}  # indices in P of each block's `interval`
-    time_tables: Sequence[Any] = ()  # of machine code
-    ramp = -1  # offset in P of the diagram's inputs, where they are read from there
 
     def __init__(
         self,
@@ -59,8 +59,8 @@ class Runner(ABC):
         )
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
-        # 1 in P where a block jumps
-        self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
+        jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
+        self.layout = Layout(jumps=jumps)
         self.breaking = self.sweep.breaking
         self.resetting = self.sweep.resetting
 

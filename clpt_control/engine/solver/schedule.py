@@ -41,16 +41,16 @@ class Schedule(NamedTuple):
 
 
 def make_schedule(
-    diagram: Any, times: Any, inputs: Inputs | None = None, least: float = 0.0
+    diagram: Any, times: Any, inputs: Inputs | None, least: float
 ) -> Schedule:
     """Return the segments of a run of a diagram.
 
     Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
     tables over time; they jump where blocks do.  Behind each block's `interval` lies `JUMPS` in a
-    segment that begins with a jump of its states; then come the straight lines of the inputs: time,
-    values, slopes.  In discrete time each sample begins a segment.
+    segment that begins with a jump of its states; then come, in machine code, the straight lines of
+    the inputs: time, values, slopes.  In discrete time each sample begins a segment.
     """
-    wiring = diagram.sweep.wiring
+    wiring, layout = diagram.sweep.wiring, diagram.layout
     diagram.sweep.trigger(inputs)
     # 1. times at which segments begin, and at which rates jump
     jumps, bends = _events_of_time(diagram, times, inputs, least)
@@ -60,10 +60,10 @@ def make_schedule(
         inner = bends[(bends > t0) & (bends < t1)]
         starts = np.concatenate([[t0], inner, [t1]])
     # 2. intervals of the blocks, and whether their states jump
-    indices = [*diagram.intervals.values(), *diagram.jumps.values()]
-    columns = [_intervals(diagram.sweep, k, starts) for k in diagram.intervals]
+    indices = [*layout.intervals.values(), *layout.jumps.values()]
+    columns = [_intervals(diagram.sweep, k, starts) for k in layout.intervals]
     samples_at_start = False
-    for k in diagram.jumps:
+    for k in layout.jumps:
         block = diagram.sweep.nodes[k].system
         if block.breakpoints_function is None:  # it jumps at a level
             columns.append(np.zeros(len(starts)))
@@ -76,17 +76,16 @@ def make_schedule(
         jumping = JUMPS * (changes != 0)
         columns.append(np.append(request, jumping))
     # 3. straight lines of the inputs of machine code
-    if diagram.ramp >= 0 and inputs is not None and wiring.ninputs:
+    if diagram.ramps and inputs is not None and wiring.ninputs:
         sample_times, u = inputs.samples
         # the line from this sample on
         k = np.searchsorted(sample_times[1:], starts, side="right")
         columns.append(sample_times[k])
         columns += [*u[:, k]]
         columns += [*inputs.slopes[:, k]]
-        end = diagram.ramp + 1 + 2 * len(u)
-        indices += range(diagram.ramp, end)
+        indices += range(len(layout.P), layout.inputs(len(u)))
     # 4. rows of the tables over time
-    for table in diagram.time_tables:
+    for table in layout.time_tables.values():
         later = starts + rounding(starts, starts[-1] - starts[0])
         columns.append(np.searchsorted(table.times, later, side="right"))
         indices.append(table.offset)
@@ -113,7 +112,7 @@ def _events_of_time(
     """Return the times at which blocks jump, and all times at which rates bend or jump."""
     kinks = np.zeros(0)
     if inputs is not None and not diagram.sweep.wiring.dt:
-        kinks = inputs.kinks if diagram.ramp >= 0 else inputs.sharp_bends(least)
+        kinks = inputs.kinks if diagram.ramps else inputs.sharp_bends(least)
     t0 = float(times[0])
     t1 = float(times[-1])
     run = t1 - t0
@@ -127,8 +126,8 @@ def _events_of_time(
             bends = np.union1d(jumps, kinks)
     if inputs is not None and len(kinks) and len(inputs.jumps):
         jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps, run))
-    if diagram.time_tables:
-        rows = [table.times for table in diagram.time_tables]
+    if tables := diagram.layout.time_tables:
+        rows = [table.times for table in tables.values()]
         bends = np.unique(np.concatenate([bends, *rows]))
     return jumps, bends
 

@@ -65,7 +65,7 @@ def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
         raise refused("is in discrete time")
     if program.decided or program.guarded:
         raise refused("has conditions or kinks of its signals, or a guard")
-    if diagram.jumps:
+    if diagram.layout.jumps:
         raise refused("has states that jump, or blocks that sample")
     code = diagram.code
     try:
