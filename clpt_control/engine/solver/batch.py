@@ -104,10 +104,10 @@ class Batch:
         self.out, self.status, self.reached, self.counts = self.results
         # 3. memory of the lanes
         lanes = callee.lanes
-        size = max(callee.size, parameters.shape[1], 1)
+        size = max(callee.program.parameters, parameters.shape[1], 1)
         at_points = 3 * POINTS * callee.events
         results = max(n, at_points)
-        rooms = (REALS, ROWS * n, size, max(callee.room, 1), results)
+        rooms = (REALS, ROWS * n, size, max(callee.program.room, 1), results)
         self._reals, arrays = aligned(*(lanes * room for room in rooms))
         numbers, self.Z, P, W, D = arrays
         self.lane = numbers.reshape(-1, lanes)
@@ -181,7 +181,7 @@ class Batch:
         in_lanes = self.memory.P.reshape(-1, callee.lanes)
         in_lanes[: parameters.shape[1]] = parameters[:1].T
         in_lanes[self.segments.indices] = self.segments.values[:1].T
-        timed = callee.timed
+        timed = callee.program.timed
         if callee.slopes:
             in_segments = np.isin(self.segments.indices, callee.slopes)
             timed |= self.segments.values[:, in_segments].any()
@@ -269,7 +269,7 @@ class Batch:
             return
         # the first implicit step computes the Jacobian
         schedule = self.schedules[self.runs.schedule[m]].after(t)
-        P = self.runs.parameters[m, : callee.size]
+        P = self.runs.parameters[m, : callee.program.parameters]
         start = self.states[STATE, :, k], P, np.array([t, self.times[-1]])
         batch = batch_of(callee, *start, schedule, self.lane[MAX_STEP, k])
         batch.advance(options.rtol, options.atol, 1)

@@ -4,64 +4,90 @@ The solver takes arrays by their addresses.  The arrays of a call are kept for t
 same shape: making them takes longer than a small evaluation.
 """
 
-from collections.abc import Sequence
 from ctypes import addressof, c_char
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ..codegen.machine import LANES, compiled_solver, numbers_of
 from ..methods.table import Method
+from .diagram_code import kernels
 from .schedule import Schedule
 from .solver_layout import DECIDE, Linear, Shape
 
+FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
+NONE = (np.zeros(0),)
+NO_LINEAR = Linear(*5 * NONE, (0, 0), *6 * NONE)  # of explicit methods
 MOST_KEPT = 50_000  # numbers in the arrays of a call that are kept
 MOST_SHAPES = 6  # of the arrays that are kept of a diagram
 
 
-class Callee(NamedTuple):
-    """Functions that the solver calls, and sizes of its arrays; `shape` is the solver's."""
+class Callee:
+    """Functions of a `NativeDiagram` that the solver calls, and sizes of its arrays.
 
-    functions: np.ndarray  # their addresses, in the solver's order
-    lanes: int  # runs that are taken at once
-    nstates: int
-    counts: tuple[int, ...]  # of the results of each function of the diagram
-    method: Method
-    guarded: int  # number of guards
-    levels: np.ndarray  # of each guard: 1 if states jump there
-    jumping: int  # 1 if states jump
-    decided_at: int  # offset of the decisions in P
-    decided: int  # their number
-    size: int  # length of P
-    room: int  # length of W
-    tables: np.ndarray  # T, which is not empty
-    kept: dict[Any, Any]  # arrays of calls by shape, while no thread uses them
-    linear: Linear  # sparsity of the matrix of an implicit method
-    timed: bool = False  # whether steps are short, as time may do much in little of it
-    # places in P of the slopes of inputs that rates read: steps are short where one is not zero
-    slopes: Sequence[int] = ()
-    code: tuple = ()  # objects that must live for as long as addresses are used
+    Attributes
+    ----------
+    functions : ndarray
+        Addresses of the diagram's functions, then of the formulas of the method.
+    counts : tuple of int
+        Results of each function of the diagram.
+    decided_at, decided : int
+        Offset of the decisions in P, and their number.
+    events : int
+        Number of events in state: decisions and guards.
+    levels : ndarray
+        1 for each guard at which states jump.
+    tables : ndarray
+        T, which is not empty.
+    linear : Linear
+        Sparsity of the matrix of an implicit method.
+    slopes : sequence of int
+        Places in P of the slopes of inputs that rates read: steps are short
+        where one is not zero.
+    kept : dict
+        Arrays of calls by shape, while no thread uses them.
+    """
 
-    @property
-    def shape(self) -> Shape:
-        """Sizes of the problem, as the solver takes them."""
-        return Shape(
-            self.lanes,
-            self.nstates,
-            self.method.stages,
-            self.method.dense_stages,
-            int(self.method.implicit),
-            int(self.method.discrete),
-            self.guarded,
-            self.jumping,
+    def __init__(self, diagram: Any, lanes: int, method: Method):
+        code, layout, n = diagram.code, diagram.layout, diagram.nstates
+        program = code.program
+        self.program, self.nstates = program, n
+        self.lanes, self.method = lanes, method
+        self.decided_at, self.decided = diagram.decided_at, program.decided
+        self.events = program.decided + program.guarded
+        self.counts = n, 0, diagram.nsignals, n, 3 * self.events
+        # 1. addresses, 0 of functions that are not called; in discrete time no state jumps
+        jumping = int(not method.discrete and bool(layout.jumps))
+        called = {"jump": jumping, "decide": self.events}
+        names = [name for name in FUNCTIONS if called.get(name, True)]
+        addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
+        functions = [addresses.get(name, 0) for name in FUNCTIONS]
+        machine = kernels(n, lanes, method) if n else None
+        if machine is not None:
+            functions += machine.addresses.values()
+        self.functions = np.array(functions, dtype=np.int64)
+        self.alive = code, machine  # for as long as addresses are used
+        # 2. sizes, and facts about events, rates and the method
+        self.shape = Shape(
+            lanes,
+            n,
+            method.stages,
+            method.dense_stages,
+            int(method.implicit),
+            int(method.discrete),
+            program.guarded,
+            jumping,
             self.decided_at,
             self.decided,
         )
-
-    @property
-    def events(self) -> int:
-        """Number of events in state."""
-        return self.decided + self.guarded
+        self.levels = np.zeros(program.guarded)
+        for guard, k in enumerate(diagram.sweep.guarded):
+            self.levels[guard] = diagram.wiring.nodes[k].system.jumps_at_level
+        self.tables = np.concatenate([layout.T, program.tables])
+        self.linear = code.sparsity() if method.implicit else NO_LINEAR
+        inputs = diagram.wiring.ninputs if program.ramped else 0
+        self.slopes = range(self.decided_at - 2 - inputs, self.decided_at - 2)
+        self.kept: dict[Any, Any] = {}
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers."""
@@ -129,9 +155,9 @@ class Evaluation:
         self.indices = np.empty(segments[1], dtype=np.int64)
         self.values = np.empty(segments)
         self.out = np.empty((points, callee.counts[role]))
-        size = max(callee.size, size) + 1
+        size = max(callee.program.parameters, size) + 1
         results = max(self.out.shape[1], 3 * callee.events) + 1
-        self.memory, arrays = aligned(1, size, callee.room + 1, results)
+        self.memory, arrays = aligned(1, size, callee.program.room + 1, results)
         time, self.P, W, D = arrays
         sizes = self.states.size, self.out.size, self.values.size, self.memory.size
         self.is_small = sum(sizes) <= MOST_KEPT

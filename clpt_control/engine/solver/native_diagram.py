@@ -13,19 +13,16 @@ from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
 from .callee import MOST_KEPT, Callee, keep
-from .diagram_code import code_of, kernels
+from .diagram_code import code_of
 from .inputs import Inputs
 from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
-from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Linear
+from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
 from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY_DECISIONS = 32  # of a large model
-NONE = (np.zeros(0),)
-NO_LINEAR = Linear(*5 * NONE, (0, 0), *6 * NONE)  # of explicit methods
-FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
 class NativeDiagram(Runner):
@@ -187,50 +184,8 @@ class NativeDiagram(Runner):
             lanes = 1
         callee = self._callees.get((lanes, method))
         if callee is None:
-            callee = self._callees[lanes, method] = self._callee(lanes, method)
+            callee = self._callees[lanes, method] = Callee(self, lanes, method)
         return callee
-
-    def _callee(self, lanes: int, method: Method) -> Callee:
-        code = self.code
-        program = code.program
-        # in discrete time no state jumps
-        jumping = int(not method.discrete and bool(self.layout.jumps))
-        # 1. addresses of the functions, 0 of those that are not called
-        events = program.decided + program.guarded
-        called = {"jump": jumping, "decide": events}
-        names = [name for name in FUNCTIONS if called.get(name, True)]
-        addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
-        # 2. sizes, and the formulas of the method
-        nodes, guarded = self.wiring.nodes, self.sweep.guarded
-        at_level = [nodes[k].system.jumps_at_level for k in guarded]
-        levels = np.zeros(program.guarded)
-        levels[: len(at_level)] = at_level
-        slopes = range(self.decided_at - 2 - self.wiring.ninputs, self.decided_at - 2)
-        functions = [addresses.get(name, 0) for name in FUNCTIONS]
-        machine = None
-        if self.nstates:
-            machine = kernels(self.nstates, lanes, method)
-            functions += machine.addresses.values()
-        return Callee(
-            functions=np.array(functions, dtype=np.int64),
-            lanes=lanes,
-            nstates=self.nstates,
-            counts=(self.nstates, 0, self.nsignals, self.nstates, 3 * events),
-            method=method,
-            guarded=program.guarded,
-            levels=levels,
-            jumping=jumping,
-            decided_at=self.decided_at,
-            decided=program.decided,
-            size=program.parameters,
-            room=program.room,
-            tables=np.concatenate([self.layout.T, program.tables]),
-            kept={},
-            linear=code.sparsity() if method.implicit else NO_LINEAR,
-            timed=program.timed,
-            slopes=slopes if program.ramped else (),
-            code=(code, machine),
-        )
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

@@ -179,7 +179,7 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
     event = int(batch.integers[EVENT_INDEX, 0])
     if event < 0:
         return "a decision"
-    return decision_name(sweep, batch.callee.code[0].program, event)
+    return decision_name(sweep, batch.callee.program, event)
 
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
