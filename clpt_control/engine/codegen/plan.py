@@ -17,7 +17,7 @@ from ..record.operations import CONDITIONS
 from .diagram_record import DiagramRecord
 from .fused_expressions import BOUND, Component, Components, Write, row_strides
 from .merged_sums import MergedSums
-from .switching_conditions import Decisions, Port
+from .switching_conditions import Port
 
 NO_TABLES = np.zeros(0)
 LARGEST = 4096  # numbers of an array that is prepared
@@ -57,7 +57,7 @@ class Program(NamedTuple):
 
 
 class Planner:
-    """Makes the program of components; `preparing` while it plans the function `prepare`."""
+    """Plans the functions of a program; `preparing` while it plans the function `prepare`."""
 
     def __init__(self, components: Components):
         self.components, self.all, self.preparing = components, components.all, False
@@ -75,29 +75,6 @@ class Planner:
         """Return the buffer that a component reads, or -1."""
         name, arguments, _ = self.all[c]
         return arguments[-1] if name in ("load", "table") else -1
-
-    def program(self, writes: dict[str, list[Write]], decisions: Decisions) -> Program:
-        """Return the program whose functions write these."""
-        components = self.components
-        functions = {
-            name: self.nests(function_writes)
-            for name, function_writes in writes.items()
-        }
-        self.preparing = True
-        functions["prepare"] = self.nests(self.preparation)
-        return Program(
-            components=tuple(self.all),
-            functions=functions,
-            prepared=self.prepared,
-            constants=tuple(components.constants),
-            parameters=components.prepared,
-            room=components.room,
-            decided=decisions.count,
-            deciding=tuple(decisions.of),
-            timed=decisions.timed,
-            ramped=decisions.ramped,
-            tables=np.concatenate([NO_TABLES, *components.tables]),
-        )
 
     # --- what is prepared -----------------------------------------------------------------
 
@@ -271,5 +248,21 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
             "decide": components.writes(decided, "D"),
         }
-    program = Planner(components).program(writes, decisions)
-    return program._replace(guarded=len(guards))
+    planner = Planner(components)
+    functions = {name: planner.nests(written) for name, written in writes.items()}
+    planner.preparing = True
+    functions["prepare"] = planner.nests(planner.preparation)
+    return Program(
+        components=tuple(components.all),
+        functions=functions,
+        prepared=planner.prepared,
+        constants=tuple(components.constants),
+        parameters=components.prepared,
+        room=components.room,
+        decided=count,
+        deciding=tuple(decisions.of),
+        timed=decisions.timed,
+        ramped=decisions.ramped,
+        tables=np.concatenate([NO_TABLES, *components.tables]),
+        guarded=len(guards),
+    )

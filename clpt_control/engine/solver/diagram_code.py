@@ -4,7 +4,7 @@ Diagrams of one structure have one program.  The formulas of a method have one f
 states and of lanes.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 from ...base.errors import Uncompiled
 from ..codegen.diagram_record import PLAIN, DiagramRecord, Form, Layout
 from ..codegen.machine import Machine, once, one_at_a_time
-from ..codegen.plan import NO_TABLES, Program, program_of
+from ..codegen.plan import NO_TABLES, program_of
 from ..diagram.wiring import Wiring
 from ..methods.table import Method
 from ..record.operations import ELEMENTWISE
@@ -46,14 +46,29 @@ class Code:
     decision of each operation that decides.
     """
 
-    def __init__(
-        self,
-        program: Program,
-        sparsity: Callable[[], Any],
-        decided_operations: tuple[int, ...],
-    ):
-        self.program, self.sparsity = program, cache(sparsity)
-        self.decided_operations = decided_operations
+    def __init__(self, structure: Structure, form: Form):
+        wiring, layout = structure.wiring, structure.layout
+        record = DiagramRecord(wiring, layout, form)
+        if form.held:
+            from .sliding_rates import slide
+
+            slide(record, form.held)
+        if form.directions:
+            from ..codegen.directional_derivatives import add_derivatives
+
+            add_derivatives(record, form.directions)
+        last = wiring.nodes[-1]
+        signals = form.copies * last.outputs.stop
+        states = form.copies * last.states.stop
+
+        def sparsity() -> Any:
+            from .jacobian_pattern import jacobian, reach_of
+
+            return jacobian(reach_of(record, states))
+
+        self.program = program_of(record, signals, layout.inputs(wiring.ninputs))
+        self.sparsity = cache(sparsity)
+        self.decided_operations = tuple(record.decisions.operations)
         self._machines: dict[tuple[str, int, int], Machine] = {}
 
     @one_at_a_time
@@ -119,15 +134,15 @@ def code_of(wiring: Wiring, layout: Layout, form: Form) -> Code:
 def _code(structure: Structure, form: Form) -> Code:
     """Return the code; that with short axes looped where it is far shorter, as of matrices."""
     if form != PLAIN:
-        return _planned(structure, form)
+        return Code(structure, form)
     try:
-        code = _planned(structure, form)
+        code = Code(structure, form)
     except Uncompiled:
-        return _planned(structure, Form("looped"))
+        return Code(structure, Form("looped"))
     size = len(code.program.components)
     if size <= MANY or SHORTER * _array_operations(structure) >= size:
         return code
-    looped = _planned(structure, Form("looped"))
+    looped = Code(structure, Form("looped"))
     looped_size = len(looped.program.components)
     return looped if SHORTER * looped_size < size else code
 
@@ -139,31 +154,6 @@ def _array_operations(structure: Structure) -> int:
     return sum(
         line.kind in ELEMENTWISE for record in records for line in record.operations
     )
-
-
-def _planned(structure: Structure, form: Form) -> Code:
-    wiring = structure.wiring
-    layout = structure.layout
-    record = DiagramRecord(wiring, layout, form)
-    if form.held:
-        from .sliding_rates import slide
-
-        slide(record, form.held)
-    if form.directions:
-        from ..codegen.directional_derivatives import add_derivatives
-
-        add_derivatives(record, form.directions)
-    last = wiring.nodes[-1]
-    signals = form.copies * last.outputs.stop
-    states = form.copies * last.states.stop
-    program = program_of(record, signals, layout.inputs(wiring.ninputs))
-
-    def sparsity() -> Any:
-        from .jacobian_pattern import jacobian, reach_of
-
-        return jacobian(reach_of(record, states))
-
-    return Code(program, sparsity, tuple(record.decisions.operations))
 
 
 # --- formulas of a method ---------------------------------------------------------------------

@@ -71,19 +71,42 @@ class Refused(Exception):
         self.switches = switches
 
 
-class Crossing(NamedTuple):
-    """A point at which a run crosses switches to and fro; columns are decisions."""
+class Crossing:
+    """A point at which a run crosses switches to and fro, with the decisions that its batch holds.
 
-    callee: Any
-    segments: Schedule
-    parameters: ndarray
-    time: float
-    state: ndarray
-    distance: ndarray
-    rounding: ndarray
-    change: ndarray  # of distances, with states that change by their size
-    slopes: ndarray  # of distances, (states, decisions)
-    drift: ndarray  # of distances with time
+    Attributes
+    ----------
+    distance, rounding : ndarray
+        Distance of each decision, and its rounding error.
+    slopes : ndarray
+        Derivatives of distances with states, by differences, (states, decisions).
+    drift : ndarray
+        Derivatives of distances with time.
+    change : ndarray
+        Change of distances with states that change by their size.
+    """
+
+    def __init__(self, diagram: Any, batch: Batch, t: float, state: ndarray):
+        self.callee, self.segments = diagram.callee(), batch.schedules[0]
+        self.time, self.state = t, state
+        offset, count = self.callee.decided_at, self.callee.decided
+        self.parameters = batch.memory.P[: offset + count]
+        rtol, atol = self.parameters[offset - 2 : offset]
+        sizes = np.abs(state) + atol / rtol
+        changes = CHANGE * sizes
+        end = self.segments.edges[np.searchsorted(self.segments.edges, t, "right")]
+        later = min(CHANGE * (1.0 + abs(t)), 1e-3 * (end - t))
+        if later <= 1e-3 * CHANGE * (1.0 + abs(t)):
+            later = -CHANGE * (1.0 + abs(t))
+        times, *at = self.at(np.vstack([state, state + np.diag(changes), state]))
+        times[-1] += later
+        events = self.callee.events_at(times, *at)
+        distances = events[:, DISTANCE, :count]
+        self.distance = distances[0]
+        self.rounding = events[0, ROUNDING, :count]
+        self.slopes = (distances[1:-1] - distances[0]) / changes[:, None]
+        self.change = sizes @ np.abs(self.slopes)
+        self.drift = (distances[-1] - distances[0]) / (times[-1] - t)
 
     def at(self, states: ndarray) -> tuple[ndarray, ndarray, Schedule, ndarray]:
         """Return arguments of the callee for states at this time."""
@@ -113,40 +136,6 @@ class Crossing(NamedTuple):
             switches.append(HeldSwitch(tuple(sorted(decisions)), switch))
             candidates = [k for k in candidates if k not in decisions]
         return switches
-
-
-def crossing_at(diagram: Any, batch: Batch, t: float, state: ndarray) -> Crossing:
-    """Return the distances at a point of a batch of one run, and their slopes by differences.
-
-    They are those with the decisions that the batch holds.
-    """
-    callee, segments = diagram.callee(), batch.schedules[0]
-    parameters = batch.memory.P[: callee.decided_at + callee.decided]
-    rtol, atol = parameters[callee.decided_at - 2 : callee.decided_at]
-    sizes = np.abs(state) + atol / rtol
-    changes = CHANGE * sizes
-    end = segments.edges[np.searchsorted(segments.edges, t, "right")]
-    later = min(CHANGE * (1.0 + abs(t)), 1e-3 * (end - t))
-    if later <= 1e-3 * CHANGE * (1.0 + abs(t)):
-        later = -CHANGE * (1.0 + abs(t))
-    times = np.full(len(state) + 2, t)
-    times[-1] += later
-    states = np.vstack([state, state + np.diag(changes), state])
-    events = callee.events_at(times, states, segments, parameters)
-    distances = events[:, DISTANCE, : callee.decided]
-    slopes = (distances[1:-1] - distances[0]) / changes[:, None]
-    return Crossing(
-        callee=callee,
-        segments=segments,
-        parameters=parameters,
-        time=t,
-        state=state,
-        distance=distances[0],
-        rounding=events[0, ROUNDING, : callee.decided],
-        change=sizes @ np.abs(slopes),
-        slopes=slopes,
-        drift=(distances[-1] - distances[0]) / (times[-1] - t),
-    )
 
 
 # --- sides ----------------------------------------------------------------------------------------
@@ -291,7 +280,7 @@ def enter(
     Return None where its motion is not known, and a sentence on that if there is one.
     """
     state = batch.states[STATE, :, 0].copy()
-    crossing = crossing_at(diagram, batch, batch.now, state)
+    crossing = Crossing(diagram, batch, batch.now, state)
     count = diagram.code.program.decided
     before = batch.memory.P[diagram.decided_at :][:count]
     behind = batch.points[SAMPLE_POINTS, DECISION, :count]
@@ -317,7 +306,7 @@ def leave(diagram: Any, batch: Batch, sliding: Sliding | None) -> Sliding | None
     if sliding is None or not k < 2 * len(sliding.held) > 2:
         return None
     t, state = stopped_at(batch)
-    crossing = crossing_at(diagram, batch, t, state)
+    crossing = Crossing(diagram, batch, t, state)
     with suppress(Refused):
         sides = sides_of(crossing, [*sliding.held])
         state_of = active_set(sides, {k // 2: k % 2})

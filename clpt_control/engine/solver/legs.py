@@ -72,12 +72,6 @@ class NativeRun:
         The time at which it began with its first method.
     """
 
-    results: Results
-    leg: Leg
-    last: Any
-    end: Any
-    begun: float
-
     def __init__(
         self,
         diagram: Any,

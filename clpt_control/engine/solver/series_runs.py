@@ -7,7 +7,7 @@ DOP853 and Rodas5P.
 from collections.abc import Callable
 from ctypes import CFUNCTYPE, c_void_p
 from math import ceil, log
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +17,6 @@ from ..codegen import series_loop as series
 from ..codegen.machine import LANES, address_of
 from .batch import PARTS, End, finished
 from .callee import MOST_KEPT, aligned, keep
-from .diagram_code import Code
 from .schedule import Schedule
 from .solver_layout import Status
 
@@ -36,17 +35,6 @@ def order_of(rtol: float) -> int:
     return min(ceil(1 - log(max(rtol, LEAST_RTOL)) / 2) + 2, MOST_ORDER)
 
 
-class SeriesCode(NamedTuple):
-    """The compiled series of a diagram, and the arrays of its last runs by shape."""
-
-    code: Code  # must live as long as the entry is used
-    order: int
-    lanes: int
-    entry: Callable
-    tables: np.ndarray
-    kept: dict[Any, "SeriesArrays"]
-
-
 def refused(why: str) -> SimulationError:
     """Return the error of a diagram that has no series."""
     return SimulationError(
@@ -54,31 +42,36 @@ def refused(why: str) -> SimulationError:
     )
 
 
+class SeriesCode:
+    """The compiled series of a diagram, and the arrays of its last runs by shape."""
+
+    def __init__(self, diagram: Any, order: int, lanes: int):
+        program = diagram.code.program
+        if diagram.wiring.dt:
+            raise refused("is in discrete time")
+        if program.decided or program.guarded:
+            raise refused("has conditions or kinks of its signals, or a guard")
+        if diagram.layout.jumps:
+            raise refused("has states that jump, or blocks that sample")
+        self.code = diagram.code  # must live as long as the entry is used
+        try:
+            if any(nest.lengths for nest in program.functions["derivative"]):
+                self.code = diagram.in_form(axes="unrolled").code
+            (address,) = self.code.addresses(["series"], lanes, order)
+        except Uncompiled as error:
+            raise refused(str(error)) from None
+        self.program, self.order, self.lanes = self.code.program, order, lanes
+        self.entry = ENTRY(address)
+        self.tables = np.concatenate([diagram.layout.T, self.program.tables])
+        self.kept: dict[Any, SeriesArrays] = {}
+
+
 def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
     """Return the compiled series of a diagram; refuse one that is not smooth."""
-    order = order_of(rtol)
-    key = "series", order, lanes
-    if key in diagram.kept_series:
-        return diagram.kept_series[key]
-    program = diagram.code.program
-    if diagram.wiring.dt:
-        raise refused("is in discrete time")
-    if program.decided or program.guarded:
-        raise refused("has conditions or kinks of its signals, or a guard")
-    if diagram.layout.jumps:
-        raise refused("has states that jump, or blocks that sample")
-    code = diagram.code
-    try:
-        if any(nest.lengths for nest in program.functions["derivative"]):
-            code = diagram.in_form(axes="unrolled").code
-        (address,) = code.addresses(["series"], lanes, order)
-    except Uncompiled as error:
-        raise refused(str(error)) from None
-    entry = ENTRY(address)
-    tables = np.concatenate([diagram.layout.T, code.program.tables])
-    made = SeriesCode(code, order, lanes, entry, tables, {})
-    diagram.kept_series[key] = made
-    return made
+    kept, key = diagram.kept_series, (order_of(rtol), lanes)
+    if key not in kept:
+        kept[key] = SeriesCode(diagram, *key)
+    return kept[key]
 
 
 class SeriesArrays:
@@ -89,7 +82,7 @@ class SeriesArrays:
     ):
         lanes = code.lanes
         groups = -(-count // lanes)
-        program = code.code.program
+        program = code.program
         size, room = program.parameters + 1, program.room + 1
         self.memory, arrays = aligned(
             *(groups * lanes * rows for rows in (n, size)),
@@ -125,7 +118,7 @@ class SeriesArrays:
         )
         T, W, times, edges, values, indices = map(address_of, of_all)
         of_groups = self.states, parameters, self.out, self.numbers, self.integers
-        begins = [address_of(array.reshape(-1)) for array in of_groups]
+        begins = [address_of(array) for array in of_groups]
         self._calls = []
         for g in range(groups):
             steps = [g * array.strides[0] for array in of_groups]
