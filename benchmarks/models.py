@@ -163,7 +163,7 @@ def by_series(model: Model) -> Run:
     native = compile(system(model))
     times, start = model.times, np.array([model.start])
     code = series_of(native, model.rtol)
-    segments = native.schedule(times, None)
+    segments = native.schedule(times)
     arrays = SeriesArrays(code, 1, start.size, len(times), segments)
     options = RunOptions(model.rtol, model.atol)
     runs = start, native.layout.P[None], times, segments, options

@@ -13,6 +13,7 @@ import numpy as np
 from ..base.errors import DiagramError
 from ..engine.codegen.directional_derivatives import Place
 from ..engine.diagram.interconnection import wiring_of_blocks
+from ..engine.solver.inputs import NO_INPUTS
 from ..paper.blocks.ports import POWERS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_to_text
@@ -39,7 +40,7 @@ class VariedScenario:
     """The loop of a scenario, with `changes` by the user's blocks, and its sampled parameters."""
 
     params: Mapping[str, Any] = {}
-    inputs = None
+    inputs = NO_INPUTS
 
     def __init__(
         self,
@@ -168,7 +169,7 @@ class VariedScenario:
         scenario = self.scenario.with_values(dict(values))
         blocks = changed_blocks(scenario, self.changes)
         start = state_of(scenario, blocks, self.changes.law)
-        return [block.parameters for block in blocks], start, None
+        return [block.parameters for block in blocks], start, self.inputs
 
     # --- summaries ------------------------------------------------------------------------
 

@@ -117,7 +117,7 @@ class SystemRun:
         self,
         start: np.ndarray,
         times: np.ndarray,
-        inputs: Inputs | None,
+        inputs: Inputs,
         options: RunOptions,
         runner: Runner | None = None,
         is_compared: bool = True,

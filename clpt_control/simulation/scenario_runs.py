@@ -10,6 +10,7 @@ from ..base.errors import SimulationError
 from ..base.run_attributes import TEAM
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.model.ports import bare_labels, split
+from ..engine.solver.inputs import NO_INPUTS
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.termination import Solution
 from ..paper.blocks.localization import TRUE
@@ -152,7 +153,7 @@ def simulated(
     run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
     with cached_run(key, lambda: run_type(system, engine)) as run:
         options = RunOptions.checked(0, times, **system.run.solver, **steps)
-        return run, run.dataset(*run.run(run.initial_state, times, None, options))
+        return run, run.dataset(*run.run(run.initial_state, times, NO_INPUTS, options))
 
 
 def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:

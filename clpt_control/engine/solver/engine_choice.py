@@ -22,7 +22,7 @@ from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
-from .inputs import Inputs, inputs_at
+from .inputs import Inputs
 from .native_diagram import NativeDiagram
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -79,7 +79,7 @@ def run_in_python(
     name: str,
     start: ndarray,
     times: ndarray,
-    inputs: Inputs | None,
+    inputs: Inputs,
     options: RunOptions,
 ) -> tuple[Solution, ndarray]:
     """Run a diagram in Python; return the solution and all signals along it.
@@ -115,7 +115,7 @@ def run_compared(
     runner: NativeDiagram,
     start: ndarray,
     times: ndarray,
-    inputs: Inputs | None,
+    inputs: Inputs,
     options: RunOptions,
     is_compared: bool = True,
 ) -> tuple[Any, str]:
@@ -150,7 +150,7 @@ DISTANCES = 1e-6, -1e-6, 1e-3, -1e-3
 STRIDE = 7919  # a prime: samples of the runs that follow
 
 
-def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str:
+def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs) -> str:
     """Return a sentence on the function that was misread; "" where all agrees."""
     n = len(solution.t)
     if not n or _is_of_package(runner):
@@ -169,10 +169,7 @@ def _is_of_package(runner: Runner) -> bool:
 
 
 def difference_at(
-    samples: Sequence[int],
-    runner: NativeDiagram,
-    solution: Solution,
-    inputs: Inputs | None,
+    samples: Sequence[int], runner: NativeDiagram, solution: Solution, inputs: Inputs
 ) -> str:
     """Return a sentence on the function that differs at a sample of a solution, or ""."""
     # compare the samples, then states next to those that differ
@@ -189,7 +186,7 @@ class Comparison(NamedTuple):
 
     runner: NativeDiagram
     segments: Schedule
-    inputs: Inputs | None
+    inputs: Inputs
 
     def agrees(self, times: ndarray, x: ndarray, signals: Any = None) -> ndarray:
         """Return at which times and states Python and machine code give the same.
@@ -204,7 +201,7 @@ class Comparison(NamedTuple):
         states = x[:, : sweep.nstates]
         run = times[-1] - times[0]
         python = [
-            sweep.results(t, state, inputs_at(inputs, t), run)
+            sweep.results(t, state, inputs.at(t), run)
             for t, state in zip(times.tolist(), states, strict=True)
         ]
         agrees = np.ones(len(times), dtype=bool)
@@ -239,7 +236,7 @@ class Comparison(NamedTuple):
         """Return a sentence on the function whose record differs from it, or ""."""
         sweep = self.runner.sweep
         x = x[: sweep.nstates]
-        sweep.derivative(t, x, inputs_at(self.inputs, t))
+        sweep.derivative(t, x, self.inputs.at(t))
         for k, node in enumerate(sweep.nodes):
             block = node.system
             arguments = t, x[node.states], sweep.fed(k), sweep.parameters[k]

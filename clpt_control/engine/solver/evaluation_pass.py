@@ -121,7 +121,7 @@ class Sweep:
             node = self.nodes[k]
             trigger = attribute_of(node.system.breakpoints_function, "trigger")
             signal = None if trigger is None else node.external_input(trigger)
-            if inputs is None or signal is None:
+            if signal is None:
                 continue
             rises = inputs.rises(signal)
             if rises is not None:

@@ -91,7 +91,7 @@ class NativeRun:
         self.refusal = ""  # why it does not slide
         self.in_vain = 0  # legs in a row that were too short
 
-    def solution(self, inputs: Inputs | None) -> Solution:
+    def solution(self, inputs: Inputs) -> Solution:
         """Integrate, and keep the arrays of the first leg for another run."""
         first = self.first_leg()
         run = self.go_on(first)

@@ -14,7 +14,7 @@ from ..diagram.wiring import Wiring
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import code_of
-from .inputs import Inputs
+from .inputs import NO_INPUTS, Inputs
 from .legs import NativeRun
 from .runner import Runner, RunOptions
 from .schedule import Schedule
@@ -102,13 +102,13 @@ class NativeDiagram(Runner):
     # --- runs -----------------------------------------------------------------------------
 
     def schedule(
-        self, times: Any, inputs: Inputs | None = None, least: float = 0.0
+        self, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
     ) -> Schedule:
         """Return the segments of a run, the same for the same times and inputs.
 
         Breakpoints of blocks are looked up each time.
         """
-        arrays = [np.asarray(times), *(() if inputs is None else inputs.samples)]
+        arrays = [np.asarray(times), *inputs.samples]
         if self.breaking or sum(array.size for array in arrays) > MOST_KEPT:
             return super().schedule(times, inputs)
         key = tuple((array.shape, array.tobytes()) for array in arrays)
@@ -119,11 +119,7 @@ class NativeDiagram(Runner):
         return schedule
 
     def solve(
-        self,
-        start: np.ndarray,
-        times: np.ndarray,
-        inputs: Inputs | None,
-        options: RunOptions,
+        self, start: np.ndarray, times: np.ndarray, inputs: Inputs, options: RunOptions
     ) -> Solution:
         """Integrate from the first to the last of the times in machine code."""
         if not self.nstates:
@@ -133,7 +129,7 @@ class NativeDiagram(Runner):
             (start,) = self.callee().evaluate(JUMP, times[:1], start, segments, P)
         return NativeRun(self, start, P, times, segments, options).solution(inputs)
 
-    def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
+    def evaluate(self, solution: Solution, inputs: Inputs) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
         points = solution.t, solution.x, self.segments_of(solution, inputs)
         return self.callee().evaluate(SIGNALS, *points, self.parameters())
@@ -161,7 +157,7 @@ class NativeDiagram(Runner):
             results.append(events[:, DECISION, callee.decided :])
         return results
 
-    def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+    def segments_of(self, solution: Solution, inputs: Inputs) -> Schedule:
         """Return the segments of time of a run."""
         if solution.pieces is None or solution.engine != self.engine:
             return self.schedule(solution.t, inputs)

@@ -23,7 +23,7 @@ from ..methods.table import METHODS
 from .batch import PARTS, PAUSE
 from .evaluation_pass import rounding
 from .event_checks import SHARES, may_hide
-from .inputs import Inputs, inputs_at
+from .inputs import Inputs
 from .runner import Runner, RunOptions
 from .schedule import BEGINS, JUMPS
 from .solver_layout import DISTANCE, ROUNDING, Status
@@ -69,7 +69,7 @@ class PythonDiagram(Runner):
         return np.zeros(len(self.layout.jumps))
 
     def solve(
-        self, start: ndarray, times: ndarray, inputs: Inputs | None, options: RunOptions
+        self, start: ndarray, times: ndarray, inputs: Inputs, options: RunOptions
     ) -> Solution:
         """Integrate by SciPy, or step a diagram of discrete time."""
         if self.resetting:
@@ -99,13 +99,13 @@ class PythonDiagram(Runner):
         except NotIntegrated as error:
             raise run.error(*error.args) from None
 
-    def evaluate(self, solution: Solution, inputs: Inputs | None) -> ndarray:
+    def evaluate(self, solution: Solution, inputs: Inputs) -> ndarray:
         """Return all block outputs at a solution's times, finite or not."""
         rows = np.empty((len(solution.t), self.nsignals))
         run = solution.t[-1] - solution.t[0]
         for k, (t, x) in enumerate(zip(solution.t, solution.x, strict=True)):
             self.sweep.enter(t + rounding(t, run))
-            self.sweep.evaluate(t, x, inputs_at(inputs, t))
+            self.sweep.evaluate(t, x, inputs.at(t))
             rows[k] = self.sweep.signals
         return rows
 
@@ -114,12 +114,7 @@ class PythonRun:
     """One run of a diagram by one method of SciPy."""
 
     def __init__(
-        self,
-        diagram: Any,
-        times: ndarray,
-        inputs: Inputs | None,
-        options: Any,
-        method: Any,
+        self, diagram: Any, times: ndarray, inputs: Inputs, options: Any, method: Any
     ):
         self.sweep, self.times, self.inputs = diagram.sweep, times, inputs
         self.schedule = diagram.schedule(times, inputs, BEND * options.rtol)
@@ -170,7 +165,7 @@ class PythonRun:
 
     def _rates(self, t: float, x: ndarray) -> ndarray:
         self.evaluations += 1
-        rates = self.sweep.derivative(t, x, inputs_at(self.inputs, t))
+        rates = self.sweep.derivative(t, x, self.inputs.at(t))
         if self.strict and not np.isfinite(rates).all():
             raise NotIntegrated(t, x.copy(), Status.NOT_FINITE)
         self.strict = self.method is not DOP853
@@ -185,7 +180,7 @@ class PythonRun:
         )
         if not jumping and not sampling:
             return x
-        x = self.sweep.jump(t, x, inputs_at(self.inputs, t), jumping, sampling)
+        x = self.sweep.jump(t, x, self.inputs.at(t), jumping, sampling)
         if not np.isfinite(x).all():
             raise self.error(t, x, Status.NOT_FINITE)
         return x
@@ -262,7 +257,7 @@ class PythonRun:
     # --- guards -----------------------------------------------------------------------------
 
     def _margin(self, t: float, x: ndarray) -> float:
-        return self.sweep.margin(t, x, inputs_at(self.inputs, t))[0]
+        return self.sweep.margin(t, x, self.inputs.at(t))[0]
 
     def _stop_at_guard(self, before: float, solver: Any) -> None:
         """Set the end of the run to the first time of a step at which a guard is left."""
@@ -291,7 +286,7 @@ class PythonRun:
 
     def error(self, t: float, x: ndarray, status: Status) -> SimulationError:
         """Return an error that names block and signal, if a value is not finite."""
-        rates = self.sweep.derivative(t, x, inputs_at(self.inputs, t))
+        rates = self.sweep.derivative(t, x, self.inputs.at(t))
         points = points_ahead(t, x, rates, self.times[-1] - t)
         trouble = trouble_at(self.sweep, points, self.inputs, f"{ADVICE}{LOOSEN}")
         reason = trouble or status.sentence

@@ -25,7 +25,7 @@ from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods.table import METHODS
 from .evaluation_pass import Sweep
-from .inputs import Inputs, checked_state, checked_times, inputs_at, read_inputs
+from .inputs import NO_INPUTS, Inputs, checked_state, checked_times, read_inputs
 from .schedule import Schedule, make_schedule
 from .termination import ADVICE, Solution
 
@@ -91,17 +91,17 @@ class Runner(ABC):
         self,
         start: np.ndarray,
         times: np.ndarray,
-        inputs: Inputs | None,
+        inputs: Inputs,
         options: "RunOptions",
     ) -> Solution:
         """Integrate from the first to the last of the times, as `run` does, without reading."""
 
     @abstractmethod
-    def evaluate(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
+    def evaluate(self, solution: Solution, inputs: Inputs) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
 
     def schedule(
-        self, times: Any, inputs: Inputs | None = None, least: float = 0.0
+        self, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
     ) -> Schedule:
         """Return the segments of a run."""
         return make_schedule(self, times, inputs, least)
@@ -158,11 +158,10 @@ class Runner(ABC):
             method=method,
             progress=progress,
         )
-        if inputs is not None:
-            inputs = read_inputs(inputs, times, self.wiring.ninputs)
+        inputs = read_inputs(inputs, times, self.wiring.ninputs)
         return self.solve(start, times, inputs, options)
 
-    def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
+    def signals(self, solution: Solution, inputs: Inputs = NO_INPUTS) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
         Values at a jump are right limits; one that is not finite is an error.
@@ -179,7 +178,7 @@ class Runner(ABC):
             x, t = solution.x[k, : self.sweep.nstates], float(times[k])
             self.sweep.enter(t)
             advice = f"{ADVICE}, or keep its arguments in range"
-            trouble = self.sweep.first_trouble(t, x, inputs_at(inputs, t), advice)
+            trouble = self.sweep.first_trouble(t, x, inputs.at(t), advice)
             trouble = trouble or f"a signal is not finite; {advice}"
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return signals

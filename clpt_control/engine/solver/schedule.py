@@ -13,7 +13,7 @@ import numpy as np
 from numpy import ndarray
 
 from .evaluation_pass import moved_back, moved_to, rounding
-from .inputs import Inputs
+from .inputs import NO_INPUTS, Inputs
 
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
 
@@ -40,9 +40,7 @@ class Schedule(NamedTuple):
         return self._replace(values=values)
 
 
-def make_schedule(
-    diagram: Any, times: Any, inputs: Inputs | None, least: float
-) -> Schedule:
+def make_schedule(diagram: Any, times: Any, inputs: Inputs, least: float) -> Schedule:
     """Return the segments of a run of a diagram.
 
     Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
@@ -76,7 +74,7 @@ def make_schedule(
         jumping = JUMPS * (changes != 0)
         columns.append(np.append(request, jumping))
     # 3. straight lines of the inputs of machine code
-    if diagram.ramps and inputs is not None and wiring.ninputs:
+    if diagram.ramps and inputs is not NO_INPUTS and wiring.ninputs:
         sample_times, u = inputs.samples
         # the line from this sample on
         k = np.searchsorted(sample_times[1:], starts, side="right")
@@ -107,11 +105,11 @@ def make_schedule(
 
 
 def _events_of_time(
-    diagram: Any, times: Any, inputs: Inputs | None, least: float
+    diagram: Any, times: Any, inputs: Inputs, least: float
 ) -> tuple[ndarray, ndarray]:
     """Return the times at which blocks jump, and all times at which rates bend or jump."""
     kinks = np.zeros(0)
-    if inputs is not None and not diagram.sweep.wiring.dt:
+    if not diagram.sweep.wiring.dt:
         kinks = inputs.kinks if diagram.ramps else inputs.sharp_bends(least)
     t0 = float(times[0])
     t1 = float(times[-1])
@@ -124,7 +122,7 @@ def _events_of_time(
         if len(kinks):
             kinks = moved_to(jumps, kinks, run)
             bends = np.union1d(jumps, kinks)
-    if inputs is not None and len(kinks) and len(inputs.jumps):
+    if len(kinks) and len(inputs.jumps):
         jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps, run))
     if tables := diagram.layout.time_tables:
         rows = [table.times for table in tables.values()]

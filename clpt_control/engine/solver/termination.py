@@ -14,7 +14,7 @@ from numpy import ndarray
 from ...base.errors import SimulationError
 from .batch import Batch
 from .evaluation_pass import Sweep, rounding
-from .inputs import Inputs, inputs_at
+from .inputs import Inputs
 from .schedule import Schedule
 from .solver_layout import (
     EVENT_INDEX,
@@ -54,7 +54,7 @@ class Solution:
     signals: ndarray | None = field(default=None, repr=False, compare=False)
 
 
-def ended(run: Any, solution: Solution, inputs: Inputs | None) -> Solution:
+def ended(run: Any, solution: Solution, inputs: Inputs) -> Solution:
     """Return the solution of a `NativeRun` that a guard stopped, or raise an error on its end.
 
     The sweep of the diagram finds the reason, with the parameters of the run.
@@ -96,14 +96,14 @@ def points_ahead(
 
 
 def without_states(
-    sweep: Sweep, times: ndarray, inputs: Inputs | None, engine: str
+    sweep: Sweep, times: ndarray, inputs: Inputs, engine: str
 ) -> Solution:
     """Return the solution of a diagram without states, up to where it leaves a guard."""
     solution = Solution(times, np.zeros((len(times), 0)), engine=engine)
 
     def guard(t: float) -> tuple[float, str, str]:
         sweep.enter(t)
-        u = inputs_at(inputs, t)
+        u = inputs.at(t)
         return sweep.margin(t, solution.x[0], u)
 
     for k, t in enumerate(times if sweep.guarded else ()):
@@ -128,7 +128,7 @@ def edge(margin: Callable[[float], float], low: float, high: float) -> float:
 
 
 def in_discrete_time(
-    sweep: Sweep, x: ndarray, times: ndarray, inputs: Inputs | None, progress: Any
+    sweep: Sweep, x: ndarray, times: ndarray, inputs: Inputs, progress: Any
 ) -> Solution:
     """Return the solution of a diagram of discrete time in Python.
 
@@ -137,9 +137,7 @@ def in_discrete_time(
     """
     states = np.empty((len(times), sweep.nstates))
     signals = np.empty((len(times), len(sweep.signals)))
-    rows: Any = [None] * len(times)
-    if inputs is not None:
-        rows = inputs.along(times).T
+    rows = inputs.along(times).T
     for k, (t, u) in enumerate(zip(times, rows, strict=True)):
         sweep.enter(t)
         states[k] = x
@@ -182,7 +180,7 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
     return decision_name(sweep, batch.callee.program, event)
 
 
-def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
+def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs) -> str | None:
     """Return a sentence on the value that is not finite at the state reached, or ahead of it."""
     t = batch.now
     advice = ADVICE
@@ -198,19 +196,17 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     state = points[0][1][: sweep.nstates]
     now_finite = np.isfinite(state).all()
     if sweep.jumping and len(finite) and not now_finite:
-        u = inputs_at(inputs, t)
+        u = inputs.at(t)
         sweep.jump(t, finite[-1, : sweep.nstates], u, sweep.jumping)
     # 2. evaluate all blocks
     trouble = trouble_at(sweep, points, inputs, advice)
     return trouble or _derivative_trouble(sweep, batch, advice)
 
 
-def trouble_at(
-    sweep: Sweep, points: Any, inputs: Inputs | None, advice: str
-) -> str | None:
+def trouble_at(sweep: Sweep, points: Any, inputs: Inputs, advice: str) -> str | None:
     """Return a sentence on the first value that is not finite at times and states, or None."""
     for time, state in points:
-        u = inputs_at(inputs, time)
+        u = inputs.at(time)
         trouble = sweep.first_trouble(time, state[: sweep.nstates], u, advice)
         if trouble is not None:
             return trouble
@@ -237,11 +233,11 @@ def stopped_at(batch: Batch, edge: int = HIGH) -> tuple[float, ndarray]:
 
 
 def stopped_between(
-    sweep: Sweep, solution: Solution, t: float, x: ndarray, inputs: Inputs | None
+    sweep: Sweep, solution: Solution, t: float, x: ndarray, inputs: Inputs
 ) -> Solution:
     """Return a solution up to the time and state at which a guard is left, or raise its error."""
     state = x[: sweep.nstates]
-    _, policy, sentence = sweep.margin(t, state, inputs_at(inputs, t))
+    _, policy, sentence = sweep.margin(t, state, inputs.at(t))
     near = rounding(t, solution.t[-1] - solution.t[0])
     times = solution.t[solution.t < t - near]
     at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end

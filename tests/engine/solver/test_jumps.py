@@ -198,7 +198,7 @@ def test_a_wire_carries_no_minus_zero_into_a_state(engine):
     }
     turned = saw(lambda t, x, u, p: u.r, inputs={"r": 1}, **angle)
     run = ENGINES[engine](clpt.connect([source, turned]))
-    assert run.signals(run.run([0.0], [0.0, 1.0]), None)[-1, -1] == np.pi
+    assert run.signals(run.run([0.0], [0.0, 1.0]))[-1, -1] == np.pi
 
 
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
