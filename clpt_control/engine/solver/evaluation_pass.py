@@ -295,21 +295,6 @@ class Sweep:
 DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}
 
 
-def moved_to(jumps: ndarray, times: ndarray, run: float) -> ndarray:
-    """Return times, of which those before a jump by rounding alone are moved to it."""
-    k = np.searchsorted(jumps, times)
-    following = np.append(jumps, np.inf)[k]
-    is_next = following - times <= rounding(times, run)
-    return np.where(is_next, following, times)
-
-
-def moved_back(jumps: ndarray, times: ndarray, run: float) -> ndarray:
-    """Return jumps, of which those after a sample by rounding alone are moved to it."""
-    k = np.searchsorted(times, jumps, side="right")
-    before = times[k - 1]
-    return np.where(jumps - before <= rounding(jumps, run), before, jumps)
-
-
 def rounding(times, run):
     """Return the largest difference between equal times that rounding can make in a run."""
     return 1e-12 * np.maximum(run, np.abs(times))

@@ -159,9 +159,7 @@ class NativeDiagram(Runner):
 
     def segments_of(self, solution: Solution, inputs: Inputs) -> Schedule:
         """Return the segments of time of a run."""
-        if solution.pieces is None or solution.engine != self.engine:
-            return self.schedule(solution.t, inputs)
-        return solution.pieces
+        return solution.pieces or self.schedule(solution.t, inputs)
 
     def method_of(self, method: str = "auto") -> Method:
         """Return the method of a run."""

@@ -157,7 +157,6 @@ class PythonRun:
                 "restarts": self.restarts,
             },
             method=(DOP853 if self.short else self.method).__name__,
-            pieces=self.schedule,
         )
         if self.end is None:
             return solution

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy import ndarray
 
-from .evaluation_pass import moved_back, moved_to, rounding
+from .evaluation_pass import rounding
 from .inputs import NO_INPUTS, Inputs
 
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
@@ -117,13 +117,13 @@ def _events_of_time(
     jumps = diagram.sweep.breakpoints(t0, t1 + rounding(t1, run))
     bends = kinks
     if len(jumps):
-        jumps = moved_back(jumps, np.asarray(times), run)
+        jumps = _moved_back(jumps, np.asarray(times), run)
         bends = jumps
         if len(kinks):
-            kinks = moved_to(jumps, kinks, run)
+            kinks = _moved_to(jumps, kinks, run)
             bends = np.union1d(jumps, kinks)
     if len(kinks) and len(inputs.jumps):
-        jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps, run))
+        jumps = np.union1d(jumps, _moved_to(jumps, inputs.jumps, run))
     if tables := diagram.layout.time_tables:
         rows = [table.times for table in tables.values()]
         bends = np.unique(np.concatenate([bends, *rows]))
@@ -139,3 +139,18 @@ def _intervals(sweep: Any, k: int, starts: ndarray) -> ndarray:
     breakpoints = sweep.block_breakpoints(k, later[0], later[-1])
     passed = np.searchsorted(breakpoints, later, side="right")
     return sweep.interval_of(k, later[0]) + passed
+
+
+def _moved_to(jumps: ndarray, times: ndarray, run: float) -> ndarray:
+    """Return times, of which those before a jump by rounding alone are moved to it."""
+    k = np.searchsorted(jumps, times)
+    following = np.append(jumps, np.inf)[k]
+    is_next = following - times <= rounding(times, run)
+    return np.where(is_next, following, times)
+
+
+def _moved_back(jumps: ndarray, times: ndarray, run: float) -> ndarray:
+    """Return jumps, of which those after a sample by rounding alone are moved to it."""
+    k = np.searchsorted(times, jumps, side="right")
+    before = times[k - 1]
+    return np.where(jumps - before <= rounding(jumps, run), before, jumps)

@@ -40,7 +40,7 @@ class Solution:
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
     on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
     ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
-    are the segments of time of that engine; `signals` those that were computed on the way.
+    are the segments of time of machine code; `signals` those that were computed on the way.
     """
 
     t: ndarray
