@@ -279,10 +279,6 @@ class DiagramRecord(RecordMerger):
         self.owners[index] = owner
         return index
 
-    def shape_of(self, ref: Ref) -> tuple[int, ...]:
-        """Return the shape of a value."""
-        return self.entries[ref].shape if type(ref) is int else ()
-
     def lock(self, **options: Any) -> list[Port]:
         """Return the rates with locked decisions; those of guards are locked as well."""
         margins = [Port(0, (), (), guard.now) for guard in self.guards]
@@ -492,8 +488,7 @@ class DiagramRecord(RecordMerger):
         if kinds & SIGNED:
             for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
-                    shape = self.shape_of(ref)
-                    fed[port] = self.add("add", (ref, 0.0), shape)
+                    fed[port] = self.add("add", (ref, 0.0), self.entries[ref].shape)
         return fed
 
     def part(self, ref: int, offset: int, shape: tuple) -> int:

@@ -201,7 +201,7 @@ class Components(Elements):
 
     def _row(self, table: Ref) -> Value:
         """Return the component of a row of numbers that lies in an array."""
-        count = self.record.shape_of(table)[0]
+        count = self._shape_of(table)[0]
         symbol = count, 0
         value = self.at(table, ((symbol, 0, 1),))
         if self.operation(value)[0] == "load":
@@ -346,7 +346,7 @@ class Components(Elements):
                 lengths = shape[1:]
                 axes = long[1:]
                 if entry.kind == "join":
-                    lengths = (self.record.shape_of(section)[0], *lengths)
+                    lengths = (self._shape_of(section)[0], *lengths)
                     axes = long
                 inner = Port(offset, lengths, axes, section)
                 yield from self._writes(inner, array, element)

@@ -10,9 +10,9 @@ stop the run.  Diagrams with events run in one lane.
 
 import math
 
-from . import solver_layout
 from .solver_layout import (
     ACCEPTED,
+    ARGUMENT,
     DECISION,
     DISTANCE,
     ENTERED,
@@ -22,9 +22,11 @@ from .solver_layout import (
     RUN_INDEX,
     SAMPLE_POINTS,
     STAGE_TIME,
+    STATE,
     TIME,
     TRIAL_END,
     TRIAL_SIZE,
+    WITHIN,
     Bracket,
     decide,
     prepare,
@@ -63,16 +65,22 @@ def hold_decisions(solver):
     """
     lane, P, points = solver.lane, solver.memory.P, solver.points
     first = solver.shape.first_decision
-    decide(solver, lane[TIME], solver_layout.STATE, 0)
+    decide(solver, lane[TIME], STATE, 0)
     if lane[FRESH, 0] == ENTERED:
-        lane[FRESH, 0] = 0.0
-        for j in range(solver.shape.decisions):
-            if points[0, DECISION, j] != P[first + j]:
-                lane[FRESH, 0] = 1.0
+        lane[FRESH, 0] = 1.0 if decisions_differ(solver, 0) else 0.0
     if lane[FRESH, 0] > 0.5:
         for j in range(solver.shape.decisions):
             P[first + j] = points[0, DECISION, j]
         prepare(solver, lane[TIME])
+
+
+def decisions_differ(solver, point):
+    """Return whether decisions of a sample point differ from those in force."""
+    first = solver.shape.first_decision
+    for j in range(solver.shape.decisions):
+        if solver.points[point, DECISION, j] != solver.memory.P[first + j]:
+            return True
+    return False
 
 
 def evaluate_points(solver):
@@ -147,7 +155,7 @@ def edge_of(rounding, change):
 
 def row_of(point):
     """Return the row of states at a sample point: the last one is the new state."""
-    return solver_layout.WITHIN if point < SAMPLE_POINTS else solver_layout.ARGUMENT
+    return WITHIN if point < SAMPLE_POINTS else ARGUMENT
 
 
 def find_crossing(solver, start):

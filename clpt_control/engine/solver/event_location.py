@@ -19,6 +19,7 @@ from .event_checks import (
     SHARES,
     TIME_ROUNDING,
     check_events,
+    decisions_differ,
     evaluate_points,
     find_crossing,
     first_crossed,
@@ -294,12 +295,8 @@ def restart_behind_event(solver):
     lane, integers = solver.lane, solver.integers
     if lane[ACCEPTED, 0] < 0.5:
         return
-    changed = False
-    first = solver.shape.first_decision
-    for j in range(solver.shape.decisions):
-        now = solver.points[SAMPLE_POINTS, DECISION, j]
-        changed = changed or now != solver.memory.P[first + j]
-    if lane[EVENT_CROSSED, 0] == CROSSED and changed:
+    crossed = lane[EVENT_CROSSED, 0] == CROSSED
+    if crossed and decisions_differ(solver, SAMPLE_POINTS):
         states = solver.states
         since_last = lane[TIME, 0] - lane[LAST_EVENT, 0]
         moves = False

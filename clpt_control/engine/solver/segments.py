@@ -6,7 +6,6 @@ input, a sample of a discrete block.  It sets parameters, such as the `interval`
 
 import math
 
-from . import solver_layout
 from .event_checks import edge_of, shortest_step
 from .solver_layout import (
     ACCEPTED,
@@ -25,6 +24,7 @@ from .solver_layout import (
     FRESH,
     HELD_RATE,
     HIGH,
+    JUMP,
     LAST_EVENT,
     LOOK_TIME,
     NEXT_LOOK,
@@ -216,7 +216,7 @@ def jump_states(solver):
     prepare(solver, lane[TIME])
     Z, P, T, W, _ = solver.memory
     span = solver.shape.states * lanes
-    call(solver.code[solver_layout.JUMP], lane[TIME], Z, 0, P, T, W, Z, ARGUMENT * span)
+    call(solver.code[JUMP], lane[TIME], Z, 0, P, T, W, Z, ARGUMENT * span)
     for k in range(lanes):
         if at_segment_end(solver, k):
             accept_jump(solver, k)
