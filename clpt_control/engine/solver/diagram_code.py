@@ -62,9 +62,9 @@ class Code:
         states = form.copies * last.states.stop
 
         def sparsity() -> Any:
-            from .jacobian_pattern import jacobian, reach_of
+            from .jacobian_pattern import jacobian
 
-            return jacobian(reach_of(record, states))
+            return jacobian(record, states)
 
         self.program = program_of(record, signals, layout.inputs(wiring.ninputs))
         self.sparsity = cache(sparsity)

@@ -25,12 +25,9 @@ from .solver_layout import Linear
 FULL = 0.3  # share of elements from which on a matrix counts as full
 
 
-def jacobian(reach: np.ndarray) -> Linear:
-    """Return the sparsity of the Jacobian matrix, of truth values (n, n + 1).
-
-    They are true where a state, or time, reaches a rate.
-    """
-    n = len(reach)
+def jacobian(record: DiagramRecord, n: int) -> Linear:
+    """Return the sparsity of the Jacobian matrix of a record's rates, of n states."""
+    reach = reach_of(record, n)
     positions, lower, upper = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
     rows, columns = np.nonzero(reach)

@@ -66,12 +66,8 @@ class NativeDiagram(Runner):
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
         # of the last runs by times and inputs, the same for any parameters
         self._schedules: dict[Any, Schedule] = {}
-        self._forget()
-
-    def _forget(self) -> None:
-        """Begin without callees, and without arrays of earlier runs."""
-        self._callees: dict[tuple[int, Method], Callee] = {}
-        self.kept_series: dict[Any, Any] = {}
+        # callees by lanes and method, with arrays of earlier runs; series by order and lanes
+        self.callees: dict[Any, Any] = {}
 
     def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
         """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
@@ -96,7 +92,7 @@ class NativeDiagram(Runner):
         diagram = copy(self)
         diagram.form = self.form._replace(**changed)
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
-        diagram._forget()
+        diagram.callees = {}
         return diagram
 
     # --- runs -----------------------------------------------------------------------------
@@ -176,9 +172,9 @@ class NativeDiagram(Runner):
         """
         if lanes > 1 and (self.sweep.guarded or self.code.program.decided):
             lanes = 1
-        callee = self._callees.get((lanes, method))
+        callee = self.callees.get((lanes, method))
         if callee is None:
-            callee = self._callees[lanes, method] = Callee(self, lanes, method)
+            callee = self.callees[lanes, method] = Callee(self, lanes, method)
         return callee
 
     def lanes(self, count: int) -> int:

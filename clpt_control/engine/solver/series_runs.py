@@ -68,7 +68,7 @@ class SeriesCode:
 
 def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
     """Return the compiled series of a diagram; refuse one that is not smooth."""
-    kept, key = diagram.kept_series, (order_of(rtol), lanes)
+    kept, key = diagram.callees, (order_of(rtol), lanes)
     if key not in kept:
         kept[key] = SeriesCode(diagram, *key)
     return kept[key]
