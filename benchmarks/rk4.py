@@ -12,6 +12,7 @@ from typing import Any
 
 from numpy import minimum
 
+from clpt_control.engine.methods import Method
 from clpt_control.engine.methods.formulas import (
     New,
     StepTape,
@@ -22,7 +23,6 @@ from clpt_control.engine.methods.formulas import (
     stage,
     weighted_sum,
 )
-from clpt_control.engine.methods.table import Method
 from clpt_control.engine.solver.solver_layout import (
     ARGUMENT,
     FAILURE,

@@ -6,7 +6,7 @@ import runpy
 from paths import ROOT
 
 import clpt_control as clpt
-from clpt_control.engine.methods.table import BY_NAME, METHODS
+from clpt_control.engine.methods import BY_NAME, METHODS
 from clpt_control.paper.blocks.ports import POWERS
 from clpt_control.paper.laws.law import Fixes, Gains, LawContext
 from clpt_control.paper.scenario.file import paper_text

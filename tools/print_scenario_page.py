@@ -20,7 +20,7 @@ from typing import Any
 
 import clpt_control as clpt
 from clpt_control.engine.diagram.wiring import output_ports
-from clpt_control.engine.methods.table import BY_NAME
+from clpt_control.engine.methods import BY_NAME
 from clpt_control.paper.blocks.disturbance import KINDS
 from clpt_control.paper.blocks.flow import KERNELS
 from clpt_control.paper.blocks.ports import SHAPES

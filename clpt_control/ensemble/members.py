@@ -27,7 +27,7 @@ from ..base.run_attributes import versions
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
-from ..engine.methods.table import TAYLOR
+from ..engine.methods import TAYLOR
 from ..engine.solver.batch import MEMBER_STEPS, Batch, finished
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.legs import NativeRun, may_go_on

@@ -18,7 +18,7 @@ import numpy as np
 from ..base.arguments import check_holds
 from ..base.errors import DataError
 from ..base.run_attributes import ARGUMENTS
-from ..engine.methods.table import ROWS
+from ..engine.methods import ROWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team

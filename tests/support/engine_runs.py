@@ -34,7 +34,7 @@ from clpt_control.engine.conformance.confirmation import Confirmation
 from clpt_control.engine.conformance.differences import differ
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
-from clpt_control.engine.methods.table import METHODS, ROWS, Method
+from clpt_control.engine.methods import METHODS, ROWS, Method
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.model.system import linear
 from clpt_control.engine.record.operations import ELEMENTWISE, TABLE, UFUNCS, Row

@@ -3,7 +3,7 @@
 from paths import TESTS
 from recipes import Recipe, Step, row
 
-TABLE = "clpt_control/engine/methods/table.py"
+TABLE = "clpt_control/engine/methods/__init__.py"
 INTEGRATOR = Recipe(
     "Add an integrator",
     (

@@ -17,7 +17,7 @@ import numpy as np
 
 from ...base.progress.interrupt import check
 from ..codegen.machine import numbers_of
-from ..methods.table import TAYLOR, Method
+from ..methods import TAYLOR, Method
 from .callee import MOST_KEPT, Callee, aligned, keep
 from .schedule import Schedule
 from .solver_layout import (

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..codegen.machine import LANES, compiled_solver, numbers_of
-from ..methods.table import Method
+from ..methods import Method
 from .diagram_code import kernels
 from .schedule import Schedule
 from .solver_layout import DECIDE, Linear, Shape

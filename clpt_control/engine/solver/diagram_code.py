@@ -14,7 +14,7 @@ from ..codegen.diagram_record import PLAIN, DiagramRecord, Form, Layout
 from ..codegen.machine import Machine, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, program_of
 from ..diagram.wiring import Wiring
-from ..methods.table import Method
+from ..methods import Method
 from ..record.operations import ELEMENTWISE
 from ..record.unread import Unread
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.errors import SimulationError
-from ..methods.table import IMPLICIT, TAYLOR, Method
+from ..methods import IMPLICIT, TAYLOR, Method
 from .batch import Batch, batch_of
 from .evaluation_pass import rounding
 from .inputs import Inputs

@@ -11,7 +11,7 @@ import numpy as np
 from ..codegen.diagram_record import PLAIN, Form, lay_out
 from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
-from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
+from ..methods import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
 from .callee import MOST_KEPT, Callee, keep
 from .diagram_code import code_of
 from .inputs import NO_INPUTS, Inputs

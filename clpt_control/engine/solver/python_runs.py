@@ -19,7 +19,7 @@ from scipy.integrate import DOP853, LSODA
 
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
-from ..methods.table import METHODS
+from ..methods import METHODS
 from .batch import PARTS, PAUSE
 from .evaluation_pass import rounding
 from .event_checks import SHARES, may_hide

@@ -23,7 +23,7 @@ from ...base.errors import SimulationError
 from ..codegen.diagram_record import Layout
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
-from ..methods.table import METHODS
+from ..methods import METHODS
 from .evaluation_pass import Sweep
 from .inputs import NO_INPUTS, Inputs, checked_state, checked_times, read_inputs
 from .schedule import Schedule, make_schedule

@@ -20,7 +20,7 @@ from pydantic_core import PydanticCustomError
 from ...base.errors import ScenarioError
 from ...base.html import shortened
 from ...base.units import METRES
-from ...engine.methods.table import METHODS
+from ...engine.methods import METHODS
 from ..blocks.disturbance import KINDS, DisturbanceKind
 from ..blocks.flow import KERNELS
 from ..laws.law import Fixes
