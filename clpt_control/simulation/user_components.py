@@ -21,7 +21,7 @@ from ..engine.diagram.wiring import (
 from ..engine.model.block import Block
 from ..engine.model.declaration import ports_line
 from ..engine.model.ports import counts_of, renamed, whole_labels
-from ..engine.model.system import block_of_ports, is_linear, on_each_axis
+from ..engine.model.system import System, is_linear, on_each_axis
 
 LAW = "adaptation"  # the block of the adaptive law
 
@@ -116,7 +116,7 @@ def law_block(law: Part) -> Part:
     is_function = type(law) is control.NonlinearIOSystem and not is_discrete(law)
     if not is_function:
         return law
-    return block_of_ports(law, {"alpha": (2, functions_of(law))})
+    return System(law, shapes={"alpha": (2, functions_of(law))})
 
 
 def functions_of(law: Part) -> int:

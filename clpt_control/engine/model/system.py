@@ -9,7 +9,7 @@ state of a run, as in python-control.  If D = 0, a linear system has no direct f
 block has no parameter D.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Any
 
@@ -19,24 +19,29 @@ from scipy.linalg import block_diag
 
 from ...base.errors import BlockError, DiagramError
 from ...base.progress import warn
-from ..record.graph import MOST_NUMBERS
+from ..record.graph import MOST_NUMBERS, Shape
 from ..record.unread import Unread, active
 from ..trace.tracing import Read
 from .block import Block
 from .declaration import Parameters
 from .params import EVERY
-from .ports import counts_of, flattened, places, shapes_of
+from .ports import flattened, ports_of
 from .sampled import Sampled
 
 
 class System(Block):
-    """A `control.nlsys`, a flat system, a feedback or an estimator that python-control made."""
+    """A `control.nlsys`, a flat system, a feedback or an estimator that python-control made.
+
+    Its ports are x, u and y; with `shapes`, the ports that its labels form, each a row of numbers
+    or of its shape.
+    """
 
     def __init__(
         self,
         system: control.NonlinearIOSystem,
         params: Mapping[str, Any] | None = None,
         sizes: tuple[int | None, int | None] = (None, None),
+        shapes: Mapping[str, Shape] | None = None,
     ):
         n = _size(system, "states", system.nstates, sizes[0])
         m = _size(system, "inputs", system.ninputs, sizes[1])
@@ -51,26 +56,32 @@ class System(Block):
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         q = int(q)
+        inputs, outputs, states = (
+            {letter: (size,)} if size else {}
+            for letter, size in (("u", m), ("y", q), ("x", n))
+        )
+        if shapes is not None:
+            inputs, outputs, states = (
+                _ports_of_labels(system.name, labels, shapes)
+                for labels in (
+                    system.input_labels,
+                    system.output_labels,
+                    system.state_labels,
+                )
+            )
         # of the states, as python-control takes them
-        returns_first_states = outfcn is None and q < n
+        returns_first_states = outfcn is None and (
+            q < n or (shapes is not None and outputs != states)
+        )
         self.update_function = updfcn if n else None
         self.output_function = (
             (lambda t, x, u, params: x[:q]) if returns_first_states else outfcn
         )
-        self.jump_function = self.breakpoints_function = self.guard = None
-        self.opaque = False
         self._inner = {}
-        self._sizes = {}
-        self.parameter_shapes = {}
         self.raised: dict[str, str] = {}
-        states = {"x": (n,)} if n else {}
         self.declared = {
-            "inputs": {"u": (m,)} if m else {},
-            "outputs": states
-            if self.output_function is None
-            else {"y": (q,)}
-            if q
-            else {},
+            "inputs": inputs,
+            "outputs": states if self.output_function is None else outputs,
             "states": states,
         }
         # params that are numbers, which the block has as parameters
@@ -183,58 +194,6 @@ class System(Block):
             )
 
 
-def block_of_ports(
-    system: control.NonlinearIOSystem, shapes: Mapping[str, tuple[int, ...]]
-) -> Block:
-    """Return a `control.nlsys` as a block whose ports are those of its labels.
-
-    `shapes` are the shapes of ports that are no rows of numbers.
-    """
-    inputs, states, outputs = (
-        shapes_of({p: shapes.get(p, count) for p, count in counts_of(names).items()})
-        for names in (system.input_labels, system.state_labels, system.output_labels)
-    )
-    params = dict(system.params)
-    numbers = _numbers(params)
-    update_function, output_function = _functions(system)
-
-    def row(values: Any, ports: Mapping[str, Any]) -> Any:
-        """Return the signals of all ports as one row."""
-        if not ports:
-            return np.zeros(0)
-        return np.concatenate([np.ravel(getattr(values, port)) for port in ports])
-
-    def by_port(values: Any, ports: Mapping[str, Any]) -> dict[str, Any]:
-        """Return one row of signals as arrays, by port."""
-        return {
-            port: np.reshape(values[signals], shape)
-            for port, (signals, shape) in places(ports).items()
-        }
-
-    def arguments(t: Any, x: Any, u: Any, p: Any) -> tuple:
-        values = {**params, **{name: getattr(p, name) for name in numbers}}
-        return t, row(x, states), row(u, inputs), values
-
-    def update(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
-        rates = update_function(*arguments(t, x, u, p))
-        return by_port(np.asarray(rates), states)
-
-    def output(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
-        assert output_function is not None
-        values = output_function(*arguments(t, x, u, p))
-        return by_port(np.asarray(values), outputs)
-
-    return Block(
-        system.name,
-        update=update if states else None,
-        output=output if output_function is not None else None,
-        inputs=inputs,
-        states=states,
-        outputs=outputs,
-        parameters=numbers,
-    )
-
-
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
     """Return update and output of a system, or the methods that its class has in their place."""
     kind = type(system)
@@ -254,6 +213,19 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
             return system._out(t, x, u)
 
     return update, output
+
+
+def _ports_of_labels(
+    name: str, labels: Iterable[str], shapes: Mapping[str, Shape]
+) -> dict[str, Shape]:
+    """Return the shapes of the ports that labels form; refuse a port between the signals of one."""
+    ports = ports_of(labels)
+    for port, indices in ports.items():
+        if indices[-1] - indices[0] >= len(indices):
+            raise BlockError(
+                f"{name}: the signals of port {port} have others between them. Reorder the labels"
+            )
+    return {port: shapes.get(port, (len(signals),)) for port, signals in ports.items()}
 
 
 def given_units(system: Any) -> Mapping[str, str]:

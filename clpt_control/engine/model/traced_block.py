@@ -32,18 +32,21 @@ class ReadBlock(control.NonlinearIOSystem):
     name: str
     update_function: Callable | None
     output_function: Callable | None
-    jump_function: Callable | None
-    guard: Guard | None
+    jump_function: Callable | None = None
+    breakpoints_function: Callable | None = None
+    guard: Guard | None = None
+    opaque = False
     declared: dict[str, Shapes]
     input_shapes: Shapes
     output_shapes: Shapes
     state_shapes: Shapes
-    parameter_shapes: Shapes
+    parameter_shapes: Mapping[str, Shape] = {}
     sizes: dict[str, int]
     units: Mapping[str, str]
     approximation = ""  # what its equations stand for, if not exactly: said by verdicts
     parameters: Any
     _params: Any = None  # of a system of python-control
+    _sizes: Mapping[str, int] = {}  # that no parameter has
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie
