@@ -40,7 +40,7 @@ from .sampled_linearization import (
     discrete_system,
     sampled_blocks,
 )
-from .wiring import Node, Wiring, read_anew, wiring_of
+from .wiring import Wiring, read_anew, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
 # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
@@ -70,47 +70,38 @@ class _About:
         self.point = np.concatenate([x, u])
         self.count = len(self.point)  # number of states and inputs
         self.unit_vectors = np.eye(self.count)
-        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
+        # of leaves: time, parameters, and directions of states and inputs
+        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
         self.direction = Direction(self.tape, self.slope_of, undefined=OF_OVERFLOW)
         self.parameters = {
             node.name: node.system.parameters_at(t, p)
             for node, p in zip(wiring.nodes, block_parameters, strict=True)
         }
-        self.inputs = {}
-        n = len(x)
-        for port, indices in ports_of(diagram.input_labels).items():
-            self.inputs[port] = slice(n + indices[0], n + indices[-1] + 1)
         self.states = {}
         for node in wiring.nodes:
             states = range(node.states.start, node.states.stop)
             for port, (own, _) in places(node.system.state_shapes).items():
-                position = states[own]
-                self.states[node.name, port] = slice(position.start, position.stop)
-        self.record = TapeRecord(
-            diagram, wiring, self.leaf, self.input_of, self.tape, closed=True
-        )
+                signals = states[own]
+                self.states[node.name, port] = slice(signals.start, signals.stop)
+        self.record = TapeRecord(diagram, wiring, self.tape, closed=True)
+        n = len(x)
+        for port, indices in ports_of(diagram.input_labels).items():
+            position = slice(n + indices[0], n + indices[-1] + 1)
+            self._vary(("u", port), self.record.external[port], position)
+        for key, (node, name, leaf) in self.record.leaves.items():
+            group, path = key
+            if group == "x":
+                self._vary(key, leaf, self.states[path])
+            else:
+                value = np.asarray(getattr(self.parameters[node.name], name), float)
+                self.values[key] = value[..., None]
 
-    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
-        """Return a parameter, or a state, which varies."""
-        qualified_name = node.name, name
-        key = group, qualified_name
-        if group == "x":
-            return self.varying(key, shape, self.states[qualified_name])
-        value = np.asarray(getattr(self.parameters[node.name], name), float)
-        self.values[key] = value[..., None]
-        return self.tape.add("leaf", (), shape, key)
-
-    def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
-        """Return an input, which varies."""
-        return self.varying(("u", port), shape, self.inputs[port])
-
-    def varying(self, key: tuple, shape: Shape, position: slice) -> Any:
-        """Return a leaf with a value at the point, and with directions."""
-        self.values[key] = self.point[position].reshape(*shape, 1)
-        self.values["d", key] = self.unit_vectors[position].reshape(*shape, self.count)
+    def _vary(self, key: tuple, leaf: Any, position: slice) -> None:
+        """Give a leaf its directions."""
+        vectors = self.unit_vectors[position]
+        self.values["d", key] = vectors.reshape(*leaf.shape, self.count)
         self.positions[key] = position
-        return self.tape.add("leaf", (), shape, key)
 
     def slope_of(self, ref: int) -> Any:
         """Return the directions of a state or input; parameters and time do not vary."""
@@ -140,15 +131,17 @@ class _About:
     def slopes(self, values: Collection[Any], point: Any = None) -> np.ndarray:
         """Return the derivatives of values, a row for each element, at the point or another."""
         slopes = [self.direction.of(value) for value in values]
-        leaves = self.values if point is None else self.leaves_at(point[:, None])
+        leaves = self.leaves_at(point)
         return self.numbers(slopes, shapes_of(values), leaves, self.count)
 
-    def leaves_at(self, points: np.ndarray) -> dict[Any, Any]:
-        """Return the values of leaves at points, one a column."""
+    def leaves_at(self, points: Any = None) -> dict[Any, Any]:
+        """Return the values of leaves at points, one a column; by default at the point."""
+        points = self.point if points is None else points
+        points = points.reshape(self.count, -1)
         leaves = dict(self.values)
         for key, position in self.positions.items():
-            shape = self.values[key].shape[:-1]
-            leaves[key] = points[position].reshape(*shape, -1)
+            shape = self.values["d", key].shape[:-1]
+            leaves[key] = points[position].reshape(*shape, points.shape[1])
         return leaves
 
     def is_at_level(self, distance: Any) -> bool:
@@ -159,7 +152,7 @@ class _About:
 
         rounding = Direction(self.tape, rounding_of, bound=True).of(distance)
         pair = [np.fabs(distance), rounding]
-        size, rounding = self.numbers(pair, [(), ()], self.values, 1).ravel()
+        size, rounding = self.numbers(pair, [(), ()], self.leaves_at(), 1).ravel()
         return size <= rounding
 
     def near(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
@@ -176,15 +169,15 @@ class _About:
             if name in names:
                 yield position, self.record.jumps[name, port]
 
-    def with_samples(self, x: np.ndarray, blocks: Sequence[SampledBlock]) -> np.ndarray:
-        """Return states in which sampled blocks hold what they sample at this point."""
-        now = self.point[: len(x)].copy()
+    def sample(self, blocks: Sequence[SampledBlock]) -> None:
+        """Have sampled blocks hold what they sample at this point."""
+        point = self.point.copy()
         no_moves = np.zeros((self.count, 1))
         held_states = {int(k) for block in blocks for k in block.hold}
         for position, values in self.sampled_values(blocks):
             if position.start in held_states:
-                now[position] = self.near([values], no_moves)[:, 0]
-        return now
+                point[position] = self.near([values], no_moves)[:, 0]
+        self.point = point
 
     @np.errstate(all="ignore")  # of paths that are not taken at the point
     def check(self, values: Mapping[str, Any]) -> None:
@@ -330,10 +323,8 @@ def _linearized(
         blocks = sampled_blocks(wiring)
         about = _About(system, wiring, block_parameters, t, x, u)
         for _ in blocks:
-            # each holds what it samples at this point, some what others make of it
-            about = _About(
-                system, wiring, block_parameters, t, about.with_samples(x, blocks), u
-            )
+            # some blocks sample what others make of their samples
+            about.sample(blocks)
         signals = {
             f"{node.name}.{port}": about.record.signals[node.name, port]
             for node in wiring.nodes

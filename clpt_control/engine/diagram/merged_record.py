@@ -15,8 +15,6 @@ from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from ..model.block import Block
 from ..model.ports import counts_of, places
 from ..record.graph import Operation, Record, Ref, Shape, replayed
@@ -26,10 +24,8 @@ from ..trace.elementwise import lifted, spread
 from .wiring import Node, Part, Row, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
-# leaf(group, node, name, shape): a state ("x") or a parameter ("p") of a block
-Leaf = Callable[[str, Node, str, Shape], Any]
-# input_of(port, shape, declared shape): an input of the diagram
-Input = Callable[[str, Shape, Shape], Any]
+# name_of(group, node, name): name of the leaf of a state ("x") or a parameter ("p") of a block
+NameOf = Callable[[str, Node, str], Any]
 # outputs of a block without a record, from its inputs and output shapes; None for other blocks
 StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | None]
 
@@ -164,38 +160,34 @@ class TapeRecord(RecordMerger):
         self,
         diagram: Part,
         wiring: Wiring,
-        leaf: Leaf,
-        input_of: Input,
         tape: Tape,
+        name_of: NameOf = lambda group, node, name: (node.name, name),
         stand_in: StandIn = lambda node, u, shapes: None,
         closed: bool = False,
     ):
-        """Write the blocks in their order; `leaf`, `input_of`, `stand_in` return the leaves."""
+        """Write the blocks in their order."""
         sizes = counts_of(diagram.input_labels)
         ports = places({port: (size,) for port, size in sizes.items()})
         starts = {port: signals.start for port, (signals, _) in ports.items()}
         super().__init__(wiring, {starts[port]: size for port, size in sizes.items()})
         self.tape = tape
-        self.leaf_of = leaf
+        self.name_of = name_of
         self.open = {} if closed else open_sizes(wiring)
-        self.external: dict[str, Any] = {}  # inputs of the diagram, by port
+        # (group, name) of a leaf -> the block and its name there, and the leaf
+        self.leaves: dict[Any, tuple[Node, str, Any]] = {}
+        # inputs of the diagram, by port, and the shapes that their users declare
+        self.external: dict[str, Any] = {}
+        self.declared: dict[str, Shape] = {}
         self.signals: Values = {}  # outputs of blocks
         self.rates: Values = {}
         self.jumps: Values = {}  # states after a jump
         self.levels: Values = {}  # distances of guards at which states jump
-        self.fields = {
-            name: {
-                field: self.shape(block, block.parameter_shapes.get(field, np.shape(v)))
-                for field, v in block.parameters._asdict().items()
-            }
-            for name, block in wiring.blocks
-        }
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
 
         for port, start in starts.items():
-            shape, declared = self._input_shape(start, sizes[port])
-            self.external[port] = input_of(port, shape, declared)
+            shape, self.declared[port] = self._input_shape(start, sizes[port])
+            self.external[port] = tape.add("leaf", (), shape, ("u", port))
             self.inputs[start] = operand(self.external[port])
         for k in wiring.order:
             self._write_outputs(k, stand_in)
@@ -274,7 +266,10 @@ class TapeRecord(RecordMerger):
             return self.add("leaf", (), (), ("t", "t"))
         node = self.wiring.nodes[k]
         shape = self.shape(node.system, shape)
-        return operand(self.leaf_of(group, node, name, shape))
+        key = group, self.name_of(group, node, name)
+        leaf = self.tape.add("leaf", (), shape, key)
+        self.leaves[key] = node, name, leaf
+        return operand(leaf)
 
     def part(self, ref: Ref, offset: int, shape: Shape) -> Ref:
         """Return elements of a value; an array of an open size is returned as a whole only."""

@@ -247,14 +247,17 @@ class _SymbolicRecord:
         # states by block and port
         self.symbols = {node.name: self._states_of(node) for node in wiring.nodes}
         self.record = TapeRecord(
-            diagram,
-            wiring,
-            self._leaf,
-            self._input_of,
-            self.tape,
-            self._stand_in,
-            closed=True,
+            diagram, wiring, self.tape, stand_in=self._stand_in, closed=True
         )
+        for port, array in self.record.external.items():
+            functions = self._functions(port, array.shape, self.record.declared[port])
+            self.result.inputs[port] = self.table["u", port] = functions
+        for key, (node, name, _) in self.record.leaves.items():
+            self.table[key] = (
+                self.symbols[node.name][name]
+                if key[0] == "x"
+                else self._parameter(node, name)
+            )
 
     # --- symbols of leaves ------------------------------------------------------------------
 
@@ -275,18 +278,6 @@ class _SymbolicRecord:
             for port, (signals, shape) in ports.items()
         }
 
-    def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
-        """Return a state or a parameter of a block as an array."""
-        key = group, (node.name, name)
-        if group == "x":
-            return self._array(key, self.symbols[node.name][name])
-        return self._array(key, self._parameter(node, name))
-
-    def _array(self, key: tuple, symbols: np.ndarray) -> Any:
-        """Return a leaf of the tape with these symbols."""
-        self.table[key] = symbols
-        return self.tape.add("leaf", (), symbols.shape, key)
-
     def _parameter(self, node: Node, name: str) -> np.ndarray:
         """Return the symbols of a parameter."""
         value = np.asarray(getattr(node.system.parameters, name), dtype=float)
@@ -297,11 +288,6 @@ class _SymbolicRecord:
             if isinstance(symbol, sympy.Symbol) and name != "interval":
                 self.result.values[symbol] = rational(float(value[index]))
         return symbols
-
-    def _input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
-        """Return an input of the diagram as an array."""
-        self.result.inputs[port] = self._functions(port, shape, declared)
-        return self._array(("u", port), self.result.inputs[port])
 
     def _functions(
         self, port: str, shape: Shape, declared: Shape, *inputs: Any

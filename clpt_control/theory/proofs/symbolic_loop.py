@@ -144,10 +144,7 @@ class ArrayLoop:
         self.substitute = substitute
         self.tape = Tape()
         self.names = PaperNames(wiring, ())
-        self.values: dict[str, Any] = {}  # of parameters
-        self.declared: dict[str, Shape] = {}
-        self.states: dict[str, Any] = {}
-        record = TapeRecord(diagram, wiring, self._leaf, self._input, self.tape)
+        record = TapeRecord(diagram, wiring, self.tape, self._name_of)
         refuse_pinned(record.pinned)
         self.inputs = record.external
         self.signals = {port: value for (_, port), value in record.signals.items()}
@@ -160,12 +157,23 @@ class ArrayLoop:
             for values in (record.rates, record.jumps)
         )
         self.parameters: dict[str, Parameters] = {}  # block -> arrays
-        for node in wiring.nodes:
-            fields = node.system.parameters._asdict()
-            for field, shape in record.fields[node.name].items():
-                if not isinstance(fields[field], int):
-                    fields[field] = self._leaf("p", node, field, shape)
-            self.parameters[node.system.name] = Parameters(**fields)
+        for k, node in enumerate(wiring.nodes):
+            block = node.system
+            fields = block.parameters._asdict()
+            for field, value in fields.items():
+                if not isinstance(value, int):
+                    shape = block.parameter_shapes.get(field, np.shape(value))
+                    fields[field] = self.tape.value(record.leaf(k, "p", field, shape))
+            self.parameters[block.name] = Parameters(**fields)
+        self.values: dict[str, Any] = {}  # of parameters
+        self.declared = record.declared
+        self.states: dict[str, Any] = {}
+        for (group, name), (node, own_name, leaf) in record.leaves.items():
+            if group == "p":
+                self.values[name] = getattr(node.system.parameters, own_name)
+            else:
+                self.declared[name] = node.system.declared["states"][own_name]
+                self.states[name] = leaf
         self.undefined_so_far: list[str] = []  # in the elements computed so far
 
         def watch(row: int, name: str, arguments: tuple) -> None:
@@ -216,21 +224,10 @@ class ArrayLoop:
 
     # --- the leaves, by the paper's names ----------------------------------------------------
 
-    def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
-        """Return a state or a parameter of a block."""
-        block = node.system
-        if group == "p":
-            parameter = self.names.fields[block.name, name]
-            self.values[parameter] = getattr(block.parameters, name)
-            return self.tape.add("leaf", (), shape, ("p", parameter))
-        state = self.names.states[block.name, name]
-        self.declared[state] = block.declared["states"][name]
-        leaf = self.tape.add("leaf", (), shape, ("x", state))
-        return self.states.setdefault(state, leaf)
-
-    def _input(self, port: str, shape: Shape, declared: Shape) -> Any:
-        self.declared[port] = declared
-        return self.tape.add("leaf", (), shape, ("u", port))
+    def _name_of(self, group: str, node: Node, name: str) -> str:
+        """Return the name of a state or a parameter of a block."""
+        names = self.names.fields if group == "p" else self.names.states
+        return names[node.system.name, name]
 
     def _element(self, leaf: tuple, shape: Shape, index: Index) -> Any:
         """Return the symbol of an element, or its value."""
