@@ -27,78 +27,70 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
 
     Linear blocks of a loop are replaced in `nodes`.
     """
-    producers = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
-    waits: dict[int, set[int]] = {}  # block -> the blocks that it waits for
-    for k, node in enumerate(nodes):
-        sources = {producers[source] for _, source, _ in node.fed()}
-        # an untraced function is called, which may change its hidden state: only if it has sources
-        waits[k] = sources if sources and reaches_outputs(node.system) else set()
+    # block -> groups of its outputs, each with the signals that it depends on directly
+    needed = {
+        k: {(*range(node.outputs.start, node.outputs.stop),): _sources(node)}
+        for k, node in enumerate(nodes)
+    }
     order: list[int] = []
-    while waits:
-        ready = next(
-            (k for k, sources in waits.items() if sources.isdisjoint(waits)), None
-        )
-        if ready is None:
-            return _by_signals(nodes, order, waits)
-        order.append(ready)
-        del waits[ready]
-    return tuple(order)
-
-
-def _by_signals(
-    nodes: list[Any], order: list[int], waits: dict[int, set[int]]
-) -> tuple[int, ...]:
-    """Return the order of blocks that wait for each other, signal by signal."""
     computed: set[int] = set()
-    for k in order:
-        outputs = nodes[k].outputs
-        computed.update(range(outputs.start, outputs.stop))
-    needed = {k: _needed_signals(nodes[k]) for k in waits}
+    by_signal = False
     while needed:
-        computable = {
-            k: {s for s, sources in signals.items() if sources <= computed}
-            for k, signals in needed.items()
+        remaining = {
+            k: {group: of for group, of in groups.items() if not of <= computed}
+            for k, groups in needed.items()
         }
         # first a block with all its outputs, then one with some of them
-        complete = (k for k in needed if len(computable[k]) == len(needed[k]))
-        incomplete = (k for k in needed if computable[k])
+        complete = (k for k in needed if not remaining[k])
+        incomplete = (k for k in needed if len(remaining[k]) < len(needed[k]))
         ready = next(chain(complete, incomplete), None)
-        if ready is None:
-            return _without_zero_entries(nodes, waits)
+        if ready is None and by_signal:
+            return _without_zero_entries(nodes, needed, computed)
+        if ready is None:  # each output is a group of its own
+            by_signal = True
+            needed = {k: _needed_signals(nodes[k]) for k in needed}
+            continue
         order.append(ready)
-        computed |= computable[ready]
-        for signal in computable[ready]:
-            needed[ready].pop(signal)
-        if not needed[ready]:
-            del needed[ready], waits[ready]
+        computed.update(*(needed[ready].keys() - remaining[ready].keys()))
+        needed[ready] = remaining[ready]
+        if not remaining[ready]:
+            del needed[ready]
     return tuple(order)
 
 
-def _needed_signals(node: Any) -> dict[int, set[int]]:
+def _sources(node: Any) -> set[int]:
+    """Return the signals that the outputs of a block depend on directly."""
+    sources = {source for _, source, _ in node.fed()}
+    # an untraced function is called, which may change its hidden state: only if it has sources
+    return sources if sources and reaches_outputs(node.system) else set()
+
+
+def _needed_signals(node: Any) -> dict[tuple[int, ...], set[int]]:
     """Return for each output of a block the signals that it depends on directly."""
     sources: dict[int, set[int]] = {}
     for to, source, _ in node.fed():
         sources.setdefault(to, set()).add(source)
     return {
-        signal: set().union(*(sources.get(k, set()) for k in inputs))
+        (signal,): set().union(*(sources.get(k, set()) for k in inputs))
         for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start)
     }
 
 
 def _without_zero_entries(
-    nodes: list[Any], waits: dict[int, set[int]]
+    nodes: list[Any], needed: dict[int, dict], computed: set[int]
 ) -> tuple[int, ...]:
     """Return the order after zeros in matrices of linear blocks are constants; refuse a loop."""
-    linear_blocks = [k for k in waits if is_linear(nodes[k].system)]
+    linear_blocks = [k for k in needed if is_linear(nodes[k].system)]
     if linear_blocks:
         for k in linear_blocks:
             system = with_constants(nodes[k].system)
             nodes[k] = replace(nodes[k], system=system)
         return order_of(nodes)
-    path = [next(iter(waits))]
+    producers = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
+    path = [next(iter(needed))]
     while path.count(path[-1]) < 2:
-        waiting = path[-1]
-        path.append(next(k for k in waits[waiting] if k in waits))
+        sources = set().union(*needed[path[-1]].values())
+        path.append(producers[min(sources - computed)])
     begin = path.index(path[-1])
     loop = " <- ".join(nodes[k].name for k in path[begin:])
     raise DiagramError(

@@ -193,19 +193,14 @@ class TapeRecord(RecordMerger):
             self._write_outputs(k, stand_in)
         for k, node in enumerate(wiring.nodes):
             fed = self.fed(k)
-            if node.system.update_function is not None:
-                self._write_states(k, "update", fed, self.rates)
-            if node.system.jump_function is not None:
-                self._write_states(k, "jump", fed, self.jumps)
-            if node.system.jumps_at_level:
-                self._write_states(k, "guard", fed, self.levels)
-
-    def _write_states(
-        self, k: int, role: str, fed: dict[str, Ref], results: Values
-    ) -> None:
-        name = self.wiring.nodes[k].name
-        for port, value in self._results(k, role, fed).items():
-            results[name, port] = value
+            for role, results in (
+                ("update", self.rates),
+                ("jump", self.jumps),
+                ("guard", self.levels if node.system.jumps_at_level else None),
+            ):
+                if role in node.system._roles and results is not None:
+                    for port, value in self._results(k, role, fed).items():
+                        results[node.name, port] = value
 
     def _write_outputs(self, k: int, stand_in: StandIn) -> None:
         node = self.wiring.nodes[k]
