@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.model.on_arrays import leaf_values
 from clpt_control.engine.record.scalar_graph import Elements
 
 ARITHMETIC = {
@@ -97,7 +96,7 @@ def rates(
             inputs(node),
             {**node.system.parameters._asdict(), **changed.get(node.name, {})},
         )
-        leaf = leaf_values(node.system, 0.0, states[node.states], u, None)
+        leaf = node.system.leaf_values(0.0, states[node.states], u, None)
         record = node.system.array_record(role)
         traced = Traced(record.operations, node.system.sizes)
         traced.functions = {**ARITHMETIC, **functions}

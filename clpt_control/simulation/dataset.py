@@ -15,7 +15,6 @@ from ..base.run_attributes import CHANGED, OWN_LAW, versions
 from ..base.units import DEGREES
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
-from ..engine.model.on_arrays import on_arrays
 from ..engine.model.ports import labels as labels_of_ports
 from ..engine.model.ports import ports_of
 from ..paper.blocks.localization import TRUE
@@ -293,6 +292,6 @@ def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
             P = signals[:, column["P[0]"] :][:, : N * N].reshape(-1, N, N)
             weighted = error_by_P(block.parameters, alpha, P)
             inputs[:, -2 * N :] = weighted.reshape(-1, 2 * N)
-        return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
+        return block.on_arrays("output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
 
     return V

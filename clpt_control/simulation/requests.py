@@ -16,8 +16,8 @@ from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
-from ..engine.diagram.named_values import check_rows, columns_of, vector_by_name
 from ..engine.diagram.wiring import Sizes
+from ..engine.model.ports import check_rows, columns_of, vector_by_name
 from ..engine.model.system import linear
 from ..engine.solver.inputs import (
     Inputs,

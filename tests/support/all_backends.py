@@ -38,10 +38,9 @@ from clpt_control.engine.conformance.checks import (
     random_samples,
     roles,
 )
-from clpt_control.engine.conformance.differences import Tolerance, differ
+from clpt_control.engine.conformance.confirmation import Tolerance, differ
 from clpt_control.engine.diagram.wiring import blocks_of
 from clpt_control.engine.model.block import Block
-from clpt_control.engine.model.on_arrays import leaf_values
 from clpt_control.engine.record.graph import Shape, bound
 from clpt_control.engine.record.operations import ELEMENTWISE, named
 from clpt_control.engine.record.scalar_graph import Index
@@ -315,7 +314,7 @@ class _SymbolicSweep(Sweep):
         if key not in self._functions:
             self._functions[key] = SymbolicFunction(block, role)
         function = self._functions[key]
-        out[:] = function(leaf_values(block, t, x, u, self._current[k]))
+        out[:] = function(block.leaf_values(t, x, u, self._current[k]))
 
 
 # --- SymPy's expressions on numbers ------------------------------------------------------------

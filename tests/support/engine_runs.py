@@ -30,8 +30,7 @@ from clpt_control.engine.conformance.checks import (
     random_samples,
     roles,
 )
-from clpt_control.engine.conformance.confirmation import Confirmation
-from clpt_control.engine.conformance.differences import differ
+from clpt_control.engine.conformance.confirmation import Confirmation, differ
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
 from clpt_control.engine.methods import METHODS, ROWS, Method

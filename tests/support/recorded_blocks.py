@@ -3,13 +3,12 @@
 import numpy as np
 
 from clpt_control import Block
-from clpt_control.engine.model.on_arrays import on_arrays
 
 
 def recorded(block, role, t, x, u):
     """Return what the record of a role computes."""
-    return on_arrays(
-        block, role, t, np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+    return block.on_arrays(
+        role, t, np.asarray(x, dtype=float), np.asarray(u, dtype=float)
     )
 
 
@@ -17,9 +16,8 @@ def recorded(block, role, t, x, u):
 def run(block, role, t, x, u):
     """Return what the function of a role gives."""
     size = block.noutputs if role == "output" else block.nstates
-    return block.values(
-        role, size, t, np.array(x, float), np.array(u, float), block.parameters
-    )
+    p = block.parameters_at(t, block.parameters)
+    return block.values(role, size, t, np.array(x, float), np.array(u, float), p)
 
 
 def as_it_runs(block, role, t, x, u, tolerance=1e-14):

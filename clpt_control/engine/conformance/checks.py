@@ -32,7 +32,7 @@ from ..solver.engine_choice import difference_at
 from ..solver.inputs import read_inputs
 from ..solver.native_diagram import NativeDiagram
 from ..solver.termination import Solution
-from .differences import EXACT, Tolerance, differ, differences
+from .confirmation import EXACT, Tolerance, differ, differences
 
 FACTOR = 1.7  # ratio of the old unit to the new unit
 IN_OTHER_UNITS = Tolerance(of_largest=1e-9)

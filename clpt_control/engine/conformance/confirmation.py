@@ -4,17 +4,25 @@ Points are drawn around the times, states and inputs of the caller (`drawn_aroun
 of each condition and next to its threshold (`record.both_sides`), with the block's parameters and
 with others.  If Python gives another number at one of them, the record is not used, and a sentence
 says which number, at which point, and both values.
+
+A record may also be a function in another form: machine code, C or SymPy's expressions.  Both give
+a row of numbers at each point; callers choose the points, and the words for a difference.  Two
+numbers differ if
+
+    |record - function| > relative |function| + of_largest max |function| of the row
+
+and the error is above `least`.  An infinite number equals itself alone, and NaN equals NaN.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from threading import local
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy import ndarray
 
-from ..model.on_arrays import record_on_arrays
 from ..record.both_sides import (
     MOST_CONDITIONS,
     compared_numbers,
@@ -25,7 +33,6 @@ from ..record.graph import Record
 from ..record.unread import reading_on
 from ..trace.arrays import Tape
 from ..trace.isolation import isolated
-from .differences import differences
 
 # least and largest of other parameters, relative to the block's own
 FACTORS = (0.8, 1.25)
@@ -34,6 +41,58 @@ MOVED = 1e-13  # relative: more than rounding, less than the distance from a thr
 SHOWN = 6  # numbers of a point in a sentence
 NONE = np.zeros(0)
 _caller = local()
+
+
+# --- differences of numbers ---------------------------------------------------------------------
+
+
+class Tolerance(NamedTuple):
+    """Largest error of a number that is no difference."""
+
+    relative: float = 0.0
+    of_largest: float = 0.0  # relative to the largest finite number of the row
+    least: float = 0.0
+
+
+# rounding of terms that cancel, not another execution path
+RECORD = Tolerance(relative=1e-7, of_largest=1e-10)
+EXACT = Tolerance()
+
+
+def differences(
+    record: Iterable[ndarray],
+    function: Iterable[ndarray | None],
+    tolerance: Tolerance = RECORD,
+) -> Iterator[tuple[int, ndarray, ndarray]]:
+    """Yield points by number, which numbers differ there, and those of the function.
+
+    A row of the function is None to skip a point.
+    """
+    for point, (row, expected) in enumerate(zip(record, function, strict=True)):
+        if expected is not None:
+            is_different = differ(row, expected, tolerance)
+            if is_different.any():
+                yield point, is_different, expected
+
+
+@np.errstate(invalid="ignore")  # of differences of infinite numbers
+def differ(record: Any, function: Any, tolerance: Tolerance = RECORD) -> ndarray:
+    """Return which numbers differ; all if shapes differ."""
+    relative, of_largest, least = tolerance
+    if np.shape(record) != np.shape(function):
+        return np.ones(1, dtype=bool)
+    error = np.abs(record - function)
+    size = np.abs(function)
+    is_close = error <= relative * size
+    if is_close.all():
+        return ~is_close
+    largest = size.max(initial=0.0, where=size < np.inf)
+    is_close |= error <= np.maximum(relative * size + of_largest * largest, least)
+    both_nan = np.isnan(record) & np.isnan(function)
+    return ~(is_close | (record == function) | both_nan)
+
+
+# --- a new record -------------------------------------------------------------------------------
 
 
 @contextmanager
@@ -129,13 +188,7 @@ class Confirmation:
         self, record: Record, points: np.ndarray, parameters: Any
     ) -> np.ndarray:
         """Return the outputs of a record at points."""
-        t, x, u = self._split(points)
-        if self.block.breakpoints_function is not None:
-            intervals = [
-                self.block.parameters_at(time, parameters).interval for time in t
-            ]
-            parameters = parameters._replace(interval=np.array(intervals))
-        return record_on_arrays(self.block, record, t, x, u, parameters)
+        return self.block.on_arrays(record, *self._split(points), parameters)
 
     def _difference_at(self, points: np.ndarray, parameters: Any) -> str:
         """Return a sentence on the first point at which the record differs from Python, or ""."""

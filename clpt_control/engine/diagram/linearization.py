@@ -23,7 +23,7 @@ from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
-from ..model.ports import bare_labels, places, ports_of
+from ..model.ports import bare_labels, places, ports_of, vector_by_name
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
@@ -32,7 +32,6 @@ from ..trace.derivative import OF_OVERFLOW, Direction
 from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord
-from .named_values import vector_by_name
 from .sampled_linearization import (
     SampledBlock,
     SampledSlopes,

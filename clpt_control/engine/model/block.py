@@ -21,6 +21,8 @@ from numpy.typing import ArrayLike
 
 from ...base.arguments import brief, has, numbers, public
 from ...base.errors import ArgumentError, BlockError
+from ..record.graph import Record, evaluated
+from ..record.unread import advice_on_math, located
 from ..trace.tracing import RAISED
 from .declaration import (
     POLICIES,
@@ -32,9 +34,16 @@ from .declaration import (
     check_units,
     checked_parameters,
 )
-from .locations import advice_on_math, located
-from .on_arrays import on_arrays
-from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vector
+from .ports import (
+    Declared,
+    Vector,
+    flattened,
+    labels,
+    places,
+    shapes_of,
+    sizes_of,
+    vector,
+)
 from .traced_block import READ, ReadBlock
 
 
@@ -442,6 +451,57 @@ class Block(ReadBlock):
     def _out(self, t, x, u):
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
 
+    # --- records in NumPy, at many points at once -----------------------------------------
+
+    def on_arrays(
+        self, role: str | Record, t: Any, x: Any, u: Any, p: Any = None
+    ) -> np.ndarray:
+        """Return what a record gives at each time, state x[k] and input u[k]: (size, ...).
+
+        Its parameters are the block's, or those given.
+        """
+        record = self.array_record(role) if isinstance(role, str) else role
+        shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
+        count = int(np.prod(shape))
+
+        def flat(vector: Any) -> np.ndarray:
+            size = len(vector)
+            return np.broadcast_to(vector, (size, *shape)).reshape(size, count)
+
+        times = np.broadcast_to(t, shape).reshape(count)
+        p = self.parameters if p is None else p
+        if self.breakpoints_function is not None and p.interval < 0:
+            intervals = [self.interval_at(time, p) for time in times]
+            p = p._replace(interval=np.array(intervals))
+        leaf = self.leaf_values(times, flat(x), flat(u), p)
+        outputs = evaluated(record, leaf, self.sizes, count)
+        rows = [output.reshape(-1, count) for output in outputs]
+        matrix = np.concatenate([np.zeros((0, count)), *rows])
+        return matrix.reshape((-1, *shape))
+
+    def leaf_values(
+        self, t: Any, x: Any, u: Any, p: Any
+    ) -> Callable[[str, str], np.ndarray]:
+        """Return the function (group, name) -> array of a leaf; its last axis has the points."""
+        vectors = {
+            "x": (x, places(self.state_shapes)),
+            "u": (u, places(self.input_shapes)),
+        }
+
+        def leaf(group: str, name: str) -> np.ndarray:
+            if group == "t":
+                return np.asarray(t, dtype=float)
+            if group == "p":
+                value = np.asarray(getattr(p, name), dtype=float)
+                varies = name == "interval" and value.ndim
+                return value if varies else value[..., None]
+            vector, ports = vectors[group]
+            positions, shape = ports[name]
+            values = vector[positions]
+            return values.reshape((*shape, *values.shape[1:]))
+
+        return leaf
+
 
 @public
 def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
@@ -463,5 +523,5 @@ def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
         )
     times = np.broadcast_to(t, len(u))
     no_states = np.zeros((0, len(u)))
-    outputs = on_arrays(block, "output", times, no_states, u.T)
+    outputs = block.on_arrays("output", times, no_states, u.T)
     return outputs.T

@@ -23,8 +23,7 @@ from ..record.graph import MOST_NUMBERS, Shape
 from ..record.unread import Unread, active
 from ..trace.tracing import Read
 from .block import Block
-from .declaration import Parameters
-from .params import EVERY
+from .declaration import EVERY, Parameters
 from .ports import flattened, ports_of
 from .sampled import Sampled
 

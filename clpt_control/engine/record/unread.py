@@ -1,9 +1,17 @@
-"""The error of a function that cannot be traced, and the tape on which a thread traces."""
+"""The error of a function that cannot be traced, its line, and the tape of a thread that traces."""
 
+import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import local
+from traceback import extract_tb, walk_tb
+from types import CodeType, FrameType
 from typing import Any
+
+import numpy as np
+
+from ...base.arguments import attribute_of
 
 
 class Unread(Exception):
@@ -32,3 +40,59 @@ def reading_on(tape: Any) -> Iterator[None]:
         yield
     finally:
         _ACTIVE.tape = before
+
+
+# --- functions and lines of the user's code, for sentences --------------------------------------
+
+LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+STATEMENT = "__statement__"  # name of a function that is a statement of the user's
+ENGINE = __package__.rpartition(".")[0]
+
+
+def caller() -> str:
+    """Return the caller that needs a number: a library's function, or Python."""
+    frame = sys._getframe(2)
+    word = "Python"
+    while (module := _not_users(frame)) and frame.f_back is not None:
+        if not module.startswith(ENGINE):
+            word = f"{module.partition('.')[0]}'s {frame.f_code.co_qualname}"
+        frame = frame.f_back
+    return word
+
+
+def _not_users(frame: FrameType) -> str:
+    """Return the module of a frame of this package or of a library; "" of a user's."""
+    module = frame.f_globals.get("__name__") or ""
+    return module if module.startswith((*LIBRARIES, ENGINE)) else ""
+
+
+def located(function: Any, *errors: BaseException) -> str:
+    """Return function and line at which tracing stopped, for a sentence.
+
+    The first error with a line of the user's code counts, as a library may swallow one.
+    """
+    for error in errors:
+        lines = [
+            f"{_name_in_source(frame.f_code)}, line {line}: "
+            for frame, line in walk_tb(error.__traceback__)
+            if not _not_users(frame)
+        ]
+        if lines:
+            return lines[-1]
+    return f"{attribute_of(function, '__name__', 'it')}: "
+
+
+def advice_on_math(error: BaseException) -> str:
+    """Return advice on a function of `math` that was given several numbers, or ""."""
+    line = extract_tb(error.__traceback__)[-1].line or ""
+    name = isinstance(error, TypeError) and re.search(r"\bmath\.(\w+)", line)
+    if not name:
+        return ""
+    of_arrays = f"np.{name[1]}, or " * hasattr(np, name[1])
+    return f". {name[0]} takes one number. Use {of_arrays}an element of the port"
+
+
+def _name_in_source(code: CodeType) -> str:
+    """Return the name of a function, not of a statement in it that became one."""
+    qualname = code.co_qualname.replace(f".<locals>.{STATEMENT}", "")
+    return qualname.rpartition(".")[2]

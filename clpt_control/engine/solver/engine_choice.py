@@ -17,9 +17,8 @@ from numpy import ndarray
 from ...base.errors import SimulationError, Uncompiled
 from ...base.progress import warn
 from ..codegen.machine import ENGINE
-from ..conformance.differences import differ, differences
+from ..conformance.confirmation import differ, differences
 from ..diagram.wiring import Wiring
-from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
 from .inputs import Inputs
@@ -239,10 +238,11 @@ class Comparison(NamedTuple):
         sweep.derivative(t, x, self.inputs.at(t))
         for k, node in enumerate(sweep.nodes):
             block = node.system
-            arguments = t, x[node.states], sweep.fed(k), sweep.parameters[k]
+            p = block.parameters_at(t, sweep.parameters[k])
+            arguments = t, x[node.states], sweep.fed(k), p
             for role in block._roles:
                 with suppress(Unread):
-                    values = on_arrays(block, role, *arguments)
+                    values = block.on_arrays(role, *arguments)
                     expected = block.values(role, len(values), *arguments)
                     if differ(values, expected).any():
                         return f"{node.name}.{role} gives other numbers in Python"

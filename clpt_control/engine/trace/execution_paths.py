@@ -18,9 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from ..model.locations import caller
 from ..record.graph import Ref, compact, evaluated
-from ..record.unread import Unread, active
+from ..record.unread import Unread, active, caller
 from .arrays import Array, Tape, moves, operand
 from .elementwise import (
     chosen,

@@ -37,10 +37,18 @@ from ...base.arguments import attribute_of
 from ..model.declaration import Parameters
 from ..record.unread import Unread, reading_on
 from .arrays import Tape
-from .contents import HOLDERS, UNBOUND, Content, Mutable, declared, slot_values
+from .contents import (
+    HOLDERS,
+    UNBOUND,
+    Content,
+    Mutable,
+    Reads,
+    declared,
+    slot_values,
+    variable,
+)
 from .interpolators import is_table
 from .isolation import isolated
-from .reads import Reads, variable
 from .references import (
     CALLABLE,
     CHANCE,

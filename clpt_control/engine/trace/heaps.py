@@ -30,7 +30,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..model.params import Params
+from ..model.declaration import Params
 from ..record.unread import Unread
 from .arrays import Array, Tape, key_of, operand
 from .contents import (

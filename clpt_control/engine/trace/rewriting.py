@@ -24,8 +24,7 @@ from collections.abc import Iterator
 from types import CodeType
 from typing import Any
 
-from ..model.locations import STATEMENT
-from ..record.unread import Unread, active
+from ..record.unread import STATEMENT, Unread, active
 from .arrays import Array
 from .elementwise import definite
 from .execution_paths import index_of, item_of, merge_calls, merge_paths

@@ -23,7 +23,6 @@ from ...base.progress.interrupt import check
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ...engine.diagram.wiring import wiring_of
-from ...engine.model.on_arrays import on_arrays
 from ...engine.solver.evaluation_pass import Sweep
 from ..algebra.numeric_values import NumericValues
 from ..algebra.slopes import along
@@ -104,17 +103,13 @@ class RunningBlocks:
         """Return the outputs or the rates of block k, of signals that are known."""
         node, p = self.wiring.nodes[k], self.sweep.parameters[k]
         block = node.system
-        if block.breakpoints_function is not None and p.interval < 0:
-            p = p._replace(
-                interval=np.array([block.interval_at(time, p) for time in t])
-            )
         fed = np.zeros((block.ninputs, len(t)))
         for wire in node.wires:
             source = (u.T if wire.external else signals)[
                 wire.source : wire.source + wire.size
             ]
             fed[wire.to : wire.to + wire.size] += wire.gain * source
-        return on_arrays(block, role, t, x.T[node.states], fed, p)
+        return block.on_arrays(role, t, x.T[node.states], fed, p)
 
 
 class PointSearch:
