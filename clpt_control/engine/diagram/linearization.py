@@ -112,36 +112,24 @@ class _About:
         )
 
     def numbers(
-        self,
-        arrays: list[Any],
-        shapes: list[Shape],
-        leaves: Mapping[Any, Any],
-        columns: int,
+        self, arrays: Iterable[Any], shapes: list[Shape], points: Any, columns: int
     ) -> np.ndarray:
-        """Return arrays of the tape as numbers, a row for each element."""
-        refs = [operand(lifted(self.tape, array)) for array in arrays]
-        record = compact(self.tape.operations, refs, shapes)
-        outputs = evaluated(record, lambda *key: leaves[key], points=columns)
-        rows = [output.reshape(-1, columns) for output in outputs]
-        no_rows = np.zeros((0, columns))
-        return np.concatenate([no_rows, *rows])
-
-    @np.errstate(all="ignore")  # of a slope that is not finite
-    def slopes(self, values: Collection[Any], point: Any = None) -> np.ndarray:
-        """Return the derivatives of values, a row for each element, at the point or another."""
-        slopes = [self.direction.of(value) for value in values]
-        leaves = self.leaves_at(point)
-        return self.numbers(slopes, shapes_of(values), leaves, self.count)
-
-    def leaves_at(self, points: Any = None) -> dict[Any, Any]:
-        """Return the values of leaves at points, one a column; by default at the point."""
-        points = self.point if points is None else points
+        """Return arrays of the tape at points, one a column: a row for each element."""
         points = points.reshape(self.count, -1)
         leaves = dict(self.values)
         for key, position in self.positions.items():
             shape = self.values["d", key].shape[:-1]
             leaves[key] = points[position].reshape(*shape, points.shape[1])
-        return leaves
+        refs = [operand(lifted(self.tape, array)) for array in arrays]
+        record = compact(self.tape.operations, refs, shapes)
+        return evaluated(record, lambda *key: leaves[key], points=columns)
+
+    @np.errstate(all="ignore")  # of a slope that is not finite
+    def slopes(self, values: Collection[Any], point: Any = None) -> np.ndarray:
+        """Return the derivatives of values, a row for each element, at the point or another."""
+        slopes = map(self.direction.of, values)
+        point = self.point if point is None else point
+        return self.numbers(slopes, shapes_of(values), point, self.count)
 
     def is_at_level(self, distance: Any) -> bool:
         """Return whether a distance at the point is 0, but for the rounding of its leaves."""
@@ -151,13 +139,13 @@ class _About:
 
         rounding = Direction(self.tape, rounding_of, bound=True).of(distance)
         pair = [np.fabs(distance), rounding]
-        size, rounding = self.numbers(pair, [(), ()], self.leaves_at(), 1).ravel()
+        size, rounding = self.numbers(pair, [(), ()], self.point, 1).ravel()
         return size <= rounding
 
     def near(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
         """Return values near the point, a row for each element and a column for each move."""
-        leaves = self.leaves_at(self.point[:, None] + moves)
-        return self.numbers(values, shapes_of(values), leaves, moves.shape[1])
+        points = self.point[:, None] + moves
+        return self.numbers(values, shapes_of(values), points, moves.shape[1])
 
     def sampled_values(
         self, blocks: Sequence[SampledBlock]

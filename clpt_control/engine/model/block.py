@@ -474,10 +474,8 @@ class Block(ReadBlock):
             intervals = [self.interval_at(time, p) for time in times]
             p = p._replace(interval=np.array(intervals))
         leaf = self.leaf_values(times, flat(x), flat(u), p)
-        outputs = evaluated(record, leaf, self.sizes, count)
-        rows = [output.reshape(-1, count) for output in outputs]
-        matrix = np.concatenate([np.zeros((0, count)), *rows])
-        return matrix.reshape((-1, *shape))
+        rows = evaluated(record, leaf, self.sizes, count)
+        return rows.reshape((len(rows), *shape))
 
     def leaf_values(
         self, t: Any, x: Any, u: Any, p: Any

@@ -221,8 +221,8 @@ def evaluated(
     leaf: Callable[[Any, Any], Any],
     sizes: Mapping[str, int] = {},
     points: int = 1,
-) -> list[np.ndarray]:
-    """Return the outputs of a record at several points, of shape (*shape, points).
+) -> np.ndarray:
+    """Return the outputs of a record at several points, a row for each element.
 
     ``leaf("x", "alpha")`` returns the array of a leaf, with a last axis for the points: as long as
     their number, or 1.
@@ -255,10 +255,13 @@ def evaluated(
             values.append(
                 value if np.shape(value) == size else np.broadcast_to(value, size)
             )
-    return [
-        np.broadcast_to(value_of(ref), (*bound(shape, sizes), points)).astype(float)
+    rows = [
+        np.broadcast_to(value_of(ref), (*bound(shape, sizes), points)).reshape(
+            -1, points
+        )
         for ref, shape in zip(record.outputs, record.shapes, strict=True)
     ]
+    return np.concatenate([np.zeros((0, points)), *rows])
 
 
 def _joined(_: Operation, *arrays: np.ndarray) -> np.ndarray:

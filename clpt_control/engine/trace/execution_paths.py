@@ -93,10 +93,10 @@ class AnsweringTape(Tape):
         """Return the value of an expression of parameters, which are then pinned."""
         record = compact(self.operations, [ref])
         self.pinned.update(record.leaves("p"))
-        (value,) = evaluated(
+        rows = evaluated(
             record, lambda group, name: np.asarray(self.parameters[name])[..., None]
         )
-        return value[..., 0]
+        return rows.reshape(record.shapes[0])
 
     def parameter(self, ref: int) -> Any:
         """Return the value of a parameter as the user wrote it, which is then pinned."""
