@@ -33,13 +33,12 @@ from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord
 from .sampled_linearization import (
-    SampledBlock,
-    SampledSlopes,
     common_period,
     discrete_system,
     sampled_blocks,
+    states_of,
 )
-from .wiring import Wiring, read_anew, wiring_of
+from .wiring import Node, Wiring, read_anew, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
 # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
@@ -147,20 +146,18 @@ class _About:
         points = self.point[:, None] + moves
         return self.numbers(values, shapes_of(values), points, moves.shape[1])
 
-    def sampled_values(
-        self, blocks: Sequence[SampledBlock]
-    ) -> Iterator[tuple[slice, Any]]:
+    def sampled_values(self, blocks: Sequence[Node]) -> Iterator[tuple[slice, Any]]:
         """Yield position and value of each port of a sampled block's states at the next sample."""
         names = {block.name for block in blocks}
         for (name, port), position in self.states.items():
             if name in names:
                 yield position, self.record.jumps[name, port]
 
-    def sample(self, blocks: Sequence[SampledBlock]) -> None:
+    def sample(self, blocks: Sequence[Node]) -> None:
         """Have sampled blocks hold what they sample at this point."""
         point = self.point.copy()
         no_moves = np.zeros((self.count, 1))
-        held_states = {int(k) for block in blocks for k in block.hold}
+        held_states = states_of(blocks, are_held=True)
         for position, values in self.sampled_values(blocks):
             if position.start in held_states:
                 point[position] = self.near([values], no_moves)[:, 0]
@@ -350,9 +347,7 @@ def _linearized(
     dt = wiring.dt
     if blocks:
         dt = common_period(blocks)
-        A, B, C, D, remaining = discrete_system(
-            SampledSlopes(AB, CD, jumps), blocks, dt
-        )
+        A, B, C, D, remaining = discrete_system(AB, CD, jumps, blocks, dt)
         states = [states[k] for k in remaining]
     inputs, outputs = system.input_labels, system.output_labels
     if isinstance(

@@ -99,7 +99,7 @@ def fields_of(system: Any) -> list[str]:
     """Return a block's parameters; of python-control's params only those that functions read."""
     if not isinstance(system, System):
         return list(system.parameters._fields)
-    records = [system.array_record(role) for role in {*system._roles, "output"}]
+    records = system.records.values()
     return sorted({name for record in records for name in record.leaves("p")})
 
 

@@ -15,9 +15,8 @@ import numpy as np
 from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
-from ..record.graph import Record, Shape, compact
+from ..record.graph import Operation, Record, Shape, compact
 from ..record.unread import Unread
-from ..trace.arrays import Tape, operand
 from ..trace.tracing import Read, read
 from .declaration import Guard, check_units
 from .ports import counts_of, labels, places, port_of, sized, sizes_of
@@ -29,7 +28,6 @@ Shapes = dict[str, Shape]  # of ports or parameters by name
 class ReadBlock(control.NonlinearIOSystem):
     """A block's ports, functions and their records; `Block` declares them."""
 
-    name: str
     update_function: Callable | None
     output_function: Callable | None
     jump_function: Callable | None = None
@@ -37,19 +35,13 @@ class ReadBlock(control.NonlinearIOSystem):
     guard: Guard | None = None
     opaque = False
     declared: dict[str, Shapes]
-    input_shapes: Shapes
-    output_shapes: Shapes
-    state_shapes: Shapes
     parameter_shapes: Mapping[str, Shape] = {}
-    sizes: dict[str, int]
     units: Mapping[str, str]
     approximation = ""  # what its equations stand for, if not exactly: said by verdicts
     parameters: Any
     _params: Any = None  # of a system of python-control
     _sizes: Mapping[str, int] = {}  # that no parameter has
-    _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
-    _plan: Mapping[str, tuple]  # each role's function, and where its results lie
 
     # --- ports --------------------------------------------------------------------------
 
@@ -78,12 +70,14 @@ class ReadBlock(control.NonlinearIOSystem):
                 )
         self.sizes = sizes
         kinds = ("states", "inputs", "outputs")
+        # shapes in numbers
         self._sized = {
             kind: sized(self.name, self.declared[kind], sizes) for kind in kinds
         }
         self.state_shapes = self._sized["states"]
         self.input_shapes = self._sized["inputs"]
         self.output_shapes = self._sized["outputs"]
+        # each role's function, and where its results lie
         self._plan = {
             role: (f, places(where)) for role, (f, where) in self._roles.items()
         }
@@ -213,12 +207,12 @@ class ReadBlock(control.NonlinearIOSystem):
 
     def _read_now(self, role: str) -> Record | Unread:
         if role == "output" and self.states_are_outputs:
-            tape, shapes = Tape(), self.declared["outputs"]
+            shapes = self.declared["outputs"]
             states = [
-                operand(tape.add("leaf", (), shape, ("x", port)))
+                Operation("leaf", (), shape, ("x", port))
                 for port, shape in shapes.items()
             ]
-            return compact(tape.operations, states, shapes.values())
+            return compact(states, [*range(len(states))], shapes.values())
         return self._read(role)
 
     def _read(self, role: str) -> Record | Unread:

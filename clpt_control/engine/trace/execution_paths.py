@@ -20,17 +20,10 @@ import numpy as np
 
 from ..record.graph import Ref, compact, evaluated
 from ..record.unread import Unread, active, caller
-from .arrays import Array, Tape, moves, operand
-from .elementwise import (
-    chosen,
-    common,
-    elementwise,
-    in_a_try,
-    is_of_python,
-    is_whole,
-    lifted,
-)
+from .arrays import Array, Tape, moves
+from .elementwise import chosen, common, elementwise, in_a_try, is_of_python, is_whole
 from .heaps import Entry, Joining, NotMergeable, decision_tree, heap_of, put_back
+from .interpolators import lookup
 from .views import tape_of
 
 # paths of one helper or statement, and runs of all together
@@ -306,9 +299,7 @@ def _picked_number(values: Any, index: Array) -> Any:
         isinstance(value, Array) and value._is_condition for value in values
     ):
         return None
-    tape = index._tape
-    row = lifted(tape, [*values])
-    picked = tape.add("pick", (operand(row), index._ref), ())
+    picked = lookup([*values], index)
     picked._whole = common(map(is_whole, values))
     picked._of_python = common(map(is_of_python, values))
     return picked
