@@ -53,6 +53,7 @@ OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
 NO_CONDITIONS = Record((), (), ())
+WITHOUT_ORDER = Iterator, KeysView, ValuesView, ItemsView, Set
 
 
 class Read(NamedTuple):
@@ -302,9 +303,7 @@ class _Tracing:
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
-                if request.of_control:
-                    returned = self._spread(returned)
-                outputs = _by_port(tape, request.role, returned, request.out)
+                outputs = self._by_port(returned)
                 if tape.texts is not None:
                     raise tape.texts
         except BlockError:
@@ -328,44 +327,43 @@ class _Tracing:
             )
         return outputs
 
-    def _spread(self, returned):
-        """Return one number repeated for all states or outputs, as python-control does."""
-        size = sum(map(prod, self.request.out.values()))
-        if isinstance(returned, Iterator | KeysView | ValuesView | ItemsView | Set):
+    def _by_port(self, returned: Any) -> list[Any]:
+        """Return the value of each port from the returned value of the function.
+
+        One number is the value of all states or outputs in python-control.
+        """
+        tape = self.tape
+        role, out = self.request.role, self.request.out
+        of_control = self.request.of_control
+        if of_control and isinstance(returned, WITHOUT_ORDER):
             raise Unread(f"returns {type(returned).__name__}; must return numbers")
-        if isinstance(returned, Mapping) or size == 1:
-            return returned
-        numbers = _flat_numbers(returned)
-        self.spreads |= len(numbers) == 1
-        return numbers * size if len(numbers) == 1 else returned
-
-
-def _flat_numbers(returned: Any) -> list[Any]:
-    """Return the numbers of a returned value, row by row."""
-    values = returned if isinstance(returned, list | tuple) else [returned]
-    return [number for value in values for number in objects(value).ravel()]
-
-
-def _by_port(
-    tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]
-) -> list[Any]:
-    """Return the value of each port from the returned value of a function."""
-    if isinstance(returned, Mapping):
-        check_ports(role, returned, out)
-        values = {
-            port: as_number(lifted(tape, number)) for port, number in returned.items()
-        }
-        fill = partial(filled, tape)
+        if isinstance(returned, Mapping):
+            check_ports(role, returned, out)
+            values = {
+                port: as_number(lifted(tape, number))
+                for port, number in returned.items()
+            }
+            fill = partial(filled, tape)
+            return [
+                shaped(role, port, values[port], shape, fill)
+                for port, shape in out.items()
+            ]
+        if len(out) == 1 and getattr(returned, "shape", None) == next(
+            iter(out.values())
+        ):
+            return [as_number(lifted(tape, returned))]
+        rows = returned if isinstance(returned, list | tuple) else [returned]
+        numbers = [number for row in rows for number in objects(row).ravel()]
+        size = sum(map(prod, out.values()))
+        if of_control and len(numbers) == 1 and size > 1:
+            self.spreads = True
+            numbers *= size
+        if len(numbers) != size:
+            raise BlockError(
+                f"{role}: returns {len(numbers)} numbers; must return {size}"
+            )
+        flat = np.fromiter((as_number(lifted(tape, v)) for v in numbers), object)
         return [
-            shaped(role, port, values[port], shape, fill) for port, shape in out.items()
+            lifted(tape, flat[item].reshape(shape))
+            for item, shape in places(out).values()
         ]
-    if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
-        return [as_number(lifted(tape, returned))]
-    numbers = _flat_numbers(returned)
-    size = sum(map(prod, out.values()))
-    if len(numbers) != size:
-        raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
-    flat = np.fromiter((as_number(lifted(tape, v)) for v in numbers), object)
-    return [
-        lifted(tape, flat[item].reshape(shape)) for item, shape in places(out).values()
-    ]
