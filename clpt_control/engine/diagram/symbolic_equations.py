@@ -354,14 +354,20 @@ class _SymbolicRecord:
                 )
         return result
 
+    @cached_property
+    def _ways(self) -> list[set]:
+        """Branches on each way of an operation to the outputs."""
+        values = self.record.signals, self.record.rates, self.record.jumps
+        outputs = [operand(value) for of in values for value in of.values()]
+        return branches_of(self.tape.operations, outputs)
+
     def _has_value(
         self, index: int, arguments: tuple, owner: str, kind: str, watch: Watch
     ) -> bool:
         """Return whether an operation has a value in each branch in which it is used."""
-        values = self.record.signals, self.record.rates, self.record.jumps
-        outputs = {operand(value) for of in values for value in of.values()}
         operations = self.tape.operations
-        for branches in (ways := branches_of(operations, index, outputs)):
+        ways = self._ways[index]
+        for branches in ways:
             conditions = [
                 (self.elements.at(condition, ()), truth)
                 for condition, truth in branches

@@ -8,40 +8,39 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from .graph import Operation
+from .graph import Operation, Ref, values_among
 from .symbolic import SYMPY
 
 COMPARED = ("gt", "ge", "lt", "le")
 LARGER = ("gt", "ge")
-MOST_WAYS = 1000  # and parts of them
+MOST_WAYS = 200
 Literals = frozenset[tuple[Any, bool]]  # comparisons and their truth
 Branches = frozenset[tuple[int, bool]]  # conditions of `where` and their truth
 
 
 def branches_of(
-    operations: Sequence[Operation], index: int, outputs: set[int]
-) -> set[Branches]:
-    """Return the branches of `where` on each way of a value to the outputs; none if too many."""
-    complete, visited = set[Branches](), {(index, Branches())}
-    waiting = [*visited]
-    while waiting and len(visited) < MOST_WAYS:
-        used, branches = waiting.pop()
-        if used in outputs:
-            complete.add(branches)
-        for user in range(used + 1, len(operations)):
-            arguments = operations[user].arguments
-            if used not in arguments:
-                continue
-            deeper = branches
-            if operations[user].kind == "where" and arguments.count(used) == 1:
-                position = arguments.index(used)
-                deeper = (
-                    branches | {(arguments[0], position == 1)} if position else branches
-                )
-            if (user, deeper) not in visited:
-                visited.add((user, deeper))
-                waiting.append((user, deeper))
-    return set() if waiting else complete
+    operations: Sequence[Operation], outputs: Iterable[Ref]
+) -> list[set[Branches]]:
+    """Return for each value the branches of `where` on each way to the outputs.
+
+    There are none for a value with too many.
+    """
+    ways = [set[Branches]() for _ in operations]
+    too_many = set[int]()
+    for output in values_among(outputs):
+        ways[output].add(Branches())
+    for user in reversed(range(len(operations))):
+        if user in too_many:
+            ways[user].clear()
+        kind, arguments, *_ = operations[user]
+        for position, used in enumerate(arguments):
+            if type(used) is int:
+                chooses = kind == "where" and position and arguments.count(used) == 1
+                branch = {(arguments[0], position == 1)} if chooses else set()
+                ways[used] |= {branches | branch for branches in ways[user]}
+                if user in too_many or len(ways[used]) > MOST_WAYS:
+                    too_many.add(used)
+    return ways
 
 
 def alternatives(condition: Any, truth: bool) -> list[Literals]:
