@@ -139,35 +139,12 @@ class Sampled(Block):
         return np.append(new_states, u)
 
     def _read(self, role: str) -> Any:
+        """Write the inner block's record with the held inputs, at a sample or the sample before."""
         tape = Tape()
         inner = self.inner
-        if role == "update":
-            shapes = [*self.declared["states"].values()]
-            return compact([], [0.0] * len(shapes), shapes)
-        if role == "output":
-            return self._record(tape, *self._inner_values(tape, role, 0.0))
-        values, shapes = list[Any](), list[Shape]()
-        if inner.nstates:
-            values, shapes = self._inner_values(tape, "update", 1.0)
-        if self.stepped:
-            ports = inner.declared["states"]
-            for k, (port, shape) in enumerate(zip(ports, shapes, strict=True)):
-                increment = values[k] * self.period
-                values[k] = increment + tape.add("leaf", (), shape, ("x", port))
-        for port, shape in inner.declared["inputs"].items():
-            values.append(tape.add("leaf", (), shape, ("u", port)))
-            shapes.append(shape)
-        return self._record(tape, values, shapes)
-
-    def _inner_values(
-        self, tape: Tape, role: str, samples_ago: float
-    ) -> tuple[list[Any], list[Shape]]:
-        """Write the inner block's record with the held inputs, at a sample or the sample before.
-
-        Return values and shapes of its ports, whose sizes may be numbers.
-        """
+        is_output = role == "output"
         interval = tape.add("leaf", (), (), ("p", "interval"))
-        t = (interval - samples_ago) * self.period
+        t = (interval - (0.0 if is_output else 1.0)) * self.period
 
         def leaf(group: str, name: str, shape: Shape) -> Any:
             at = ("x", HELD + name) if group == "u" else (group, name)
@@ -176,11 +153,21 @@ class Sampled(Block):
         def put(operation: Operation, refs: list[Any]) -> Any:
             return operand(tape.add(operation.kind, refs, *operation[2:]))
 
-        record = self.inner.array_record(role)
-        refs = replayed(record, leaf, put)
-        return [tape.value(ref) for ref in refs], [*record.shapes]
-
-    def _record(self, tape: Tape, values: list[Any], shapes: list[Shape]) -> Any:
-        refs = [operand(value) for value in values]
-        record = compact(tape.operations, refs, shapes)
-        return self._outside(record)
+        values, shapes = list[Any](), list[Shape]()  # of ports, whose sizes may be open
+        if role == "update":
+            shapes = [*self.declared["states"].values()]
+            values = [0.0] * len(shapes)
+        elif is_output or inner.nstates:
+            record = inner.array_record("output" if is_output else "update")
+            values = [tape.value(ref) for ref in replayed(record, leaf, put)]
+            shapes = [*record.shapes]
+        if role == "jump" and self.stepped:
+            ports = inner.declared["states"]
+            for k, (port, shape) in enumerate(zip(ports, shapes, strict=True)):
+                increment = values[k] * self.period
+                values[k] = increment + tape.add("leaf", (), shape, ("x", port))
+        if role == "jump":
+            for port, shape in inner.declared["inputs"].items():
+                values.append(tape.add("leaf", (), shape, ("u", port)))
+                shapes.append(shape)
+        return self._outside(compact(tape.operations, [*map(operand, values)], shapes))
