@@ -367,8 +367,8 @@ def with_constants(block: Block) -> Block:
         f"{kind}s": getattr(block, f"{kind}_labels")
         for kind in ("input", "output", "state")
     }
-    system = control.ss(*_matrices_of(block), block.dt, **labels)
-    return System(control.nlsys(system, name=block.name, dt=block.dt, **labels))
+    matrices = _matrices_of(block)
+    return System(control.ss(*matrices, block.dt, name=block.name, **labels))
 
 
 def on_each_axis(block: Block, count: int) -> Block:
