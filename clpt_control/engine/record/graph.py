@@ -38,9 +38,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .operations import ELEMENTWISE
+from .operations import COMPARISONS, ELEMENTWISE
 
 MOST_NUMBERS = 20_000  # of an array that is a value, and is compared with what it was
+MOST_CONDITIONS = 128  # of the comparisons of a record
 PIVOT = "pivot"  # `at` of a comparison that chooses a pivot
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
@@ -160,6 +161,13 @@ def compact(
     if shapes is None:
         shapes = [operations[ref].shape if type(ref) is int else () for ref in outputs]
     return Record(lines, moved(outputs), tuple(shapes))
+
+
+def conditions_of(operations: list[Operation], refs: Iterable[Ref]) -> Record:
+    """Return the record of the comparisons that values of a record depend on."""
+    used = sorted(reached(operations, refs))
+    comparisons = [k for k in used if operations[k].kind in COMPARISONS]
+    return compact(operations, comparisons[:MOST_CONDITIONS])
 
 
 def replayed(

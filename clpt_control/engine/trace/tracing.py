@@ -27,8 +27,7 @@ from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..model.declaration import Parameters, Params
 from ..model.ports import check_ports, places, shaped
-from ..record.both_sides import conditions_of
-from ..record.graph import Record, Shape, compact, is_known
+from ..record.graph import Record, Shape, compact, conditions_of, is_known
 from ..record.unread import Unread, located, reading_on
 from .arrays import REMEMBERS, Array, Tape, objects, operand
 from .elementwise import as_number, filled, lifted
