@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any
 
 import control
@@ -244,7 +244,7 @@ class _SymbolicRecord:
         self.undefined_functions: dict[
             Any, tuple
         ] = {}  # leaf -> node, port, shape, inputs
-        # states by block and port
+        # states by block
         self.symbols = {node.name: self._states_of(node) for node in wiring.nodes}
         self.record = TapeRecord(
             diagram, wiring, self.tape, stand_in=self._stand_in, closed=True
@@ -253,16 +253,16 @@ class _SymbolicRecord:
             functions = self._functions(port, array.shape, self.record.declared[port])
             self.result.inputs[port] = self.table["u", port] = functions
         for key, (node, name, _) in self.record.leaves.items():
-            self.table[key] = (
-                self.symbols[node.name][name]
-                if key[0] == "x"
-                else self._parameter(node, name)
-            )
+            if key[0] == "p":
+                self.table[key] = self._parameter(node, name)
+            else:
+                signals, shape = places(node.system.state_shapes)[name]
+                self.table[key] = self.symbols[node.name][signals].reshape(shape)
 
     # --- symbols of leaves ------------------------------------------------------------------
 
-    def _states_of(self, node: Node) -> dict[str, np.ndarray]:
-        """Return new symbols of a block's states, by port."""
+    def _states_of(self, node: Node) -> np.ndarray:
+        """Return new symbols of a block's states."""
         block = node.system
         symbols = np.empty(block.nstates, dtype=object)
         for name, indices, shape in groups(block, "state"):
@@ -272,11 +272,7 @@ class _SymbolicRecord:
                 element = self.names.element(port, shape, declared, index)
                 symbols[k] = sympy.Symbol(element, real=True)
             self.result.states[port] = symbols[indices].reshape(shape)
-        ports = places(block.state_shapes)
-        return {
-            port: symbols[signals].reshape(shape)
-            for port, (signals, shape) in ports.items()
-        }
+        return symbols
 
     def _parameter(self, node: Node, name: str) -> np.ndarray:
         """Return the symbols of a parameter."""
@@ -343,10 +339,7 @@ class _SymbolicRecord:
             self._add_signals(node)
             self._add_parameters(node)
         result.pinned = sorted(self.record.pinned)
-        arrays = [
-            symbols for ports in self.symbols.values() for symbols in ports.values()
-        ]
-        counts = Counter(s for symbols in arrays for s in symbols.flat)
+        counts = Counter(chain(*self.symbols.values()))
         for symbol, count in counts.items():
             if count > 1:
                 raise DiagramError(
@@ -385,31 +378,26 @@ class _SymbolicRecord:
             ("output", self.record.signals, result.signals),
             ("state", self.record.rates, result.rates),
         ):
-            elements = self._elements_of(values, node, system.declared[f"{kind}s"])
+            elements = self._elements_of(values, node)
             for name, indices, shape in groups(system, kind):
                 port = self.names.port(node, name, kind)
                 expressions[port] = elements[indices].reshape(shape)
         block = self.names.block(node)
         if system.jump_function is not None:
-            ports = self.symbols[node.name].values()
-            symbols = np.concatenate([port_symbols.ravel() for port_symbols in ports])
-            elements = self._elements_of(
-                self.record.jumps, node, system.declared["states"]
-            )
-            result.jumps[block] = dict(zip(symbols, elements, strict=True))
+            elements = self._elements_of(self.record.jumps, node)
+            states = self.symbols[node.name]
+            result.jumps[block] = dict(zip(states, elements, strict=True))
         if system.jumps_at_level:
-            (level,) = self._elements_of(self.record.levels, node, ["distance"])
-            result.levels[block] = level
+            (result.levels[block],) = self._elements_of(self.record.levels, node)
         if isinstance(system, Sampled):
             result.periods[block] = system.period
 
-    def _elements_of(
-        self, values: Mapping[Any, Any], node: Node, ports: Iterable[str]
-    ) -> np.ndarray:
-        """Return the elements of ports of a block."""
+    def _elements_of(self, values: Mapping[Any, Any], node: Node) -> np.ndarray:
+        """Return the elements of the ports of a block that have values."""
         elements: list[Any] = []
-        for port in ports:
-            elements += self.elements.all_of(operand(values[node.name, port]))
+        for (name, _), value in values.items():
+            if name == node.name:
+                elements += self.elements.all_of(operand(value))
         flat = np.empty(len(elements), dtype=object)
         flat[:] = elements
         return flat
