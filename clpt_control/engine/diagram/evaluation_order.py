@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...base.errors import DiagramError
+from ..conformance.confirmation import EXACT, differ
 from ..model.block import Block
 from ..model.ports import places
 from ..model.sampled import Sampled
@@ -140,8 +141,6 @@ def _tested_feedthrough(block: Block) -> list[set[int]]:
             changed = u.copy()
             changed[k] = random.standard_normal()
             after = block.values("output", block.noutputs, 0.0, x, changed, p)
-            both_nan = np.isnan(after) & np.isnan(before)
-            differs = (after != before) & ~both_nan
-            for output in np.flatnonzero(differs):
+            for output in np.flatnonzero(differ(after, before, EXACT)):
                 feedthrough[output].add(k)
     return feedthrough

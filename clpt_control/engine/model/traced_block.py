@@ -17,7 +17,7 @@ from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
 from ..record.graph import Operation, Record, Shape, compact
 from ..record.unread import Unread
-from ..trace.tracing import Read, read
+from ..trace.tracing import Read, Request, read
 from .declaration import Guard, check_units
 from .ports import counts_of, labels, places, port_of, sized, sizes_of
 
@@ -229,7 +229,7 @@ class ReadBlock(control.NonlinearIOSystem):
             out = {"guard": bound_out, "output": y}.get(role, x)
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                result = read(
+                request = Request(
                     function,
                     role if of_control else name,
                     x,
@@ -241,6 +241,7 @@ class ReadBlock(control.NonlinearIOSystem):
                     trusted=self.of_package and not of_control,
                     confirm=partial(self._difference, role),
                 )
+                result = read(request)
             except (Unread, BlockError) as error:
                 if isinstance(error, BlockError) and not stay_open:
                     if of_control:  # a run calls the function, as python-control does

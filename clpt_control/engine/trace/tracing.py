@@ -96,13 +96,12 @@ MOST_VALUES = 16  # of the parameters whose values a record was made with
 _TRACED: dict[Any, list[tuple]] = {}
 
 
-def read(*arguments: Any, **options: Any) -> Read:
+def read(request: Request) -> Read:
     """Return the record of a function, and the parameters whose values the record depends on.
 
-    The arguments are the fields of `Request`.  A function is traced again only if its fingerprint
-    changed.  Raises `Unread` if the function cannot be traced.
+    A function is traced again only if its fingerprint changed.  Raises `Unread` if the function
+    cannot be traced.
     """
-    request = Request(*arguments, **options)
     fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
     reached = reachable(request.function, fixed, trusted=request.trusted)
     if len(_TRACED) > MOST_TRACED:
