@@ -208,9 +208,7 @@ class VariedDiagram:
         ]
         for item in varies:
             key = item.key.partition("[")[0]
-            candidates = (
-                s.params.get(key) for s in systems if key not in s.number_names
-            )
+            candidates = (s.params.get(key) for s in systems if key not in s.parameters)
             lists = [
                 np.asarray(v, float)
                 for v in candidates

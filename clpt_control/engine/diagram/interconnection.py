@@ -142,11 +142,10 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     for name, block in blocks:
         fields = call_names(name, block)
         changes = {fields[key]: params[key] for key in fields if key in params}
+        parameters.append(block.with_values(changes))
         if isinstance(block, System):
             systems.append((name, block))
-            parameters.append(block.with_params(changes))
             continue
-        parameters.append(block.with_values(changes))
         accepted |= set(fields)
         names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:

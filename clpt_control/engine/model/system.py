@@ -47,30 +47,31 @@ class System(Block):
         self.name = system.name
         self._params = dict(system.params if params is None else params)
         self.declared_names = {*system.params}  # which a run may set
-        # role -> params that it asks for, texts in its code
         self._spread: set[str] = set()  # roles that were warned of
+        # role -> params that it asks for, texts in its code
         self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
         updfcn, outfcn = _functions(system)
         if (q := system.noutputs) is None:  # it is not declared
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         q = int(q)
-        inputs, outputs, states = (
-            {letter: (size,)} if size else {}
-            for letter, size in (("u", m), ("y", q), ("x", n))
-        )
-        if shapes is not None:
-            inputs, outputs, states = (
-                _ports_of_labels(system.name, labels, shapes)
-                for labels in (
-                    system.input_labels,
-                    system.output_labels,
-                    system.state_labels,
-                )
-            )
+        ports: dict[str, Any] = {}
+        for kind, letter, size in (
+            ("input", "u", m),
+            ("output", "y", q),
+            ("state", "x", n),
+        ):
+            labels = dict(getattr(system, f"{kind}_index"))
+            if len(labels) != size:
+                labels = {f"{letter}[{k}]": k for k in range(size)}
+            setattr(self, f"{kind}_index", labels)
+            setattr(self, f"n{kind}s", size)
+            ports[f"{kind}s"] = {letter: (size,)} if size else {}
+            if shapes is not None:
+                ports[f"{kind}s"] = _ports_of_labels(system.name, labels, shapes)
         # of the states, as python-control takes them
         returns_first_states = outfcn is None and (
-            q < n or (shapes is not None and outputs != states)
+            q < n or (shapes is not None and ports["outputs"] != ports["states"])
         )
         self.update_function = updfcn if n else None
         self.output_function = (
@@ -78,31 +79,12 @@ class System(Block):
         )
         self._inner = {}
         self.raised: dict[str, str] = {}
-        self.declared = {
-            "inputs": inputs,
-            "outputs": states if self.output_function is None else outputs,
-            "states": states,
-        }
+        if self.output_function is None:
+            ports["outputs"] = ports["states"]
+        self.declared = ports
         # params that are numbers, which the block has as parameters
-        numbers = _numbers(self._params)
-        self.number_names = {*numbers}
-        self.parameters = Parameters(**numbers)
-        self.nstates = n
-        self.ninputs = m
-        self.noutputs = q
+        self.parameters = Parameters(**_numbers(self._params))
         self.dt = system.dt or 0
-        for kind, count, letter in (
-            ("input", m, "u"),
-            ("output", q, "y"),
-            ("state", n, "x"),
-        ):
-            labels = getattr(system, f"{kind}_index")
-            labels = (
-                labels
-                if len(labels) == count
-                else {f"{letter}[{k}]": k for k in range(count)}
-            )
-            setattr(self, f"{kind}_index", dict(labels))
         self.declare_units(given_units(system))
 
     # --- parameters -------------------------------------------------------------------------
@@ -115,19 +97,22 @@ class System(Block):
         """Return the system's params."""
         return self._params
 
-    def with_params(self, params: Mapping[str, Any] | None) -> Any:
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
         changed = {
             key: _leaf(value)
-            for key, value in (params or {}).items()
-            if key in self.number_names and value is not self._params[key]
+            for key, value in changes.items()
+            if key in self._parameters and value is not self._params[key]
         }
         return self._parameters._replace(**changed) if changed else self._parameters
 
     def mentions(self, name: str) -> bool:
         """Return whether the functions could read a param of a name."""
-        is_declared = name in self.declared_names or self.reads(name)
-        return is_declared or any(name in texts for _, texts in self._names_read())
+        return (
+            name in self.declared_names
+            or self.reads(name)
+            or any(name in texts for _, texts in self._names_read())
+        )
 
     def reads(self, name: str) -> bool:
         """Return whether a function read a param of a name, or was not read itself."""
