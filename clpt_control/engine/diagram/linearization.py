@@ -23,7 +23,7 @@ from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
-from ..model.ports import bare_labels, places, ports_of, vector_by_name
+from ..model.ports import bare_labels, places, spans_of, vector_by_name
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
@@ -84,8 +84,8 @@ class _About:
                 self.states[node.name, port] = slice(signals.start, signals.stop)
         self.record = TapeRecord(diagram, wiring, self.tape, closed=True)
         n = len(x)
-        for port, indices in ports_of(diagram.input_labels).items():
-            position = slice(n + indices[0], n + indices[-1] + 1)
+        for port, span in spans_of(diagram.name, diagram.input_labels).items():
+            position = slice(n + span.start, n + span.stop)
             self._vary(("u", port), self.record.external[port], position)
         for key, (node, name, leaf) in self.record.leaves.items():
             group, path = key

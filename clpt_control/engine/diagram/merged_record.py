@@ -16,7 +16,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 from ..model.block import Block
-from ..model.ports import counts_of, places
+from ..model.ports import places, spans_of
 from ..record.graph import Operation, Record, Ref, Shape, replayed
 from ..record.unread import Unread
 from ..trace.arrays import Tape, objects, operand
@@ -166,10 +166,9 @@ class TapeRecord(RecordMerger):
         closed: bool = False,
     ):
         """Write the blocks in their order."""
-        sizes = counts_of(diagram.input_labels)
-        ports = places({port: (size,) for port, size in sizes.items()})
-        starts = {port: signals.start for port, (signals, _) in ports.items()}
-        super().__init__(wiring, {starts[port]: size for port, size in sizes.items()})
+        spans = spans_of(diagram.name, diagram.input_labels)
+        sizes = {span.start: span.stop - span.start for span in spans.values()}
+        super().__init__(wiring, sizes)
         self.tape = tape
         self.name_of = name_of
         self.open = {} if closed else open_sizes(wiring)
@@ -185,8 +184,8 @@ class TapeRecord(RecordMerger):
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
 
-        for port, start in starts.items():
-            shape, self.declared[port] = self._input_shape(start, sizes[port])
+        for port, start in zip(spans, sizes, strict=True):
+            shape, self.declared[port] = self._input_shape(start, sizes[start])
             self.external[port] = tape.add("leaf", (), shape, ("u", port))
             self.inputs[start] = operand(self.external[port])
         for k in wiring.order:

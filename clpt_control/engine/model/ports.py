@@ -182,6 +182,21 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     return ports
 
 
+def spans_of(name: str, labels: Iterable[str]) -> dict[str, slice]:
+    """Return the slice of each port that labels form; refuse other signals in a port.
+
+    `name` is that of the system, for the sentence.
+    """
+    spans = {}
+    for port, indices in ports_of(labels).items():
+        spans[port] = slice(indices[0], indices[-1] + 1)
+        if indices[-1] - indices[0] >= len(indices):
+            raise BlockError(
+                f"{name}: the signals of port {port} have others between them. Reorder the labels"
+            )
+    return spans
+
+
 def indices_by_name(labels: Sequence[str]) -> dict[str, list[int]]:
     """Return the indices of signals by label, and by port where no label has its name."""
     by_label = {label: [k] for k, label in enumerate(labels)}

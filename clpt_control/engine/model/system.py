@@ -9,7 +9,7 @@ state of a run, as in python-control.  If D = 0, a linear system has no direct f
 block has no parameter D.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 from typing import Any
 
@@ -24,7 +24,7 @@ from ..record.unread import Unread, active
 from ..trace.tracing import Read
 from .block import Block
 from .declaration import EVERY, Parameters
-from .ports import flattened, ports_of
+from .ports import flattened, spans_of
 from .sampled import Sampled
 
 
@@ -68,7 +68,11 @@ class System(Block):
             setattr(self, f"n{kind}s", size)
             ports[f"{kind}s"] = {letter: (size,)} if size else {}
             if shapes is not None:
-                ports[f"{kind}s"] = _ports_of_labels(system.name, labels, shapes)
+                spans = spans_of(system.name, labels).items()
+                ports[f"{kind}s"] = {
+                    port: shapes.get(port, (span.stop - span.start,))
+                    for port, span in spans
+                }
         # of the states, as python-control takes them
         returns_first_states = outfcn is None and (
             q < n or (shapes is not None and ports["outputs"] != ports["states"])
@@ -197,19 +201,6 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
             return system._out(t, x, u)
 
     return update, output
-
-
-def _ports_of_labels(
-    name: str, labels: Iterable[str], shapes: Mapping[str, Shape]
-) -> dict[str, Shape]:
-    """Return the shapes of the ports that labels form; refuse a port between the signals of one."""
-    ports = ports_of(labels)
-    for port, indices in ports.items():
-        if indices[-1] - indices[0] >= len(indices):
-            raise BlockError(
-                f"{name}: the signals of port {port} have others between them. Reorder the labels"
-            )
-    return {port: shapes.get(port, (len(signals),)) for port, signals in ports.items()}
 
 
 def given_units(system: Any) -> Mapping[str, str]:
