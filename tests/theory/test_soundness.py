@@ -285,11 +285,16 @@ def test_a_law_of_python_control_is_judged_as_a_block_is():
 
     states = [f"{port}[{k}]" for port, n in SIZES.items() for k in range(n)]
     inputs = [f"{port}[{k}]" for port in ("e", "phi_x", "z", "zc") for k in range(2)]
-    for gain, status in ((0.5, "proved"), (-0.5, "refuted")):
+    renamed = [label.replace("alpha", "a") for label in states]  # y = x all the same
+    for gain, labels, status in (
+        (0.5, states, "proved"),
+        (-0.5, states, "refuted"),
+        (0.5, renamed, "proved"),
+    ):
         law = control.nlsys(
             update,
             inputs=inputs,
-            states=states,
+            states=labels,
             outputs=states,
             params={"gain": gain},
             name="own",
