@@ -118,7 +118,8 @@ class Diagram(control.InterconnectedSystem):
         super()._update_params(params)
         for subsystem in self.syslist:
             is_named = any(key.startswith(f"{subsystem.name}.") for key in params)
-            if is_named and not isinstance(subsystem, Block):
+            is_block = isinstance(subsystem, Block)
+            if is_named and (isinstance(subsystem, System) or not is_block):
                 subsystem._update_params(
                     {**self.params, **own_params(subsystem.name, params)}
                 )

@@ -101,8 +101,12 @@ class System(Block):
         """Return the system's params."""
         return self._params
 
-    def with_values(self, changes: Mapping[str, Any]) -> Any:
+    def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
+        return self.with_values(params or {})
+
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
+        """Return the parameters with some changed, except names that are no numbers."""
         changed = {
             key: _leaf(value)
             for key, value in changes.items()
