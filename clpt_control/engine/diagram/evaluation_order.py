@@ -36,14 +36,15 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
     order: list[int] = []
     computed: set[int] = set()
     by_signal = False
+
+    def remaining(k: int) -> dict[tuple[int, ...], set[int]]:
+        """Return the groups of a block's outputs that cannot be computed yet."""
+        return {group: of for group, of in needed[k].items() if not of <= computed}
+
     while needed:
-        remaining = {
-            k: {group: of for group, of in groups.items() if not of <= computed}
-            for k, groups in needed.items()
-        }
         # first a block with all its outputs, then one with some of them
-        complete = (k for k in needed if not remaining[k])
-        incomplete = (k for k in needed if len(remaining[k]) < len(needed[k]))
+        complete = (k for k in needed if not remaining(k))
+        incomplete = (k for k in needed if len(remaining(k)) < len(needed[k]))
         ready = next(chain(complete, incomplete), None)
         if ready is None and by_signal:
             return _without_zero_entries(nodes, needed, computed)
@@ -52,9 +53,10 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
             needed = {k: _needed_signals(nodes[k]) for k in needed}
             continue
         order.append(ready)
-        computed.update(*(needed[ready].keys() - remaining[ready].keys()))
-        needed[ready] = remaining[ready]
-        if not remaining[ready]:
+        groups = remaining(ready)
+        computed.update(*(needed[ready].keys() - groups.keys()))
+        needed[ready] = groups
+        if not groups:
             del needed[ready]
     return tuple(order)
 
