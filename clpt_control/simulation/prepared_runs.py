@@ -71,7 +71,7 @@ class PreparedRun:
         blocks = {k for k, _ in fields}
         name = key.rpartition(".")[2]
         for k, node in enumerate(wiring.nodes):
-            block = getattr(node.system, "inner", node.system)
+            block = node.system.unsampled
             if k not in blocks and isinstance(block, System) and block.mentions(name):
                 return False
         for k, field in fields:

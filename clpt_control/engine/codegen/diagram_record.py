@@ -183,7 +183,7 @@ def lay_out(
 
 def is_read(block: Block, name: str) -> bool:
     """Return whether a block's functions read a parameter; python-control hands down others too."""
-    inner = getattr(block, "inner", block)  # of a sampled block
+    inner = block.unsampled
     if not isinstance(inner, System) or name == "interval":
         return True
     return inner.reads(name)

@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..diagram.evaluation_order import unsampled
 from ..diagram.wiring import Wiring, call_names
 from ..model.block import Block
 from ..model.ports import indices_by_name
@@ -182,7 +181,7 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
 
 def read_as_number(block: Block, field: str) -> str | None:
     """Return the function in which a parameter was read as a number, if there is one."""
-    inner = unsampled(block)
+    inner = block.unsampled
     for role in inner.records:
         fields, _ = inner.read_with.get(role, ((), ""))
         if field in fields:

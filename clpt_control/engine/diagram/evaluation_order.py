@@ -15,7 +15,6 @@ from ...base.errors import DiagramError
 from ..conformance.confirmation import EXACT, differ
 from ..model.block import Block
 from ..model.ports import places
-from ..model.sampled import Sampled
 from ..model.system import is_linear, with_constants
 from ..record.scalar_graph import InputsOf
 from ..record.unread import Unread
@@ -39,7 +38,11 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
 
     def remaining(k: int) -> dict[tuple[int, ...], set[int]]:
         """Return the groups of a block's outputs that cannot be computed yet."""
-        return {group: of for group, of in needed[k].items() if not of <= computed}
+        return {
+            group: signals
+            for group, signals in needed[k].items()
+            if not signals <= computed
+        }
 
     while needed:
         # first a block with all its outputs, then one with some of them
@@ -102,14 +105,9 @@ def _without_zero_entries(
     )
 
 
-def unsampled(block: Block) -> Block:
-    """Return a block, or the inner block of one that samples."""
-    return block.inner if isinstance(block, Sampled) else block
-
-
 def reaches_outputs(block: Block) -> bool:
     """Return whether inputs, once sampled, have direct feedthrough to outputs."""
-    block = unsampled(block)
+    block = block.unsampled
     try:
         return bool(block.array_record("output").leaves("u"))
     except Unread:
@@ -118,7 +116,7 @@ def reaches_outputs(block: Block) -> bool:
 
 def _feedthrough(block: Block) -> list[set[int]]:
     """Return for each output the inputs with direct feedthrough to it."""
-    block = unsampled(block)
+    block = block.unsampled
     try:
         record = block.array_record("output")
         outputs = InputsOf(record.operations, block.sizes).outputs(record)

@@ -318,7 +318,7 @@ def call_names(name: str, block: Block) -> dict[str, str]:
     Parameters of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
     """
     diagrams, systems = prefixes_of(name)
-    inner = getattr(block, "inner", block)
+    inner = block.unsampled
     fields = inner.parameters._fields if isinstance(inner, System) else ()
     names = {prefix + field: field for prefix in diagrams for field in fields}
     fields = block.parameters._fields

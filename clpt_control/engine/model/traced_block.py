@@ -156,6 +156,11 @@ class ReadBlock(control.NonlinearIOSystem):
 
     # --- records ------------------------------------------------------------------------
 
+    @property
+    def unsampled(self) -> Any:
+        """The block, or the inner block of one that samples."""
+        return getattr(self, "inner", self)
+
     @cached_property
     def states_are_outputs(self) -> bool:
         """True if the outputs are the states."""
