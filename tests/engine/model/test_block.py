@@ -14,6 +14,8 @@ from recorded_blocks import as_it_runs, recorded, static
 
 import clpt_control as clpt
 from clpt_control import ArgumentError, Block, BlockError, Sampled
+from clpt_control.engine.model.block import evaluate
+from clpt_control.engine.model.declaration import Each
 
 
 class Tuple(NamedTuple):
@@ -214,3 +216,17 @@ def test_a_linear_system_is_a_block(system):
         near = block.linearize(0 * x, 0 * u)
         for s in (0.3j, 2.0j):
             np.testing.assert_allclose(near(s), plain(s), rtol=1e-6)
+
+
+def test_records_at_many_times_have_the_interval_of_each_time():
+    """Breakpoints at 0.5, 1.0, ...: time 0.6 is in interval 1."""
+    parameters = {"step": 0.5, "interval": -1.0}
+    block = Block(
+        "clock",
+        output=lambda t, x, u, p: p.interval,
+        outputs={"y": 1},
+        parameters=parameters,
+        breakpoints=Each("step"),
+    )
+    values = evaluate(block, [0.0, 0.6, 1.0, 1.2], np.zeros((4, 0)))
+    np.testing.assert_array_equal(values.ravel(), [0, 1, 2, 2])
