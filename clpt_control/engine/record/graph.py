@@ -263,13 +263,11 @@ def evaluated(
             values.append(
                 value if np.shape(value) == size else np.broadcast_to(value, size)
             )
-    rows = [
-        np.broadcast_to(value_of(ref), (*bound(shape, sizes), points)).reshape(
-            -1, points
-        )
-        for ref, shape in zip(record.outputs, record.shapes, strict=True)
-    ]
-    return np.concatenate([np.zeros((0, points)), *rows])
+    rows = [np.zeros((0, points))]
+    for ref, shape in zip(record.outputs, record.shapes, strict=True):
+        elements = np.broadcast_to(value_of(ref), (*bound(shape, sizes), points))
+        rows.append(elements.reshape(-1, points))
+    return np.concatenate(rows)
 
 
 def _joined(_: Operation, *arrays: np.ndarray) -> np.ndarray:
