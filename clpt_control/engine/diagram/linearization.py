@@ -96,7 +96,7 @@ class _About:
                 self.values[key] = value[..., None]
 
     def _vary(self, key: tuple, leaf: Any, position: slice) -> None:
-        """Give a leaf its directions."""
+        """Set the position and the directions of a leaf that varies."""
         vectors = self.unit_vectors[position]
         self.values["d", key] = vectors.reshape(*leaf.shape, self.count)
         self.positions[key] = position

@@ -456,9 +456,10 @@ class Block(ReadBlock):
     def on_arrays(
         self, role: str | Record, t: Any, x: Any, u: Any, p: Any = None
     ) -> np.ndarray:
-        """Return what a record gives at each time, state x[k] and input u[k]: (size, ...).
+        """Return the outputs of a record at many points at once.
 
-        Its parameters are the block's, or those given.
+        `t` has the times, x[k] a state and u[k] an input at these times; a row of the result has
+        an output.  The parameters are the block's, or those given.
         """
         record = self.array_record(role) if isinstance(role, str) else role
         shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
@@ -480,7 +481,10 @@ class Block(ReadBlock):
     def leaf_values(
         self, t: Any, x: Any, u: Any, p: Any
     ) -> Callable[[str, str], np.ndarray]:
-        """Return the function (group, name) -> array of a leaf; its last axis has the points."""
+        """Return the function (group, name) -> array of a leaf.
+
+        The last axis of the array has the points.
+        """
         vectors = {
             "x": (x, places(self.state_shapes)),
             "u": (u, places(self.input_shapes)),

@@ -158,7 +158,7 @@ class ReadBlock(control.NonlinearIOSystem):
 
     @property
     def unsampled(self) -> Any:
-        """The block, or the inner block of one that samples."""
+        """Return the block, or the inner block of one that samples."""
         return getattr(self, "inner", self)
 
     @cached_property
