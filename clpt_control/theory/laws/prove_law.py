@@ -95,9 +95,9 @@ def prove(
     ------
     DiagramError
         If the name is unknown, the law does not return alpha[2N], K[2] and Gamma[2], or has the
-        name of a block that contains the truth.
+        name of a block that contains the truth; or the equations of an `nlsys` cannot be traced.
     BlockError
-        If its equations cannot be traced.
+        If the equations of a `Block` cannot be traced.
 
     Examples
     --------
