@@ -96,7 +96,7 @@ def rates(
             inputs(node),
             {**node.system.parameters._asdict(), **changed.get(node.name, {})},
         )
-        leaf = node.system.leaf_values(0.0, states[node.states], u, None)
+        leaf = node.system._leaf_values(0.0, states[node.states], u, None)
         record = node.system.array_record(role)
         traced = Traced(record.operations, node.system.sizes)
         traced.functions = {**ARITHMETIC, **functions}

@@ -314,7 +314,7 @@ class _SymbolicSweep(Sweep):
         if key not in self._functions:
             self._functions[key] = SymbolicFunction(block, role)
         function = self._functions[key]
-        out[:] = function(block.leaf_values(t, x, u, self._current[k]))
+        out[:] = function(block._leaf_values(t, x, u, self._current[k]))
 
 
 # --- SymPy's expressions on numbers ------------------------------------------------------------

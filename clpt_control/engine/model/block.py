@@ -474,11 +474,11 @@ class Block(ReadBlock):
         if self.breakpoints_function is not None and p.interval < 0:
             intervals = [self.interval_at(time, p) for time in times]
             p = p._replace(interval=np.array(intervals))
-        leaf = self.leaf_values(times, flat(x), flat(u), p)
+        leaf = self._leaf_values(times, flat(x), flat(u), p)
         rows = evaluated(record, leaf, self.sizes, count)
         return rows.reshape((len(rows), *shape))
 
-    def leaf_values(
+    def _leaf_values(
         self, t: Any, x: Any, u: Any, p: Any
     ) -> Callable[[str, str], np.ndarray]:
         """Return the function (group, name) -> array of a leaf.
