@@ -145,13 +145,13 @@ FIGURE = Recipe(
         ),
         Step(
             "accessor",
-            "plot 'norm': must be",
+            "plot 'norm': the run has no such signal",
             (
                 (
                     "clpt_control/app/notebook/accessor.py",
-                    '        "clpe": ("simulation.run_plots", "clpe_plot"),\n',
-                    '        "clpe": ("simulation.run_plots", "clpe_plot"),\n'
-                    '        "norm": ("simulation.run_plots", "norm_plot"),\n',
+                    '        "clpe": "simulation.run_plots:clpe_plot",\n',
+                    '        "clpe": "simulation.run_plots:clpe_plot",\n'
+                    '        "norm": "simulation.run_plots:norm_plot",\n',
                 ),
             ),
         ),

@@ -167,7 +167,7 @@ def test_slopes_are_those_of_small_differences(case):
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
         step = Batch(runner.implicit(), x[None], P, times, pieces)
         step.advance(1e-3, 1e-3, 1)
-        places, found = step.callee.linear.positions, np.zeros((n, n + 1))
+        places, found = step.callee.linear.order, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
         found[:, n] = step.Z[
             solver_layout.TIME_SLOPE * n : (solver_layout.TIME_SLOPE + 1) * n
