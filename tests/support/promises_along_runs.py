@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 from drawn_scenarios import NUMBERS, UNIFORM, drawn
+from levels_of_laws import LEVELS
 
 import clpt_control as clpt
 from clpt_control.theory.laws.promises import largest_disturbance, truth_of
@@ -141,7 +142,7 @@ def exponential(law):
 def level(law):
     """Return the largest V over that of V(0) and the level of the disturbance."""
     largest = largest_disturbance(law.scenario)
-    bound = law.row.level(law.p, truth_of(law.scenario), largest)
+    bound = LEVELS[law.row.name](law.p, truth_of(law.scenario), largest)
     return float(np.max(law.V) / max(law.V[0] + FLOOR, bound))
 
 

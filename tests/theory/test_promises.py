@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from altered_rows import replaced
+from levels_of_laws import LEVELS, proved_and_closed_form
 from promises_along_runs import (
     BROKEN,
     CHECKS,
@@ -32,6 +33,13 @@ def test_a_law_keeps_its_promises_along_runs(name):
         assert max(ratios.values(), default=0.0) <= BROKEN, (ratios, scenario)
         asked |= {*ratios}
     assert asked == {promise.claim for promise in LAWS[name].promises}
+
+
+@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("delta", [(0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0)])
+def test_the_level_that_is_proved_is_not_above_the_closed_form(name, delta):
+    proved, closed_form = proved_and_closed_form(name, delta)
+    assert 0 < proved <= closed_form * (1 + 1e-9)
 
 
 def test_each_promise_has_a_predicate_and_each_condition_a_check():

@@ -29,13 +29,6 @@ OUTPUT = {  # what can be wrong with standard output
     errno.EFBIG: "may not become larger; allow more (ulimit -f)",
 }
 COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
-SERVES_NOW = {  # options of earlier copies, and what serves in their place
-    "--again": "Leave it out: each `clpt prove` proves anew",
-    "--search": "`clpt prove LAW` proves the law, or prints a point that refutes V",
-    "--tides": "Fit the record with UTide, and pass its result to clpt.currents.tidal_basis",
-    "--route": "Pass the next waypoint to --aim",
-    "--state": "In Python, FlowEstimator.save and FlowEstimator.load store live fixes",
-}
 LONGEST = 1200  # letters of a sentence; longer ones lose their middle
 
 
@@ -162,9 +155,6 @@ def _answer(error: BaseException) -> int:
 
 def _usage(error: Any) -> str:
     """Return what is wrong with the words of a command, and what to try."""
-    option = getattr(error, "option_name", None)
-    if option in SERVES_NOW:
-        return f"{option}: is gone. {SERVES_NOW[option]}"
     fault = error.format_message().rstrip(".")
     for suggestion in (". Did you mean ", " (Possible options: "):
         if suggestion in fault:

@@ -72,8 +72,13 @@ def degree_axes(ax: Any, plane: LocalPlane, unit: str) -> None:
         axis.set_major_locator(_DegreeLocator(degrees))
         axis.set_major_formatter(_DegreeFormatter(degrees))
     ax.set(xlabel="longitude ($x_1$, east)", ylabel="latitude ($x_2$, north)")
-    length = float(f"{np.ptp(ax.get_xlim()) / BARS_PER_WIDTH:.0e}")
+    scale_bar(ax, unit)
+
+
+def scale_bar(ax: Any, unit: str, size: float = 1.0) -> None:
+    """Draw a bar with its length; `size` is that of a unit of length along the axis."""
+    length = float(f"{np.ptp(ax.get_xlim()) / size / BARS_PER_WIDTH:.0e}")
     text = f"{length:g} {unit}"
-    bar = AnchoredSizeBar(ax.transData, length, text, "lower right", sep=3)
+    bar = AnchoredSizeBar(ax.transData, length * size, text, "lower right", sep=3)
     bar.patch.set(edgecolor="none", alpha=0.8)
     ax.add_artist(bar)

@@ -28,6 +28,7 @@ from ...base.figures import (
     legend_below,
     literal,
 )
+from ...base.figures.degree_axes import scale_bar
 from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
 from ..estimation.fix_model import PERCENT
@@ -44,7 +45,6 @@ NARROWEST, MARGIN = 0.6, 0.06  # of the longer side: the other one, and on each 
 MOST = 89.5  # degrees of the middle; at a pole there is no east
 # minutes
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)
-LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 POINTS = 72  # units of SVG in an inch
 LABEL, PHONE_LABEL = (
     8,
@@ -186,7 +186,6 @@ def _drawn(
 def draw_grid_and_scale_bar(ax: Axes, degree: np.ndarray) -> None:
     """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
     (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
-    wide = (east - west) * degree[0]
     for axis, names, span in (
         (ax.xaxis, "EW", east - west),
         (ax.yaxis, "NS", north - south),
@@ -198,12 +197,7 @@ def draw_grid_and_scale_bar(ax: Axes, degree: np.ndarray) -> None:
             FuncFormatter(partial(grid_label, names=names, step=step))
         )
         axis.set_tick_params(labelsize=LABEL)
-    length = next((size for size in LENGTHS[::-1] if size <= wide / 4), LENGTHS[0])
-    end = east - 0.04 * (east - west)
-    x, y = (end - length / degree[0], end), south + 0.03 * wide / degree[1]
-    ax.plot(x, (y, y), color="black", lw=2, solid_capstyle="butt")
-    name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
-    ax.annotate(name, (sum(x) / 2, y), (0, 3), textcoords="offset points", ha="center")
+    scale_bar(ax, "km", 1000 / degree[0])
 
 
 def map_svg(report: dict[str, Any]) -> str:

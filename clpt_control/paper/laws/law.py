@@ -241,8 +241,6 @@ class Law(NamedTuple):
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""
     # of (P, time, settings): covariance P after a time without fixes; None: not for recorded fixes
     between_fixes: Callable[..., np.ndarray] | None = None
-    # ultimate bound on V, given the largest disturbance
-    level: Callable[[Any, Truth, float], float] | None = None
 
     @property
     def table(self) -> str:

@@ -106,40 +106,6 @@ def beyond_limits(p: Any, truth: Truth) -> str:
     return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
 
 
-def adapted_gain_and_size(p: Any, truth: Truth) -> tuple[float, float]:
-    """Return the least gain of the adapted parameters, and their sum of |a*|^2."""
-    gains = [gain for gain in (p.gain, p.gain_K, p.gain_Gamma) if gain > 0]
-    adapts = (truth.theta, truth.KD * (p.gain_K > 0), truth.GammaD * (p.gain_Gamma > 0))
-    return min(gains), float(sum(np.sum(a * a) for a in adapts))
-
-
-def level_of_sigma(p: Any, truth: Truth, delta: float) -> float:
-    """Return the bound on V: V' <= -min(k, gamma s) V + Delta^2/(2 k) + s sum |a*|^2/2."""
-    gain, size = adapted_gain_and_size(p, truth)
-    k = truth.KD.min()
-    return float((delta**2 / (2 * k) + p.leak * size / 2) / min(k, gain * p.leak))
-
-
-def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
-    """Return the level of sigma plus the missing leak below 2 M: (s - s_j) d^T a <= s |d| |a|."""
-    gain, _ = adapted_gain_and_size(p, truth)
-    k = truth.KD.min()
-    limits = (getattr(p, key) for key in NORM_LIMITS)
-    missing = sum(
-        2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True)
-    )
-    sigma_level = level_of_sigma(p, truth, delta)
-    return sigma_level + float(p.leak * missing / min(k, gain * p.leak))
-
-
-def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
-    """Return the largest V for which k |e| + s sum |d|^2/2 <= c = Delta + s sum |a*|^2/2."""
-    gain, size = adapted_gain_and_size(p, truth)
-    k = truth.KD.min()
-    c = delta + p.leak * size / 2
-    return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
-
-
 LEAK = Setting(
     "its gain times leak is forgotten per time, all of alpha in a cycle", cycle_leak
 )
@@ -149,7 +115,6 @@ SIGMA = Law(
     rates=sigma,
     family=leaking,
     promises=promised("true bounded exact", "level"),
-    level=level_of_sigma,
     parameters={**GAINS, "leak": LEAK},
 )
 SWITCHING_SIGMA = Law(
@@ -161,7 +126,6 @@ SWITCHING_SIGMA = Law(
         *promised("true bounded exact", "level"),
         *promised("true within spanned exact", "falls", "settles"),
     ),
-    level=level_of_switching,
     parameters={**GAINS, "leak": LEAK, **NORM_LIMITS},
     doubt=beyond_limits,
 )
@@ -171,7 +135,6 @@ E_MODIFICATION = Law(
     rates=e_modification,
     family=leaking,
     promises=promised("true bounded exact", "level"),
-    level=level_of_e_modification,
     parameters={
         **GAINS,
         "leak": Setting(

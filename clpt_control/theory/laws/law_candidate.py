@@ -312,7 +312,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
     def _no_least(self) -> Failure | None:
         """Return a point at which V is below V at the truth."""
         V = self.at_z(self.V)
-        return self.search.below_rest(V - V.xreplace(self.search.rest))
+        return self.search.sign_at(V - V.xreplace(self.search.rest), -1)
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V of the running blocks rises at a jump, however far off."""

@@ -342,14 +342,6 @@ class PointSearch:
                 return point, float(rises[0])
         return None
 
-    def below_rest(self, rise: Expr) -> Failure | None:
-        """Return a point at which V of the blocks is below V at rest, and the difference."""
-        for point in self.highest(-rise, still=True):
-            _, _, (V, V_rest) = self.rates_at(point, self.farther(point.x, (1.0, 0.0)))
-            if V_rest - V > SIGNIFICANT * max(abs(V), abs(V_rest)):
-                return point, float(V - V_rest)
-        return None
-
     def rising_jump(self) -> tuple[Point, Point, float] | None:
         """Return points before and after a jump at which V of the blocks rises, and the rise.
 

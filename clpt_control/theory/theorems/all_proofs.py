@@ -8,22 +8,16 @@ does not rise at fixes.
 """
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
-
-import numpy as np
-import sympy
 
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..algebra.texts import bound_text
-from ..laws.promises import truth_of
 from ..laws.prove_law import verdict_on_row
-from ..laws.theorem_loop import law_and_V, theorem_scenario
+from ..laws.theorem_loop import law_and_V
 from ..proofs.judge import Verdict
 from ..proofs.proof import Proof, proof_or_failure
-from ..proofs.steps import Step, checked
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .team_proof import proof_of_team
@@ -31,46 +25,17 @@ from .theorems import THEOREMS, numbers_of
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # basis functions of a law of the table; a proof for every N says so
-DISTURBANCES = ((0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0))  # of each axis
 
 
 def proof_of_law(law: Law) -> Proof:
     """Prove one law."""
-    verdict = verdict_on_row(law, POINTS, law_and_V(law, N)[0])
-    if law.level is not None and verdict.level is not None:
-        declared = declared_level_step(law, verdict.level)
-        verdict = replace(verdict, steps=(*verdict.steps, declared))
-    return proof_of(verdict)
+    return proof_of(verdict_on_row(law, POINTS, law_and_V(law, N)[0]))
 
 
 def proof_of(verdict: Verdict) -> Proof:
     """Return what is written of a verdict: its fields as text and numbers."""
     level = None if verdict.level is None else bound_text(verdict.level)
     return Proof(**{**verdict.judged, "level": level})
-
-
-def declared_level_step(law: Law, level: sympy.Expr) -> Step:
-    """Check that the level a law declares is not below the bound of V that is proved."""
-    scenario = theorem_scenario(N, law.name)
-    parameters, truth = law_and_V(law, N)[0].parameters, truth_of(scenario)
-    numbers = {f"KD_{i + 1}": value for i, value in enumerate(truth.KD)}
-    numbers |= {f"GammaD_{i + 1}": value for i, value in enumerate(truth.GammaD)}
-    for (i, k), value in np.ndenumerate(truth.theta):
-        numbers[f"theta_{i + 1}[{k + 1}]"] = value
-
-    def holds() -> tuple[bool, str]:
-        assert law.level is not None
-        for disturbance in DISTURBANCES:
-            values = numbers | {"Delta_1": disturbance[0], "Delta_2": disturbance[1]}
-            symbols = {s: values[s.name] for s in level.free_symbols}
-            proved = float(level.subs(symbols))
-            declared = law.level(parameters, truth, float(np.hypot(*disturbance)))
-            if declared < proved * (1 - 1e-9):
-                return False, f"declared {declared:.4g}, proved {proved:.4g}"
-        return True, f"at {len(DISTURBANCES)} disturbances"
-
-    claim = "the level of V that the law declares is not below the one that is proved"
-    return checked(claim, holds, "sampled", False)
 
 
 Outcome = Proof | list[dict[str, Any]]  # of misprints, the rows of a table

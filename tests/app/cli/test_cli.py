@@ -433,11 +433,7 @@ MISSPELT = r"""
     run x.toml --out -> --out.*; `clpt run --help` shows what it takes
     nothing-like-it -> nothing-like-it.*; `clpt --help` shows what it takes
     replay --aim 3 -> --aim.*; `clpt replay --help` shows what it takes
-    fit a.csv --tides -> UTide.*tidal_basis
-    prove --again -> each `clpt prove` proves anew
-    prove sigma --search 20 -> --search: is gone\. `clpt prove LAW`.*
-    replay --sample --route a.geojson -> --aim
-    estimate fixes.csv --state a.json -> FlowEstimator\.save.*
+    prove sigma --search 20 -> --search; `clpt prove --help` shows what it takes
     estimate - -> FlowEstimator in Python
 """
 
