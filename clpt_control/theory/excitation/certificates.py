@@ -1,20 +1,13 @@
-"""Decay of V over a window: exact and guaranteed drops.
+"""Decay of V over a window: its exact drop.
 
 Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)),
 
     exact       V(t+T) / V(t) <= |S Phi(t+T, t) S^-1|^2, attained
     drop        1 - that = smallest eigenvalue of 2 k S^-1 (int Phi_e^T Phi_e) S^-1, from
                 V' = -k e^2, Eq. (25), with all its digits; Phi_e is the row of e
-    guaranteed  rho = k min(1, gamma) lambda_min(G) / (1 + q^2),  q = gamma wbar^2 T / k,
-                G = int R^T R,  R(s) = [e^{-k (s-t)}, (int_t^s e^{-k (s-r)} w(r) dr)^T]
 
 `propagate` computes Phi, `ultimate_bound` the bound of Theorem 3.4, corrected.
 """
-
-# Proof of the guaranteed drop: R x_0 = e + gamma F, F(s) = int_t^s e^{-k (s-r)} w^T(r) int_t^r w e,
-# and |F| <= |e| wbar^2 T/k in L2, so that x_0^T G x_0 <= (1 + q)^2 int e^2 <= 2 (1 + q^2) int e^2,
-# while V falls by k int e^2.  R is the row of e in Phi without adaptation (gamma = 0): the output
-# injection of Theorem 3.3.  wbar is the largest |w| at the nodes.
 
 from dataclasses import dataclass
 from functools import cache
@@ -39,7 +32,6 @@ class Certificate:
     trajectory: str  # description; w contains z, which depends on the learner
     # axis -> exact 1 - V(t+T)/V(t) at worst
     drops: dict[str, float]
-    rhos: dict[str, float]  # axis -> the guaranteed drop
     # Delta, or a flow that theta phi does not span, adds to V'
     disturbed: bool
     # axis -> number of directions in which errors fall to a tenth within the run
@@ -62,20 +54,12 @@ class Certificate:
         """Exact 1 - V(t+T)/V(t) at worst, over both axes."""
         return min(self.drops.values())
 
-    @property
-    def rho(self) -> float:
-        """Guaranteed: V(t+T) <= (1 - rho) V(t)."""
-        return min(self.rhos.values())
-
-    def ultimate_bound(
-        self, largest_disturbance: float, guaranteed: bool = False
-    ) -> float:
+    def ultimate_bound(self, largest_disturbance: float) -> float:
         """Return the bound on limsup |e| under a disturbance, if every window drops like this.
 
-        By the exact drop, or by the guaranteed one; `largest_disturbance` is sup |Delta|.
+        `largest_disturbance` is sup |Delta|.
         """
-        drop = self.rho if guaranteed else self.drop
-        return ultimate_bound(self.window, largest_disturbance, drop)
+        return ultimate_bound(self.window, largest_disturbance, self.drop)
 
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -177,21 +161,6 @@ def worst_drop(
     return 2 * k * smallest_eigenvalue(rows, weights), transition
 
 
-def window_drops(
-    w: np.ndarray, weights: np.ndarray, k: np.ndarray, gain: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the exact and the guaranteed drop of V over a window, and Phi; axis first.
-
-    w (2, pieces, nodes, n) is given at Gauss-Legendre nodes with weights (pieces, nodes).
-    """
-    drop, transition = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
-    lengths = weights.sum(axis=1)
-    filtered, _ = propagate(w, k, 0.0, lengths)
-    kappa = smallest_eigenvalue(filtered, weights)
-    q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
-    return drop, k * min(1.0, gain) * kappa / (1 + q**2), transition
-
-
 def refuse_unproved(scenario: Scenario) -> None:
     """Raise an error for terms in V' that the theorems do not have."""
     learning, fixes = scenario.learning, scenario.localization
@@ -225,7 +194,7 @@ def certificate(regressor: Regressor) -> Certificate:
 
     >>> import clpt_control as clpt
     >>> found = certificate(clpt.gramian(clpt.paper_scenario(), 60.0, 0.0))
-    >>> 0 < found.rho < found.drop < 1
+    >>> 0 < found.drop < 1
     True
     """
     scenario = regressor.scenario
@@ -251,12 +220,13 @@ def certificate(regressor: Regressor) -> Certificate:
     w, feedback = regressor.w[..., adapted], np.array(scenario.vehicle.feedback)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, length / span * (1 + 1e-12)))
-    *fallen, transition = window_drops(w, regressor.weights, feedback, *gains)
+    given = regressor.gains[adapted], regressor.weights
+    drop, transition = worst_drop(w, feedback, *given)
     power = np.linalg.matrix_power(transition, windows)[..., 1:]
     learned = np.sum(np.linalg.svd(power, compute_uv=False) <= 0.1, axis=-1)
-    drops, rhos, counts = (
+    drops, counts = (
         dict(zip(regressor.names, values.tolist(), strict=True))
-        for values in (*fallen, learned)
+        for values in (drop, learned)
     )
     time = time_to_tenth(span, min(*drops.values(), 1.0))
     return Certificate(
@@ -264,7 +234,6 @@ def certificate(regressor: Regressor) -> Certificate:
         span,
         regressor.trajectory,
         drops,
-        rhos,
         flow.disturbance is not None or flow.parameters is None,
         counts,
         finite_or_none(min(time, length) if np.all(learned == w.shape[-1]) else time),

@@ -1,7 +1,7 @@
 """Report of an excitation: numbers for JSON, the table of `clpt excitation`, and a figure.
 
 The report has Definition 3.1 over one window, the exact contraction of V of Eq. (24) and its
-guaranteed drop, for one trajectory.  The figure has a column for each axis: above the eigenvalues
+drop, for one trajectory.  The figure has a column for each axis: above the eigenvalues
 of the Gramian in a window that slides over the run, below the least excited direction of one window
 and the excited share of each parameter.
 """
@@ -15,7 +15,7 @@ import numpy as np
 
 from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
-from ...base.units import at_least, at_most
+from ...base.units import at_most
 from ..algebra.texts import listed
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ MEASURED = (
     "not_learnable",
     "run_length",
 )
-CERTIFIED = ("rho", "contraction", "drop", "disturbed", "time_to_tenth", "learned")
+CERTIFIED = ("contraction", "drop", "disturbed", "time_to_tenth", "learned")
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 OFF = 0.1  # share of the largest flow parameter
 LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
@@ -46,7 +46,7 @@ def report_of(excitation: Any) -> dict[str, Any]:
     (sentences), and by axis ``eigenvalues`` (ascending), ``ceilings`` (of the smallest
     eigenvalue), ``least_excited`` and ``dimension`` (of the excited subspace).
 
-    ``rho`` (guaranteed drop of V), ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
+    ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
     (1 - contraction, with all its digits), ``time_to_tenth`` (time in which the norm of all
     errors falls to a tenth in windows like this one, or None for never) and ``learned`` (by axis,
     number of directions in which errors do so within ``run_length``) exclude the effect of a
@@ -132,10 +132,7 @@ def _how_fast(excitation: Any) -> Iterator[str]:
     if certificate is None:
         yield f"contraction of V: {reason}"
     else:
-        yield (
-            f"contraction of V, exact, at worst {at_most(certificate.contraction, 6)}; guaranteed "
-            f"drop rho {at_least(certificate.rho, 3)}"
-        )
+        yield f"contraction of V at worst {at_most(certificate.contraction, 6)}"
         yield f"{learned_text(excitation)}, in windows like this one"
         if certificate.disturbed:
             yield "V and errors fall so but for what the disturbance adds to them"
