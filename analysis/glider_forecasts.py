@@ -1,6 +1,6 @@
 """How good are forecasts of the next surfacing, sea by sea, with one set of defaults?
 
-In each made sea vehicles are replayed by every estimator; the ratio is CLPE rms
+In each made sea vehicles are replayed; the ratio is CLPE rms
 after the third dive over that of the previous dive's current, one value a
 vehicle, their geometric mean in the table.  The Seaglider that ships is the last row.
 
@@ -19,7 +19,7 @@ from clpt_control.ocean.forecast.replay_summary import clpe_rms
 from clpt_control.replay import Replay, replay_dives
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
-from .study import BLUE, GREEN, leave, new_figure, progress_bar
+from .study import BLUE, leave, new_figure, progress_bar
 
 WAVES = (0.03, QUARTER_DAY, 1)  # internal waves, forgotten in six hours
 SWING, STORM = (0.05, 2 * DAY), (0.12, 2 * DAY)  # inertial oscillations
@@ -95,7 +95,6 @@ SEAS = {
         dives=14,
     ),
 }
-MARKS = {"gaussian-process": (BLUE, "o"), "gradient": (GREEN, "s")}
 
 
 def ratio(replay: Replay) -> float:
@@ -113,14 +112,8 @@ def inside_share(replay: Replay) -> float:
 def judged(name: str, seed: int) -> dict[str, Any]:
     """Replay one vehicle of a sea."""
     sea = SEAS[name]
-    dives = made_dives(sea, seed)
-    found: dict[str, Any] = {"sea": name}
-    for estimator in MARKS:
-        replay = replay_dives(dives, estimator)
-        found[estimator] = ratio(replay)
-        if estimator == "gaussian-process":
-            found["inside"] = inside_share(replay)
-    return found
+    replay = replay_dives(made_dives(sea, seed))
+    return {"sea": name, "ratio": ratio(replay), "inside": inside_share(replay)}
 
 
 def geometric(values: list[float]) -> float:
@@ -140,59 +133,45 @@ def main(
             records[found["sea"]].append(found)
             report(k + 1)
     lines = [
-        f"| sea | {' | '.join(MARKS)} | gaussian-process, worst | in the 90 % ellipse, hindsight |",
-        "|---" * (len(MARKS) + 3) + "|",
+        "| sea | ratio | worst | in the 90 % ellipse, hindsight |",
+        "|---|---|---|---|",
     ]
     for name, rows in records.items():
         lines.append(
-            f"| {name} | "
-            + " | ".join(f"{geometric([row[e] for row in rows]):.2f}" for e in MARKS)
-            + f" | {max(row['gaussian-process'] for row in rows):.2f}"
-            + f" | {100 * np.mean([row['inside'] for row in rows]):.0f} % |"
+            f"| {name} | {geometric([row['ratio'] for row in rows]):.2f} | "
+            f"{max(row['ratio'] for row in rows):.2f} | "
+            f"{100 * np.mean([row['inside'] for row in rows]):.0f} % |"
         )
-    real = {e: replay_dives(sample_dives(), e) for e in MARKS}
-    inside = inside_share(real["gaussian-process"])
+    real = replay_dives(sample_dives())
     lines.append(
-        f"| Seaglider SG542 | {' | '.join(f'{ratio(real[e]):.2f}' for e in MARKS)} | - | "
-        f"{100 * inside:.0f} % |"
+        f"| Seaglider SG542 | {ratio(real):.2f} | - | {100 * inside_share(real):.0f} % |"
     )
-    lines.append("")
-    for e in MARKS:
-        means = [geometric([row[e] for row in rows]) for rows in records.values()]
-        lines.append(
-            f"Geometric mean of the seas, {e}: {geometric(means):.3f}; worst {max(means):.2f}"
-        )
+    means = [geometric([row["ratio"] for row in rows]) for rows in records.values()]
+    lines.append(
+        f"\nGeometric mean of the seas: {geometric(means):.3f}; worst {max(means):.2f}"
+    )
     leave(out, "glider_forecasts", "\n".join(lines) + "\n", picture(records, real))
     typer.echo("\n".join(lines))
 
 
-def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -> Any:
+def picture(records: dict[str, list[dict[str, Any]]], real: Replay) -> Any:
     """Draw a row for each sea: vehicles as dots, means as marks."""
     figure, ax = new_figure(7.2, 5.6)
     names = [*records, "Seaglider SG542"]
     for k, rows in enumerate(records.values()):
         ax.plot(
-            [row["gaussian-process"] for row in rows],
+            [row["ratio"] for row in rows],
             [k] * len(rows),
             ".",
             color=BLUE,
             ms=4,
             alpha=0.35,
-            label=None if k else "gaussian-process, each vehicle",
+            label=None if k else "each vehicle",
         )
-    for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
-        means = [
-            geometric([row[estimator] for row in rows]) for rows in records.values()
-        ]
-        place = np.arange(len(names)) + 0.18 * (j - 1)
-        ax.plot(
-            [*means, ratio(real[estimator])],
-            place,
-            mark,
-            color=colour,
-            ms=5,
-            label=estimator,
-        )
+    means = [geometric([row["ratio"] for row in rows]) for rows in records.values()]
+    ax.plot(
+        [*means, ratio(real)], range(len(names)), "o", color=BLUE, ms=5, label="mean"
+    )
     ax.axvline(1, color="black", lw=0.8)
     ax.set(
         yticks=range(len(names)),

@@ -1,6 +1,6 @@
 """How much do forecasts of the next surfacing depend on the priors?
 
-Each number that the estimators begin with is halved and doubled, one at a time;
+Each number that the estimator begins with is halved and doubled, one at a time;
 for every record the ratio is CLPE rms after the third dive over that of the
 previous dive's current.  Records are the Seaglider that ships, and FILES.
 

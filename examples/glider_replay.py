@@ -3,8 +3,8 @@
     python examples/glider_replay.py [FOLDER [FILES...]]
 
 Without FILES the fourteen dives of Seaglider SG542 that ship with the package
-are used.  Each dive is forecast from earlier dives alone, by both estimators;
-FOLDER (default: out) gets the Kalman filters' NetCDF file and figure.
+are used.  Each dive is forecast from earlier dives alone, by a mixture of
+Gaussian processes; FOLDER (default: out) gets its NetCDF file and figure.
 """
 
 import sys
@@ -22,14 +22,13 @@ def main(folder="out", *files):
     )
     for dive in skipped:
         print(f"dive {dive.dive} skipped: {dive.why}")
-    for name in ("gradient", "gaussian-process"):
-        replay = clpt.replay.replay_dives(dives, name)
-        rms = replay.summary()["clpe_rms_after_3"]
-        if rms["adaptive"] is not None:
-            print(
-                f"{name}: CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous "
-                f"dive's current {rms['previous_dive']:.0f} m, without flow {rms['no_flow']:.0f} m"
-            )
+    replay = clpt.replay.replay_dives(dives)
+    rms = replay.summary()["clpe_rms_after_3"]
+    if rms["adaptive"] is not None:
+        print(
+            f"CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous dive's "
+            f"current {rms['previous_dive']:.0f} m, without flow {rms['no_flow']:.0f} m"
+        )
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"not yet known: {', '.join(last.not_learned) or 'nothing'}")

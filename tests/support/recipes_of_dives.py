@@ -205,77 +205,9 @@ FORECAST = Recipe(
         "or cf_trajectory or clpt_control",
     ),
 )
-ESTIMATORS = "ocean/estimation/estimators.py"
-NAMED = "test_an_estimator_is_named_where_users_look[copied]"
-ESTIMATOR = Recipe(
-    "Add an estimator or a benchmark",
-    (
-        Step(
-            "class",
-            "Copied",
-            row(
-                ESTIMATORS,
-                '''
-                class Copied(Gradient):
-                    """The gradient law under another name."""
-                ''',
-            ),
-        ),
-        Step(
-            "entry",
-            "estimator 'copied': must be one of",
-            row(ESTIMATORS, 'ESTIMATORS["copied"] = Copied\n'),
-        ),
-        Step(
-            "page",
-            NAMED,
-            (
-                (
-                    "docs/gliders_method.md",
-                    "`gradient` is",
-                    "`copied` and `gradient` are",
-                ),
-            ),
-        ),
-        Step(
-            "docstring",
-            NAMED,
-            (
-                (
-                    "clpt_control/ocean/forecast/replay.py",
-                    'or ``"gradient"``.',
-                    '``"copied"`` or ``"gradient"``.',
-                ),
-            ),
-        ),
-        Step(
-            "help",
-            NAMED,
-            (
-                (
-                    "clpt_control/app/cli/replay.py",
-                    "process or gradient.",
-                    "process, copied or gradient.",
-                ),
-            ),
-        ),
-    ),
-    """
-    import clpt_control as clpt
-    dives = clpt.gliders.sample_dives()
-    assert len(clpt.replay.replay_dives(dives, "copied").steps) == 14
-    """,
-    (
-        "tests/ocean/estimation/test_estimators.py",
-        "tests/ocean/forecast/test_quality_flags.py",
-        "-k",
-        "copied",
-    ),
-)
 DIVES = {
     "column": COLUMN,
     "field of a dive": FIELD,
     "format": FORMAT,
     "forecast": FORECAST,
-    "estimator": ESTIMATOR,
 }

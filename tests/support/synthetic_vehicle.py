@@ -14,22 +14,11 @@ from clpt_control.app.cli.replay_report import Job
 from clpt_control.gliders import Dive, make_dive, write_dive_table
 from clpt_control.ocean.forecast.flow_models import FlowModel
 from clpt_control.ocean.forecast.netcdf_export import dataset_of
-from clpt_control.replay import Replay, replay_dives
+from clpt_control.replay import replay_dives
 
 STEADY = (0.1, -0.05)
 M2 = 2 * math.pi / (12.4206012 * 3600)  # rad/s
 EARTH = 7.292115e-5  # rad/s, of the rotation
-
-
-def estimators():
-    """Return the names of all estimators, which the error on a wrong one lists."""
-    try:
-        Replay("none")
-    except clpt.ScenarioError as error:
-        return str(error).rpartition(" one of ")[2].split(", ")
-
-
-ESTIMATORS = estimators()
 
 
 class Made(FlowModel):

@@ -32,7 +32,6 @@ def folder_named(text: str) -> Path:
     return Path(text)
 
 
-Estimator = Annotated[str, annotated("NAME", "gaussian-process or gradient.")]
 Flow = Annotated[
     str | None,
     annotated(
@@ -97,7 +96,6 @@ def replay(
         "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
     sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
-    estimator: Estimator = "gaussian-process",
     flow: Flow = None,
     learn_speed: LearnSpeed = True,
     flow_model: FlowModelFile = None,
@@ -128,7 +126,7 @@ def replay(
             "folders that files arrive in"
         )
     job = job_of(
-        replay_of(estimator, flow, learn_speed, flow_model, units),
+        replay_of(flow, learn_speed, flow_model, units),
         (plan, aim, speed, hours, variation),
         least_duration,
         formats or ["png"],
@@ -163,7 +161,6 @@ def watch(
         default=inf,
         show_default=False,
     ),
-    estimator: Estimator = "gaussian-process",
     flow: Flow = None,
     learn_speed: LearnSpeed = True,
     flow_model: FlowModelFile = None,
@@ -192,7 +189,7 @@ def watch(
     command = [] if alert is None else checked_command(alert)
     replay_report.check_pace(every, patience)
     job = job_of(
-        replay_of(estimator, flow, learn_speed, flow_model, units),
+        replay_of(flow, learn_speed, flow_model, units),
         (plan, aim, speed, hours, variation),
         least_duration,
         formats or ([] if fleet else ["png"]),
@@ -208,11 +205,7 @@ def watch(
 
 
 def replay_of(
-    estimator: str,
-    flow: str | None,
-    learn_speed: bool,
-    flow_model: Path | None,
-    units: str | None,
+    flow: str | None, learn_speed: bool, flow_model: Path | None, units: str | None
 ) -> Any:
     """Return a `Replay` without dives, of the options."""
     model = chosen_model(flow, learn_speed, flow_model is not None)
@@ -221,9 +214,9 @@ def replay_of(
             raise ScenarioError(
                 f"--units {units}: is for --flow-model FILE. Give one, or leave it out"
             )
-        return clpt.replay.Replay(estimator, model, None)
+        return clpt.replay.Replay(model, None)
     forecast = clpt.replay.read_flow_model(flow_model, units)
-    return clpt.replay.Replay(estimator, model, forecast)
+    return clpt.replay.Replay(model, forecast)
 
 
 def job_of(

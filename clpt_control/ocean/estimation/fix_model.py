@@ -1,4 +1,4 @@
-"""Regression of the displacement between two fixes that all estimators share.
+"""Regression of the displacement between two fixes.
 
 The displacement of a vehicle between two fixes is
 
@@ -35,7 +35,6 @@ time.
 """
 
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -148,11 +147,6 @@ class Priors(NamedTuple):
     degrees_of_freedom: float = 8.0  # of the density that weights processes
     # judgement: a voyage comes to another sea in weeks
     weight_memory: float = 20 * DAY
-
-    # the gradient's.  With 1 the parameters explain the last dive (Goodwin, Sin 1984, projection)
-    gain: float = 1.0  # mu, between 0 and 2 for stability
-    # judgement: the gradient's one sea; a current that it forgets walks 0.04 m/s in six hours
-    gradient: Sea = Sea(0.0, 28.125 * DAY, scatter=0.04)
 
 
 class Term(NamedTuple):
@@ -333,113 +327,3 @@ class FixModel:
             c, s = math.cos(angle), math.sin(angle)
             rotation[k : k + 2, k : k + 2] = [[c, s], [-s, c]]
         return rotation
-
-
-class Estimator(ABC):
-    """Mixture of m normal distributions of the parameters of the flow and the vehicle.
-
-    `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive, `variance`
-    (m, n) is the prior's and `scatter` (m,) is s in m/s. `has_part` (m, parts) is true if a
-    distribution has an optional part.
-    """
-
-    def __init__(
-        self, model: FixModel, scatter: np.ndarray, has_part: np.ndarray
-    ) -> None:
-        self.model, self.priors = model, model.priors
-        self.scatter, self.has_part = scatter, has_part
-        self.log_weight = np.zeros(len(has_part))
-        self.time: float | None = None
-        always = np.ones(len(has_part), bool)
-        columns = dict(zip(model.optional, has_part.T, strict=True))
-        self.has_parameter = np.stack(
-            [columns.get(part, always) for part in model.parts], axis=1
-        )
-        self.variance = model.prior_sd**2 * self.has_parameter
-        self.mean = np.zeros(self.variance.shape)
-        self.covariance = self.variance[:, :, None] * np.eye(len(model.names))
-
-    @abstractmethod
-    def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Return mean (m, 2) and covariance (m, 2, 2) of a dive's miss, m."""
-
-    @abstractmethod
-    def update(self, dive: Dive) -> None:
-        """Learn from a dive that has ended."""
-
-    @property
-    def weights(self) -> np.ndarray:
-        """Probabilities of the m distributions."""
-        weights = np.exp(self.log_weight - self.log_weight.max())
-        return weights / weights.sum()
-
-    def elapsed(self, dive: Dive) -> float:
-        """Return the time from the middle of the last dive to that of this one, s."""
-        return 0.0 if self.time is None else max(0.0, dive.mid_time - self.time)
-
-    def noise(self, dive: Dive) -> np.ndarray:
-        """Return the m covariances of the noise n of a dive, (m, 2, 2), m^2."""
-        return self.model.noise(dive, self.scatter)[:, None, None] * np.eye(2)
-
-    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
-        return mixed(*self.forecast(dive), self.weights)
-
-    def parts(self) -> dict[str, float]:
-        """Return the probability that each part of the flow is present, if known."""
-        return {}
-
-    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return mean (n,), covariance (n, n) and the share of the prior's error left (n,).
-
-        The share is computed from the distributions that have the parameter; 1 where none has.
-        """
-        weights = self.weights[:, None] * self.has_parameter
-        weights /= np.maximum(weights.sum(axis=0), 1e-300)
-        spread = self.mean - (weights * self.mean).sum(axis=0)
-        variance = np.diagonal(self.covariance, axis1=1, axis2=2) + spread**2
-        share = np.sqrt((weights * variance).sum(axis=0)) / self.model.prior_sd
-        share[~self.has_parameter.any(axis=0)] = 1.0
-        return *mixed(self.mean, self.covariance, self.weights), share
-
-    def learned(self, dive: Dive) -> dict[str, Any]:
-        """Return what is known after a dive, by the names of `forecast.step.Step`."""
-        names, (p, P, prior_share) = self.model.names, self.estimate()
-        flow = np.arange(len(names) - 2 * self.model.learn_speed)
-        H = self.model.regressor(dive)[:, flow] / dive.duration
-        known = {
-            "current": H @ p[flow],
-            "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
-            "parameters": dict(zip(names, p.tolist(), strict=True)),
-            "parts": self.parts(),
-            "not_learned": tuple(
-                name
-                for name, share in zip(names, prior_share, strict=True)
-                if share >= LEARNED
-            ),
-        }
-        if not self.model.learn_speed:
-            return known
-        a, b = 1.0 + p[-2], p[-1]  # f cos psi, f sin psi
-        f = np.hypot(a, b)
-        by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
-        factor, compass = np.sqrt(np.diag(by @ P[-2:, -2:] @ by.T))
-        return known | {
-            "speed": float(f),
-            "speed_error": float(factor),
-            "compass": math.degrees(math.atan2(b, a)),
-            "compass_error": math.degrees(compass),
-        }
-
-
-def mixed(
-    means: np.ndarray, covariances: np.ndarray, weights: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return mean (n,) and covariance (n, n) of a mixture of m distributions.
-
-    m = sum w_i m_i,  P = sum w_i (P_i + (m_i - m)(m_i - m)^T)
-    """
-    mean = weights @ means
-    deviation = means - mean
-    between_means = np.einsum("m,mi,mj->ij", weights, deviation, deviation)
-    return mean, np.einsum("m,mij->ij", weights, covariances) + between_means

@@ -33,8 +33,8 @@ from ...base.geodesy import place_from
 from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
-from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import CHI_SQUARED, FLOW, Estimator, FixModel
+from ..estimation.fix_model import CHI_SQUARED, FLOW, FixModel
+from ..estimation.process_mixture import ProcessMixture
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
 from .aim import aims
@@ -73,10 +73,10 @@ LISTED = 10  # dives of a notebook's table
 
 def _in_words(replay: Any) -> str:
     if not replay.steps:
-        return f"no dive yet, {replay.estimator}"
+        return "no dive yet"
     first_dive, last = replay.steps[0].dive, replay.steps[-1].dive
     count = f"{len(replay.steps)} dives, {first_dive.number} to {last.number}"
-    return f"{last.vehicle or 'a glider'}: {count}, {replay.estimator}"
+    return f"{last.vehicle or 'a glider'}: {count}"
 
 
 @public
@@ -86,8 +86,6 @@ class Replay:
 
     Attributes
     ----------
-    estimator : str
-        ``"gaussian-process"`` or ``"gradient"``.
     model : FixModel
         The parameters.
     flow_model : FlowModel or None
@@ -108,17 +106,16 @@ class Replay:
     1208
     """
 
-    estimator: str = "gaussian-process"
     model: FixModel = field(default_factory=FixModel)
     flow_model: FlowModel | None = None
     steps: list[Step] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         """Start without any dive."""
-        self._learner = make_estimator(self.estimator, self.model)
+        self._learner = ProcessMixture(self.model)
         self.dive_statistics = DiveStatistics()
         self._fed: list[Dive] = []
-        self._outlier: tuple[Dive, Estimator] | None = None
+        self._outlier: tuple[Dive, ProcessMixture] | None = None
         self.seen: Fix = (-np.inf, np.nan, np.nan)
         self._before = self._state()
 
@@ -398,7 +395,6 @@ def _identity(dive: Dive) -> tuple:
 @public
 def replay_dives(
     dives: Iterable[Dive],
-    estimator: str = "gaussian-process",
     *,
     flow: Sequence[str] = FLOW,
     learn_speed: bool = True,
@@ -410,8 +406,6 @@ def replay_dives(
     ----------
     dives : iterable of Dive
         In the order of their ends, as `read_dives` returns them.
-    estimator : str, optional
-        As in `Replay`.
     flow : sequence of str, optional
         Parts of the flow: ``"steady"``, then any of ``"inertial"``, ``"shear"``, ``"gaussians"`` (a
         steady current that depends on position), ``"model"`` (a factor on the flow model) and
@@ -432,7 +426,7 @@ def replay_dives(
         If dives are out of order, or too few to tell the model's tides apart, or their dead
         reckoning looks swapped, reversed or in km.
     ScenarioError
-        If the estimator or a part of the flow is unknown.
+        If a part of the flow is unknown.
 
     Examples
     --------
@@ -442,6 +436,6 @@ def replay_dives(
     (14, True)
     """
     dives = list(dives)
-    replay = Replay(estimator, FixModel((*flow,), learn_speed), flow_model)
+    replay = Replay(FixModel((*flow,), learn_speed), flow_model)
     check_tides(flow, dives)
     return replay.feed(dives)

@@ -168,7 +168,7 @@ def summary(
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
         "kind": last.dive.kind if last else None,
-        "estimator": self.estimator,
+        "estimator": "gaussian-process",
         "flow": list(self.model.flow),
         "learn_speed": self.model.learn_speed,
         "dives": len(steps) + len(skipped),

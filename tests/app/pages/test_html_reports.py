@@ -381,7 +381,7 @@ def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeyp
     Path("folder/run.nc").write_bytes(whole)
     for name, (summary, _) in NO_SUMMARY.items():
         held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
-        xarray.Dataset(held, attrs={"estimator": "gradient"}).to_netcdf(name)
+        xarray.Dataset(held, attrs={"estimator": "gaussian-process"}).to_netcdf(name)
     half = whole[: len(whole) // 2]
     no_page = {"empty.nc": b"", "bytes.nc": bytes(range(256)) * 9, "b.nc": half}
     for name, content in no_page.items():

@@ -1,21 +1,15 @@
-"""Estimators between fixes: what they learn of made vehicles, and how sure they are."""
+"""The estimator between fixes: what it learns of made vehicles, and how sure it is."""
 
 import math
-import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from geodesics import place_from
-from paths import ROOT
-from refusals import refuses
-from synthetic_vehicle import ESTIMATORS, STEADY, clpe_rms, further, turned, vehicle
+from synthetic_vehicle import STEADY, clpe_rms, further, turned, vehicle
 
-from clpt_control import ScenarioError
 from clpt_control.gliders import Dive
-from clpt_control.ocean.estimation.estimators import ESTIMATORS as ESTIMATORS_BY_NAME
-from clpt_control.ocean.estimation.estimators import Gradient
-from clpt_control.replay import Replay, replay_dives
+from clpt_control.replay import replay_dives
 
 STEADY_ONLY = {"flow": ("steady",)}
 
@@ -27,29 +21,17 @@ def ratio(dives, **model):
 
 @pytest.mark.long
 @pytest.mark.parametrize("count", [20, pytest.param(200, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_errors_are_no_larger_than_is_said(estimator, count):
+def test_errors_are_no_larger_than_is_said(count):
     """Of so many vehicles: the mean square of what is off, in standard errors, is at most 1."""
     off = []
     for seed in range(count):
         factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
         dives = vehicle(seed, 16, factor=factor, noise=0.01)
-        step = replay_dives(dives, estimator, **STEADY_ONLY).steps[-1]
+        step = replay_dives(dives, **STEADY_ONLY).steps[-1]
         current = (step.current - STEADY) / step.current_error
         off.append([(step.speed - factor) / step.speed_error, *current])
         assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
     assert np.all(np.mean(np.square(off), axis=0) < 1)
-
-
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_an_estimator_is_named_where_users_look(estimator, clpt):
-    page = (ROOT / "docs" / "gliders_method.md").read_text("utf-8")
-    assert re.search(rf"`(--estimator )?{estimator}`", page)
-    assert f'``"{estimator}"``' in Replay.__doc__
-    for command in ("replay", "watch"):
-        assert re.search(
-            rf"--estimator +NAME.*\b{estimator}\b", clpt(command, "-h").out
-        )
 
 
 def test_a_tide_is_learned():
@@ -80,20 +62,6 @@ def test_ellipses_hold_what_they_promise(case):
     inside = [step.inside_hindsight for replay in replays for step in replay.steps]
     level = replays[0].summary()["level"]
     assert level - 0.07 < np.mean(inside) <= 1
-
-
-class Steady(Gradient):
-    """An estimator of the parts that no sea lacks."""
-
-    def __init__(self, model):
-        super().__init__(model)
-        self.has_parameter &= [part not in model.optional for part in model.parts]
-
-
-def test_what_no_distribution_has_is_not_learned(monkeypatch):
-    monkeypatch.setitem(ESTIMATORS_BY_NAME, "steady", Steady)
-    step = replay_dives(vehicle(0), "steady").steps[-1]
-    assert any(name.startswith("M2") for name in step.not_learned)
 
 
 def test_what_is_not_excited_is_held():
@@ -175,12 +143,11 @@ def test_a_front_is_followed_at_once():
     assert steps[21].clpe["adaptive"] < 1500
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_one_wild_fix_does_little_harm(estimator):
+def test_one_wild_fix_does_little_harm():
     dives = vehicle(5, 40, noise=0.01)
     wild = [further(d, 50e3) if d.number == 20 else d for d in dives]
     calm, after = (
-        np.array([s.clpe["adaptive"] for s in replay_dives(d, estimator).steps])
+        np.array([s.clpe["adaptive"] for s in replay_dives(d).steps])
         for d in (dives, wild)
     )
     assert after[23:].mean() < 3 * calm[23:].mean() + 300
@@ -252,11 +219,6 @@ def test_a_map_is_fed_dive_by_dive_or_at_once():
     assert single.steps[-1].parts["gaussians"] != 0.5
 
 
-def test_the_gradient_law_has_no_map():
-    said = "flow gaussians: not in the gradient law"
-    refuses(said, replay_dives, [], "gradient", **MAPPED, error=ScenarioError)
-
-
 WITH_MODEL = {"flow": ("steady", "M2", "inertial", "model")}
 
 
@@ -267,20 +229,17 @@ def modelled(dives, ways):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(
-    ("estimator", "most"), [("gaussian-process", 0.6), ("gradient", 0.9)]
-)
-def test_a_flow_model_that_tells_is_used(estimator, most):
+def test_a_flow_model_that_tells_is_used():
     """It is 0.8 times what carries the vehicle, and wrong by 50 m."""
     dives, rng = vehicle(2, walk=0.1), np.random.default_rng(0)
     ways = [
         [0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives
     ]
-    replay = replay_dives(modelled(dives, ways), estimator, **WITH_MODEL)
-    plain = clpe_rms(replay_dives(dives, estimator), 5)
-    assert clpe_rms(replay, 5) < most * plain
+    replay = replay_dives(modelled(dives, ways), **WITH_MODEL)
+    plain = clpe_rms(replay_dives(dives), 5)
+    assert clpe_rms(replay, 5) < 0.6 * plain
     assert "model" not in replay.steps[-1].not_learned
-    uncovered = replay_dives(dives, estimator, **WITH_MODEL)
+    uncovered = replay_dives(dives, **WITH_MODEL)
     assert "model" in uncovered.steps[-1].not_learned
 
 

@@ -11,19 +11,19 @@ from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import further, vehicle
 
 from clpt_control.base.units import DAY
-from clpt_control.ocean.estimation.estimators import (
+from clpt_control.ocean.estimation.fix_model import (
+    FixModel,
+    Priors,
+    Sea,
+    inertial_frequency,
+)
+from clpt_control.ocean.estimation.process_mixture import (
     DROPPED,
     LENGTH,
     MOST,
     ProcessMixture,
     integral_covariance,
     position_covariance,
-)
-from clpt_control.ocean.estimation.fix_model import (
-    FixModel,
-    Priors,
-    Sea,
-    inertial_frequency,
 )
 from clpt_control.replay import replay_dives
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from geodesics import displacement, place_from
-from synthetic_vehicle import ESTIMATORS, along, chained, clpe_rms
+from synthetic_vehicle import along, chained, clpe_rms
 
 from clpt_control.gliders import read_dives
 from clpt_control.replay import Replay, replay_dives
@@ -69,12 +69,8 @@ def as_learned(steps, others, to):
         assert one.forecast == pytest.approx(other.forecast, abs=to)
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
-    good, wild = (
-        replay_dives(sea(), estimator),
-        replay_dives(with_wild("gpse"), estimator),
-    )
+def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive():
+    good, wild = (replay_dives(sea()), replay_dives(with_wild("gpse")))
     assert (said(good), said(wild)) == ([], [WILD + 1])
     found, later = (wild.steps[k].dive for k in (WILD, WILD + 1))
     assert (found.lat_gpse, found.lon_gpse) == (later.lat_gps2, later.lon_gps2)
@@ -86,12 +82,8 @@ def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
     assert clpe_rms(wild) == pytest.approx(clpe_rms(good), abs=40)
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_a_wild_start_counts_little_and_leaves_the_dive_before(estimator):
-    good, wild = (
-        replay_dives(sea(), estimator),
-        replay_dives(with_wild("gps2"), estimator),
-    )
+def test_a_wild_start_counts_little_and_leaves_the_dive_before():
+    good, wild = (replay_dives(sea()), replay_dives(with_wild("gps2")))
     assert said(wild) == [WILD + 1]
     assert all(map(same, wild.steps[:WILD], good.steps))
     assert wild.steps[WILD].dive.doubt == pytest.approx(3200.0, abs=100)
@@ -113,10 +105,9 @@ def test_a_vehicle_that_a_boat_has_moved_is_forecast_from_where_it_is():
 
 
 @pytest.mark.parametrize("fix", ["gpse", "gps2"])
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator, fix):
+def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(fix):
     """Of a dive that is learned again the forecast stays, and no later end is read."""
-    dives, replay, forecasts = with_wild(fix), Replay(estimator), []
+    dives, replay, forecasts = with_wild(fix), Replay(), []
     for k, dive in enumerate(dives):
         mean, covariance = replay.forecast(dive)
         # a start elsewhere: it leaves no trace
@@ -129,17 +120,14 @@ def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator,
         assert np.array_equal(mean, step.forecast)
         assert np.array_equal(covariance, step.covariance)
         forecasts.append(mean)
-        assert all(
-            map(same, replay.steps, replay_dives(dives[: k + 1], estimator).steps)
-        )
+        assert all(map(same, replay.steps, replay_dives(dives[: k + 1]).steps))
     assert np.array_equal([step.forecast for step in replay.steps], forecasts)
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_the_state_is_that_of_having_known(estimator):
+def test_the_state_is_that_of_having_known():
     """What was learned of the wild fix is gone: as if the dive had come with its settled end."""
-    found = replay_dives(with_wild("gpse"), estimator)
-    known = replay_dives([step.dive for step in found.steps], estimator)
+    found = replay_dives(with_wild("gpse"))
+    known = replay_dives([step.dive for step in found.steps])
     assert all(map(same, found.steps[WILD + 1 :], known.steps[WILD + 1 :]))
 
 
@@ -168,17 +156,14 @@ def later_rms(replay, dive):
 @pytest.mark.thirds
 @pytest.mark.parametrize("size", [700.0, 1200.0, 2000.0])
 @pytest.mark.parametrize("dive", [3, 5, 9])
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_an_end_that_a_drift_cannot_explain_leaves_the_next_dives(
-    estimator, dive, size
-):
+def test_an_end_that_a_drift_cannot_explain_leaves_the_next_dives(dive, size):
     """0.7 to 2 km off after ten minutes at the surface; it was 5 to 13 times the clean miss."""
     dives = sea(20, stay=600.0)
-    clean = later_rms(replay_dives(dives, estimator), dive)
+    clean = later_rms(replay_dives(dives), dive)
     for angle in (0.0, 120.0, 240.0):
         wild = [*dives]
         wild[dive] = moved(dives[dive], "gpse", *along(angle, size))
-        replay = replay_dives(wild, estimator)
+        replay = replay_dives(wild)
         assert said(replay) == [dive + 1]
         assert later_rms(replay, dive) < 1.3 * clean
 
@@ -224,19 +209,18 @@ def test_a_current_that_changes_is_followed(size, stay, wind):
     assert later_rms(changed, 12) < 1.2 * later_rms(same_current, 12)
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_outliers_one_by_one_are_those_at_once(estimator):
+def test_outliers_one_by_one_are_those_at_once():
     dives = sea(
         14, stay=5400.0, current=lambda number: CURRENT * (1 + 4 * (number > 9))
     )
     dives[5] = moved(dives[5], "gpse", 3000.0, 0.0)
-    replay = Replay(estimator)
+    replay = Replay()
     for k, dive in enumerate(dives):
         mean, covariance = replay.forecast(dive)
         step = replay.step(dive)
         assert np.array_equal(mean, step.forecast)
         assert np.array_equal(covariance, step.covariance)
-        at_once = replay_dives(dives[: k + 1], estimator)
+        at_once = replay_dives(dives[: k + 1])
         assert all(map(same, replay.steps, at_once.steps))
 
 

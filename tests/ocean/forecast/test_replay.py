@@ -80,7 +80,7 @@ def test_what_is_learned_is_said_as_it_is():
     size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", tidal.summary()["said"])[1]
     assert float(size) == pytest.approx(0.15, abs=0.02)
     assert replay_dives([]).summary()["said"] == "nothing"
-    bare = replay_dives(vehicle(1, 3), "gradient", flow=("steady",), learn_speed=False)
+    bare = replay_dives(vehicle(1, 3), flow=("steady",), learn_speed=False)
     assert bare.summary()["said"].endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = replay_dives([vehicle(1, 3)[0], noted]).summary()

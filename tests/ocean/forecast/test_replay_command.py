@@ -57,9 +57,7 @@ def test_the_command(sample, command):
     )
     assert " x " in rows[-1][titles.index(f"{percent(found)} half axes (m), deg")]
     assert rows[-1][titles.index("adaptive")] == ""
-    table = command(
-        "--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient"
-    )
+    table = command("--sample", "--no-learn-speed", "--flow", "steady")
     assert table.exit_code == 0
     assert "after the third dive" in table.stdout
     gaussians = command("--sample", "--flow", "steady,gaussians")
@@ -273,16 +271,7 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     """Two tides on one dive, and aiming by a vehicle that does not swim."""
     still = {"dr_east": 0.0, "dr_north": 0.0, "dac_east": None, "dac_north": None}
     one_file_each(tmp_path, [replace(sample_dives()[0], **still)])
-    words = (
-        "--flow",
-        "steady,M2,S2",
-        "--estimator",
-        "gradient",
-        "--aim",
-        "-42.5",
-        "8.0",
-        "--json",
-    )
+    words = ("--flow", "steady,M2,S2", "--aim", "-42.5", "8.0", "--json")
     for _ in range(2):
         # its own results, which lie in the folder by default, are no dives
         done = follow(tmp_path, *words)
@@ -296,7 +285,7 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     )
     assert set(found["clpe_rms"].values()) == {None}
     assert found["clpe_rms_all"]["no_flow"] > 0
-    two = command("--sample", "--flow", "steady,M2,K1", "--estimator", "gradient")
+    two = command("--sample", "--flow", "steady,M2,K1")
     assert two.exit_code == 0
 
 

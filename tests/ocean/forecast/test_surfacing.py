@@ -59,7 +59,7 @@ def test_a_plan_tells_the_course():
     assert half(with_plan) < 0.4 * half(without)
 
 
-STILL = {"estimator": "gradient", "flow": ("steady",)}  # the fastest
+STILL = {"flow": ("steady",)}  # the fastest
 
 
 @pytest.mark.parametrize("wild", [False, True])

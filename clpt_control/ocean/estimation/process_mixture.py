@@ -1,4 +1,4 @@
-"""Estimators between fixes: a mixture of Gaussian processes, the default, and the gradient law.
+"""Estimator between fixes: a mixture of Gaussian processes.
 
 Seas differ in how fast currents change and in the parts of the flow. The mixture has a Gaussian
 process (`DiveRegression`) for each of a few kinds of sea (`Priors.kinds`) with each choice of
@@ -58,37 +58,19 @@ for any two intervals: separate, overlapping or identical. The Matern covariance
 A steady current that depends on position has the covariance exp(-|x - y|^2/(2 l^2)). Its mean
 along two straight dives is computed by Gauss-Legendre quadrature with two points each; dives are
 short compared with l.
-
-The paper's gradient law from fix to fix is
-
-    p <- p + K (y - H p),  K = mu P0 H^T (H P0 H^T + r)^-1
-
-Eq. (22) moves theta along e phi at every instant; a vehicle under water has no e. Integrated from
-fix to fix, phi becomes H and e becomes the miss y - H p at the surfacing. P0 gives each parameter
-its unit, and the division keeps a long dive from overshooting (G. C. Goodwin, K. S. Sin,
-"Adaptive Filtering Prediction and Control", 1984, section 3.3). The law itself needs no
-covariance. That of its error follows from any gain K, for a current that walks,
-
-    P <- (I - K H) (P + Q) (I - K H)^T + K r K^T.
-
-A fix outside the 99.9 % ellipse moves the law less, by its distance beyond the ellipse. A doubtful
-fix moves it by the share of its variance that is not doubt.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import product
-from math import log
+from math import atan2, degrees, log
 from typing import Any
 
 import numpy as np
 
-from ...base.arguments import public
-from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
 from ...base.units import DAY
 from ..gliders.dives import Dive
-from .fix_model import FAR, Estimator, FixModel, Sea
+from .fix_model import FAR, LEARNED, FixModel, Sea
 
 MOST, DROPPED = 120, 40  # dives of the regression, and oldest dives dropped beyond
 LENGTH = 28e3  # m, l: that of gaussians which are 20 km wide
@@ -256,8 +238,13 @@ def position_covariance(line: np.ndarray, lines: np.ndarray) -> np.ndarray:
     return np.exp(-square / (2 * LENGTH**2)).mean(axis=(1, 2))
 
 
-class ProcessMixture(Estimator):
-    """A Gaussian process for each kind of sea with each choice of parts, and its weight."""
+class ProcessMixture:
+    """A Gaussian process for each kind of sea with each choice of parts, and its weight.
+
+    `mean` (m, n) and `covariance` (m, n, n) of the parameters of the flow and the vehicle are those
+    at the middle of the last dive, `variance` (m, n) is the prior's and `scatter` (m,) is s in m/s.
+    `has_part` (m, parts) is true if a process has an optional part.
+    """
 
     def __init__(self, model: FixModel) -> None:
         p = model.priors
@@ -270,7 +257,17 @@ class ProcessMixture(Estimator):
         if "gaussians" in model.optional:
             mapped = has_part[:, model.optional.index("gaussians")]
             seas = seas._replace(mapped=p.gaussian * mapped)
-        super().__init__(model, seas.scatter, has_part)
+        self.model, self.priors = model, p
+        self.scatter, self.has_part = seas.scatter, has_part
+        self.time: float | None = None
+        always = np.ones(len(has_part), bool)
+        columns = dict(zip(model.optional, has_part.T, strict=True))
+        self.has_parameter = np.stack(
+            [columns.get(part, always) for part in model.parts], axis=1
+        )
+        self.variance = model.prior_sd**2 * self.has_parameter
+        self.mean = np.zeros(self.variance.shape)
+        self.covariance = self.variance[:, :, None] * np.eye(len(model.names))
         self.log_prior = np.log(np.where(has_part, chance, 1 - chance)).sum(axis=1)
         self.log_weight = self.log_prior
         self.regression = empty_regression(seas, self.variance, model.memory)
@@ -364,66 +361,74 @@ class ProcessMixture(Estimator):
             present[name] = float(1 / (1 + odds))
         return present
 
+    @property
+    def weights(self) -> np.ndarray:
+        """Probabilities of the m distributions."""
+        weights = np.exp(self.log_weight - self.log_weight.max())
+        return weights / weights.sum()
 
-class Gradient(Estimator):
-    """The paper's gradient law in integral form, in one sea that has all parts."""
+    def elapsed(self, dive: Dive) -> float:
+        """Return the time from the middle of the last dive to that of this one, s."""
+        return 0.0 if self.time is None else max(0.0, dive.mid_time - self.time)
 
-    def __init__(self, model: FixModel) -> None:
-        if "gaussians" in model.flow:
-            raise ScenarioError(
-                "flow gaussians: not in the gradient law. Use the estimator gaussian-process"
-            )
-        scatter = np.array([model.priors.gradient.scatter])
-        super().__init__(model, scatter, np.ones((1, len(model.optional)), bool))
-        self.memory = model.memory.copy()
-        self.memory[:2] = model.priors.gradient.memory
+    def noise(self, dive: Dive) -> np.ndarray:
+        """Return the m covariances of the noise n of a dive, (m, 2, 2), m^2."""
+        return self.model.noise(dive, self.scatter)[:, None, None] * np.eye(2)
 
-    def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Return mean (1, 2) and covariance (1, 2, 2) of a dive's miss."""
-        mean, P = self._before(dive)
-        H = self.model.regressor(dive)
-        return mean @ H.T, H @ P @ H.T + self.noise(dive)
+    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
+        return mixed(*self.forecast(dive), self.weights)
 
-    def _before(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Return mean and covariance of the parameters before a dive is learned."""
-        elapsed = self.elapsed(dive)
-        decay = np.exp(-elapsed / self.memory)
-        F = self.model.rotation(elapsed, dive.lat_gps2) * decay[:, None]
-        prior = np.diag(self.variance[0])
-        return self.mean @ F.T, prior + F @ (self.covariance - prior) @ F.T
+    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return mean (n,), covariance (n, n) and the share of the prior's error left (n,).
 
-    def update(self, dive: Dive) -> None:
-        """Learn from a dive that has ended."""
-        forecast, S = self.predict(dive)
-        variance = np.trace(S) / 2
-        distance = float(np.sum((dive.miss - forecast) ** 2)) / variance
-        trust = 1.0 - dive.doubt**2 / variance
-        mu = trust * self.priors.gain * FAR / max(distance, FAR)
-        mean, P = self._before(dive)
-        H, R = self.model.regressor(dive), self.noise(dive)[0]
-        weight = self.variance[0][:, None] * H.T
-        K = mu * weight @ np.linalg.inv(H @ weight + R)
-        self.mean = mean + (dive.miss - mean @ H.T) @ K.T
-        remainder = np.eye(len(K)) - K @ H
-        self.covariance = remainder @ P @ remainder.T + K @ R @ K.T
-        self.time = dive.mid_time
+        The share is computed from the processes that have the parameter.
+        """
+        weights = self.weights[:, None] * self.has_parameter
+        weights /= np.maximum(weights.sum(axis=0), 1e-300)
+        spread = self.mean - (weights * self.mean).sum(axis=0)
+        variance = np.diagonal(self.covariance, axis1=1, axis2=2) + spread**2
+        share = np.sqrt((weights * variance).sum(axis=0)) / self.model.prior_sd
+        return *mixed(self.mean, self.covariance, self.weights), share
+
+    def learned(self, dive: Dive) -> dict[str, Any]:
+        """Return what is known after a dive, by the names of `forecast.step.Step`."""
+        names, (p, P, prior_share) = self.model.names, self.estimate()
+        flow = np.arange(len(names) - 2 * self.model.learn_speed)
+        H = self.model.regressor(dive)[:, flow] / dive.duration
+        known = {
+            "current": H @ p[flow],
+            "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
+            "parameters": dict(zip(names, p.tolist(), strict=True)),
+            "parts": self.parts(),
+            "not_learned": tuple(
+                name
+                for name, share in zip(names, prior_share, strict=True)
+                if share >= LEARNED
+            ),
+        }
+        if not self.model.learn_speed:
+            return known
+        a, b = 1.0 + p[-2], p[-1]  # f cos psi, f sin psi
+        f = np.hypot(a, b)
+        by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
+        factor, compass = np.sqrt(np.diag(by @ P[-2:, -2:] @ by.T))
+        return known | {
+            "speed": float(f),
+            "speed_error": float(factor),
+            "compass": degrees(atan2(b, a)),
+            "compass_error": degrees(compass),
+        }
 
 
-ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {
-    "gaussian-process": ProcessMixture,
-    "gradient": Gradient,
-}
+def mixed(
+    means: np.ndarray, covariances: np.ndarray, weights: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return mean (n,) and covariance (n, n) of a mixture of m distributions.
 
-
-@public
-def make_estimator(name: str, model: FixModel) -> Estimator:
-    """Make an estimator by its name.
-
-    >>> make_estimator("gradient", FixModel()).estimate()[0].any()
-    np.False_
+    m = sum w_i m_i,  P = sum w_i (P_i + (m_i - m)(m_i - m)^T)
     """
-    if name not in ESTIMATORS:
-        raise ScenarioError(
-            f"estimator '{name}': must be one of {', '.join(ESTIMATORS)}"
-        )
-    return ESTIMATORS[name](model)
+    mean = weights @ means
+    deviation = means - mean
+    between_means = np.einsum("m,mi,mj->ij", weights, deviation, deviation)
+    return mean, np.einsum("m,mij->ij", weights, covariances) + between_means
