@@ -192,18 +192,14 @@ class Ensemble:
             return finished(count, len(times), 0)
         if not self.compiled:
             return self._run_in_python(members, times)
-        result = finished(count, len(times), self.native.nstates)
-        remaining = np.arange(count)
         first = self._first_legs(members, times)
-        if first is not None:
-            result = first.results
-            may_follow = np.isin(result.status, may_go_on(self.native))
-            remaining = np.flatnonzero(may_follow)
-        for m in remaining.tolist():
+        result = first.results
+        may_follow = np.isin(result.status, may_go_on(self.native))
+        for m in np.flatnonzero(may_follow).tolist():
             start = members.x0[m], members.P[m], times, members.schedule(m)
             run = NativeRun(self.native, *start, self.options)
             try:
-                is_left = first is not None and m in first.ends
+                is_left = m in first.ends
                 run = run.go_on(first, m) if is_left else run.go_on(run.first_leg())
             except SimulationError:  # it begins where its jump is not defined
                 result.status[m] = Status.GUARD_LEFT
@@ -213,13 +209,11 @@ class Ensemble:
         return result
 
     def _first_legs(self, members: Members, times: np.ndarray) -> Any:
-        """Run first legs side by side; return None if each is looked at for its kinks."""
+        """Run first legs side by side."""
         native, options = self.native, self.options
         runs = members.x0, members.P, times, members.schedules, members.group
         if options.method == TAYLOR:
             return SeriesRuns(native, *runs, options, self.lanes)
-        if native.has_many_decisions:
-            return None
         method = native.method_of(options.method)
         lanes = 1 if method.implicit else self.lanes
         batch = Batch(native.callee(lanes, method), *runs)

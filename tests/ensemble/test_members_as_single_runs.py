@@ -137,7 +137,7 @@ WAVE = 1.2 + np.sin(2.0 * np.pi * (np.arange(20) + 0.5) / 20.0)
 SECONDS = np.linspace(0.0, 4.0, 21)
 LEGS = {  # rates, times, k, initial state, and the words of a run's method
     "series": (root_at_k, SECONDS, (0.9, 3.0), [0.0, 0.0], ", from t = 3 DOP853"),
-    "kinks": (limited, SECONDS, (0.5, 1.5), WAVE, "without locating kinks"),
+    "kinks": (limited, SECONDS, (0.5, 1.5), WAVE, "DOP853"),
     "slides": (friction, 5.0 * SECONDS, (0.1, 1.1), [2.0, 0.0], "sliding"),
     "stiff": (van_der_pol, 500.0 * SECONDS, (1.0, 501.0), [2.0, 0.0], "Rodas5P"),
     "stuck": (hysteresis, SECONDS, (0.5, 1.5), [0.01, 0.0, 0.0], "not located"),

@@ -10,7 +10,7 @@ input of the diagram is a straight line in time: behind the fields, P has the ti
 begin, their values there and their slopes.  Prepared values are the last numbers of P.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from math import pi, prod
@@ -56,8 +56,6 @@ class Form(NamedTuple):
         None  # all axes; else short ones unroll
     )
     locking: bool = True  # decisions are locked for a step
-    # operations whose decisions are not, counted as they are locked
-    passed: Collection[int] = ()
     held: tuple[Any, ...] = ()  # switches on which runs slide (`sliding_rates`)
     directions: tuple[Varied, ...] = ()  # of derivatives, behind the states
 
@@ -258,7 +256,7 @@ class DiagramRecord(RecordMerger):
                 (margin,) = self.run(k, "guard", self.fed(k))
                 self.require(margin, self.decisions.rounding_of(margin))
         if self.locking and not form.held and not wiring.dt:
-            self.rates = self.lock(passed=form.passed)
+            self.rates = self.lock()
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
         self.leaps: list[Port] = []

@@ -12,7 +12,7 @@ condition and begins a new step there, with new decisions.
 Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import prod
 from operator import attrgetter
 from typing import Any, NamedTuple
@@ -107,7 +107,6 @@ class Decisions:
         self.first = tolerances + 2  # offset in P of the decisions
         self.events: list[Event] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
-        self.operations: list[int] = []  # the first decision of each operation
         self.count = 0  # how many numbers are decided
         # whether time alone decides, or is read by a function that may have narrow peaks
         self.timed = False
@@ -123,18 +122,13 @@ class Decisions:
         self._bound = change_with(record, lambda size: ROUNDING * size)
 
     def lock(
-        self,
-        rates: list[Port],
-        fixed: Sequence[int] = (),
-        flipped: Sequence[int] = (),
-        passed: Collection[int] = (),
+        self, rates: list[Port], fixed: Sequence[int] = (), flipped: Sequence[int] = ()
     ) -> list[Port]:
         """Write the rates again with locked decisions; return them.
 
         Decisions that are `fixed` stay for good.  The second and later times, those that are
         `flipped` are on their other side, which P holds in the next `first_count` numbers; what
-        does not depend on them is shared with the first rates.  Operations that are `passed`,
-        counted in the order in which they are locked, are not.
+        does not depend on them is shared with the first rates.
         """
         record = self.record
         entries = sorted(reached(record.entries, [port.ref for port in rates]))
@@ -144,7 +138,6 @@ class Decisions:
         settled = dict[int, Ref]()
         again = self.count > 0
         self._block = self.count
-        operation = -1  # of those that decide
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
 
@@ -163,10 +156,7 @@ class Decisions:
             is_shared = again and all(
                 locked.get(ref) == self._first.get(ref) for ref in refs
             )
-            decides = k in record.decided_by and moves
-            operation += decides
-            if decides and operation not in passed:
-                self.operations.append(self.count)
+            if k in record.decided_by and moves:
                 self.timed |= self._arrays_of([k]).isdisjoint("UX")
                 locked[k], settled[k] = self._lock(
                     k, arguments, exact_settled, fixed, flipped, is_shared

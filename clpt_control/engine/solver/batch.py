@@ -59,12 +59,11 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
 class End(NamedTuple):
-    """The end of a run that goes on in another leg, which passes `kinks` and has a first step."""
+    """The end of a run that goes on in another leg, which has a first step."""
 
     time: float
     state: np.ndarray
     opening: float = 0.0
-    kinks: Any = None
 
 
 class Batch:
@@ -202,14 +201,12 @@ class Batch:
         options: Any,
         most: int = MEMBER_STEPS,
         implicit: Callable[[], Callee] | None = None,
-        over_kinks: Any = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
         Tries of steps of discrete time are not limited.  `options.progress` is called with the time
         reached by the first lane, about every `PAUSE`.  Where the options choose no method, stiff
-        runs are left to that which calls the functions of `implicit`.  `over_kinks` is a
-        `kinks.ManyKinks` of the only run.
+        runs are left to that which calls the functions of `implicit`.
         """
         rtol, atol, progress = options.rtol, options.atol, options.progress
         method = self.callee.method
@@ -224,8 +221,6 @@ class Batch:
         while True:
             check()
             begin = time.perf_counter()
-            if over_kinks is not None:
-                budget = min(budget, over_kinks.tries_left(self))
             active = self.advance(rtol, atol, budget, most)
             if progress is not None:
                 progress(self.now)
@@ -241,11 +236,6 @@ class Batch:
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
-            if over_kinks is not None:
-                kinks = over_kinks.found(self, rtol, atol)
-                if kinks:
-                    self._leave(0, Status.MANY_KINKS, kinks)
-                    break
 
     def advance(
         self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS
@@ -288,11 +278,11 @@ class Batch:
         results.reached[0] = np.searchsorted(times, reached, "right")
         results.counts[0] += self.counts[0]
 
-    def _leave(self, k: int, status: Status, kinks: Any = None) -> None:
+    def _leave(self, k: int, status: Status) -> None:
         """Leave the run of a lane to another leg."""
         m, _, reached, *_ = self.integers[:, k].tolist()
         time, state = float(self.lane[TIME, k]), self.states[STATE, :, k].copy()
-        self.ends[m] = End(time, state, kinks=kinks)
+        self.ends[m] = End(time, state)
         self.status[m] = status
         self.reached[m] = reached
         self.integers[RUN_INDEX, k] = -1

@@ -42,8 +42,7 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it was requested.
 
-    `sparsity` is the pattern of df/dx, for an implicit method; `decided_operations` the first
-    decision of each operation that decides.
+    `sparsity` is the pattern of df/dx, for an implicit method.
     """
 
     def __init__(self, structure: Structure, form: Form):
@@ -68,7 +67,6 @@ class Code:
 
         self.program = program_of(record, signals, layout.inputs(wiring.ninputs))
         self.sparsity = cache(sparsity)
-        self.decided_operations = tuple(record.decisions.operations)
         self._machines: dict[tuple[str, int, int], Machine] = {}
 
     @one_at_a_time

@@ -2,13 +2,12 @@
 
 A leg is a program, a method and parameters, from a time and a state on.  It ends with a status.
 `FOLLOWING` has a function for each status after which a run may go on: by another method
-(equations are stiff, a series has ended), over many kinks, on switches and off them (`filippov`),
+(equations are stiff, a series has ended), on switches and off them (`filippov`),
 or behind the jumps at a level (`level_jumps`).
 """
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -29,7 +28,6 @@ if TYPE_CHECKING:
 MOST_SOON = 30  # jumps in a row, each sooner after the other than `SHORT` of the run
 MOST_IN_VAIN = 50  # legs of a run in a row, each shorter than SHORT of the run
 SHORT = 1e-7
-ON_KINKS = 0.01  # of the tolerances, over kinks
 
 
 class Leg(NamedTuple):
@@ -42,12 +40,11 @@ class Leg(NamedTuple):
     state: ndarray
     sliding: "Sliding | None" = None  # the switches that it slides on
     opening: float = 0.0  # the first step, or 0
-    passes_kinks: bool = False  # kinks are not located
 
     @property
     def label(self) -> str:
         """The name of what integrates."""
-        return self.method.name + " without locating kinks" * self.passes_kinks
+        return self.method.name
 
 
 def may_go_on(diagram: Any) -> list[Status]:
@@ -128,20 +125,15 @@ class NativeRun:
             words += f", {len(self.level_jumps)} jumps at levels"
         return words
 
-    def first_leg(self, locates_all: bool = False) -> Any:
-        """Run the first leg, a `Batch` or `SeriesRuns`; many kinks are located if `locates_all`."""
+    def first_leg(self) -> Any:
+        """Run the first leg, a `Batch` or `SeriesRuns`."""
         if self.options.method == TAYLOR:
             from .series_runs import SeriesRuns
 
             run = self.start[None], self.parameters[None], self.times, [self.segments]
             return SeriesRuns(self.diagram, *run, None, self.options)
         leg = self._leg(float(self.times[0]), self.start)
-        kinks = None
-        if self.diagram.has_many_decisions and not locates_all:
-            from .kinks import ManyKinks
-
-            kinks = ManyKinks(self.diagram)
-        return self._batch(leg, self.times, self.segments, kinks)
+        return self._batch(leg, self.times, self.segments)
 
     def go_on(self, first: Any, m: int = 0) -> "NativeRun":
         """Go on where run `m` of a first leg has stopped; return the run with all results."""
@@ -155,10 +147,6 @@ class NativeRun:
         self._append_legs()
         if self.status == Status.FINISHED and self.last is not first:
             self.last.release()
-        if self.status == Status.CHATTERING and self.leg.passes_kinks:
-            # it slides among kinks that were passed: once more, with all located
-            again = self._again(self.diagram)
-            return again.go_on(again.first_leg(locates_all=True))
         if self.diagram.code.program.decided and self.status in STUCK:
             # it is stuck: once more, without located switches
             with suppress(SimulationError):  # the error is that of the first run
@@ -225,18 +213,13 @@ class NativeRun:
         if leg.label not in [label for _, label in self.labels]:
             self.labels.append((leg.time, leg.label))
 
-    def _batch(
-        self, leg: Leg, times: ndarray, segments: Schedule, over_kinks: Any = None
-    ) -> Batch:
+    def _batch(self, leg: Leg, times: ndarray, segments: Schedule) -> Batch:
         """Return a batch of a leg, which went on until it stopped."""
         options, P = self.options, leg.parameters
         callee = leg.program.callee(1, leg.method)
         at = leg.state, P, times, segments
         batch = batch_of(callee, *at, options.max_step, leg.opening)
-        if leg.passes_kinks:
-            rtol, atol = ON_KINKS * options.rtol, ON_KINKS * options.atol
-            options = replace(options, rtol=rtol, atol=atol)
-        batch.finish(options, leg.program.most, leg.program.implicit, over_kinks)
+        batch.finish(options, leg.program.most, leg.program.implicit)
         return batch
 
     # --- what follows a status ------------------------------------------------------------
@@ -251,7 +234,7 @@ class NativeRun:
 
     def _from_end(self, **changed: Any) -> Leg:
         """Return a leg from where the last one was left, with something else changed."""
-        time, state, opening, _ = self.end
+        time, state, opening = self.end
         return self.leg._replace(time=time, state=state, opening=opening, **changed)
 
     def by_implicit_method(self) -> Leg:
@@ -262,17 +245,11 @@ class NativeRun:
         """Go on by DOP853: a series has ended."""
         return self._from_end()
 
-    def over_kinks(self) -> Leg:
-        """Go on without locating kinks, which are many."""
-        program = self.diagram.in_form(passed=self.end.kinks)
-        P = program.parameters(self.parameters)  # without the decisions
-        return self._from_end(program=program, parameters=P, passes_kinks=True)
-
     def onto_switches(self) -> Leg | None:
         """Go on on the switches that a leg crossed to and fro."""
         from .filippov import enter
 
-        if self.in_vain >= MOST_IN_VAIN or self.leg.passes_kinks:
+        if self.in_vain >= MOST_IN_VAIN:
             return None
         sliding, self.refusal = enter(self.diagram, self.last, self.leg.sliding)
         if sliding is None:
@@ -318,7 +295,6 @@ class NativeRun:
 FOLLOWING: dict[int, Callable[[NativeRun], Leg | None]] = {
     Status.STIFF: NativeRun.by_implicit_method,
     Status.SERIES_ENDED: NativeRun.by_steps,
-    Status.MANY_KINKS: NativeRun.over_kinks,
     Status.CHATTERING: NativeRun.onto_switches,
     Status.GUARD_LEFT: NativeRun.behind_a_guard,
     Status.FINISHED: NativeRun.at_a_known_stop,

@@ -22,7 +22,6 @@ from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
 from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
-MANY_DECISIONS = 32  # of a large model
 
 
 class NativeDiagram(Runner):
@@ -81,11 +80,6 @@ class NativeDiagram(Runner):
         diagram = super().with_parameters(parameters)
         diagram.layout = replace(self.layout, P=self.layout.packed(parameters))
         return diagram
-
-    @property
-    def has_many_decisions(self) -> bool:
-        """Return whether a run is looked at for its kinks."""
-        return not self.resetting and self.code.program.decided >= MANY_DECISIONS
 
     def in_form(self, **changed: Any) -> Self:
         """Return the diagram in another form, of which some fields change."""

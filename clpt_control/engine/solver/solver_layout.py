@@ -68,7 +68,6 @@ class Status(IntEnum):
     STIFF = 9, "stiff", "left to an implicit method"
     STOPPED = 10, "stopped", "stopped by a guard"
     SERIES_ENDED = 11, "series_ended", "left to steps by stages"
-    MANY_KINKS = 12, "many_kinks", "left to steps over kinks"
 
 
 # Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and

@@ -1,4 +1,4 @@
-"""Many kinks in a large model are passed with small tolerances; jumps and few kinks are located."""
+"""Many kinks and jumps of large models are located, each."""
 
 import control
 import numpy as np
@@ -46,12 +46,10 @@ def system(function, n):
 @pytest.mark.long
 def test_a_limiter_is_as_exact_as_a_tight_run_of_scipy():
     run = clpt.simulate(system(cells, CELLS), TIMES, None, WAVE)
-    assert "without locating kinks" in run.attrs["method"]
     exact = solve_ivp(
         lambda t, x: limited(x), (0, 0.4), WAVE, "DOP853", TIMES, rtol=1e-12, atol=1e-13
     )
     assert np.abs(run.states.values - exact.y.T).max() < 1e-6
-    assert run.attrs["solver_restarts"] < run.attrs["solver_steps"] / 3
 
 
 def test_it_runs_again_to_the_last_bit():
@@ -61,7 +59,6 @@ def test_it_runs_again_to_the_last_bit():
 
 def test_jumps_among_many_kinks_are_located():
     run = clpt.simulate(system(cells_and_climber, CELLS + 1), TIMES, None, [*WAVE, 0.0])
-    assert "without locating kinks" in run.attrs["method"]
     closed_form = np.minimum(3.0 * TIMES, 0.5 + (TIMES - 0.5 / 3.0))
     assert np.abs(run.states.values[:, CELLS] - closed_form).max() < 1e-10
 
@@ -85,7 +82,7 @@ def test_few_kinks_of_a_large_model_are_located():
     assert run.states.values[-1, 0] == pytest.approx(np.cos(np.sqrt(1.5)), abs=1e-8)
 
 
-def test_what_was_a_kink_and_jumps_later_is_left_to_small_tolerances():
+def test_what_was_a_kink_and_jumps_later_is_located():
     """One `where` chooses slopes of the cells, and a speed that falls from 3 to 1 at 0.5."""
 
     def rates(t, x, u, p):
@@ -104,7 +101,6 @@ def test_what_was_a_kink_and_jumps_later_is_left_to_small_tolerances():
         return np.concatenate([rate, [chosen[CELLS]]])
 
     run = clpt.simulate(system(rates, CELLS + 1), TIMES, None, [*WAVE, 0.0])
-    assert "without locating kinks" in run.attrs["method"]
     closed_form = np.minimum(3.0 * TIMES, 0.5 + (TIMES - 0.5 / 3.0))
     assert np.abs(run.states.values[:, CELLS] - closed_form).max() < 1e-7
 
@@ -153,7 +149,6 @@ def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
         atol=1e-13,
         max_step=2e-3,
     )
-    # of some networks each kink is located
     assert run.attrs["method"].startswith("DOP853")
     size = np.abs(exact.y).max()
     assert 0.1 < size < 100.0
