@@ -18,7 +18,7 @@ from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
-from ..engine.model.ports import bare_labels
+from ..engine.model.ports import bare_labels, vector_by_name
 from .diagram_runs import CompiledRun, DiagramRun
 from .requests import as_diagram, stacked_state
 
@@ -47,13 +47,14 @@ def c_file(
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
     system, own_arguments = as_diagram(system)
-    if initial_state is None:
-        initial_state = own_arguments.get("initial_state")
+    own = own_arguments.get("initial_state")
+    state = vector_by_name("initial_state", system, "state", initial_state, own)
     try:
         run = CompiledRun(system, params)
         if kind is not None:
             refuse_levels(run)
-        start = stacked_state("initial_state", initial_state, run.runner.nstates)
+        state = own if state is None else state
+        start = stacked_state("initial_state", state, run.runner.nstates)
         _check_finite(run, start, params or {})
         return (kind or CFile)(run, start)
     except Uncompiled as error:

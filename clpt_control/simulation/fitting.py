@@ -19,6 +19,7 @@ import numpy as np
 from ..base.arguments import brief, numbers, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
+from ..base.labelled import Labelled, labelled, sampled_at
 from ..engine.model.ports import ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
@@ -156,7 +157,7 @@ class FitProblem:
     def __init__(
         self,
         run: SensitivityRun,
-        measured: Mapping[str, np.ndarray],
+        measured: Mapping[str, Labelled],
         parameters: Mapping[str, Any],
     ):
         self.run = run
@@ -167,16 +168,18 @@ class FitProblem:
         self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
-    def _read(self, measured: Mapping[str, np.ndarray]) -> None:
+    def _read(self, measured: Mapping[str, Labelled]) -> None:
         """Read the measurements: columns of outputs, their names, values and finite ones."""
         n = len(self.run.request.times) - self.run.request.skipped
         self.columns: list[int] = []
         self.outputs: list[str] = []
         values: list[np.ndarray] = []
-        for name, array in measured.items():
-            if name not in self.ports or not np.isfinite(array).any():
+        for name, value in measured.items():
+            if name not in self.ports or not np.isfinite(value.values).any():
                 continue
             columns = self.ports[name]
+            labels = [self.run.output_labels[k] for k in columns]
+            array = np.moveaxis(value.ordered(f"data['{name}']", labels), -1, 0)
             if set(columns) & set(self.columns):
                 raise ArgumentError(f"data: {name} is given twice")
             if array.size != n * len(columns) or array.shape[0] != n:
@@ -186,7 +189,6 @@ class FitProblem:
                 )
             self.columns += columns
             values += list(array.reshape(n, -1).T)
-            labels = [self.run.output_labels[k] for k in columns]
             self.outputs += labels if len(columns) > 1 else [name]
         if not values:
             ports = ", ".join(ports_of(self.run.output_labels))
@@ -429,6 +431,8 @@ def fit_parameters(
     {'k': 1.7, 'x0.y': 3.0}
     """
     times, measured = _measurements(data, timepts)
+    if timepts is not None and not np.array_equal(timepts, times):
+        inputs = sampled_at("inputs", inputs, numbers("timepts", timepts))
     run = SensitivityRun(
         system,
         times,
@@ -454,27 +458,41 @@ def fit_parameters(
     return problem.fit()
 
 
-def _measurements(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return times, and measured arrays by name, samples first."""
-    if hasattr(data, "iterrows"):  # a table
-        table = data.reset_index() if data.index.name == "time" else data
-        data = {str(name): table[name].to_numpy() for name in table}
-        times = data.pop("time", times)
-    is_dataset = hasattr(data, "data_vars")
-    if is_dataset and "time" in data.dims:
-        arrays = {
-            str(name): variable.transpose("time", ...).values
+def _measurements(data: Any, timepts: Any) -> tuple[np.ndarray, dict[str, Labelled]]:
+    """Return times, and measured values by name at these times, NaN where there are none."""
+    if hasattr(data, "iterrows"):  # a table; columns of text are no outputs
+        table = data.set_index("time") if "time" in data else data
+        data = table.select_dtypes("number").rename(columns=str)
+    elif hasattr(data, "data_vars"):
+        data = {
+            str(name): variable
             for name, variable in data.data_vars.items()
-            if "time" in variable.dims
+            if "time" in variable.dims and variable.dtype.kind in "biuf"
         }
-        return checked_times("data.time", data.time.values), arrays
-    if is_dataset or not isinstance(data, Mapping):
+    at = np.unique(numbers("timepts", timepts))
+    given = labelled("data", data, at)
+    if not isinstance(given, dict):
         raise ArgumentError(
             "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
-    if times is None:
-        raise ArgumentError(
-            "timepts: is required with arrays, or a table without `time`"
-        )
-    arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}
-    return checked_times("timepts", times), arrays
+    own = [value.times for value in given.values() if value.times is not None]
+    if len(own) < len(given) or not own:
+        if timepts is None:
+            raise ArgumentError(
+                "timepts: is required with arrays, or a table without `time`"
+            )
+        own.append(at)
+    times = checked_times("data.time", np.unique(np.concatenate(own)))
+    measured = {}
+    for name, value in given.items():
+        values, sample_times = value.values, at if value.times is None else value.times
+        if (np.diff(sample_times) <= 0).any():
+            raise SimulationError(f"data['{name}']: must be at increasing times")
+        if values.ndim > 1 and not hasattr(data[name], "dims"):
+            values = np.moveaxis(values, 0, -1)  # arrays have samples first
+        if values.shape[-1:] == sample_times.shape != times.shape:
+            samples = values
+            values = np.full((*samples.shape[:-1], len(times)), np.nan)
+            values[..., np.searchsorted(times, sample_times)] = samples
+        measured[name] = value._replace(values=values)
+    return times, measured

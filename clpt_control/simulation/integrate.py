@@ -56,9 +56,9 @@ def simulate(
     inputs : array_like, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a list
-        of both, ``[u1, 0]``; by name, ``{"torque": 1.0}``, others being 0; or a
-        `control.TimeResponseData` with signals of these names. A function of time is a block,
-        wired to the input.
+        of both, ``[u1, 0]``; by name, ``{"torque": 1.0}``, others being 0, also of xarray and
+        pandas; or a `control.TimeResponseData` with signals of these names. What has times of its
+        own is read at these. A function of time is a block, wired to the input.
     initial_state : array_like, optional
         State of a diagram at ``timepts[0]``, of a scenario at t = 0; without, the scenario's own at
         t = 0, and zero for a diagram that knows none. A list holds numbers and arrays that follow

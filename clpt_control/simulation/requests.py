@@ -1,11 +1,11 @@
 """The arguments of a diagram's run, read and checked once: arrays and options of the solver.
 
 `request_of` reads the arguments of `simulate`, `prepare`, `sensitivity` and `run_ensemble`.  Inputs
-and initial states may be mappings by label or port, inputs a `control.TimeResponseData`.  Two
-samples at one time are a jump of the inputs, as in tables of Modelica.
+and initial states may have labels (`labelled`).  Two samples at one time are a jump of the inputs,
+as in tables of Modelica.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,10 +14,11 @@ import numpy as np
 
 from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, SimulationError
+from ..base.labelled import Labelled, labelled
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.wiring import Sizes
-from ..engine.model.ports import check_rows, columns_of, vector_by_name
+from ..engine.model.ports import check_rows, signals_by_name, vector_by_name
 from ..engine.model.system import linear
 from ..engine.solver.inputs import (
     Inputs,
@@ -117,9 +118,9 @@ def request_of(
     # 1. inputs and initial state by name, and the diagram's own arguments
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
-    if timepts is None and isinstance(inputs, control.TimeResponseData):
-        timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)
+    if timepts is None and isinstance(inputs, Inputs):
+        timepts = np.unique(inputs.samples[0])
     own_state = own_arguments.pop("initial_state", None)
     state = vector_by_name("initial_state", diagram, "state", initial_state, own_state)
     # 2. times
@@ -240,67 +241,90 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
 
 
 def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
-    """Return inputs given by name or as a response as rows; others are as they are."""
+    """Return inputs with labels as rows at `timepts`, or as `Inputs` at times of their own."""
+    at = numbers("timepts", getattr(timepts, "time", timepts)).ravel()
+    given = labelled("inputs", inputs, at)
     if isinstance(inputs, control.TimeResponseData):
-        return _inputs_of_response(diagram, inputs, timepts)
-    if not isinstance(inputs, Mapping):
-        return inputs
-    rows: list[Any] = [0.0] * len(diagram.input_labels)
-    for name, value in inputs.items():
-        columns = columns_of(diagram, "input", diagram.input_labels, name)
-        values = numbers(f"inputs['{name}']", value)
-        if len(columns) == 1 and values.ndim == 2:
-            values = values.ravel()
-        if len(columns) == 1 or values.ndim == 0:
-            values = np.array([values] * len(columns))
-        check_rows("inputs", name, values, len(columns))
-        count = np.size(getattr(timepts, "time", timepts))
-        if values.ndim > 1 and values.shape[1:] not in ((1,), (count,)):
-            raise ArgumentError(
-                f"inputs['{name}']: has {values.shape[-1]} values; there are {count} times"
+        missing = [label for label in diagram.input_labels if label not in given]
+        if missing:
+            raise SimulationError(
+                f"inputs: the response has no signal '{missing[0]}', but {', '.join(given)}. "
+                f"Give inputs by name, {{'{missing[0]}': response.outputs}}"
             )
-        for column, row in zip(columns, values, strict=True):
-            rows[column] = row if row.ndim else float(row)
-    return rows
+        given = {label: given[label] for label in diagram.input_labels}
+    if isinstance(given, Labelled):
+        given = [given]
+    if given is inputs or not isinstance(given, dict | list):
+        return given
+    if isinstance(given, list):
+        rows = [row for value in given for row in _rows("inputs", value, at)]
+        if diagram.ninputs is None:
+            return _joined(rows, at)
+        check_rows("inputs", rows, diagram.ninputs)
+        given = dict(zip(diagram.input_labels, rows, strict=True))
+    rows = [Labelled(np.array(0.0))] * len(diagram.input_labels)
+    for argument, columns, value in signals_by_name("inputs", diagram, "input", given):
+        signals = _rows(argument, value, at, len(columns))
+        for column, row in zip(columns, signals, strict=True):
+            rows[column] = row
+    return _joined(rows, at)
 
 
-# --- responses -----------------------------------------------------------------------------------
-
-
-def _inputs_of_response(diagram: Any, response: Any, timepts: Any) -> Inputs:
-    """Return the signals of a response that have the names of a diagram's inputs."""
-    times = np.asarray(response.time, dtype=float)
-    rows: dict[str, Any] = {}
-    for labels, values in (
-        (response.input_labels, response.u),
-        (response.output_labels, response.y),
+def _rows(
+    argument: str, value: Labelled, at: np.ndarray, count: int | None = None
+) -> list[Labelled]:
+    """Return a row, a number or samples, for each signal; one number is the value of all."""
+    values, times, *_ = value
+    if not values.ndim:
+        values = np.full(count or 1, values)
+    if count == 1 or (
+        values.ndim == 1 and (times is not None or values.shape == at.shape != (count,))
     ):
-        if values is not None and labels is not None:
-            rows |= zip(labels, _one_trace(values), strict=True)
-    missing = [label for label in diagram.input_labels if label not in rows]
-    if missing:
-        raise SimulationError(
-            f"inputs: the response has no signal '{missing[0]}', but {', '.join(rows)}. "
-            f"Give inputs by name, {{'{missing[0]}': response.outputs}}"
+        values = values.reshape(1, -1)
+    elif values.ndim == 1:
+        values = values[:, None]
+    if count is not None:
+        check_rows(argument, values, count)
+    length = values.shape[-1]
+    if times is None and length not in (1, len(at)):
+        raise ArgumentError(
+            f"{argument}: has {length} values; there are {len(at)} times"
         )
-    span = numbers("timepts", timepts).ravel()
-    margin = 1e-9 * max(1.0, abs(times[-1]))
-    if len(span) and (span[0] < times[0] - margin or span[-1] > times[-1] + margin):
-        raise SimulationError(
-            f"inputs: the response is from {times[0]:.9g} to {times[-1]:.9g}. "
-            "Give timepts within these times"
-        )
-    values = [rows[label] for label in diagram.input_labels]
-    return read_inputs(np.reshape(values, (-1, len(times))), times, len(values))
+    if times is None and length == 1:
+        values = values.ravel()
+    return [value._replace(values=row) for row in values]
 
 
-def _one_trace(values: Any) -> np.ndarray:
-    """Return signals (n, nt) of a response with one trace."""
-    values = np.asarray(values, dtype=float)
-    if values.ndim < 3:
-        return values
-    if values.shape[1] != 1:
-        raise SimulationError(
-            f"inputs: the response has {values.shape[1]} traces. Give one, as response[:, 0]"
-        )
-    return values[:, 0]
+def _joined(rows: list[Labelled], at: np.ndarray) -> Any:
+    """Return rows of inputs; those that have other times than `at` as `Inputs` at all times."""
+    own = [row.times for row in rows if row.times is not None]
+    if all(np.array_equal(times, at) for times in own):
+        return [row.values if row.values.ndim else float(row.values) for row in rows]
+    for times in own:
+        margin = 1e-9 * max(1.0, abs(times[-1]))
+        if len(at) and (at[0] < times[0] - margin or at[-1] > times[-1] + margin):
+            raise SimulationError(
+                f"inputs: are from {times[0]:.9g} to {times[-1]:.9g}. "
+                "Give timepts within these times"
+            )
+    if any(row.times is None and row.values.ndim for row in rows):
+        own.append(at)
+    distinct = np.unique(np.concatenate(own))
+    least = 1e-12 * np.abs(distinct).max()  # times that differ by rounding are equal
+    distinct = distinct[np.append(True, np.diff(distinct) > least)]
+    rounded = {
+        id(times): distinct[np.searchsorted(distinct, times, "right") - 1]
+        for times in own
+    }
+    jumps = [times[1:][times[1:] == times[:-1]] for times in rounded.values()]
+    times = np.sort(np.append(distinct, np.unique(np.concatenate(jumps))))
+    begins = np.append(times[1:] == times[:-1], False)  # of jumps
+    u = np.empty((len(rows), len(times)))
+    for signal, row in zip(u, rows, strict=True):
+        if not row.values.ndim:
+            signal[:] = row.values
+            continue
+        x = rounded[id(at if row.times is None else row.times)]
+        signal[:] = np.interp(times, x, row.values)
+        signal[begins] = np.interp(-times[begins], -x[::-1], row.values[::-1])
+    return read_inputs(u, times, len(u))

@@ -21,7 +21,7 @@ from ..model.ports import (
     Vector,
     counts_of,
     labels,
-    ports_of,
+    spans_of,
     vector,
     whole_labels,
 )
@@ -43,6 +43,7 @@ from .wiring import (
     output_ports,
     own_params,
     prefixes_of,
+    units_of,
     wiring_of,
 )
 
@@ -71,6 +72,13 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
+
+    def units_of(self, kind: str) -> list[str]:
+        """Return the unit of each "input" or "state", "" for none."""
+        wiring = wiring_of(self)
+        if kind == "input":
+            return units_of(wiring)[1]
+        return [u for node in wiring.nodes for u in node.system.units_of(kind)]
 
     def __repr__(self) -> str:
         from ...base.html import shortened
@@ -417,12 +425,8 @@ class _Tracers(_ByLabel, Ports):
 def _named(values: Any, labels: Sequence[str]) -> Any:
     """Return a vector with the ports of its labels."""
     ports: Slices = {
-        name: (
-            slice(indices[0], indices[-1] + 1),
-            (len(indices),) if len(indices) > 1 else (),
-        )
-        for name, indices in ports_of(labels).items()
-        if indices[-1] - indices[0] < len(indices)  # without another port between
+        name: (span, (size,) if (size := span.stop - span.start) > 1 else ())
+        for name, span in spans_of(labels).items()
     }
     if isinstance(values, Array):
         return _Tracers.of(values, ports)

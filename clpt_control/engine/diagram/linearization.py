@@ -84,7 +84,7 @@ class _About:
                 self.states[node.name, port] = slice(signals.start, signals.stop)
         self.record = TapeRecord(diagram, wiring, self.tape, closed=True)
         n = len(x)
-        for port, span in spans_of(diagram.name, diagram.input_labels).items():
+        for port, span in spans_of(diagram.input_labels).items():
             position = slice(n + span.start, n + span.stop)
             self._vary(("u", port), self.record.external[port], position)
         for key, (node, name, leaf) in self.record.leaves.items():

@@ -166,7 +166,7 @@ class TapeRecord(RecordMerger):
         closed: bool = False,
     ):
         """Write the blocks in their order."""
-        spans = spans_of(diagram.name, diagram.input_labels)
+        spans = spans_of(diagram.input_labels)
         sizes = {span.start: span.stop - span.start for span in spans.values()}
         super().__init__(wiring, sizes)
         self.tape = tape

@@ -7,15 +7,16 @@ several vehicles.  A namespace is then the prefix of its name and of its ports: 
 the port `west/x[2]`, and the equations are the same.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import prod
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from ...base.arguments import brief, nearest, numbers
+from ...base.arguments import brief, nearest
 from ...base.errors import ArgumentError, BlockError
+from ...base.labelled import Labelled, labelled
 from ..record.graph import Shape, bound, is_known
 
 Size = int | str  # a number, or its name
@@ -167,34 +168,37 @@ def counts_of(labels: Iterable[str]) -> dict[str, int]:
 
 
 def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
-    """Return the ports that labels form, each with the indices of its signals.
+    """Return the ports that labels form, each with the indices of its signals by number.
 
-    ``e[0], e[1]`` are the port e.  A name alone is a port of one signal, and so is a label
-    whose number does not count from 0.
+    ``e[0], e[1]`` are the port e, in any order.  A name alone is a port of one signal, and so is a
+    label whose port has not all numbers from 0.
     """
-    ports: dict[str, list[int]] = {}
+    signals: dict[str, dict[str, list[int]]] = {}
     for index, label in enumerate(labels):
         # y[2][0] is of the port y[2], as of sys[2, :]
-        port, _, number = label.rpartition("[")
-        count = len(ports.get(port, ()))
-        name = port if number == f"{count}]" else label
-        ports.setdefault(name, []).append(index)
-    return ports
+        port, bracket, _ = label.rpartition("[")
+        signals.setdefault(port if bracket else label, {}).setdefault(label, []).append(
+            index
+        )
+    ports: dict[str, list[int]] = {}
+    for port, indices in signals.items():
+        numbered = [indices.get(f"{port}[{k}]", []) for k in range(len(indices))]
+        if all(len(index) == 1 for index in numbered):
+            indices = {port: [index[0] for index in numbered]}
+        ports |= indices
+    return dict(sorted(ports.items(), key=lambda item: min(item[1])))
 
 
-def spans_of(name: str, labels: Iterable[str]) -> dict[str, slice]:
-    """Return the slice of each port that labels form; refuse other signals in a port.
-
-    `name` is that of the system, for the sentence.
-    """
+def spans_of(labels: Sequence[str]) -> dict[str, slice]:
+    """Return the slice of each port that labels form; signals apart have a slice for each label."""
     spans = {}
     for port, indices in ports_of(labels).items():
-        spans[port] = slice(indices[0], indices[-1] + 1)
-        if indices[-1] - indices[0] >= len(indices):
-            raise BlockError(
-                f"{name}: the signals of port {port} have others between them. Reorder the labels"
-            )
-    return spans
+        start, stop = indices[0], indices[-1] + 1
+        if indices == [*range(start, stop)]:
+            spans[port] = slice(start, stop)
+        else:
+            spans |= {labels[k]: slice(k, k + 1) for k in indices}
+    return dict(sorted(spans.items(), key=lambda item: item[1].start))
 
 
 def indices_by_name(labels: Sequence[str]) -> dict[str, list[int]]:
@@ -243,34 +247,56 @@ def columns_of(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> lis
     )
 
 
-def check_rows(argument: str, name: str, values: np.ndarray, count: int) -> None:
+def check_rows(argument: str, values: Any, count: int) -> None:
     """Refuse values of other signals than `count`."""
     if len(values) != count:
         raise ArgumentError(
-            f"{argument}['{name}']: has {len(values)} rows. Give {count}, one per signal"
+            f"{argument}: has {len(values)} rows. Give {count}, one per signal"
         )
+
+
+def signals_by_name(
+    argument: str, diagram: Any, kind: str, given: Mapping[str, Labelled]
+) -> Iterator[tuple[str, list[int], Labelled]]:
+    """Yield argument, columns and values of each name; refuse other names and units."""
+    from .declaration import same_unit
+
+    labels = getattr(diagram, f"{kind}_labels")
+    if len(labels) != getattr(diagram, f"n{kind}s"):
+        raise ArgumentError(
+            f"{argument}: {diagram.name} has {kind}s of one name. Give an array"
+        )
+    for name, value in given.items():
+        columns = columns_of(diagram, kind, labels, name)
+        words = f"{argument}['{name}']"
+        values = value.ordered(words, [labels[k] for k in columns])
+        if value.units:
+            if hasattr(diagram, "units_of"):
+                unit = diagram.units_of(kind)[columns[0]]
+            else:
+                unit = getattr(diagram, "units", {}).get(name)
+            if unit and not same_unit(unit, value.units):
+                raise ArgumentError(
+                    f"{words}: is in '{value.units}'; {diagram.name} has it in '{unit}'"
+                )
+        yield words, columns, value._replace(values=values)
 
 
 def vector_by_name(
     argument: str, diagram: Any, kind: str, given: Any, default: Any = None
 ) -> Any:
     """Return states or inputs given by name as a vector; others have the default, or are 0."""
-    if not isinstance(given, Mapping):
+    given = labelled(argument, given)
+    if not isinstance(given, dict):
         return given
-    labels = getattr(diagram, f"{kind}_labels")
-    if len(labels) != getattr(diagram, f"n{kind}s"):
-        raise ArgumentError(
-            f"{argument}: {diagram.name} has {kind}s of one name. Give an array"
-        )
-    vector = np.zeros(len(labels))
+    vector = np.zeros(len(getattr(diagram, f"{kind}_labels")))
     if default is not None:
         vector[:] = default
-    for name, value in given.items():
-        columns = columns_of(diagram, kind, labels, name)
-        values = numbers(f"{argument}['{name}']", value).ravel()
+    for words, columns, value in signals_by_name(argument, diagram, kind, given):
+        values = value.values.ravel()
         if len(values) == 1:
             values = np.repeat(values, len(columns))
-        check_rows(argument, name, values, len(columns))
+        check_rows(words, values, len(columns))
         vector[columns] = values
     return vector
 

@@ -68,7 +68,7 @@ class System(Block):
             setattr(self, f"n{kind}s", size)
             ports[f"{kind}s"] = {letter: (size,)} if size else {}
             if shapes is not None:
-                spans = spans_of(system.name, labels).items()
+                spans = spans_of([*labels]).items()
                 ports[f"{kind}s"] = {
                     port: shapes.get(port, (span.stop - span.start,))
                     for port, span in spans

@@ -173,14 +173,16 @@ def test_what_cannot_be_traced_is_refused():
     says(clpt.DiagramError, "dice", clpt.equations, dice)
 
 
-def test_a_port_with_other_signals_inside_is_refused():
+def test_a_port_may_have_other_signals_inside():
     """s' = a_0 + 2 b + 3 a_1: a port a of two signals is not the first two inputs."""
-    inputs = ["a[0]", "b", "a[1]"]
     rate = lambda t, x, u, p: [u[0] + 2 * u[1] + 3 * u[2]]  # noqa: E731
-    plant = control.nlsys(rate, inputs=inputs, states=["s"], outputs=["s"], name="p")
-    sentence = "p: the signals of port a have others between them"
-    for made in (clpt.equations, clpt.linearize):
-        says(clpt.BlockError, sentence, made, plant)
+    for inputs in (["a[0]", "b", "a[1]"], ["c[1]", "c[0]", "d"]):
+        plant = control.nlsys(rate, inputs=inputs, states=["s"], outputs=["s"])
+        first, second, third = inputs
+        terms = f"{first}(t)", f"2*{second}(t)", f"3*{third}(t)"
+        left, right = repr(clpt.equations(plant)).split(" = ")
+        assert (left, {*right.split(" + ")}) == ("s'", {*terms})
+        np.testing.assert_allclose(clpt.linearize(plant).B, [[1.0, 2.0, 3.0]])
 
 
 def test_equations_too_long_to_read_are_made_and_counted():
