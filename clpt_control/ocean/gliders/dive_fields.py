@@ -15,7 +15,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import partial
-from math import inf, isfinite, pi
+from math import inf, isclose, isfinite, nan, pi
 from typing import Any, NamedTuple
 
 from ...base.errors import DataError
@@ -36,6 +36,10 @@ NORTH, EAST = "degrees_north", "degrees_east"
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
 HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
+# "not available": of all columns, and of AIS and NMEA 2000
+ABSENT_WORDS = frozenset(["na", "n/a", "nan", "null", "none", "--", "-"])
+ABSENT = (-999.0, -9999.0, 9.96921e36)
+ABSENT_OF = {"course": 511.0, "speed": 102.3, "latitude": 91.0, "longitude": 181.0}
 GIVE = "time,latitude,longitude,course,speed"
 
 
@@ -70,6 +74,18 @@ def name_of(*values: Any) -> str | None:
     return None
 
 
+def is_absent(column: str, text: str) -> bool:
+    """Return whether a cell of a column says that it has no value.
+
+    >>> is_absent("course", "511"), is_absent("speed", "N/A"), is_absent("speed", "1.0")
+    (True, True, False)
+    """
+    if text.lower() in ABSENT_WORDS:
+        return True
+    values = (*ABSENT, ABSENT_OF.get(column, nan))
+    return any(isclose(number(text), value, rel_tol=1e-5) for value in values)
+
+
 def _number(text: str, size: float = 1.0) -> float | None:
     """Return a number times the size of its unit."""
     with suppress(ValueError):
@@ -81,7 +97,8 @@ def _seconds(text: str, size: float = 1.0) -> float | None:
     """Return a number times the size of its unit, or the seconds since 1970 of a date."""
     value = _number(text, size)
     with suppress(ValueError):
-        return seconds_since_1970(text) if value is None else value
+        dated = re.sub(r"\s*(UTC|GMT|Z)$", "Z", text)
+        return seconds_since_1970(dated) if value is None else value
     return None
 
 

@@ -50,6 +50,7 @@ class LogRows:
     unknown: str = NOT_GIVEN  # why the velocity is not known
     had_fix: bool = False  # whether a row at this time had one
     lost: str = ""  # why a row before the next one is not known
+    dropped: int = 0  # fixes at the time of another
     recent: list[str] = field(default_factory=list)  # motions that were read
 
     def read(
@@ -81,7 +82,8 @@ class LogRows:
             fix = None
             if not has_motion:
                 return Reading(skipped=fault, is_taken=False)
-        if time == self.time and self.had_fix:
+        if time == self.time and self.had_fix and fix is not None:
+            self.dropped += 1
             fix = None
         moved, unknown = self._moved(time, stretch)
         if self.lost:

@@ -17,11 +17,12 @@ Columns are separated by semicolons or tabs, too, then with decimal commas.
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
 (`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
 lines and rows that are not in the order of time are left out; a table of which a quarter is left
-out is refused.  A fix that repeats the last one to its last digit though the vehicle moved is none.
+out is refused.  Positions that carry no measurement are no fixes (`unmeasured`).
 """
 
 import re
 from bisect import bisect_right
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import chain
 from math import atan2, degrees, hypot, isnan, nan
@@ -29,15 +30,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pandas import DataFrame
 
 from ...base.errors import DataError
-from .dive_fields import GIVE, TIME, name_of
+from .dive_fields import GIVE, TIME, is_absent, name_of
 from .dives import (
     COLUMNS,
     FASTEST,
     PLACE,
-    REPEATS,
-    STALE,
     STEERING,
     STRETCH,
     VELOCITY,
@@ -47,8 +47,9 @@ from .dives import (
     Skipped,
     make_dive,
 )
-from .log_rows import LogRows, Pair, time_fault
+from .log_rows import LogRows, Pair, Reading, time_fault
 from .text_table import OTHER_MARKS, table_of
+from .unmeasured import told, unmeasured
 
 # a name, and a unit; without spaces, which would be tried
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
@@ -87,10 +88,6 @@ class Way:
         """Add a stretch that ends at a time."""
         _, x, y = self.points[-1]
         self.points.append((time - self.start[0], x + east, y + north))
-
-    def is_repeated(self, fix: Pair) -> bool:
-        """Return True for a fix at the place of the last one though the vehicle moved."""
-        return fix == self.start[1:] and hypot(*self.points[-1][1:]) > STALE
 
     def leg(self, number: int, end: Fix) -> Dive:
         """Return the leg that ends at a fix."""
@@ -149,9 +146,20 @@ def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]
     return columns
 
 
+def _dated(cells: DataFrame) -> DataFrame:
+    """Return cells with columns of date and time joined."""
+    names = {_name_and_unit(str(cell))[0]: cell for cell in cells.columns}
+    if not {"date", "time"} <= {*names} or cells.columns.has_duplicates:
+        return cells
+    date, time = names["date"], names["time"]
+    if not cells[time].str.contains(":").all() or cells[date].str.contains(":").any():
+        return cells
+    return cells.assign(**{time: cells[date] + "T" + cells[time]}).drop(columns=date)
+
+
 def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
-    cells = table_of(text, path, f"a log with {GIVE}", mark)
+    cells = _dated(table_of(text, path, f"a log with {GIVE}", mark))
     columns = _columns(list(cells.columns), path)
     motions = [part for part in MOTIONS if {*part} <= {*columns}]
     if {STEERING, STRETCH} <= {*motions}:
@@ -187,7 +195,8 @@ def _moment(
     """Return the parts of a row, and what is wrong with a cell."""
     numbers, fault = {}, ""
     for name, (column, size) in columns.items():
-        number, wrong = COLUMNS[name].value(texts[column], size)
+        text = "" if is_absent(name, texts[column]) else texts[column]
+        number, wrong = COLUMNS[name].value(text, size)
         numbers[name] = nan if number is None else number
         fault = wrong or fault
     if isnan(numbers["time"]) and not fault:
@@ -245,14 +254,10 @@ def _in_order(times: dict[int, float]) -> set[int]:
     return ordered
 
 
-def _legs_of(
-    moments: dict[int, tuple[Moment, str]], repeated: set[int], path: str | Path
-) -> list[Dive | Skipped]:
-    """Return legs and what is left out of rows by line, each with its fault."""
-    legs: list[Dive | Skipped] = []
-    rows, track, number = LogRows(), None, 0
-    left_out: list[str] = []
-    repeats = 0
+def _readings(
+    moments: dict[int, tuple[Moment, str]], rows: LogRows
+) -> Iterator[tuple[int, float, str, Reading]]:
+    """Yield line, time and fault of each row, and the parts of it that count."""
     in_order = _in_order(
         {
             line: moment[0]
@@ -261,14 +266,49 @@ def _legs_of(
         }
     )
     for line, (moment, fault) in sorted(moments.items()):
+        if fault:
+            rows.lost = f"line {line} is left out"  # which may be a turn
+            yield line, moment[0], fault, Reading(is_taken=False)
+        else:
+            yield line, moment[0], "", rows.read(*moment, line in in_order)
+
+
+def _without_measurement(
+    readings: list[tuple[int, float, str, Reading]],
+) -> dict[int, str]:
+    """Return the kind of the positions that are no fixes, by line."""
+    way, lines, rows = np.zeros(2), [], []
+    for line, time, _, reading in readings:
+        if reading.unknown:
+            way = way + nan
+        elif reading.moved is not None:
+            way = way + reading.moved
+        if reading.fix is not None:
+            lines.append(line)
+            rows.append((time, *reading.fix, *way))
+            way = np.zeros(2)
+    table = np.array(rows).reshape(-1, 5)
+    # sums, which a way that is not known does not end
+    ways = [np.cumsum(np.nan_to_num(table[:, 3:]), axis=0), np.isnan(table[:, 3:])]
+    kinds = unmeasured(table[:, 0], table[:, 1:3], np.where(ways[1], nan, ways[0]))
+    return dict(zip(lines, kinds.tolist(), strict=True))
+
+
+def _legs_of(
+    moments: dict[int, tuple[Moment, str]], repeated: set[int], path: str | Path
+) -> list[Dive | Skipped]:
+    """Return legs and what is left out of rows by line, each with its fault."""
+    legs: list[Dive | Skipped] = []
+    rows, track, number = LogRows(), None, 0
+    left_out: list[str] = []
+    readings = [*_readings(moments, rows)]
+    kinds = _without_measurement(readings)
+    for line, time, fault, reading in readings:
         where = f"{path}, line {line}"
-        time = moment[0]
         if fault:
             left_out.append(f"{where}: {fault}")
             legs.append(Skipped(number + 1, left_out[-1]))
-            rows.lost = f"line {line} is left out"  # which may be a turn
             continue
-        reading = rows.read(*moment, line in in_order)
         if not reading.is_taken and line in repeated:
             continue
         if reading.skipped:
@@ -283,16 +323,18 @@ def _legs_of(
             track.stretch(time, *(reading.moved or (0.0, 0.0)))
         if reading.fix is not None:
             dated = (time, *reading.fix)
-            if track is not None and track.is_repeated(reading.fix):
-                repeats += 1
+            if kinds[line]:
                 continue
             if track is not None:
                 number += 1
                 legs.append(track.leg(number, dated))
             track = Way(dated)
-    if repeats:
-        why = f"{path}: a position in {repeats} rows {REPEATS}"
-        legs.append(Skipped(None, why))
+    dropped = f"{rows.dropped} fixes at the time of another are left out" * bool(
+        rows.dropped
+    )
+    for why in (told(np.array([*kinds.values()])), dropped):
+        if why:
+            legs.append(Skipped(None, f"{path}: {why}"))
     if len(left_out) > MOST_LEFT_OUT * len(moments):
         raise DataError(left_out[0])
     return legs
