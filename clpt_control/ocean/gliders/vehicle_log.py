@@ -49,7 +49,7 @@ from .dives import (
 )
 from .log_rows import LogRows, Pair, Reading, time_fault
 from .text_table import OTHER_MARKS, table_of
-from .unmeasured import told, unmeasured
+from .unmeasured import counted, unmeasured
 
 # a name, and a unit; without spaces, which would be tried
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
@@ -277,20 +277,15 @@ def _without_measurement(
     readings: list[tuple[int, float, str, Reading]],
 ) -> dict[int, str]:
     """Return the kind of the positions that are no fixes, by line."""
-    way, lines, rows = np.zeros(2), [], []
+    step, lines, rows = 0j, [], []
     for line, time, _, reading in readings:
-        if reading.unknown:
-            way = way + nan
-        elif reading.moved is not None:
-            way = way + reading.moved
+        step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
             lines.append(line)
-            rows.append((time, *reading.fix, *way))
-            way = np.zeros(2)
-    table = np.array(rows).reshape(-1, 5)
-    # sums, which a way that is not known does not end
-    ways = [np.cumsum(np.nan_to_num(table[:, 3:]), axis=0), np.isnan(table[:, 3:])]
-    kinds = unmeasured(table[:, 0], table[:, 1:3], np.where(ways[1], nan, ways[0]))
+            rows.append((time, *reading.fix, step))
+            step = 0j
+    time, *position, steps = np.array(rows).reshape(-1, 4).T
+    kinds, _ = unmeasured(time.real, np.real(position).T, steps[1:])
     return dict(zip(lines, kinds.tolist(), strict=True))
 
 
@@ -332,7 +327,7 @@ def _legs_of(
     dropped = f"{rows.dropped} fixes at the time of another are left out" * bool(
         rows.dropped
     )
-    for why in (told(np.array([*kinds.values()])), dropped):
+    for why in (counted(np.array([*kinds.values()])), dropped):
         if why:
             legs.append(Skipped(None, f"{path}: {why}"))
     if len(left_out) > MOST_LEFT_OUT * len(moments):
