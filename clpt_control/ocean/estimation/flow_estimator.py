@@ -40,7 +40,7 @@ from ...base.units import at_least
 from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_from_text, scenario_to_text
-from ..gliders.dives import REPEATS, STALE
+from ..gliders.unmeasured import DOUBT, NO_FIX, unmeasured
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
@@ -53,7 +53,8 @@ ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
-KIND, VERSION = "clpt-flow-estimator", "2"
+KIND, VERSION = "clpt-flow-estimator", "3"
+ROWS, ALIKE = 60, 12  # last positions that are compared, those of one run of them
 
 
 class Ahead(NamedTuple):
@@ -190,6 +191,11 @@ class FlowEstimator:
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
         self.ways: list[list[float]] = []  # of the last legs, rows of `wrong_motion`
+        # last positions: time, degrees, sum of `water` until each, 1 if learned in doubt
+        self.rows: list[list[float]] = []
+        self.water = [0.0, 0.0]  # displacement through the water, m
+        self.rival: FlowEstimator | None = None  # learns no position that is in doubt
+        self.is_screened = True
 
     def __repr__(self) -> str:
         name = self.scenario.learning.law
@@ -202,8 +208,9 @@ class FlowEstimator:
         """Learn from a fix.
 
         A fix after a time of unknown displacement through the water begins a leg and teaches
-        nothing. A place that is the last one to its last digit, though the vehicle moved, is no
-        fix.
+        nothing. A position that carries no measurement, as one that the receiver held or the
+        vehicle reckoned, is no fix. One that may be such is learned, and taken back if later
+        positions show that it is.
 
         Parameters
         ----------
@@ -224,6 +231,8 @@ class FlowEstimator:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
         t = self.frame.own_time(time)
+        if note := self._screened(time, latitude, longitude):
+            return self._learned(time, latitude, longitude, note=note)
         leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
         if leg is not None and not ended and not self.legs:
@@ -232,8 +241,6 @@ class FlowEstimator:
             self._begin()
             return replace(self.fix(time, latitude, longitude), note=note)
         place = self.frame.point(latitude, longitude)
-        if self._is_repeated(place):
-            return self._learned(time, latitude, longitude, note=REPEATS)
         results: dict[str, Any] = {}
         for one in ended:
             one.add(t, 0.0, 0.0, self.track.size)
@@ -339,17 +346,16 @@ class FlowEstimator:
         """
         if not len(stretches):
             return self._ahead()
-        now, _ = self.guesses, self.under_way
-        ahead = {id(leg): copy.deepcopy(leg) for leg in self._open()}
-        self.guesses = replace(
-            now, states=tuple(replace(g, leg=ahead.get(id(g.leg))) for g in now.states)
-        )
-        try:
-            for time, east, north in stretches:
-                self.move(time, east, north)
-            return self._ahead()
-        finally:
-            self.guesses = now
+        ahead = self._with(self.state | {"rival": None})
+        for time, east, north in stretches:
+            ahead.move(time, east, north)
+        return ahead._ahead()
+
+    def _with(self, state: dict[str, Any]) -> "FlowEstimator":
+        """Return a copy of this estimator in another state."""
+        estimator = copy.copy(self)
+        estimator.state = state
+        return estimator
 
     def _ahead(self) -> Ahead:
         """Forecast a fix now."""
@@ -407,7 +413,8 @@ class FlowEstimator:
     def warnings(self) -> list[str]:
         """Sentences on motion through the water and interval of fixes."""
         told = wrong_motion(self.ways, self.settings.prior, self.settings.speed)
-        return [told] * bool(told) + long_interval(self.turn)
+        notes = [told] * bool(told) + [DOUBT] * (self.rival is not None)
+        return notes + long_interval(self.turn)
 
     @property
     def guarantee(self) -> str:
@@ -533,6 +540,9 @@ class FlowEstimator:
             "turn": self.turn,
             "told": self.told,
             "ways": self.ways,
+            "rows": self.rows,
+            "water": self.water,
+            "rival": self.rival and self.rival.state,
             "log_odds": self.guesses.log_odds,
             "guesses": [
                 {"leg": numbers.get(id(guess.leg)), "fixes": guess.fixes}
@@ -551,6 +561,8 @@ class FlowEstimator:
         self.legs, self.fastest = state["legs"], state["fastest"]
         self.turn = state["turn"]
         self.told, self.ways = state["told"], state["ways"]
+        self.rows, self.water = state["rows"], state["water"]
+        self.rival = state["rival"] and self._with(state["rival"])
         limits = FixSettings(self.scenario, **state["limits"]).limits
         is_wider = np.any(np.greater(self.settings.limits, limits))
         guesses = tuple(
@@ -611,19 +623,44 @@ class FlowEstimator:
         angle, growth = frame.axes(np.array(leg.place))
         return rotated(flow, sign * (angle + growth * leg.east / 2))
 
-    def _is_repeated(self, place: np.ndarray) -> bool:
-        """Return True for the place of the last fix, if the vehicle moved since.
+    def _screened(self, time: float, latitude: float, longitude: float) -> str:
+        """Return why a position is no fix, or an empty text.
 
-        The vehicle of a run may stay at a place.
+        A position in doubt is learned, but not by the rival, whose state replaces this one if all
+        positions that were in doubt turn out to be no fixes.
         """
-        legs = self._open()
-        if not legs or not self.settings.bent:
-            return False
-        leg = max(
-            legs, key=lambda leg: leg.start
-        )  # others began at fixes before the last
-        moved = hypot(*leg.moved) * self.settings.metres
-        return leg.place == place.tolist() and moved > STALE
+        if not (self.is_screened and self.settings.bent):
+            return ""
+        rows = self.rows
+        if rows and time <= rows[-1][0]:
+            return ""  # the last one again
+        newest = max(self._open(), key=lambda leg: leg.start, default=None)
+        if newest is None or self._unknown(newest, self.under_way[0].own_time(time)):
+            rows, self.rival = [], None
+        rows = [*rows, [time, latitude, longitude, *self.water, 0.0]]
+        times, *position, east, north, learned = np.array(rows).T
+        steps = np.diff(east + 1j * north)
+        kinds, doubted = unmeasured(times, np.transpose(position), steps)
+        shown = kinds != ""
+        if self.rival is not None and np.all(shown[1:] | (learned[1:] == 0)):
+            # no position that was learned in doubt was a fix
+            self.state = self.rival.state
+            self.rival = None
+        elif not np.any(doubted[-2:]):
+            self.rival = None
+        if self.rival is None:
+            rows = [[*row[:-1], 0.0] for row in rows]
+        if doubted[-1]:
+            self.rival = self.rival or self._with(self.state)
+            self.rival.is_screened = False
+            rows[-1][-1] = 1.0
+        elif self.rival is not None:
+            self.rival.fix(time, latitude, longitude)
+        alike = len(rows) > ALIKE and np.all((doubted | shown)[-ALIKE:])
+        if alike or len(rows) > ROWS:
+            del rows[-ALIKE if alike else 0]
+        self.rows = rows
+        return f"{kinds[-1]}: {NO_FIX}" * bool(shown[-1])
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""
@@ -703,6 +740,9 @@ class FlowEstimator:
 def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
     """Move the prediction by rows of time, east and north."""
     frame, _ = estimator.under_way
+    estimator.water = (estimator.water + stretches[:, 1:].sum(axis=0)).tolist()
+    if estimator.rival is not None:
+        move_through(estimator.rival, stretches)
     for leg in estimator._open():
         speeds = leg.move(frame, stretches, estimator.track.size)
         estimator.fastest = max(estimator.fastest, float(np.max(speeds, initial=0.0)))

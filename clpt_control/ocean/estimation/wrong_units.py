@@ -11,10 +11,8 @@ from the other legs, over its noise (the sums R are PRESS: D. M. Allen, Technome
 are better by a factor.
 
 Where one part of w is over ground, speed or course, that part is g's to the noise, and the flow is
-the one that the other part shows.  Legs of one course do not show it.
-
-If w is the way over ground itself, g - w is the noise of the fixes, without a flow: no sea is so
-still.
+the one that the other part shows.  Legs of one course do not show it.  If both are over ground, g - w is the
+noise of the fixes, without a flow: no sea is so still.
 """
 
 from collections.abc import Callable, Sequence
@@ -28,9 +26,9 @@ from .fix_settings import rotated
 FEWEST, COMPARED = 4, 40  # legs that are compared, the last ones
 CLEAR = log(1e5)  # log-likelihood ratio
 BETTER = 2.0  # times, root mean square of the errors of forecasts
+STILL = 0.01  # m/s, root mean square of a flow
 MEAN = 0.5  # m/s, standard deviation of the mean flow
 TURNED = np.radians(5.0)
-STILL = 0.01  # m/s, root mean square of a flow
 
 
 def _as_radians(w: np.ndarray) -> np.ndarray:
@@ -64,13 +62,9 @@ def wrong_motion(
         return ""
     rows = np.array(ways)
     over_ground, water, durations, r = rows[:, :2], rows[:, 2:4], rows[:, 4], rows[:, 5]
-    errors = np.hypot(*(over_ground - water).T)
-    rms = float(np.sqrt(np.mean(errors**2)))
-    if np.any(water) and rms < STILL / speed * float(np.median(durations)):
-        return (
-            "the ways through the water are those over ground, without any flow: course and speed "
-            "look like those over ground. Give those through the water"
-        )
+    still = STILL / speed * durations
+    if np.any(water) and residual(over_ground, water) < still @ still:
+        return "course and speed look like those over ground. Give those through the water"
     flow = np.column_stack([rows[:, 6:] * prior, durations * MEAN / speed]) / r[:, None]
     errors_of = forecast_errors(flow) / r
     g, w = errors_of @ over_ground, errors_of @ water

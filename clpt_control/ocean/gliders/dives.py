@@ -70,7 +70,6 @@ VELOCITY = ("v_east", "v_north")
 STALE = (
     0.1  # m that a vehicle moved, of which a new fix in 1e-6 degrees shows something
 )
-REPEATS = "repeats the last position though the vehicle moved: no fix"
 # m/s by which a file's own current may be off
 MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches

@@ -26,6 +26,11 @@ import numpy as np
 from ...base.geodesy import displacement
 
 KINDS = ("held", "reckoned", "interpolated")
+NO_FIX = "the position carries no measurement and is no fix"
+DOUBT = (
+    "the last positions repeat, or follow the vehicle's own motion: learned as fixes, unless later "
+    "ones show that they are none"
+)
 JITTER = 3.0  # m, of a position that is held
 MOVED = 0.1  # m that a vehicle moves at least
 STAYS = 30.0  # m that one that keeps its place may seem to move
@@ -87,7 +92,7 @@ def _resolution(positions: np.ndarray) -> float:
         10.0**digits * parts for digits in range(8) for parts in (1, 60)
     ):
         scaled = positions * scale
-        if np.all(np.abs(scaled - np.round(scaled)) < 1e-3):
+        if np.all(np.abs(scaled - np.round(scaled)) < 6e-9 * scale):
             return PER_DEGREE / scale
     return 0.0
 
@@ -117,12 +122,16 @@ def _repeats(
         jump = 0j if is_last else _moved(positions[[begin, k]])[0]
         if not is_last and abs(jump) <= JITTER:
             continue
+        if k == begin + 1:
+            begin = k
+            continue
         # a run of positions near that of `begin`
         water = np.cumsum(steps[begin : k - 1])
         farthest = np.max(np.abs(water), initial=0.0)  # NaN if not known
         chance = q * q / (4 * np.pi * QUIETEST**2)
         is_exact = np.all(positions[begin:k] == positions[begin])
         is_held = bool(is_exact and chance < 1 and chance ** len(water) < SELDOM)
+        doubted[begin + 1 : k] = farthest > MOVED
         if farthest > (MOVED + 1.5 * q if is_held else STAYS + 3 * q):
             if not is_last:
                 share = (time[k] - time[k - 1]) / (time[k - 1] - time[begin])
@@ -131,7 +140,7 @@ def _repeats(
                 jumps.append(is_held)
             elif jumps:
                 is_held |= bool(np.mean(jumps) > 0.5)
-            (held if is_held else doubted)[begin + 1 : k] = True
+            held[begin + 1 : k] = is_held
         begin = k
     return held, doubted
 
