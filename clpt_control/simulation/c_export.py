@@ -181,13 +181,12 @@ class CFile:
             label = f"{node.name}.{field}"
             if read_as_number(node.system, field):
                 label += FIXED
-            start = self.record.place(offset)
             shape = np.shape(getattr(self.parameters[k], field))
             for j, index in enumerate(np.ndindex(shape)):
                 suffix = f"[{','.join(map(str, index))}]" if index else ""
-                names[start + j] = label + suffix
-        values = np.delete(self.layout.P, self.record.set_by_integrator)
-        return [names[location] for location in sorted(names)], values
+                names[offset + j] = label + suffix
+        listed = self.record.parameters
+        return [names[offset] for offset in listed], self.layout.P[listed]
 
     def _enum(self, letter: str, labels: list[str]) -> str:
         """Return an enum of names, and of their number."""

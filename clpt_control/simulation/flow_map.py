@@ -219,7 +219,9 @@ def _dataset(
         attributes["units"] = learned.unit
     title = f"Learned flow: {learned.scenario.title}".removesuffix(": ")
     attributes = {"Conventions": "CF-1.11", "title": title}
-    return xarray.Dataset(data, coordinates, attributes)
+    made = xarray.Dataset(data, coordinates, attributes)
+    made.time.attrs["standard_name"] = "time"
+    return made
 
 
 def learned_flow(run: "xarray.Dataset") -> _Learned:

@@ -431,3 +431,104 @@ def test_states_jump_at_the_end_of_the_step_that_passes_their_level(tmp_path):
     assert turns[-1] == 10.0
     with pytest.raises(clpt.DiagramError, match="saw: jumps at a level"):
         clpt.export(saw, tmp_path / "saw.fmu")
+
+
+# --- parameters that are changed by their names in C ----------------------------------------------
+
+CHANGED = """
+#include "made.c"
+#include <stdio.h>
+int main(void) {
+    double x[NAME_nx + 1], u[NAME_nu + 1] = {0.0}, y[NAME_ny + 1], p[NAME_np + 1];
+    for (int i = 0; i < NAME_np; i++) p[i] = NAME_p0[i];
+    for (int i = 0; i < NAME_nx; i++) x[i] = NAME_x0[i];
+    SET
+    BEGIN
+    for (int k = 0; k < 2000; k++) {
+        NAME_outputs(k / 1000.0, x, u, p, y);
+        NAME_step(k / 1000.0, 0.001, x, u, p);
+    }
+    for (int i = 0; i < NAME_nx; i++) printf("%.17g ", x[i]);
+    return sizeof NAME_p0 / sizeof *NAME_p0 != (NAME_np ? NAME_np : 1);
+}
+"""
+SANITIZED = "-std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+
+def changed_in_c(system, params, folder):
+    """Return the states at t = 2 of a program that sets parameters by the enum, with sanitizers."""
+    text = clpt.export(system, folder / "made.c")
+    name = re.search(r"(\w+)_nx = ", text)[1]
+    words = {
+        label: word for word, label in re.findall(r"(\w+_p_\w+),  /\* (.*) \*/", text)
+    }
+    sets = [
+        f"p[{words[label + index]}] = {value!r};"
+        for label, values in params.items()
+        for index, value in entries(values)
+    ]
+    begin = f"{name}_begin(0.0, x, u, p);" if f"{name}_begin(" in text else ""
+    main = CHANGED.replace("SET", " ".join(sets)).replace("BEGIN", begin)
+    (folder / "main.c").write_text(main.replace("NAME", name))
+    made = folder / "changed"
+    files = ["-o", made, folder / "main.c", "-lm"]
+    subprocess.run([COMPILER, *SANITIZED.split(), *files], check=True)
+    done = subprocess.run([made], capture_output=True, text=True, check=True)
+    return np.array(done.stdout.split(), float)
+
+
+def entries(values):
+    """Return the index in C and the value of each number."""
+    values = np.asarray(values)
+    return [
+        ("".join(f"[{k}]" for k in index), float(value))
+        for index, value in np.ndenumerate(values)
+    ]
+
+
+KNOTS, HEIGHTS = [0.0, 0.6, 9.0], [2.0, 3.0, 4.0]
+
+
+def tables_over_time(jumps=False, samples=False):
+    """Blocks before, with and behind two tables over time; the last two may jump or sample."""
+    first = clpt.Block(
+        "first", outputs={"a": 3}, parameters={"v": [0.1, 0.2, 0.3]},
+        output=lambda t, x, u, p: p.v * np.cos(t),
+    )  # fmt: skip
+    table = clpt.Block(
+        "table", outputs={"y": 1}, parameters={"h": 7.0, "k": 0.5},
+        output=lambda t, x, u, p: p.h * np.interp(t, KNOTS, HEIGHTS)
+        + p.k * np.interp(t - 0.3, HEIGHTS, KNOTS),
+    )  # fmt: skip
+    lag = clpt.Block(
+        "lag", inputs={"y": 1, "a": 3}, states={"x": 1}, parameters={"m": 0.5, "w": [1.0, 2.0, 3.0]},
+        update=lambda t, x, u, p: [u.y[0] - p.m * x[0] + p.w @ u.a],
+    )  # fmt: skip
+    count = clpt.Block(
+        "count", inputs={"y": 1}, states={"n": 1}, parameters={"g": 1.0, "interval": -1.0},
+        update=lambda t, x, u, p: [0.0], jump=lambda t, x, u, p: [x[0] + p.g * u.y[0]],
+        breakpoints=Each(0.5),
+    )  # fmt: skip
+    held = clpt.Block(
+        "held", inputs={"y": 1}, states={"s": 1}, parameters={"q": 1.0},
+        update=lambda t, x, u, p: [x[0] + p.q * u.y[0]],
+    )  # fmt: skip
+    blocks = [first, *[count] * jumps, table, *[clpt.Sampled(held, 0.5)] * samples, lag]
+    return clpt.connect(blocks, name="loop")
+
+
+@needs_cc
+@pytest.mark.parametrize("kinds", [{}, {"jumps": True}, {"samples": True}])
+def test_parameters_behind_a_table_over_time_are_changed_by_the_enum(kinds, tmp_path):
+    system = tables_over_time(**kinds)
+    changed = {
+        "lag.m": 1.5,
+        "lag.w": [0.3, -1.0, 2.0],
+        "table.k": 4.0,
+        "first.v": [1.0, 2.0, 5.0],
+    }
+    changed |= {"count.g": 3.0} if "jumps" in kinds else {}
+    changed |= {"held.q": 3.0} if "samples" in kinds else {}
+    right = clpt.simulate(system, [0.0, 2.0], params=changed, rtol=1e-10, atol=1e-12)
+    found = changed_in_c(system, changed, tmp_path)
+    np.testing.assert_allclose(found, right.states.values[-1], rtol=1e-6)

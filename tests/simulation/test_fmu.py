@@ -12,7 +12,7 @@ import control
 import numpy as np
 import pytest
 from example_models import MODELS, discrete
-from test_export import library, needs_cc
+from test_export import library, needs_cc, tables_over_time
 
 import clpt_control as clpt
 from clpt_control import ClptError
@@ -145,6 +145,25 @@ def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
     ]
     # XML Schema, part 2, 3.2.5
     assert [one["start"] for one in limits] == ["-INF", "INF"]
+
+
+@needs_cc
+def test_parameters_behind_a_table_over_time_are_set_by_their_names(tmp_path):
+    system = tables_over_time(jumps=True)
+    clpt.export(system, tmp_path / "loop.fmu")
+    found = Importer(tmp_path / "loop.fmu", tmp_path)
+    given = {"lag.m": 1.5, "lag.w": [0.3, -1.0, 2.0], "table.k": 4.0}
+    assert found.get("first.v[2]", "table.h", "lag.m", "lag.w[1]").tolist() == [
+        0.3,
+        7.0,
+        0.5,
+        2.0,
+    ]
+    weights = {f"lag.w[{k}]": value for k, value in enumerate(given["lag.w"])}
+    following = found.initialize(**{"lag.m": 1.5, "table.k": 4.0}, **weights)
+    right = clpt.simulate(system, [0.0, 2.0], params=given, rtol=1e-10, atol=1e-12)
+    ends = found.run(2.0, following, 1e-3)
+    np.testing.assert_allclose(ends, right.states.values[-1], rtol=1e-6)
 
 
 @pytest.mark.parametrize("lost", ["a compiler", "a folder"])

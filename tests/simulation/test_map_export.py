@@ -255,6 +255,7 @@ def test_a_chart_of_an_estimate_has_fixes_in_degrees_and_its_standard_error():
     values = {"run.duration": 20.0, "run.output_step": 0.1, "origin": ORIGIN}
     run = clpt.simulate(PAPER.with_values(values))
     estimate = clpt.currents.flow_estimate(run, every=5.0)
+    assert clpt.flow_map(estimate).time.attrs["standard_name"] == "time"
     ax = estimate.clpt.plot("map")
     places = np.column_stack([estimate.longitude, estimate.latitude])
     np.testing.assert_allclose(ax.lines[0].get_xydata(), places, rtol=0, atol=1e-9)
@@ -292,6 +293,7 @@ def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
         flow = opened.load()
     assert flow.u.dims == ("time", "latitude", "longitude")
     assert flow.u.attrs["standard_name"] == "eastward_sea_water_velocity"
+    assert flow.time.attrs["standard_name"] == "time"
     assert flow.latitude.attrs["units"] == "degrees_north"
     assert flow.u.attrs["units"] == "km h-1"
     lat, lon = flow.latitude.values[20], flow.longitude.values[35]

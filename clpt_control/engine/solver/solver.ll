@@ -1,4 +1,4 @@
-; sha256 c0cf326b9fd3cbfa3ec80b742e1d66fb485ae0c2fbad909231ebe71676a4fed5 97b292b9aff98130fb8e27d29210da4ca35c71f083b487dd3cd6c751a31c8621, Python 3.11, numba 0.68.1
+; sha256 95fe0ef8f83538a1d3afd50141e8a4b4b0a96da49d7ed2cefa3396a5fccd2c15 97b292b9aff98130fb8e27d29210da4ca35c71f083b487dd3cd6c751a31c8621, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
