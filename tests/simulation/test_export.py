@@ -501,7 +501,8 @@ def tables_over_time(jumps=False, samples=False):
         + p.k * np.interp(t - 0.3, HEIGHTS, KNOTS),
     )  # fmt: skip
     lag = clpt.Block(
-        "lag", inputs={"y": 1, "a": 3}, states={"x": 1}, parameters={"m": 0.5, "w": [1.0, 2.0, 3.0]},
+        "lag", inputs={"y": 1, "a": 3}, states={"x": 1},
+        parameters={"m": 0.5, "w": [1.0, 2.0, 3.0]},
         update=lambda t, x, u, p: [u.y[0] - p.m * x[0] + p.w @ u.a],
     )  # fmt: skip
     count = clpt.Block(

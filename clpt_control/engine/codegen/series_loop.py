@@ -135,7 +135,8 @@ class SeriesPrinter(Coefficients):
         goes_on = builder.icmp_signed("==", status, running)
         going = where(goes_on, right, false)
         in_time = builder.icmp_signed("<", now["tries"], most)
-        goes_on = builder.and_(self.any_of(goes_on), in_time)
+        is_going = self.any_of(goes_on)
+        goes_on = builder.and_(is_going, in_time)
         builder.cbranch(goes_on, blocks["body"], blocks["end"])
 
         # 4. coefficients and the step
@@ -230,7 +231,7 @@ class SeriesPrinter(Coefficients):
             builder.store(ended[name], address, align=8)
         number = builder.add(segment, ir.Constant(WORD, 1))
         not_failed = builder.icmp_signed("!=", status, failed)
-        on = builder.and_(in_time, self.any_of(not_failed))
+        on = builder.and_(builder.not_(is_going), self.any_of(not_failed))
         on = builder.and_(on, builder.icmp_signed("<", number, segments))
         segment.add_incoming(number, builder.block)
         for name, node in at_segment.items():

@@ -162,7 +162,7 @@ class SeriesArrays:
         self.indices[: len(segments.indices)] = segments.indices
         self.values[: segments.values.size] = segments.values.ravel()
         run = float(times[-1] - times[0])
-        longest = min(options.max_step, run / PARTS if self._timed else 1e300)
+        longest = min(options.max_step, run / PARTS if self._timed else run)
         numbers = np.zeros(NUMBERS)
         numbers[:3] = max(options.rtol, LEAST_RTOL), options.atol, longest
         numbers[series.TIME : series.SCALE] = times[0]
@@ -185,7 +185,7 @@ class SeriesArrays:
                 if progress is not None:
                     progress(float(time.min()))
                 if tries >= MOST_STEPS:
-                    status[status == series.RUNNING] = series.FAILED
+                    status[:] = series.FAILED
                     break
                 self._entry(*call)
 

@@ -195,6 +195,26 @@ def test_inputs_are_segments_of_time(scale):
     assert run.solver_restarts >= 5
 
 
+@pytest.mark.parametrize(
+    ("count", "given"),
+    [
+        (1000, {}),
+        (20_000, {"max_step": 10.0}),
+        (20_001, {}),
+        (25_000, {"max_step": 0.7}),
+    ],
+)  # a call of machine code ends after 20,000 tries
+def test_many_short_segments_are_sums_of_trapezoids(count, given):
+    times = np.arange(count + 1.0)
+    u = np.random.default_rng(1).standard_normal(count + 1)
+    exact = np.append(0.0, np.cumsum(0.5 * (u[1:] + u[:-1])))
+    run = clpt.simulate(
+        system(lambda t, x, u, p: [u[0]], 1, 1), times, u, **SERIES, **given
+    )
+    assert run.attrs["method"] == "Taylor 13"
+    np.testing.assert_allclose(run.states[:, 0], exact, atol=1e-7)
+
+
 def test_parameters_count_and_runs_repeat():
     decay = system(
         lambda t, x, u, p: [-(p["k"] ** 1.1) / (1 + p["c"]) * x[0]], k=1.0, c=0
