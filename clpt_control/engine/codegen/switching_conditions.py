@@ -249,13 +249,13 @@ class Decisions:
                 now = record.tape.add(name, decided, shape, side)
                 if name in COMPARED:
                     now = where(now, 1.0, -1.0)
+                    # `isfinite` compares with infinity: it may read NaN
+                    reads = () if np.inf in decided else values_among(decided)
+                    for read in map(value_of, reads):
+                        now = where(read == read, now, np.nan)
                 compared = operands(kind, name, arguments)
                 distance, least = self._distance(name, compared, H)
                 least = least + self._rounding(operand(distance))
-                if kind in NAN_IF_ANY:
-                    now = self._unless_nan(decided, now, np.nan)
-                    distance = self._unless_nan(compared, distance, -1.0)
-                    least = self._unless_nan(compared, least, 0.0)
                 unfixed = distance
                 # fixed decisions stay as they are
                 now = _chosen(is_fixed, H, now)
@@ -287,13 +287,6 @@ class Decisions:
         locked = operand(locked_value(arguments))
         record.owners.setdefault(locked, record.owners[k])
         return locked, value
-
-    def _unless_nan(self, of: tuple[Ref, ...], value: Any, other: float) -> Any:
-        """Return a value, or another where one of the operands is NaN."""
-        for ref in values_among(of):
-            number = self.record.tape.value(ref)
-            value = where(number == number, value, other)
-        return value
 
     def _distance(self, name: str, of: tuple[Ref, ...], H: Array) -> tuple[Any, Any]:
         """Return the distance of a decision from its turn, smooth in a step, and its rounding.

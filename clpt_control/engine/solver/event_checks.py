@@ -29,6 +29,7 @@ from .solver_layout import (
     WITHIN,
     Bracket,
     decide,
+    differs,
     prepare,
     put_state_within,
     retry,
@@ -54,6 +55,7 @@ TIME_ROUNDING = 1e-15
 # step up to an event, of a run, and of the time: in a shorter one states move by rounding alone
 SHORTEST, SHORTEST_OF_TIME = 1e-13, 4e-15
 NEAR = 0.25  # of the change of a distance in a step: so wrong may the cubic through its ends be
+SUBNORMAL = 1e-320  # rounding of sums of the smallest numbers
 DEEPER = 1.5  # so much deeper than the vertex of a parabola may a distance fall
 
 
@@ -78,7 +80,7 @@ def decisions_differ(solver, point):
     """Return whether decisions of a sample point differ from those in force."""
     first = solver.shape.first_decision
     for j in range(solver.shape.decisions):
-        if solver.points[point, DECISION, j] != solver.memory.P[first + j]:
+        if differs(solver.points[point, DECISION, j], solver.memory.P[first + j]):
             return True
     return False
 
@@ -223,7 +225,7 @@ def may_hide(points, first, last, end, size):
     time_rounding = TIME_ROUNDING * abs(end) / size
     for j in range(points.shape[2]):
         error = error_between(points, j)
-        rounding = abs(points[0, ROUNDING, j])
+        rounding = SUBNORMAL + abs(points[0, ROUNDING, j])
         for point in range(SAMPLE_POINTS):
             change = points[point + 1, DISTANCE, j] - points[point, DISTANCE, j]
             rounding += time_rounding * abs(change)

@@ -163,18 +163,21 @@ def rates_change(solver, share):
         within = SHARES[point] if point > 0 else share
         if within >= share:
             put_state_within(solver, within)
-            derivative(solver, lane[STAGE_TIME], WITHIN, HELD_RATE)
-            exchange_decisions(solver, BEHIND)
-            derivative(solver, lane[STAGE_TIME], WITHIN, NEW_RATE)
-            if rates_differ(solver):
+            if rates_differ(solver, lane[STAGE_TIME], WITHIN):
                 return True
-            exchange_decisions(solver, BEHIND)
     exchange_decisions(solver, BEHIND)
     return False
 
 
-def rates_differ(solver):
-    """Return whether two rates differ by more than `NEGLIGIBLE` tolerances over the step."""
+def rates_differ(solver, times, row):
+    """Return whether rates at a row of states change with the decisions right behind an event.
+
+    A change below `NEGLIGIBLE` tolerances over the step is none.
+    """
+    derivative(solver, times, row, HELD_RATE)
+    exchange_decisions(solver, BEHIND)
+    derivative(solver, times, row, NEW_RATE)
+    exchange_decisions(solver, BEHIND)
     states = solver.states
     relative, absolute = solver.tolerances[0], solver.tolerances[1]
     for i in range(solver.shape.states):
@@ -313,4 +316,17 @@ def restart_behind_event(solver):
         solver.queue[BEGINNING] = ANEW
         if integers[BURST, 0] > MOST_EVENTS:
             fail(solver, 0, Status.CHATTERING)
+    elif not crossed and is_undecided(solver):
+        fail(solver, 0, Status.UNDECIDED)
     lane[EVENT_CROSSED, 0] = 0.0
+
+
+def is_undecided(solver):
+    """Return whether rates would be others if decisions about NaN, which are no, were yes."""
+    for j in range(solver.shape.decisions):
+        held = solver.memory.P[solver.shape.first_decision + j]
+        if held != held:
+            solver.integers[EVENT_INDEX, 0] = j
+        solver.points[BEHIND, DECISION, j] = held if held == held else 1.0
+    some = decisions_differ(solver, BEHIND)
+    return some and rates_differ(solver, solver.lane[TIME], STATE)

@@ -142,7 +142,7 @@ class PythonRun:
             self.sweep.enter(t + rounding(t, self.run))
             x = self._jumped(k, t, x)
             self._write(t, x)
-            if self.sweep.guarded and self._margin(t, x) < 0.0:
+            if self.sweep.guarded and not self._margin(t, x) >= 0.0:
                 self.end = t, x
             elif k < len(begins) - 1:
                 x = self._segment(t, x, edges[k])
@@ -267,7 +267,7 @@ class PythonRun:
             low, high = parts.pop()
             times = low + (high - low) * np.array(SHARES)
             margins = np.array([self._margin(t, within(t)) for t in times])
-            outside = int(np.argmax(margins < 0.0))
+            outside = int(np.argmin(margins >= 0.0))
             points = np.zeros((len(SHARES), 3, 1))
             points[:, DISTANCE, 0] = margins
             points[:, ROUNDING] = MARGIN_ROUNDING * np.abs(margins).max()

@@ -170,7 +170,7 @@ def stop_outside(solver, k, state_row):
     for guard in range(solver.shape.decisions, points.shape[2]):
         change = abs(points[BEFORE, DISTANCE, guard] - points[BEHIND, DISTANCE, guard])
         edge = edge_of(points[BEHIND, ROUNDING, guard], change)
-        if points[BEHIND, DECISION, guard] < -edge:
+        if not points[BEHIND, DECISION, guard] >= -edge:
             solver.integers[EVENT_INDEX, k] = guard
             fail(solver, k, Status.GUARD_LEFT)
             lane[SEGMENT_END, k] = lane[TIME, k]

@@ -9,6 +9,7 @@ The solver integrates several runs side by side, one in each lane.  All function
 Numba compiles these pages (`make solver`), so they are plain loops over arrays.
 """
 
+import math
 from enum import IntEnum
 from typing import Any, NamedTuple
 
@@ -68,6 +69,12 @@ class Status(IntEnum):
     STIFF = 9, "stiff", "left to an implicit method"
     STOPPED = 10, "stopped", "stopped by a guard"
     SERIES_ENDED = 11, "series_ended", "left to steps by stages"
+    UNDECIDED = (
+        12,
+        "undecided",
+        "compares a value that is not a number, and the rates depend on the answer. Keep the "
+        "arguments of that block in range",
+    )
 
 
 # Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and
@@ -275,11 +282,27 @@ def prepare(solver, times):
 
 
 def decide(solver, times, state_row, point):
-    """Write decisions, distances and rounding errors at a row of states into a sample point."""
+    """Write decisions, distances and rounding errors at a row of states into a sample point.
+
+    A distance that is not a number is infinite: below 0 if the decision has changed, and of a guard.
+    """
     Z, P, T, W, D = solver.memory
-    shape = solver.shape
-    to = 3 * point * solver.points.shape[2]
+    shape, points = solver.shape, solver.points
+    to = 3 * point * points.shape[2]
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
+    for j in range(points.shape[2]):
+        distance = points[point, DISTANCE, j]
+        if not abs(distance) + points[point, ROUNDING, j] < math.inf:
+            points[point, ROUNDING, j] = 0.0
+        if distance != distance:
+            held = P[shape.first_decision + j] if j < shape.decisions else 0.0
+            is_new = differs(points[point, DECISION, j], held)
+            points[point, DISTANCE, j] = -math.inf if is_new else math.inf
+
+
+def differs(decision, held):
+    """Return whether a decision differs from the one in force; both may be NaN."""
+    return decision != held and (decision == decision or held == held)
 
 
 def interpolate(states, i, k, share):

@@ -68,7 +68,7 @@ def ended(run: Any, solution: Solution, inputs: Inputs) -> Solution:
     reason = Status(status).sentence
     if status == Status.ACCUMULATING:
         reason = f"{', '.join(sweep.resetting)} {reason}"
-    elif status == Status.CHATTERING:
+    elif status in (Status.CHATTERING, Status.UNDECIDED):
         reason = run.refusal or f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
     work = "run" if last.callee.method.discrete else "integration"
@@ -107,7 +107,7 @@ def without_states(
         return sweep.margin(t, solution.x[0], u)
 
     for k, t in enumerate(times if sweep.guarded else ()):
-        if not guard(t)[0] < 0.0:
+        if guard(t)[0] >= 0.0:
             continue
         end = edge(lambda time: guard(time)[0], times[max(k - 1, 0)], t)
         reached = np.append(times[:k], end)
@@ -120,10 +120,10 @@ def without_states(
 def edge(margin: Callable[[float], float], low: float, high: float) -> float:
     """Return the time between two at which a margin becomes negative, by bisection."""
     while low < (middle := 0.5 * (low + high)) < high:
-        if margin(middle) < 0.0:
-            high = middle
-        else:
+        if margin(middle) >= 0.0:
             low = middle
+        else:
+            high = middle
     return high
 
 
