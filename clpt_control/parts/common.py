@@ -15,6 +15,8 @@ from ..engine.model.block import Block
 from ..engine.model.ports import renamed
 
 Ports = Mapping[str, str]  # name of a port -> the user's name
+# words in names that other libraries have for the limits low and high
+OF_LIMITS = ("limit", "min", "max", "bound", "sat", "range")
 
 
 def make_block(
@@ -29,8 +31,10 @@ def make_block(
     for port, new_name in ports.items():
         if port not in names:
             allowed = ", ".join(sorted({*names, *values}))
+            is_limit = "low" in values and any(word in port for word in OF_LIMITS)
             raise BlockError(
                 f"{name}: has no port or parameter '{port}', but {allowed}"
+                + ". Give the limits as low=, high=" * is_limit
             )
         if not isinstance(new_name, str):
             raise BlockError(f"{name}: {port} = {new_name!r}: must be a name, a text")

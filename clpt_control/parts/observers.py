@@ -28,7 +28,7 @@ from ..base.random_numbers import normal
 from ..engine.model.block import Block
 from ..engine.model.declaration import Each
 from ..engine.model.system import SHAPES
-from .common import check_positive, checked_sizes, make_block
+from .common import Ports, check_positive, checked_sizes, make_block
 
 SQUARE = ("n", "n")
 MATRIX_SHAPES = {**SHAPES, "L": ("n", "q"), "Q": SQUARE, "R": ("q", "q"), "P0": SQUARE}
@@ -78,15 +78,8 @@ def observer(
     [-3.0, -2.0]
     """
     matrices = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
-    return make_block(
-        name,
-        ports,
-        matrices,
-        update=observed,
-        inputs={"u": "m", "y": "q"},
-        states={"x_hat": "n"},
-        shapes={key: MATRIX_SHAPES[key] for key in matrices},
-        dt=system.dt or 0,
+    return _of_plant(
+        system, name, ports, matrices, update=observed, states={"x_hat": "n"}
     )
 
 
@@ -185,18 +178,36 @@ def kalman_filter(
                 f"{name}: {key}: must be positive semidefinite, and R definite"
             )
     sampled = bool(system.dt)
-    return make_block(
+    return _of_plant(
+        system,
         name,
         ports,
         matrices,
         update=kalman_step if sampled else bucy,
         output=kalman_estimate if sampled else bucy_estimate,
-        inputs={"u": "m", "y": "q"},
         outputs={"x_hat": "n", "P": SQUARE},
         states={"predicted" if sampled else "x_hat": "n", "moved": SQUARE},
-        shapes={key: MATRIX_SHAPES[key] for key in matrices},
-        dt=system.dt or 0,
     )
+
+
+def _of_plant(
+    system: control.StateSpace,
+    name: str,
+    ports: Ports,
+    matrices: dict[str, Any],
+    **declared: Any,
+) -> Block:
+    """Make a block that reads u and y of a plant, with the plant's own names of them."""
+    shapes = {key: MATRIX_SHAPES[key] for key in matrices}
+    inputs = {"u": "m", "y": "q"}
+    dt = system.dt or 0
+    block = make_block(
+        name, ports, matrices, inputs=inputs, shapes=shapes, dt=dt, **declared
+    )
+    block.read_from = dict(
+        zip(block.input_ports, (system.input_labels, system.output_labels), strict=True)
+    )
+    return block
 
 
 def _matrices(name: str, system: control.StateSpace) -> dict[str, Any]:

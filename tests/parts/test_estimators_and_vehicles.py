@@ -11,7 +11,7 @@ import pytest
 from error_sentences import says
 from scipy.integrate import simpson, solve_ivp
 from scipy.linalg import expm
-from test_parts_closed_forms import TIMES, every_engine, run
+from test_parts_closed_forms import TIGHT, TIMES, every_engine, run
 
 import clpt_control as clpt
 from clpt_control import parts
@@ -34,6 +34,52 @@ def test_the_error_of_an_observer_decays_by_its_poles():
     exact = [expm((A - L @ C) * t) @ start for t in TIMES]
     x = found.states.values
     np.testing.assert_allclose(x[:, :2] - x[:, 2:], exact, atol=1e-8)
+
+
+GAIN = np.ones((3, 2)) / 9
+ESTIMATORS = {
+    "observer": lambda plant, **names: parts.observer(plant, GAIN, **names),
+    "kalman_filter": lambda plant, **names: parts.kalman_filter(
+        plant, np.eye(3), np.eye(2), **names
+    ),
+}
+
+
+@pytest.mark.parametrize("dt", [0, 0.1])
+@pytest.mark.parametrize("kind", ESTIMATORS)
+@pytest.mark.parametrize(("u", "y"), ["uy", "fq"])
+def test_an_estimator_is_fed_by_a_plant_with_names_of_its_own(dt, kind, u, y):
+    """Each sentence names the plant's signals, and works if it is followed."""
+    labels = {"inputs": ["f1", "f2"], "outputs": ["q1", "q2"]}
+    drag = np.diag([1.0, 0.5, 0.3])
+    A, B, C = np.eye(3) - drag if dt else -drag, np.ones((3, 2)), np.eye(2, 3)
+
+    def blocks():
+        plant = control.ss(A, B, C, np.zeros((2, 2)), dt, **labels, name="plant")
+        return [plant, ESTIMATORS[kind](plant, u=u, y=y)]
+
+    clock = clpt.Block("clock", output=lambda t, x, u, p: t, outputs={"time": 1})
+    for of, port, outside in (("inputs", u, ["f1", "f2"]), ("outputs", y, [u])):
+        wanted = [f"{port}[0]", f"{port}[1]"]
+        said = f"label its {', '.join(labels[of])} as {', '.join(wanted)}"
+        for others in ([], [clock]):  # beside a clock, an estimator with dt samples
+            given = [*blocks(), *others], outside
+            says(clpt.DiagramError, re.escape(said), clpt.connect, *given)
+        labels[of] = wanted
+    loop = clpt.connect(blocks(), external=u)
+    if kind == "observer":
+        times = 0.1 * np.arange(20)
+        options = {} if dt else TIGHT
+        start = [1, 2, 3, 0, 0, 0]
+        x = clpt.simulate(loop, times, np.ones((2, 20)), start, **options).states.values
+        error = A - GAIN @ C
+        powers = [
+            np.linalg.matrix_power(error, k) if dt else expm(error * times[k])
+            for k in range(20)
+        ]
+        np.testing.assert_allclose(
+            x[:, :3] - x[:, 3:], powers @ np.array([1.0, 2, 3]), atol=1e-8
+        )
 
 
 def test_a_kalman_bucy_filter_settles_at_care():
@@ -228,6 +274,9 @@ MISTAKES = r"""
     parts.lag(0.0) -> lag = 0.0: must be positive
     parts.saturation([0, 1], 3, signals=3) -> must be one number, or 3
     parts.pid(1, 0.1, hgih=1) -> has no port or parameter 'hgih', but
+    parts.pid(1, limits=(0, 1)) -> kp, low, r, u, y. Give the limits as low=, high=
+    parts.pid(1, 0.1, u_max=1) -> Give the limits as low=, high=
+    parts.relay(1, -1, lag=1, output_limits=(0, 1)) -> Give the limits as low=, high=
     parts.pid(1, 1, dt=1, tracking=0.5) -> tracking = 0.5: must be above half of
     parts.pid(1, r="a", y="a") -> pid: its inputs would be a, a; each needs its own
     parts.observer(control.ss(-np.eye(2), np.eye(2), [[1, 2]], 0), [[1, 2]]) -> must be (2, 1)

@@ -19,6 +19,7 @@ from ..model.declaration import Guard, Parameters, check_names, ports_line, same
 from ..model.ports import (
     Slices,
     Vector,
+    bare_labels,
     counts_of,
     labels,
     spans_of,
@@ -225,14 +226,20 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             available = sorted({*sources, *external})
             close = nearest(name, available)
             suggestion = f"; did you mean {close}?" if close else ""
-            breaks = attribute_of(blocks[ports[0].block], "breakpoints_function")
+            user = blocks[ports[0].block]
+            breaks = attribute_of(user, "breakpoints_function")
             rises = attribute_of(breaks, "trigger") == name
+            # of the plant of an observer
+            own = bare_labels(attribute_of(user, "read_from", {}).get(name, ()))
+            wanted = bare_labels(labels({name: len(own)}))
             raise DiagramError(
                 f"'{name}', an input of {names[ports[0].block]}, is made by no block"
                 f"{suggestion}; there are {', '.join(available)}; "
                 f"external='{name}' supplies it from outside"
                 + ", where each rise above 1/2 is an event"
                 * rises
+                + f". To feed it from the plant, label its {', '.join(own)} as "
+                f"{', '.join(wanted)}" * (own != wanted)
             )
         _check_fit(name, ports, blocks)
 
