@@ -183,18 +183,22 @@ class Column:
         return str(value) if isinstance(value, int) else repr(float(value))
 
 
-def _size(sizes: dict[str, float], unit: str, where: str) -> float:
-    """Return the size of a unit by the first pattern that it matches without its spaces."""
+def size_of_unit(sizes: dict[str, float], unit: str, where: str) -> float:
+    """Return the size of a unit by the first pattern that it matches without its spaces.
+
+    >>> [size_of_unit(TURNS, unit, "HEADING") for unit in ("degrees (true)", "gon", "decidegrees")]
+    [1.0, 0.9, 0.1]
+    """
     for pattern, size in sizes.items():
-        if re.fullmatch(pattern, unit.replace(" ", "")):
+        if re.fullmatch(pattern, unit.replace(" ", ""), re.IGNORECASE):
             return size
     raise DataError(
-        f"{where} is in {unit!r}. Give {GIVE} in s since 1970 or ISO 8601, degrees and m/s"
+        f"{where} is in {unit!r}. Give times in s since 1970 or ISO 8601, angles in degrees or rad"
     )
 
 
 TIMES = partial(
-    _size,
+    size_of_unit,
     {
         "utc|gmt|s(ec(onds?)?)?(since1970.*)?|(y|iso).*": 1.0,
         "ms": 1e-3,
@@ -203,10 +207,16 @@ TIMES = partial(
     },
 )
 RADIAN = 180.0 / pi  # degrees
-ANGLES = partial(
-    _size,
-    {"dege7|1e-7deg": 1e-7, "deg[ws]": -1.0, "(deg|°).*": 1.0, "rad(ians?)?": RADIAN},
-)
+TURNS = {  # units of angles in degrees; behind "deg" and "rad" words, but no factor or unit
+    "dege7|1e-7deg": 1e-7,
+    r"1?|(angular_?|decimal_?)?(deg|[°º])((?!10|[*/^]|e-?\d|per|min|sec).)*": 1.0,
+    r"rad((?!10|[*/^]|e-?\d|per).)*": RADIAN,
+    "m(illi)?rad(ian)?s?": RADIAN / 1e3,
+    r"(deci|0?\.1\*?|tenthsof)(degrees?|deg|°)": 0.1,
+    r"(centi|c|0?\.01\*?|hundredthsof)(degrees?|deg|°)": 0.01,
+    "gon|gra(d|de|dian)s?": 0.9,
+}
+ANGLES = partial(size_of_unit, {"deg[ws]": -1.0} | TURNS)
 MOMENT = (  # columns of a log, beside the displacement
     Column(
         EPOCH,

@@ -135,7 +135,8 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
         for dialect, kind in ((seaglider, "Seaglider"), (og1, None)):
             if dialect.is_known(data):
-                unflagged, notes = samples.unflagged(data)
+                # of dimensions of length one, such as `trajectory`
+                unflagged, notes = samples.unflagged(data.squeeze())
                 rows = dialect.dives_of(unflagged, path)
                 noted = [
                     row

@@ -54,8 +54,10 @@ from .og1_columns import (
     segments_of,
     with_steady_clock,
 )
-from .samples import deepest, known_names, summed, variation
+from .samples import REPAIRABLE, deepest, known_names, summed, variation
 
+MOST_STALLS = 4  # of the flight model in a dive
+RARE = 0.03  # share of the speeds that a stall follows, and of samples at one time
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 
 
@@ -91,10 +93,19 @@ def through_water(
 def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
     """Return the dead reckoning of speed and heading; None where a dive has neither.
 
-    A row with a heading and no speed is a stall of the flight model: no step.
+    A row with a heading and no speed is a stall of the flight model: no step.  If there are more
+    of them than stalls, speeds have a rate of their own, and each holds until the next.
     """
     turned, north = _variation_of(rows, start, end)
-    steered = rows.dropna(subset="heading")
+    flown = rows.dropna(subset=["speed", "heading"], how="all")
+    gap = flown.speed.isna()
+    holes = gap.groupby((~gap).cumsum()).sum()
+    if (holes > 0).sum() > max(MOST_STALLS, RARE * len(holes)):
+        if holes.max() > max(2 * holes.median(), REPAIRABLE * len(flown)):
+            doubt = f"{holes.max()} of {len(flown)} samples in a row have a heading and no speed"
+            return ThroughWater(notes=[f"{doubt}, in a stall or between two speeds"])
+        flown = flown.assign(speed=flown.speed.ffill().bfill())
+    steered = flown.dropna(subset="heading")
     step = steered.speed * steered.time.diff().fillna(0.0)
     heading = np.radians(steered.heading + (turned or 0.0))
     flown = steered.assign(east=step * np.sin(heading), north=step * np.cos(heading))
@@ -110,6 +121,11 @@ def _variation_of(
 ) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
     north, measured = rows.attrs["north"], rows.magvar.dropna()
+    if north not in ("", "magnetic", "true"):
+        raise DataError(
+            f"the north of the heading is not clear: {north!r}. Let its comment say only 'true' or "
+            "'magnetic'"
+        )
     if north == "true":
         return None, north
     degrees, source = 0.0, "not known"
@@ -138,6 +154,9 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     again = rows.time.diff() == 0
     if rows.loc[again, ["east", "north"]].any(axis=None):
         notes.append(f"{again.sum()} samples have the time of the one before, left out")
+        at_once = rows.groupby("time")[["east", "north", "depth"]].nunique() > 1
+        if at_once.any(axis=1).mean() > RARE:
+            return ThroughWater(notes=notes)
     rows = rows[~again]
     since = (rows.time - start[0]).to_numpy()
     steps = rows[["east", "north"]].to_numpy().T
@@ -148,7 +167,7 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     """Return whether a step after samples without one covers their time too, by its length."""
     step_time, row_time = with_step.time.diff(), rows.time.diff()[with_step.index]
     length, after = np.hypot(with_step.east, with_step.north), step_time > row_time
-    speed = (length / row_time)[~after & (row_time > 0)].median()
+    speed = (length / row_time)[(step_time <= row_time) & (row_time > 0)].median()
     return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
 

@@ -27,6 +27,7 @@ A clock was set back where, from one row under water to the next, time falls by 
 step are added to the times, until a fix whose own time agrees with the clock again.
 """
 
+import re
 from collections.abc import Sequence
 from math import nan
 
@@ -41,7 +42,6 @@ from .dives import LEAST_DEPTH, Fix, fixes_in, is_fix
 from .samples import (
     ANGLES,
     ENDS,
-    HEADING,
     PLACE,
     PLACES,
     QUANTITIES,
@@ -59,6 +59,19 @@ from .usable_dives import SMALLER
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 SURFACING = 1800.0  # s after a dive in which its current may be dated
+# what attributes of a heading say of its north, without other signs than . , ;
+VERB = r"(correct|appl|adjust|compensat|includ|account|remov|add|convert|turn|rotat|plus)\w*"
+ANGLE = r"(declination|variation|true)\b"
+APPLIED = rf"\b(un)?{VERB}( \w+){{0,6}} {ANGLE}|\b{ANGLE}( \w+){{0,4}} (un)?{VERB}"
+DENIED = (
+    r"\b(not?|un|without|before|never|needs?|must|should|to)"
+    rf"( (be|been|yet|any|is|was|the|magnetic|declination|variation|further))* ?{VERB}"
+    rf"|\b({VERB}|{ANGLE}) (no|false|0)\b|\b(add|apply|correct|convert|subtract)\b"
+)
+NEITHER = r"\bnot? (magnetic|true)\b|\b(magnetic|true|north) (false|no|0)\b"
+NO_NORTH = r"\b(ccw|(counter|anti) ?clockwise|from( the)? (east|south|west))\b"  # both and none
+TRUE = rf"\b(true|geographic)|\b(deg\w*|units) ?t\b|{NO_NORTH}"
+MAGNETIC = rf"\bmag(netic)?\b(?! (declination|variation))|\b(deg|units ?)m\b|{NO_NORTH}"
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
 LEAST_FALL = 60.0  # s: rows of two instruments may be exchanged by less
 DEEPER = 10.0  # m from one sample to the next, more than they usually differ
@@ -79,7 +92,8 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     """
     names = known_names(data)
     fixes, t_name = _fix_columns(data, names)
-    time = seconds(data, names["TIME"]).ravel() if "TIME" in names else fixes[0]
+    clock = names["TIME" if "TIME" in names else t_name]
+    time, dims = seconds(data, clock).ravel(), data[clock].dims
     notes: list[str] = []
     if t_name in names and not said(data[names[t_name]]):
         unit = unit_of_times(fixes[0], time)
@@ -88,7 +102,7 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
             notes.append(
                 f"{t_name} has no units and is read as {unit}, as its numbers are"
             )
-    columns, steps = {"time": time}, ""
+    columns, used = {"time": time}, {}
     for key in QUANTITIES:
         columns[key] = np.full(time.size, nan)
         for name, numbers in columns_of(data, key):
@@ -98,27 +112,45 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
                 notes += doubts
             if data[name].ndim == 0:  # one number for the mission
                 column = np.full(time.size, column[0])
-            if column.shape == time.shape and np.isfinite(column).any():
-                columns[key] = column
-                steps = name if key == "east" else steps
+            elif data[name].dims != dims:
+                if key in ("east", "speed", "heading"):
+                    notes.append(
+                        f"{name} is not read: it does not have the dimensions of {clock}"
+                    )
+                continue
+            if np.isfinite(column).any():
+                columns[key], used[key] = column, name
                 break
     fix_table = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
-    on_same_rows = (
-        time.shape == fixes[0].shape
-    )  # else fixes on a dimension of their own
+    # else fixes on a dimension of their own
+    on_same_rows = data[names[t_name]].dims == dims
     table = pandas.concat(
         [pandas.DataFrame(columns), fix_table], axis=1 if on_same_rows else 0
     )
     # sums of larger are infinite
-    table = table.where(abs(table) < 1e300).reset_index(drop=True)
+    table = _timed(table.where(abs(table) < 1e300).reset_index(drop=True))
     table.attrs = {
-        "north": _frame(data, names),
-        "steps": steps,
+        "north": _frame(data[used["heading"]]) if "heading" in used else "",
+        "steps": used.get("east", ""),
         "fix_clock": t_name,
         "own_currents": _currents_elsewhere(data, time.size),
         "notes": tuple(notes),
     }
     return table
+
+
+def _timed(table: pandas.DataFrame) -> pandas.DataFrame:
+    """Return the columns with a time for each displacement, between those of its neighbours."""
+    time = table.time.where(table.time > 0)
+    lost = time.isna() & (table.east.abs() + table.north.abs() > 0)
+    known = time.fillna(table.t_fix)
+    if lost.any() and not known.dropna().is_monotonic_increasing:
+        raise DataError(
+            f"{lost.sum()} displacements have no time, the first in row {lost.argmax()} (from 0), "
+            "and rows or fixes are not in order of time. Give the times, or sort the rows"
+        )
+    between = known.interpolate(limit_area="inside")
+    return table.assign(time=time.where(~lost, between))
 
 
 def _currents_elsewhere(
@@ -192,11 +224,12 @@ def _fix_columns(
     coordinates = [
         np.where(fixed, values(data, file_names[name]), nan) for name in names[1:]
     ]
-    if any(
-        coordinate.shape != time.shape or coordinate.ndim != 1
-        for coordinate in coordinates
-    ):
-        raise DataError(f"{', '.join(names)} differ in length; must be one per fix")
+    dims = {data[file_names[name]].dims for name in names}
+    if len(dims) > 1 or time.ndim != 1:
+        raise DataError(
+            f"{', '.join(names)} have the dimensions {sorted(dims)}; must have the same one. "
+            "Give a file for each trajectory, with its fixes in one row"
+        )
     return [time, *coordinates], names[0]
 
 
@@ -247,13 +280,22 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(when[rows], lat[rows], lon[rows]), failed
 
 
-def _frame(data: xarray.Dataset, names: dict[str, str]) -> str:
-    """Return which north the heading has, by the words of its attributes."""
-    name = next((names[name] for name in HEADING if name in names), None)
-    if name is None:
-        return ""
-    words = " ".join(str(value) for value in data[name].attrs.values()).lower()
-    return "magnetic" if "magnetic" in words else "true" if "true" in words else ""
+def _frame(heading: xarray.DataArray) -> str:
+    """Return which north a heading has, by its attributes; the attributes if they contradict.
+
+    It is true if a correction for the variation was applied, and magnetic if it was not.
+    """
+    attributes = "; ".join(f"{key} {text}" for key, text in heading.attrs.items())
+    words = re.sub(r"[^\w.,;]+|_", " ", attributes.lower())
+    words = re.sub(NEITHER, "", words)
+    rest = re.sub(APPLIED, "", words)
+    true, magnetic = re.search(TRUE, rest), re.search(MAGNETIC, rest)
+    if rest != words:
+        magnetic = re.search(DENIED, words)
+        true = true or not magnetic
+    if true and magnetic:
+        return attributes
+    return "magnetic" if magnetic else "true" if true else ""
 
 
 def has_ends(data: xarray.Dataset) -> bool:

@@ -36,7 +36,7 @@ from ...base.errors import DataError, import_optional
 from ...base.units import length_in_metres, number, speed_in_metres_per_second
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
-from .dive_fields import HEADINGS, VARIATIONS
+from .dive_fields import ABSENT, HEADINGS, TURNS, VARIATIONS, size_of_unit
 from .dives import FASTEST, Dive, ThroughWater, Track
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
@@ -49,7 +49,10 @@ READ = re.compile(  # names of the variables that dives are made of
     r"(^|_)(time|lat|lon|east_disp|north_disp|head|velo|speed|davg|[uvw]cur|dac_|depth$)",
     re.IGNORECASE,
 )
-NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
+ENDLESS = 2.0**63  # its negative, the smallest integer of 64 bits, is a missing time
+LONGEST_SINGLE = (
+    8e7  # s; single precision counts times so long after a date by some 10 s
+)
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
 LONGEST_GAP = 900.0  # s between samples that is mentioned
@@ -134,18 +137,24 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     array([  0., 234.])
     """
     numbers = values(data, name)
-    numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
-    units = said(data[name])
-    if " since " not in units.lower():
-        return numbers
-    dates = decoded(np.array([0.0, 1.0]), units)  # of two numbers, so that digits stay
-    if dates is None:
+    missing = np.isin(numbers, ABSENT) | ~(np.abs(numbers) < ENDLESS)
+    numbers = np.where(missing, nan, numbers)
+    units, epoch, step = said(data[name]), 0.0, 1.0
+    if " since " in units.lower():
+        # of two numbers, so that digits stay
+        dates = decoded(np.array([0.0, 1.0]), units)
+        if dates is None:
+            raise DataError(
+                f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
+            )
+        since_1970 = dates - [np.datetime64("1970-01-01"), dates[0]]
+        epoch, step = since_1970 / np.timedelta64(1, "s")
+    span = step * np.nanmax(np.abs(numbers), initial=0.0)
+    if data[name].dtype == np.float32 and span > LONGEST_SINGLE:
         raise DataError(
-            f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
+            f"{name} is in single precision, whose numbers are over 8 s apart so long after its "
+            "reference date. Write it in double precision"
         )
-    epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
-        1, "s"
-    )
     return epoch + step * numbers
 
 
@@ -170,8 +179,7 @@ def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
-    radians = said(data[name]).lower().startswith("rad")
-    return np.degrees(values(data, name)) if radians else values(data, name)
+    return values(data, name) * size_of_unit(TURNS, said(data[name]), name)
 
 
 ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
@@ -180,15 +188,22 @@ ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
 def checked_angles(
     angles: np.ndarray, key: str, units: str, name: str
 ) -> tuple[np.ndarray, list[str]]:
-    """Return angles (degrees), NaN outside their limits, and notes."""
+    """Return angles (degrees), NaN outside their limits, and notes.
+
+    Two different numbers outside are no fill value: the units are wrong.
+    """
     low, high = ANGLES[key]
-    angles, outside = within(angles, (low, high))
-    notes = []
-    if outside.any():
-        notes.append(
-            f"{outside.sum()} numbers of {name} are not within {low:g} to {high:g} degrees: "
-            "taken as gaps"
+    wrong = angles[(angles < low) | (angles > high)]
+    outside = (
+        f"{wrong.size} numbers of {name} are not within {low:g} to {high:g} degrees"
+    )
+    if np.unique(wrong).size > 1:
+        raise DataError(
+            f"{outside}, such as {wrong.min():g} and {wrong.max():g}. Correct its units, {units!r}, "
+            "or set these to NaN"
         )
+    angles, _ = within(angles, (low, high))
+    notes = [f"{outside}: taken as gaps"] if wrong.size else []
     if key == "heading":
         notes += _doubtful_units(angles[np.isfinite(angles)], units, name)
     return angles, notes
@@ -197,10 +212,10 @@ def checked_angles(
 def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
     """Refuse headings that look like radians and do not say so; return notes on the units."""
     small = angles.any() and np.abs(angles).max() <= 2 * np.pi
-    if units.lower().startswith("rad") or not small:
+    unsaid = units in ("", "1")
+    if not small or not (unsaid or units.lower().startswith(("deg", "°"))):
         return []
-    said_degrees = units.lower().startswith("deg") or "\N{DEGREE SIGN}" in units
-    if said_degrees and np.ptp(angles) <= np.pi:
+    if not unsaid and np.ptp(angles) <= np.pi:
         doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
         return [f"{doubt}; if they are radians, set its units to 'radian'"]
     raise DataError(
