@@ -102,8 +102,11 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
     holes = gap.groupby((~gap).cumsum()).sum()
     if (holes > 0).sum() > max(MOST_STALLS, RARE * len(holes)):
         if holes.max() > max(2 * holes.median(), REPAIRABLE * len(flown)):
-            doubt = f"{holes.max()} of {len(flown)} samples in a row have a heading and no speed"
-            return ThroughWater(notes=[f"{doubt}, in a stall or between two speeds"])
+            note = (
+                f"{holes.max()} of {len(flown)} samples in a row have a heading and no speed, in a "
+                "stall or between two speeds"
+            )
+            return ThroughWater(notes=[note])
         flown = flown.assign(speed=flown.speed.ffill().bfill())
     steered = flown.dropna(subset="heading")
     step = steered.speed * steered.time.diff().fillna(0.0)
@@ -133,10 +136,10 @@ def _variation_of(
         degrees, source = float(measured.median()), "of the file"
     elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
         degrees, source = igrf, "by IGRF"
-    north_text = north or "of a north that the file does not name"
+    name = north or "of a north that the file does not name"
     return (
         degrees,
-        f"{north_text}, variation {degrees:.0f} degrees ({source}; --variation gives another)",
+        f"{name}, variation {degrees:.0f} degrees ({source}; --variation gives another)",
     )
 
 

@@ -30,6 +30,7 @@ step are added to the times, until a fix whose own time agrees with the clock ag
 import re
 from collections.abc import Sequence
 from math import nan
+from typing import Any
 
 import numpy as np
 import pandas
@@ -95,23 +96,21 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     clock = names["TIME" if "TIME" in names else t_name]
     time, dims = seconds(data, clock).ravel(), data[clock].dims
     notes: list[str] = []
-    if t_name in names and not said(data[names[t_name]]):
-        unit = unit_of_times(fixes[0], time)
-        if unit:
-            fixes[0] = fixes[0] / SMALLER[unit]
-            notes.append(
-                f"{t_name} has no units and is read as {unit}, as its numbers are"
-            )
-    columns, used = {"time": time}, {}
+    unsaid = not said(data[names[t_name]])
+    if unsaid and (unit := unit_of_times(fixes[0], time)):
+        fixes[0] = fixes[0] / SMALLER[unit]
+        notes.append(f"{t_name} has no units and is read as {unit}, as its numbers are")
+    columns: dict[str, Any] = {"time": time}
+    used: dict[str, str] = {}
     for key in QUANTITIES:
-        columns[key] = np.full(time.size, nan)
+        columns[key] = nan
         for name, numbers in columns_of(data, key):
             column = numbers.ravel()
             if key in ANGLES:
                 column, doubts = checked_angles(column, key, said(data[name]), name)
                 notes += doubts
             if data[name].ndim == 0:  # one number for the mission
-                column = np.full(time.size, column[0])
+                column = column[0]
             elif data[name].dims != dims:
                 if key in ("east", "speed", "heading"):
                     notes.append(
@@ -122,11 +121,9 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
                 columns[key], used[key] = column, name
                 break
     fix_table = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
-    # else fixes on a dimension of their own
-    on_same_rows = data[names[t_name]].dims == dims
-    table = pandas.concat(
-        [pandas.DataFrame(columns), fix_table], axis=1 if on_same_rows else 0
-    )
+    # as columns, or as rows if fixes have a dimension of their own
+    beside = int(data[names[t_name]].dims == dims)
+    table = pandas.concat([pandas.DataFrame(columns), fix_table], axis=beside)
     # sums of larger are infinite
     table = _timed(table.where(abs(table) < 1e300).reset_index(drop=True))
     table.attrs = {
@@ -161,12 +158,12 @@ def _currents_elsewhere(
         u, v = (data[name] for name in pair)
         if u.ndim != 1 or u.dims != v.dims or u.size == rows:
             continue
-        same_dims = (
-            name for name in map(str, data.variables) if data[name].dims == u.dims
+        times = (
+            seconds(data, name)
+            for name in map(str, data.variables)
+            if data[name].dims == u.dims and " since " in said(data[name]).lower()
         )
-        timed = (name for name in same_dims if " since " in said(data[name]).lower())
-        time_name = next(timed, None)
-        time = np.full(u.size, nan) if time_name is None else seconds(data, time_name)
+        time = next(times, np.full(u.size, nan))
         columns = (time, *(metres_per_second(data, name) for name in pair))
         return list(zip(*(column.tolist() for column in columns), strict=True))
     return []
@@ -192,9 +189,8 @@ def currents_of(
         return [(u, v) for _, u, v in currents]
     dive_currents = []
     for start, end in dives:
-        last = end[0] + SURFACING
-        later = [later_start[0] for later_start, _ in dives if later_start[0] >= end[0]]
-        until = min([last, *later])
+        later = (later_start[0] for later_start, _ in dives)
+        until = min(t for t in (end[0] + SURFACING, *later) if t >= end[0])
         indices = np.flatnonzero(
             (times >= start[0]) & (times < max(until, end[0] + 1.0))
         )
@@ -240,10 +236,7 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     >>> unit_of_times(np.array([1.01e18, np.nan]), measured), unit_of_times(measured, measured)
     ('nanoseconds', '')
     """
-    measured, fixes = time[np.isfinite(time)], fixes[np.isfinite(fixes)]
-    if not (measured.size and fixes.size):
-        return ""
-    middle = float(np.median(fixes))
+    middle, measured = pandas.Series(fixes).median(), pandas.Series(time)
     earliest, latest = measured.min() - DAY, measured.max() + DAY
     return next(
         (unit for unit, size in SMALLER.items() if earliest <= middle / size <= latest),
@@ -286,13 +279,11 @@ def _frame(heading: xarray.DataArray) -> str:
     It is true if a correction for the variation was applied, and magnetic if it was not.
     """
     attributes = "; ".join(f"{key} {text}" for key, text in heading.attrs.items())
-    words = re.sub(r"[^\w.,;]+|_", " ", attributes.lower())
-    words = re.sub(NEITHER, "", words)
+    words = re.sub(NEITHER, "", re.sub(r"[^\w.,;]+|_", " ", attributes.lower()))
     rest = re.sub(APPLIED, "", words)
-    true, magnetic = re.search(TRUE, rest), re.search(MAGNETIC, rest)
-    if rest != words:
-        magnetic = re.search(DENIED, words)
-        true = true or not magnetic
+    corrected, denied = rest != words, re.search(DENIED, words)
+    true = re.search(TRUE, rest) or (corrected and not denied)
+    magnetic = denied if corrected else re.search(MAGNETIC, rest)
     if true and magnetic:
         return attributes
     return "magnetic" if magnetic else "true" if true else ""
@@ -338,8 +329,6 @@ def set_back(time: np.ndarray, depth: np.ndarray, fix: np.ndarray) -> list[int]:
     [4]
     """
     rows = np.flatnonzero(np.isfinite(time) & (depth > LEAST_DEPTH))
-    if rows.size < 4:
-        return []
     step, sink = np.diff(time[rows]), np.abs(np.diff(depth[rows]))
     if not (step > 0).any():
         return []
@@ -376,10 +365,6 @@ def with_steady_clock(of: pandas.DataFrame, fix_clock: str) -> pandas.DataFrame:
                 f"TIME falls by {late:.0f} s in row {row} (from 0), under water, and has the fixes "
                 "too. Correct it there, or give the receiver's times of the fixes in TIME_GPS"
             )
-        until = time.size
-        for k in row + np.flatnonzero(np.isfinite(fix[row:]) & np.isfinite(time[row:])):
-            if abs(time[k] - fix[k]) < abs(time[k] + behind[k] + late - fix[k]):
-                until = int(k)
-                break
-        behind[row:until] += late
+        agrees = np.abs(time - fix) < np.abs(time + behind + late - fix)
+        behind[row:][~np.maximum.accumulate(agrees[row:])] += late
     return of.assign(time=time + behind, behind=behind)

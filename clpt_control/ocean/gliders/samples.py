@@ -33,7 +33,12 @@ import xarray
 from numpy.typing import ArrayLike
 
 from ...base.errors import DataError, import_optional
-from ...base.units import length_in_metres, number, speed_in_metres_per_second
+from ...base.units import (
+    finite_or_none,
+    length_in_metres,
+    number,
+    speed_in_metres_per_second,
+)
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
 from .dive_fields import ABSENT, HEADINGS, TURNS, VARIATIONS, size_of_unit
@@ -99,12 +104,11 @@ def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
     flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
     few = data[[*names, *flags]]  # of hundreds of variables
     for name in names:
-        is_fix = "GPS" in name.upper()
-        values, flagged = without_flagged(few, [name], is_fix=is_fix)
+        values, flagged = without_flagged(few, [name], is_fix="GPS" in name.upper())
         if flagged:
             columns[name] = values
             notes += flagged
-    return data.assign(columns) if columns else data, notes
+    return data.assign(columns), notes
 
 
 def values(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -120,11 +124,7 @@ def scalar(data: xarray.Dataset, name: str) -> float | None:
     if name not in data.variables:
         return None
     numbers = values(data, name)
-    return (
-        float(numbers.flat[0])
-        if numbers.size and np.isfinite(numbers.flat[0])
-        else None
-    )
+    return finite_or_none(float(numbers.flat[0])) if numbers.size else None
 
 
 def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -139,16 +139,17 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     numbers = values(data, name)
     missing = np.isin(numbers, ABSENT) | ~(np.abs(numbers) < ENDLESS)
     numbers = np.where(missing, nan, numbers)
-    units, epoch, step = said(data[name]), 0.0, 1.0
-    if " since " in units.lower():
-        # of two numbers, so that digits stay
-        dates = decoded(np.array([0.0, 1.0]), units)
-        if dates is None:
-            raise DataError(
-                f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
-            )
-        since_1970 = dates - [np.datetime64("1970-01-01"), dates[0]]
-        epoch, step = since_1970 / np.timedelta64(1, "s")
+    units = said(data[name])
+    if " since " not in units.lower():
+        units = "seconds since 1970-1-1"
+    dates = decoded(np.array([0.0, 1.0]), units)  # of two numbers, so that digits stay
+    if dates is None:
+        raise DataError(
+            f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
+        )
+    epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
+        1, "s"
+    )
     span = step * np.nanmax(np.abs(numbers), initial=0.0)
     if data[name].dtype == np.float32 and span > LONGEST_SINGLE:
         raise DataError(
@@ -192,36 +193,27 @@ def checked_angles(
 
     Two different numbers outside are no fill value: the units are wrong.
     """
-    low, high = ANGLES[key]
-    wrong = angles[(angles < low) | (angles > high)]
-    outside = (
-        f"{wrong.size} numbers of {name} are not within {low:g} to {high:g} degrees"
-    )
+    good, outside = within(angles, ANGLES[key])
+    wrong, known = angles[outside], good[np.isfinite(good)]
+    limits = "{:g} to {:g} degrees".format(*ANGLES[key])
+    told = f"{wrong.size} numbers of {name} are not within {limits}"
     if np.unique(wrong).size > 1:
         raise DataError(
-            f"{outside}, such as {wrong.min():g} and {wrong.max():g}. Correct its units, {units!r}, "
+            f"{told}, such as {wrong.min():g} and {wrong.max():g}. Correct its units, {units!r}, "
             "or set these to NaN"
         )
-    angles, _ = within(angles, (low, high))
-    notes = [f"{outside}: taken as gaps"] if wrong.size else []
-    if key == "heading":
-        notes += _doubtful_units(angles[np.isfinite(angles)], units, name)
-    return angles, notes
-
-
-def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
-    """Refuse headings that look like radians and do not say so; return notes on the units."""
-    small = angles.any() and np.abs(angles).max() <= 2 * np.pi
-    unsaid = units in ("", "1")
-    if not small or not (unsaid or units.lower().startswith(("deg", "°"))):
-        return []
-    if not unsaid and np.ptp(angles) <= np.pi:
+    notes = [f"{told}: taken as gaps"] if wrong.size else []
+    is_small = known.any() and np.abs(known).max() <= 2 * np.pi
+    in_degrees = units.lower().startswith(("deg", "°"))
+    if key == "heading" and is_small and (in_degrees or units in ("", "1")):
+        if not in_degrees or np.ptp(known) > np.pi:
+            raise DataError(
+                f"{name} has the units {units!r} and only numbers within 2 pi, which look like "
+                "radians. Set its units to 'radian', or to 'degrees' if they are degrees"
+            )
         doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
-        return [f"{doubt}; if they are radians, set its units to 'radian'"]
-    raise DataError(
-        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians. "
-        "Set its units to 'radian', or to 'degrees' if they are degrees"
-    )
+        notes.append(f"{doubt}; if they are radians, set its units to 'radian'")
+    return good, notes
 
 
 QUANTITIES = {  # of a measurement: what files call it, and how it is read
