@@ -5,8 +5,8 @@ file of bounded size; pipes and devices are refused.  A library that opens files
 gets the name of the descriptor, if the system has one.  Zarr, which lists folders itself, gets
 paths whose files are opened in this way.
 
-Text is UTF-8, with or without a byte order mark; a few invalid bytes are allowed, because comments
-and notes have them.
+Text is UTF-8, with or without a byte order mark, or UTF-16 with one.  Degree signs of Latin-1 are
+read; a few other invalid bytes are allowed, because comments and notes have them.
 """
 
 import os
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     import xarray
 
 AnyPath = str | Path
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # first bytes
+# of Latin-1: in UTF-8 another byte above 127 is before these
+DEGREE = re.compile(rb"(?<![\x80-\xff])[\xb0\xba]")
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read into memory
 # folder of the names of a process's descriptors
@@ -149,8 +152,14 @@ def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:
 
 
 def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
-    """Return the bytes of a file as text, with U+FFFD for bytes that are not UTF-8."""
-    text = raw.decode("utf-8-sig", "replace")
+    r"""Return the bytes of a file as text, with U+FFFD for bytes that are not of its encoding.
+
+    >>> text_of(b"36\xb042", "a", ""), text_of("36\xb0".encode(), "a", "")
+    ('36°42', '36°')
+    """
+    if raw.startswith(UTF_16):
+        raw = raw.decode("utf-16", "replace").encode()
+    text = DEGREE.sub("°".encode(), raw).decode("utf-8-sig", "replace")
     if "\0" in text or text.count("\ufffd") > STRAY * len(text):
         raise DataError(f"{path}: {no_text}")
     return text

@@ -42,11 +42,14 @@ CAUSES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "speeds look like knots": lambda w: KNOT * w,
     "speeds look like km/h": lambda w: w / 3.6,
     "displacements look like km": lambda w: 1000.0 * w,
-    "courses look like those that the vehicle comes from": lambda w: -w,
+    "courses look like those that the vehicle comes from, or latitudes and longitudes have the "
+    "wrong signs": lambda w: -w,
     "east and north look swapped, or courses are counted from east": lambda w: w[
         :, ::-1
     ],
     "courses look like radians": _as_radians,
+    "longitudes look positive to the west": lambda w: w * [-1.0, 1.0],
+    "latitudes look positive to the south": lambda w: w * [1.0, -1.0],
 }
 
 

@@ -15,11 +15,12 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import partial
-from math import inf, isclose, isfinite, nan, pi
+from math import inf, isclose, isfinite, pi
 from typing import Any, NamedTuple
 
 from ...base.errors import DataError
 from ...base.units import (
+    KNOT,
     length_in_metres,
     number,
     seconds_since_1970,
@@ -34,12 +35,22 @@ SIZES = (0.0, inf)
 SAME = "name of the field"
 NORTH, EAST = "degrees_north", "degrees_east"
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
-MINUTES = re.compile(r"(\d{1,3})[°d:\s]\s*(\d{1,2}(?:\.\d*)?)\s*['′m]?\s*([NSEW])")
-HEMISPHERE = re.compile(r"(\d{1,3}(?:\.\d*)?)\s*°?\s*([NSEW])")
-# "not available": of all columns, and of AIS and NMEA 2000
-ABSENT_WORDS = frozenset(["na", "n/a", "nan", "null", "none", "--", "-"])
-ABSENT = (-999.0, -9999.0, 9.96921e36)
-ABSENT_OF = {"course": 511.0, "speed": 102.3, "latitude": 91.0, "longitude": 181.0}
+# degrees, minutes and seconds, with a sign or a letter on one side; only the last has decimals
+SEXAGESIMAL = re.compile(
+    r"([NSEW+-])?\s*(\d{1,3}(?:\.\d*(?!\D*\d))?)(?:[°ºd:\s]+([0-5]?\d(?:\.\d*(?!\D*\d))?))?"
+    r"(?:['′’m:\s]+([0-5]?\d(?:\.\d*)?))?[°ºd'′’m\"″”s\s]*(?(1)|([NSEW])?)"
+)
+# values that mean "none": words and numbers of all columns, and numbers of AIS and NMEA 2000 by
+# the unit of a column, whose speed of 102.3 kn may have been converted or not
+NO_VALUE = frozenset(["", "na", "n/a", "nan", "nat", "null", "none", "nil", "unknown"])
+FILLS = (-999.0, -9999.0, -99999.0)
+LEAST_FILL = 1e19  # of files of NetCDF: 9.96921e36, 1e20, 1e35
+FILLS_OF = {
+    "degrees": (511.0,),
+    "m/s": (102.3, 102.3 * KNOT),
+    NORTH: (91.0,),
+    EAST: (181.0,),
+}
 GIVE = "time,latitude,longitude,course,speed"
 
 
@@ -74,18 +85,6 @@ def name_of(*values: Any) -> str | None:
     return None
 
 
-def is_absent(column: str, text: str) -> bool:
-    """Return whether a cell of a column says that it has no value.
-
-    >>> is_absent("course", "511"), is_absent("speed", "N/A"), is_absent("speed", "1.0")
-    (True, True, False)
-    """
-    if text.lower() in ABSENT_WORDS:
-        return True
-    values = (*ABSENT, ABSENT_OF.get(column, nan))
-    return any(isclose(number(text), value, rel_tol=1e-5) for value in values)
-
-
 def _number(text: str, size: float = 1.0) -> float | None:
     """Return a number times the size of its unit."""
     with suppress(ValueError):
@@ -97,25 +96,26 @@ def _seconds(text: str, size: float = 1.0) -> float | None:
     """Return a number times the size of its unit, or the seconds since 1970 of a date."""
     value = _number(text, size)
     with suppress(ValueError):
-        dated = re.sub(r"\s*(UTC|GMT|Z)$", "Z", text)
+        dated = re.sub(r"(?i)\s*(UTC|GMT|Z)$", "Z", text)
         return seconds_since_1970(dated) if value is None else value
     return None
 
 
 def _degrees(text: str, size: float = 1.0) -> float | None:
-    """Return a number times the size of its unit, or the degrees of a text with a hemisphere.
+    r"""Return a number times the size of its unit, or the degrees of a text in degrees and minutes.
 
     >>> _degrees("36 42.5 N"), _degrees("122.1W"), _degrees("361234567", 1e-7), _degrees("36 61 N")
     (36.708333333333336, -122.1, 36.1234567, None)
+    >>> _degrees("36°42'30\"S"), _degrees("36:42:30", -1.0), _degrees("-36 S"), _degrees("36.5 4 N")
+    (-36.708333333333336, -36.708333333333336, None, None)
     """
-    matched = MINUTES.fullmatch(text) or HEMISPHERE.fullmatch(text)
-    if matched is None:
-        return _number(text, size)
-    degrees, *minutes, hemisphere = matched.groups()
-    value = float(degrees) + sum(map(float, minutes)) / 60.0
-    if any(float(number) >= 60.0 for number in minutes):
-        return None
-    return -value if hemisphere in "SW" else value
+    value, matched = _number(text, size), SEXAGESIMAL.fullmatch(text)
+    if value is not None or matched is None:
+        return value
+    before, *parts, behind = matched.groups("")
+    degrees = sum(float(part or 0.0) / 60.0**k for k, part in enumerate(parts))
+    signs = {"N": 1.0, "E": 1.0, "S": -1.0, "W": -1.0, "-": -size}
+    return signs.get(before or behind, size) * degrees
 
 
 class Reader(NamedTuple):
@@ -160,7 +160,7 @@ class Column:
 
     def value(self, text: str, *size: float) -> tuple[Any, str]:
         """Return the value of a cell, None if it has none, and what is wrong with the text."""
-        if self.reader is None or (self.reader.gaps and not text):
+        if self.reader is None or (self.reader.gaps and self.is_none(text, *size)):
             return None, ""
         value = self.reader.read(text, *size)
         if value is None:
@@ -172,6 +172,21 @@ class Column:
             allowed = f"{low:g} or more," if high == inf else f"{low:g} to {high:g}"
             return None, f"{self.header} is {value:g}; must be {allowed} {self.unit}"
         return (value if isfinite(value) else None), ""
+
+    def is_none(self, text: str, size: float = 1.0) -> bool:
+        """Return whether a cell means that there is no value.
+
+        >>> speed = MOMENT[5]
+        >>> [speed.is_none(text, KNOT) for text in ("102.3", "N/A", "-999", "1e20", "1.02")]
+        [True, True, True, True, False]
+        """
+        value = number(text)
+        fills = (*FILLS, *(fill / size for fill in FILLS_OF.get(self.unit, ())))
+        return (
+            text.lower().strip("-#<>") in NO_VALUE
+            or LEAST_FILL < abs(value) < inf
+            or any(isclose(value, fill, rel_tol=1e-6) for fill in fills)
+        )
 
     def cell(self, dive: Any) -> str:
         """Return the value of a dive as a cell, from which it is read bit for bit."""

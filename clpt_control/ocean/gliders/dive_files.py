@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
-from itertools import islice, pairwise
+from itertools import pairwise
 from math import isfinite
 from pathlib import Path
 from stat import S_ISDIR
@@ -23,7 +23,7 @@ from typing import Any
 
 from ...base.arguments import public
 from ...base.errors import DataError, naming
-from ...base.files.reading import NETCDF, open_netcdf, read_bytes
+from ...base.files.reading import NETCDF, open_netcdf, read_bytes, text_of
 from ...base.progress.interrupt import check
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
@@ -33,13 +33,12 @@ from .log_rows import STAYS
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .text_table import SUFFIXES
 from .usable_dives import LEAST_DURATION
-from .vehicle_log import NO_MOTION, mark_of
+from .vehicle_log import NO_MOTION, is_log
 
-MOST_COMMENTS = 1000  # lines before the header of a log
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
-    "a CSV table of dives"
+    "a CSV table of dives or of fixes"
 )
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 RESULTS = "replay.nc"  # of a replay, beside dives where --out says so
@@ -314,19 +313,20 @@ def read_legs(path: str | Path, drifting: bool) -> tuple[list[Dive], list[Skippe
         ]
     elif not any(moves) and all(NO_MOTION in leg.notes for leg in legs):
         raise DataError(f"{path}: {NO_MOTION}")
-    used, unused = known_legs(legs) if is_log(path) else usable_dives.usable(legs, 0.0)
+    used, unused = (
+        known_legs(legs) if is_log_file(path) else usable_dives.usable(legs, 0.0)
+    )
     if not used:
         raise DataError(f"{path}: no usable leg. First reason: {unused[0].why}")
     return used, [*skipped, *unused]
 
 
-def is_log(path: str | Path) -> bool:
+def is_log_file(path: str | Path) -> bool:
     """Return whether a file is the log of a vehicle (`vehicle_log`)."""
     file = Path(path)
     if not (file.is_file() and file.suffix.lower() in SUFFIXES):
         return False
-    with file.open(encoding="utf-8", errors="replace") as lines:
-        return bool(mark_of("".join(islice(lines, MOST_COMMENTS))))
+    return is_log(text_of(read_bytes(file), file, "is no text"))
 
 
 def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:

@@ -42,8 +42,8 @@ from .dives import (
     with_dac_note,
     without_current,
 )
-from .text_table import other_marks, table_of
-from .vehicle_log import PLACED, log_columns, log_legs, mark_of
+from .text_table import table_of
+from .vehicle_log import PLACED, is_log, log_columns, log_legs
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -64,8 +64,8 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     >>> round(dive.miss_east), dive.magvar
     (154, None)
     """
-    if mark := mark_of(text):
-        return log_legs(text, path, mark)
+    if is_log(text):
+        return log_legs(text, path)
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
@@ -127,13 +127,12 @@ def _check_header(header: list[str], name: str | Path) -> None:
             f"{name}: no column {absent}; has {line[:300]}; a log begins with {GIVE}"
         )
     if missing:
-        marks = other_marks(line, REQUIRED[0])
         begins = (
             f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}; a log begins with "
             f"{GIVE}"
         )
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
-        raise DataError(f"{name}: {marks or why}")
+        raise DataError(f"{name}: {why}")
     double = [
         row.header for row in FIELDS if row.reader and header.count(row.header) > 1
     ]

@@ -116,7 +116,8 @@ class LogRows:
         if speed > FASTEST * ROUNDING:
             return None, (
                 f"{speed:.3g} m/s through the water; at most {FASTEST:g} m/s can be. Are speeds in "
-                "knots or km/h? Give m/s, or the unit: speed (kn)"
+                "knots or km/h? Give m/s, or the unit: speed (kn). Are displacements since the "
+                "last fix? Give those since the row"
             )
         return moved, ""
 

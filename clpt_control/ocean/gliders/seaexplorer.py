@@ -91,7 +91,7 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
     """Return the rows of a file that have a time, by it, NaN where a number is missing."""
     if not text.endswith("\n"):  # cut short, so its last number may be another
         text = text.rpartition("\n")[0] or text
-    cells = table_of(text, path, "a SeaExplorer's .gli file", ";")
+    cells = table_of(text, path, "a SeaExplorer's .gli file")
     cells = cells.loc[:, ~cells.columns.duplicated()]
     missing = [name for name in NEEDED if name not in cells]
     if missing:

@@ -1,12 +1,14 @@
-"""CSV tables: cells under a header.
+"""CSV tables: cells under a header, separated by commas, semicolons, tabs or bars.
 
     # a comment
     time,latitude,longitude,speed (kn)
     2019-01-01T00:00:00Z,36.70,-122.10,1.9
 
-Blank lines and lines that begin with `#` are left out.
+Blank lines, lines that begin with `#`, and the line `sep=;` of a spreadsheet are left out.
+Where commas do not separate cells, they are decimal commas.
 """
 
+import re
 from csv import Error, reader
 from pathlib import Path
 
@@ -15,14 +17,20 @@ import pandas
 from ...base.errors import DataError
 
 MOST = 10**8  # cells
-OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
+MARKS = ",;\t|"
+ROW = re.compile(r'\s*(?!#|"?sep=)\S', re.IGNORECASE)
 SUFFIXES = (".csv", ".txt", ".dat")
 
 
-def table_of(
-    text: str, name: str | Path, must_be: str, mark: str = ","
-) -> pandas.DataFrame:
-    r"""Return the cells of a table, separated by `mark`, without spaces around them.
+def header_of(text: str) -> tuple[list[str], str]:
+    """Return the cells of the header, and the mark between cells: the most frequent one in it."""
+    header = next(filter(ROW.match, text.splitlines()), "")
+    mark = max(MARKS, key=header.count)
+    return header.split(mark), mark
+
+
+def table_of(text: str, name: str | Path, must_be: str) -> pandas.DataFrame:
+    r"""Return the cells of a table, without spaces around them, with points in numbers.
 
     The index is the line in the file, from 1; the columns are the header.  `attrs` has in
     "wrong_lines" the cells of the lines that are left out because they have fewer cells than the
@@ -34,9 +42,11 @@ def table_of(
     >>> cells.attrs["wrong_lines"]
     {5: (['3'], 'has 1 cell, the header 2')}
     """
+    _, mark = header_of(text)
+    decimal = "." if mark == "," else ","
     rows: dict[int, list[str]] = {}
-    for k, line in enumerate(map(str.strip, text.splitlines()), 1):
-        if line and not line.startswith("#"):
+    for k, line in enumerate(text.splitlines(), 1):
+        if ROW.match(line):
             try:
                 row = next(
                     reader([line], delimiter=mark, skipinitialspace=True, strict=True)
@@ -44,7 +54,7 @@ def table_of(
             except Error:
                 # a quotation mark that is not closed: one cell, of this line alone
                 row = [line]
-            rows[k] = [cell.strip() for cell in row]
+            rows[k] = [cell.strip().replace(decimal, ".") for cell in row]
     if not rows:
         raise DataError(f"{name}: is empty. Give {must_be}")
     (_, *lines), (header, *rows_below) = rows, rows.values()
@@ -68,20 +78,3 @@ def table_of(
     )
     cells.attrs = {"wrong_lines": wrong_lines}
     return cells
-
-
-def other_marks(header: str, name: str) -> str:
-    """Return what to do where other marks than commas separate columns, else ''.
-
-    `name` is that of a column that must be there.
-
-    >>> other_marks("Time;u (m/s);v (m/s)", "time")
-    'columns are separated by semicolons. Use commas, and points in numbers'
-    """
-    for mark, marks in OTHER_MARKS.items():
-        cells = [cell.strip(' "').lower() for cell in header.split(mark)]
-        if len(cells) > 1 and name in cells:
-            return (
-                f"columns are separated by {marks}. Use commas, and points in numbers"
-            )
-    return ""

@@ -33,14 +33,13 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY, iso
-from .dive_fields import NUMBERS
+from .dive_fields import FILLS, NUMBERS
 from .dives import FASTEST, Dive, Fix, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 LAST_YEAR = 2200
 LATEST = datetime(LAST_YEAR, 1, 1, tzinfo=UTC).timestamp()  # s since 1970
-FILLS = (999.0, 9999.0, 99999.0)
 # in one second
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
 LONGER = {"days": DAY, "hours": 3600.0, "minutes": 60.0}  # s
@@ -198,7 +197,7 @@ def _fault(dive: Dive, least_duration: float) -> str:
         return "no fix after the dive: its place is exactly that of the fix before the dive"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
         return "the displacement through the water is not finite"
-    if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
+    if dive.dr_east == dive.dr_north and -abs(dive.dr_east) in FILLS:
         return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:
         if unit := _longer_unit(dive, least_duration):

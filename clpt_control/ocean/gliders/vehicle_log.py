@@ -33,7 +33,7 @@ import numpy as np
 from pandas import DataFrame
 
 from ...base.errors import DataError
-from .dive_fields import GIVE, TIME, is_absent, name_of
+from .dive_fields import GIVE, TIME, name_of
 from .dives import (
     COLUMNS,
     FASTEST,
@@ -46,14 +46,16 @@ from .dives import (
     Fix,
     Skipped,
     make_dive,
+    reckoned,
 )
 from .log_rows import LogRows, Pair, Reading, time_fault
-from .text_table import OTHER_MARKS, table_of
+from .text_table import header_of, table_of
 from .unmeasured import counted, unmeasured
 
 # a name, and a unit; without spaces, which would be tried
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
 PLACED = ("time", *PLACE)
+NAMES_OF_TIME = (*COLUMNS["time"].names.split(), "time")
 # time, fix, course and speed, displacement: None for a part that the row has not
 Moment = tuple[float, Pair | None, Pair | None, Pair | None]
 UNKNOWN: Moment = (nan, None, None, None)
@@ -64,6 +66,14 @@ LOG_COLUMNS = {
     for header in NAMES
     for name in (header, *COLUMNS[header].names.split())
 }
+# a log of AIS, whose course of 360 degrees means "none", has a column or another such number of it
+AIS = re.compile(r"\b(mmsi|cog|sog)\b|(?<![\d.])(511|102[.,]3)(?![\d.])", re.IGNORECASE)
+OF_OTHER_ROWS = (
+    "the motion of each row looks like that of the row before. Move it up by one row",
+    "the motion of each row looks like that of the row behind. Move it down by one row",
+    "displacements look like those since the last fix. Give those since the row before",
+)
+FEWEST_LEGS, CLEAR = 8, 0.2  # of the variance: a log-likelihood ratio above 1e5
 NO_MOTION = (
     "the table has fixes without the motion through the water. Give columns course (degrees) and "
     "speed (m/s), or dr_east_m and dr_north_m, not course and speed over ground; a drifter has "
@@ -98,17 +108,10 @@ class Way:
         return replace(leg, track=tuple(track))
 
 
-def mark_of(text: str) -> str:
-    """Return the mark that separates the columns of a log; empty if a text is no log."""
-    header = next(
-        (line for line in text.splitlines() if line.strip() and line.strip()[0] != "#"),
-        "",
-    )
-    for mark in (",", *OTHER_MARKS):
-        cells = header.split(mark)
-        if "dive" not in cells and log_columns(cells) >= {*PLACED}:
-            return mark
-    return ""
+def is_log(text: str) -> bool:
+    """Return whether a text is a log."""
+    header, _ = header_of(text)
+    return "dive" not in header and log_columns(header) >= {*PLACED}
 
 
 def log_columns(header: list[str]) -> set[str]:
@@ -127,7 +130,7 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
 def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]]:
     """Return the number of each column that is read, and the size of its unit."""
     columns: dict[str, tuple[int, float]] = {}
-    for number, cell in enumerate(header):
+    for column, cell in enumerate(header):
         name, unit = _name_and_unit(cell)
         is_course = any(word in name for word in ("heading", "course"))
         if is_course and ("mag" in name or unit.startswith("mag")):
@@ -142,24 +145,25 @@ def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]
         size = row.default_size
         if unit:
             size = row.size_of(unit, f"{path}: {row.header}")
-        columns[row.header] = number, size
+        columns[row.header] = column, size
     return columns
 
 
 def _dated(cells: DataFrame) -> DataFrame:
-    """Return cells with columns of date and time joined."""
-    names = {_name_and_unit(str(cell))[0]: cell for cell in cells.columns}
-    if not {"date", "time"} <= {*names} or cells.columns.has_duplicates:
+    """Return cells with the columns of date and of the time of day joined."""
+    names = {_name_and_unit(cell)[0]: cell for cell in cells.columns}
+    times = [names[name] for name in NAMES_OF_TIME if name in names]
+    if "date" not in names or len(times) != 2 or cells.columns.has_duplicates:
         return cells
-    date, time = names["date"], names["time"]
-    if not cells[time].str.contains(":").all() or cells[date].str.contains(":").any():
-        return cells
-    return cells.assign(**{time: cells[date] + "T" + cells[time]}).drop(columns=date)
+    date, time = times
+    joined = cells[date].str.replace("/", "-") + "T" + cells[time]
+    return cells.assign(**{time: joined}).drop(columns=date)
 
 
-def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
+def log_legs(text: str, path: str | Path) -> list[Dive | Skipped]:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
-    cells = _dated(table_of(text, path, f"a log with {GIVE}", mark))
+    cells = _dated(table_of(text, path, f"a log with {GIVE}"))
+    cells = cells[~(cells == cells.shift()).all(axis=1)]
     columns = _columns(list(cells.columns), path)
     motions = [part for part in MOTIONS if {*part} <= {*columns}]
     if {STEERING, STRETCH} <= {*motions}:
@@ -171,18 +175,33 @@ def log_legs(text: str, path: str | Path, mark: str) -> list[Dive | Skipped]:
         raise DataError(
             f"{path}: has rows of {len(vehicles)} vehicles. Give each vehicle a table of its own"
         )
+    # courses of 360 degrees
+    course, _ = columns.get("course", (0, 1.0))
+    is_360 = cells.iloc[:, course].str.fullmatch(r"360(\.0*)?")
+    meaning = "none" if AIS.search(text) else "north"
+    if meaning == "none":
+        cells.isetitem(course, cells.iloc[:, course].mask(is_360, ""))
+    # rows
     names = {*PLACED, "nanosec", *chain(*motions[:1])}
     sizes = {name: column for name, column in columns.items() if name in names}
-    comma = "." if mark == "," else ","
+    for name, (number, size) in sizes.items():
+        if all(COLUMNS[name].is_none(cell, size) for cell in cells.iloc[:, number]):
+            raise DataError(
+                f"{path}: each value of {name} is empty or means none, such as N/A, -999 or "
+                "heading 511. Give values, or leave the column out"
+            )
     moments = {
-        line: _moment([text.replace(comma, ".") for text in texts], sizes)
+        line: _moment(texts, sizes)
         for line, texts in zip(cells.index, cells.to_numpy(), strict=True)
     }
     for line, (_, why) in cells.attrs["wrong_lines"].items():
         moments[line] = UNKNOWN, f"{why}. Leave gaps as empty"
-    repeated = cells.index[(cells == cells.shift()).all(axis=1)]
-    legs = _legs_of(moments, set(repeated), path)
-    _check_unit_of_time(legs, bool(motions), path)
+    # legs
+    legs = _legs_of(moments, path)
+    _check_legs([leg for leg in legs if isinstance(leg, Dive)], bool(motions), path)
+    if is_360.any():
+        courses = f"{is_360.sum()} courses of 360 degrees are read as {meaning}"
+        legs.append(Skipped(None, f"{path}: {courses}"))
     changes: dict[str, Any] = {"vehicle": vehicles.pop()}
     if not motions:
         changes["notes"] = (NO_MOTION,)
@@ -195,8 +214,7 @@ def _moment(
     """Return the parts of a row, and what is wrong with a cell."""
     numbers, fault = {}, ""
     for name, (column, size) in columns.items():
-        text = "" if is_absent(name, texts[column]) else texts[column]
-        number, wrong = COLUMNS[name].value(text, size)
+        number, wrong = COLUMNS[name].value(texts[column], size)
         numbers[name] = nan if number is None else number
         fault = wrong or fault
     if isnan(numbers["time"]) and not fault:
@@ -219,21 +237,43 @@ def _moment(
     return (numbers["time"], fix, steering, stretch), fault
 
 
-def _check_unit_of_time(
-    legs: list[Dive | Skipped], has_motion: bool, path: str | Path
-) -> None:
-    """Refuse legs that most need an impossible flow."""
-    flows = []
-    for leg in legs:
-        if isinstance(leg, Dive):
-            drift = np.nan_to_num(leg.miss if has_motion else leg.over_ground)
-            flows.append(max(hypot(*drift) - NOISE, 0.0) / leg.duration)
-    flow = float(np.median(flows)) if flows else 0.0
+def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
+    """Refuse legs whose flow is impossible, or is much the same with the motion of other rows."""
+    drifts = [
+        np.nan_to_num(leg.miss if has_motion else leg.over_ground) for leg in legs
+    ]
+    flows = [
+        (hypot(*drift) - NOISE) / leg.duration
+        for leg, drift in zip(legs, drifts, strict=True)
+    ]
+    flow = float(np.median(flows or [0.0]))
     if flow > FASTEST:
         raise DataError(
             f"{path}: the fixes show a flow of {flow:.3g} m/s: times look like minutes, hours or "
             f"days. Each {TIME.must_be}"
         )
+    legs = [leg for leg in legs if leg.track is not None]
+    if len(legs) < FEWEST_LEGS:
+        return
+    # displacements of the rows, as they are and as each cause would have them
+    tracks = [np.diff(reckoned(leg)) for leg in legs]
+    begins = np.cumsum([0, *(track[0].size for track in tracks[:-1])])
+    moved = np.hstack(tracks)[1:]
+    before, behind = np.roll(moved, 1, axis=1), np.roll(moved, -1, axis=1)
+    since_row = moved - before
+    since_row[:, begins] = moved[:, begins]
+    # variance of the flow of legs but the first and the last, m2/s2
+    sums = np.add.reduceat([moved, behind, before, since_row], begins, axis=2)
+    drift = np.transpose([leg.over_ground for leg in legs]) - sums
+    durations = [leg.duration for leg in legs]
+    own, *others = (drift / durations)[..., 1:-1].var(axis=2).sum(axis=1)
+    causes = [
+        cause
+        for cause, of_cause in zip(OF_OTHER_ROWS, others, strict=True)
+        if of_cause < CLEAR * own
+    ]
+    if causes:
+        raise DataError(f"{path}: {'; or '.join(causes)}")
 
 
 def _in_order(times: dict[int, float]) -> set[int]:
@@ -290,7 +330,7 @@ def _without_measurement(
 
 
 def _legs_of(
-    moments: dict[int, tuple[Moment, str]], repeated: set[int], path: str | Path
+    moments: dict[int, tuple[Moment, str]], path: str | Path
 ) -> list[Dive | Skipped]:
     """Return legs and what is left out of rows by line, each with its fault."""
     legs: list[Dive | Skipped] = []
@@ -303,8 +343,6 @@ def _legs_of(
         if fault:
             left_out.append(f"{where}: {fault}")
             legs.append(Skipped(number + 1, left_out[-1]))
-            continue
-        if not reading.is_taken and line in repeated:
             continue
         if reading.skipped:
             legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
@@ -324,12 +362,12 @@ def _legs_of(
                 number += 1
                 legs.append(track.leg(number, dated))
             track = Way(dated)
-    dropped = f"{rows.dropped} fixes at the time of another are left out" * bool(
-        rows.dropped
-    )
-    for why in (counted(np.array([*kinds.values()])), dropped):
-        if why:
-            legs.append(Skipped(None, f"{path}: {why}"))
+    dropped = f"{path}: {rows.dropped} fixes at the time of another are left out"
+    left_out += [f"{dropped}. Give the time of day"] * rows.dropped
+    if why := counted(np.array([*kinds.values()])):
+        legs.append(Skipped(None, f"{path}: {why}"))
+    if rows.dropped:
+        legs.append(Skipped(None, dropped))
     if len(left_out) > MOST_LEFT_OUT * len(moments):
         raise DataError(left_out[0])
     return legs

@@ -153,6 +153,8 @@ def sentence(problem: Any) -> str:
     )
     kind = problem["type"]
     if kind == "missing":
+        if isinstance(path[-1], int):
+            return f"{key}: is missing. Give all coordinates or names of the item"
         return f"missing key {key}"
     if kind == "unknown_key":
         details = problem["ctx"]

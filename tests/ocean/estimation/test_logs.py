@@ -364,6 +364,25 @@ def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
         assert text.count(said) == 1
 
 
+MIRRORED = {
+    "longitudes look positive to the west": (1, -1),
+    "latitudes look positive to the south": (-1, 1),
+    "latitudes and longitudes have the wrong signs": (-1, -1),
+}
+
+
+@pytest.mark.parametrize("said", MIRRORED)
+def test_mirrored_places_are_named(tmp_path, estimate, said):
+    north, east = MIRRORED[said]
+    rows = [(t, a * north, b * east, *way) for t, a, b, *way in mission(30, seed=1)]
+    assert said in " ".join(estimate(table(tmp_path / "log.csv", rows))["notes"])
+
+
+def test_a_table_of_fixes_is_in_the_message_for_a_missing_file(tmp_path, estimate):
+    said = estimate(tmp_path / "nothere.csv", status=2)
+    assert "a CSV table of dives or of fixes" in said
+
+
 def over_ground(rows):
     """Return rows with course and speed of the ways between the fixes."""
     ground = []

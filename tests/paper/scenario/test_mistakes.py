@@ -340,7 +340,7 @@ OF_A_TEAM = [
     ),
     (EDGES, "[]", "edges: no path joins all vehicles"),
     (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
-    (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
+    (EDGES, '[["west"]]', r"edges\[0\]\[1\]: is missing. Give all coordinates or names"),
     (
         "[team.members.west]",
         '[team.members."we st"]',
