@@ -41,7 +41,7 @@ from ...base.units import (
 )
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
-from .dive_fields import ABSENT, HEADINGS, TURNS, VARIATIONS, size_of_unit
+from .dive_fields import FILLS, HEADINGS, TURNS, VARIATIONS, size_of_unit
 from .dives import FASTEST, Dive, ThroughWater, Track
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
@@ -137,7 +137,7 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     array([  0., 234.])
     """
     numbers = values(data, name)
-    missing = np.isin(numbers, ABSENT) | ~(np.abs(numbers) < ENDLESS)
+    missing = np.isin(numbers, FILLS) | ~(np.abs(numbers) < ENDLESS)
     numbers = np.where(missing, nan, numbers)
     units = said(data[name])
     if " since " not in units.lower():
