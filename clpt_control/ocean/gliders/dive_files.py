@@ -13,6 +13,7 @@ its place in `read_dive_file`.  A text that is of no dialect is a plain table of
 
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from importlib import resources
 from itertools import pairwise
@@ -23,7 +24,7 @@ from typing import Any
 
 from ...base.arguments import public
 from ...base.errors import DataError, naming
-from ...base.files.reading import NETCDF, open_netcdf, read_bytes, text_of
+from ...base.files.reading import NETCDF, open_netcdf, read_bytes, read_text
 from ...base.progress.interrupt import check
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
@@ -323,10 +324,11 @@ def read_legs(path: str | Path, drifting: bool) -> tuple[list[Dive], list[Skippe
 
 def is_log_file(path: str | Path) -> bool:
     """Return whether a file is the log of a vehicle (`vehicle_log`)."""
-    file = Path(path)
-    if not (file.is_file() and file.suffix.lower() in SUFFIXES):
+    if Path(path).suffix.lower() not in SUFFIXES:
         return False
-    return is_log(text_of(read_bytes(file), file, "is no text"))
+    with suppress(DataError):
+        return is_log(read_text(path, "is no text"))
+    return False
 
 
 def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:

@@ -127,12 +127,10 @@ def _check_header(header: list[str], name: str | Path) -> None:
             f"{name}: no column {absent}; has {line[:300]}; a log begins with {GIVE}"
         )
     if missing:
-        begins = (
-            f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}; a log begins with "
-            f"{GIVE}"
+        raise DataError(
+            f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}; a table of "
+            f"dives begins with {','.join(REQUIRED)}{OTHERWISE}; a log begins with {GIVE}"
         )
-        why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
-        raise DataError(f"{name}: {why}")
     double = [
         row.header for row in FIELDS if row.reader and header.count(row.header) > 1
     ]

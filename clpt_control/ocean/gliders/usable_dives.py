@@ -75,7 +75,7 @@ def usable(
     >>> dives = [make_dive(7, *fixes, (500.0, 0.0)), make_dive(8, *fixes, (float("nan"), 0.0))]
     >>> used, skipped = usable(dives)
     >>> [dive.number for dive in used], skipped[0].dive, skipped[0].why
-    ([7], 8, 'the displacement through the water is not finite')
+    ([7], 8, 'the displacement through the water is not finite: a value is missing or means none')
     """
     fit, skipped, latest = [], [], -np.inf
     dives = list(dives)
@@ -196,7 +196,7 @@ def _fault(dive: Dive, least_duration: float) -> str:
     if dive.end == dive.start:
         return "no fix after the dive: its place is exactly that of the fix before the dive"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
-        return "the displacement through the water is not finite"
+        return "the displacement through the water is not finite: a value is missing or means none"
     if dive.dr_east == dive.dr_north and -abs(dive.dr_east) in FILLS:
         return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:

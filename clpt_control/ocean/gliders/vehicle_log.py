@@ -11,8 +11,8 @@ vehicle has no fix.  The motion through the water is `course` (degrees from true
 row before.  A log of fixes only has legs of unknown displacement.
 
 Other spellings are in the rows of the columns (`dive_fields`): other names, units behind a name, as
-in `speed (kn)`, `time (ms)`, `lat (degE7)`, and degrees and minutes with a hemisphere, `36 42.5 N`.
-Columns are separated by semicolons or tabs, too, then with decimal commas.
+in `speed (kn)`, `time (ms)`, `lat (degE7)`, and degrees, minutes and seconds, as in `36 42.5 N`.
+Columns `date` and `time` (of day) are joined.  Cells that mean "none" are gaps (`Column.is_none`).
 
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
 (`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
@@ -239,14 +239,13 @@ def _moment(
 
 def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
     """Refuse legs whose flow is impossible, or is much the same with the motion of other rows."""
-    drifts = [
-        np.nan_to_num(leg.miss if has_motion else leg.over_ground) for leg in legs
-    ]
-    flows = [
-        (hypot(*drift) - NOISE) / leg.duration
-        for leg, drift in zip(legs, drifts, strict=True)
-    ]
-    flow = float(np.median(flows or [0.0]))
+    if not legs:
+        return
+    drifts = np.nan_to_num(
+        [leg.miss if has_motion else leg.over_ground for leg in legs]
+    )
+    lengths = np.hypot(*drifts.T) - NOISE
+    flow = float(np.median(lengths / [leg.duration for leg in legs]))
     if flow > FASTEST:
         raise DataError(
             f"{path}: the fixes show a flow of {flow:.3g} m/s: times look like minutes, hours or "
@@ -266,31 +265,24 @@ def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
     sums = np.add.reduceat([moved, behind, before, since_row], begins, axis=2)
     drift = np.transpose([leg.over_ground for leg in legs]) - sums
     durations = [leg.duration for leg in legs]
-    own, *others = (drift / durations)[..., 1:-1].var(axis=2).sum(axis=1)
-    causes = [
-        cause
-        for cause, of_cause in zip(OF_OTHER_ROWS, others, strict=True)
-        if of_cause < CLEAR * own
-    ]
-    if causes:
-        raise DataError(f"{path}: {'; or '.join(causes)}")
+    scatter = (drift / durations)[..., 1:-1].var(axis=2).sum(axis=1)
+    likely = np.array(OF_OTHER_ROWS)[scatter[1:] < CLEAR * scatter[0]]
+    if likely.size:
+        raise DataError(f"{path}: {'; or '.join(likely)}")
 
 
 def _in_order(times: dict[int, float]) -> set[int]:
     """Return the lines of the longest part of a log that is in the order of time."""
     ends: list[float] = []  # -time at the begin of the best part of each length
-    begins: list[int] = []  # lines of these times
-    following: dict[int, int | None] = {}
+    parts: list[tuple] = [()]  # the best of each length: its first line, and the others
     for number, time in reversed(times.items()):
         length = bisect_right(ends, -time)
-        following[number] = begins[length - 1] if length else None
         ends[length : length + 1] = [-time]
-        begins[length : length + 1] = [number]
-    ordered = set()
-    line = begins[-1] if begins else None
-    while line is not None:
+        parts[length + 1 : length + 2] = [(number, parts[length])]
+    ordered, part = set(), parts[-1]
+    while part:
+        line, part = part
         ordered.add(line)
-        line = following[line]
     return ordered
 
 

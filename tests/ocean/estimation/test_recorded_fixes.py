@@ -266,7 +266,11 @@ def test_command_writes_scenario_figure_results_and_page(tmp_path, clpt, monkeyp
     [
         ("time,latitude,longitude,course,speed", "0,1,2,720,1", "course is 720"),
         ("time,latitude,longitude,course,speed", "0,1,2,72,-1", "speed is -1"),
-        ("time,latitude,longitude,course,speed", "0,1,,72,1\n9,1,2,72,1", "one of latitude"),
+        (
+            "time,latitude,longitude,course,speed",
+            "0,1,,72,1\n9,1,2,72,1",
+            "one of latitude",
+        ),
         ("time,latitude,longitude,course,speed", "x,1,2,72,1", "time is 'x'"),
         (
             "time,latitude,longitude,course,speed,dr_east_m,dr_north_m",

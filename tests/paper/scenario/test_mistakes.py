@@ -340,7 +340,11 @@ OF_A_TEAM = [
     ),
     (EDGES, "[]", "edges: no path joins all vehicles"),
     (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
-    (EDGES, '[["west"]]', r"edges\[0\]\[1\]: is missing. Give all coordinates or names"),
+    (
+        EDGES,
+        '[["west"]]',
+        r"edges\[0\]\[1\]: is missing. Give all coordinates or names",
+    ),
     (
         "[team.members.west]",
         '[team.members."we st"]',
