@@ -50,11 +50,12 @@ from .wrong_units import COMPARED, wrong_motion
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
+PLAIN = ("legs", "fastest", "turn", "told", "ways", "rows", "water")  # of an estimator
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "3"
-ROWS, ALIKE = 60, 12  # last positions that are compared, those of one run of them
+ROWS = 60  # last positions that are compared
 
 
 class Ahead(NamedTuple):
@@ -182,6 +183,8 @@ class FlowEstimator:
         self.track = LegTrack(basis, scenario.basis.lengths, scenario.periods)
         self._begin()
 
+    is_screened = True  # for positions that are no fixes
+
     def _begin(self) -> None:
         """Know nothing."""
         self.frame: LocalFrame | None = None
@@ -191,11 +194,10 @@ class FlowEstimator:
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
         self.ways: list[list[float]] = []  # of the last legs, rows of `wrong_motion`
-        # last positions: time, degrees, sum of `water` until each, 1 if learned in doubt
+        # last positions: time, degrees, `water`
         self.rows: list[list[float]] = []
-        self.water = [0.0, 0.0]  # displacement through the water, m
+        self.water = [0.0, 0.0]  # m to the east and north, until now
         self.rival: FlowEstimator | None = None  # learns no position that is in doubt
-        self.is_screened = True
 
     def __repr__(self) -> str:
         name = self.scenario.learning.law
@@ -231,9 +233,12 @@ class FlowEstimator:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
         t = self.frame.own_time(time)
-        if note := self._screened(time, latitude, longitude):
-            return self._learned(time, latitude, longitude, note=note)
         leg = self.leg
+        if self.is_screened and not (self.rows and time <= self.rows[-1][0]):
+            is_known = leg is not None and not self._unknown(leg, t)
+            if note := self._screened([time, latitude, longitude], is_known):
+                return self._learned(time, latitude, longitude, note=note)
+            leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
         if leg is not None and not ended and not self.legs:
             # the origin is the start of the first leg that is learned
@@ -535,13 +540,6 @@ class FlowEstimator:
             "limits": self._limits,
             "frame": self.frame and [self.frame.time, *self.frame.place],
             "open": [asdict(leg) for leg in legs],
-            "legs": self.legs,
-            "fastest": self.fastest,
-            "turn": self.turn,
-            "told": self.told,
-            "ways": self.ways,
-            "rows": self.rows,
-            "water": self.water,
             "rival": self.rival and self.rival.state,
             "log_odds": self.guesses.log_odds,
             "guesses": [
@@ -550,7 +548,7 @@ class FlowEstimator:
                 | {"level": guess.level}
                 for guess in self.guesses.states
             ],
-        }
+        } | {name: getattr(self, name) for name in PLAIN}
 
     @state.setter
     def state(self, state: dict[str, Any]) -> None:
@@ -558,11 +556,9 @@ class FlowEstimator:
         self.frame = frame and LocalFrame(
             frame[0], (frame[1], frame[2]), self.scenario.units
         )
-        self.legs, self.fastest = state["legs"], state["fastest"]
-        self.turn = state["turn"]
-        self.told, self.ways = state["told"], state["ways"]
-        self.rows, self.water = state["rows"], state["water"]
         self.rival = state["rival"] and self._with(state["rival"])
+        for name in PLAIN:
+            setattr(self, name, state[name])
         limits = FixSettings(self.scenario, **state["limits"]).limits
         is_wider = np.any(np.greater(self.settings.limits, limits))
         guesses = tuple(
@@ -623,44 +619,33 @@ class FlowEstimator:
         angle, growth = frame.axes(np.array(leg.place))
         return rotated(flow, sign * (angle + growth * leg.east / 2))
 
-    def _screened(self, time: float, latitude: float, longitude: float) -> str:
-        """Return why a position is no fix, or an empty text.
+    def _screened(self, position: list[float], is_known: bool) -> str:
+        """Return why a position (time, degrees) is no fix, or an empty text.
 
-        A position in doubt is learned, but not by the rival, whose state replaces this one if all
-        positions that were in doubt turn out to be no fixes.
+        A position in doubt is learned, but not by the rival, which replaces this estimator if no
+        such position was a fix.
         """
-        if not (self.is_screened and self.settings.bent):
-            return ""
-        rows = self.rows
-        if rows and time <= rows[-1][0]:
-            return ""  # the last one again
-        newest = max(self._open(), key=lambda leg: leg.start, default=None)
-        if newest is None or self._unknown(newest, self.under_way[0].own_time(time)):
-            rows, self.rival = [], None
-        rows = [*rows, [time, latitude, longitude, *self.water, 0.0]]
-        times, *position, east, north, learned = np.array(rows).T
+        if not is_known:
+            self.rows, self.rival = [], None
+        rows = [*self.rows, [*position, *self.water]]
+        times, *degrees, east, north = np.array(rows).T
         steps = np.diff(east + 1j * north)
-        kinds, doubted = unmeasured(times, np.transpose(position), steps)
-        shown = kinds != ""
-        if self.rival is not None and np.all(shown[1:] | (learned[1:] == 0)):
-            # no position that was learned in doubt was a fix
-            self.state = self.rival.state
-            self.rival = None
+        kinds, doubted = unmeasured(times, np.transpose(degrees), steps)
+        rival = self.rival
+        if rival and not np.any(doubted[times > rival.rows[-1][0]]):
+            self.state = rival.state
         elif not np.any(doubted[-2:]):
             self.rival = None
-        if self.rival is None:
-            rows = [[*row[:-1], 0.0] for row in rows]
         if doubted[-1]:
             self.rival = self.rival or self._with(self.state)
             self.rival.is_screened = False
-            rows[-1][-1] = 1.0
-        elif self.rival is not None:
-            self.rival.fix(time, latitude, longitude)
-        alike = len(rows) > ALIKE and np.all((doubted | shown)[-ALIKE:])
-        if alike or len(rows) > ROWS:
-            del rows[-ALIKE if alike else 0]
+        elif self.rival:
+            self.rival.fix(*position)
+        if len(rows) > ROWS:
+            is_run = np.all(doubted[-2:] | (kinds[-2:] != ""))
+            del rows[-2 if is_run else 0]
         self.rows = rows
-        return f"{kinds[-1]}: {NO_FIX}" * bool(shown[-1])
+        return kinds[-1] and f"{kinds[-1]}: {NO_FIX}"
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""

@@ -217,6 +217,7 @@ def flow_of_legs(
     has_origin = not is_run or scenario.origin is not None
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
+        estimator.is_screened = False
     learned, used, refused = [], [], []
     for leg in legs:
         check()

@@ -67,7 +67,9 @@ def wrong_motion(
     over_ground, water, durations, r = rows[:, :2], rows[:, 2:4], rows[:, 4], rows[:, 5]
     still = STILL / speed * durations
     if np.any(water) and residual(over_ground, water) < still @ still:
-        return "course and speed look like those over ground. Give those through the water"
+        return (
+            "course and speed look like those over ground. Give those through the water"
+        )
     flow = np.column_stack([rows[:, 6:] * prior, durations * MEAN / speed]) / r[:, None]
     errors_of = forecast_errors(flow) / r
     g, w = errors_of @ over_ground, errors_of @ water

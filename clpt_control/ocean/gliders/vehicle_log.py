@@ -356,7 +356,7 @@ def _legs_of(
             track = Way(dated)
     dropped = f"{path}: {rows.dropped} fixes at the time of another are left out"
     left_out += [f"{dropped}. Give the time of day"] * rows.dropped
-    if why := counted(np.array([*kinds.values()])):
+    if why := counted([*kinds.values()]):
         legs.append(Skipped(None, f"{path}: {why}"))
     if rows.dropped:
         legs.append(Skipped(None, dropped))
