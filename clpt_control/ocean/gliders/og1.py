@@ -22,7 +22,8 @@ The displacement dr through the water is the first that the file allows of
    (`samples.variation`), or a heading of which the file does not say from which north, taken as
    true.
 
-The dive's notes say which it was where it was not the first.
+The dive's notes say which it was where it was not the first.  A speed may be on fewer rows than the
+heading, or on others, as where two instruments write one file: it holds until the next.
 """
 
 from math import isfinite, isnan, nan

@@ -5,7 +5,11 @@ Every column has one number per row, NaN where there is none.  Rows are those of
 rows.  Where there is no `TIME_GPS`, a fix has the `TIME` of its row.  Where there is no
 `LATITUDE_GPS`, fixes are the places with `DEAD_RECKONING` = 0, which the receiver gave.
 Times of fixes without units are in the unit in which most of them lie among the
-measurements, or within a day of them.
+measurements, or within a day of them.  A displacement without a time is between its neighbours.
+
+A heading is from true or from magnetic north by the words of its attributes: `APPLIED` is a
+correction for the variation, which `DENIED` takes back ("declination applied", "not corrected for
+declination").  Words that contradict are refused where the heading is used.
 
 Some files, of Spray, say of every measurement where and when its dive ended:
 `TIME_GPS_END`, `LATITUDE_GPS_END`, `LONGITUDE_GPS_END` are the fix after the dive,
@@ -138,16 +142,15 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
 
 def _timed(table: pandas.DataFrame) -> pandas.DataFrame:
     """Return the columns with a time for each displacement, between those of its neighbours."""
-    time = table.time.where(table.time > 0)
-    lost = time.isna() & (table.east.abs() + table.north.abs() > 0)
-    known = time.fillna(table.t_fix)
+    lost = table.time.isna() & (table.east.abs() + table.north.abs() > 0)
+    known = table.time.fillna(table.t_fix)
     if lost.any() and not known.dropna().is_monotonic_increasing:
         raise DataError(
             f"{lost.sum()} displacements have no time, the first in row {lost.argmax()} (from 0), "
             "and rows or fixes are not in order of time. Give the times, or sort the rows"
         )
     between = known.interpolate(limit_area="inside")
-    return table.assign(time=time.where(~lost, between))
+    return table.assign(time=table.time.where(~lost, between))
 
 
 def _currents_elsewhere(

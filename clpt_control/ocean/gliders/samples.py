@@ -156,7 +156,8 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
             f"{name} is in single precision, whose numbers are over 8 s apart so long after its "
             "reference date. Write it in double precision"
         )
-    return epoch + step * numbers
+    times = epoch + step * numbers
+    return np.where(times > 0, times, nan)
 
 
 def metres(data: xarray.Dataset, name: str) -> np.ndarray:

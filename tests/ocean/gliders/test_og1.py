@@ -567,3 +567,243 @@ def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
     assert any(re.search(said, why) for why in told) or not said
     assert [dive.number for dive in used] == expected
     assert all(np.isfinite(step.clpe["adaptive"]) for step in replay_dives(used).steps)
+
+
+# --- quantities that mean something else than their name says ------------------------------------
+
+TRUE = {"units": "degrees", "comment": "true north"}
+
+
+def steered(folder, heading=lambda true: true, attrs=TRUE, change=lambda columns: {}):
+    """Return the dives of a mission with speed and a heading, made of the true one, alone."""
+    columns = og1_rows()
+    columns["HEADING"] = heading((columns["HEADING"] + made.VARIATION) % 360.0)
+    how = {"units": {"HEADING": attrs}} | change(columns)
+    return mission(folder, columns, drop=NO_STEPS, **how)
+
+
+UNITS = {  # in a degree
+    "decidegrees": 10.0,
+    "0.1 degree": 10.0,
+    "tenths of degrees": 10.0,
+    "centidegrees": 100.0,
+    "mrad": 1e3 * np.pi / 180,
+    "rad (true)": np.pi / 180,
+    "gradian": 10 / 9,
+    "gon": 10 / 9,
+    "degrees (0-360)": 1.0,
+    "degree_true": 1.0,
+    "°": 1.0,
+}
+
+
+@pytest.mark.parametrize(("units", "count"), UNITS.items())
+def test_units_of_headings_are_read(units, count, tmp_path):
+    attrs = TRUE | {"units": units}
+    dives = steered(tmp_path, lambda true: true * count, attrs)
+    assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
+
+
+@pytest.mark.parametrize(
+    "units",
+    ["mils", "brad", "turns", "arcminutes", "degrees*10", "deg/10", "deg s-1 10"],
+)
+def test_other_units_of_headings_are_refused(units, tmp_path):
+    refuses(
+        f"HEADING is in {re.escape(repr(units))}",
+        steered,
+        tmp_path,
+        attrs=TRUE | {"units": units},
+    )
+
+
+def test_headings_beyond_a_turn_are_in_another_unit(tmp_path):
+    """Numbers that are no single fill value are not left out as gaps."""
+
+    def swaying(true):
+        return 10.0 * (true + np.arange(true.size) % 7)
+
+    said = "HEADING are not within -180 to 540 degrees, such as .* Correct its units, 'degrees'"
+    refuses(said, steered, tmp_path, swaying)
+
+
+ALREADY_TRUE = [
+    {"long_name": "true heading", "comment": "magnetic declination applied"},
+    {"comment": "corrected for magnetic variation"},
+    {"comment": "Converted from magnetic to true north"},
+    {"description": "magnetic heading plus declination"},
+    {"comment": "True heading. Not quality controlled.", "north": "true"},
+    {"long_name": "Heading, true north", "ancillary_variables": "MAGNETIC_VARIATION"},
+    {"magnetic_declination_applied": "yes", "comment": "not filtered"},
+    {"comment": "true, not magnetic"},
+]
+STILL_MAGNETIC = [
+    {"comment": "magnetic, uncorrected"},
+    {"comment": "not corrected for magnetic declination"},
+    {"comment": "Magnetic. No declination correction has been applied."},
+    {"comment": "apply MAGNETIC_VARIATION to get true heading"},
+    {"long_name": "magnetic heading", "comment": "corrected for deviation"},
+    {"magnetic_declination_applied": "no"},
+    {"comment": "heading before magnetic variation is added"},
+    {"comment": "magnetic, not true"},
+]
+UNCLEAR = [
+    {"comment": "true heading of the magnetic compass"},
+    {"comment": "counter-clockwise from east"},
+    {"long_name": "true", "comment": "variation not applied"},
+]
+
+
+@pytest.mark.parametrize("words", ALREADY_TRUE)
+def test_a_heading_that_is_true_is_not_turned(words, tmp_path):
+    for dive in steered(tmp_path, attrs=words, change=lambda columns: TURNED):
+        assert (way(dive), dive.turned) == (pytest.approx(made.SWUM), None)
+
+
+@pytest.mark.parametrize("words", STILL_MAGNETIC)
+def test_a_heading_that_is_not_corrected_is_turned(words, tmp_path):
+    def magnetic(true):
+        return (true - made.VARIATION) % 360.0
+
+    dives = steered(tmp_path, magnetic, words, lambda columns: TURNED)
+    for dive in dives:
+        assert (way(dive), dive.turned) == (pytest.approx(made.SWUM), made.VARIATION)
+
+
+@pytest.mark.parametrize("words", UNCLEAR)
+def test_words_on_north_that_contradict_are_refused(words, tmp_path):
+    refuses(
+        "the north of the heading is not clear: .*'true' or",
+        steered,
+        tmp_path,
+        attrs=words,
+    )
+
+
+RATES = {
+    "half": lambda rows: rows % 2 == 0,
+    "two of three": lambda rows: rows % 3 > 0,
+    "tenth": lambda rows: rows % 10 == 0,
+    "random half": lambda rows: np.random.default_rng(0).random(rows.size) < 0.5,
+    "all but a 25th": lambda rows: rows % 25 > 0,
+}
+
+
+@pytest.mark.parametrize("rate", RATES)
+@pytest.mark.parametrize("apart", [False, True])
+def test_speeds_on_fewer_rows_than_headings_are_no_stalls(rate, apart, tmp_path):
+    """Also if the rows with a speed have no heading, as of two instruments."""
+
+    def change(columns):
+        has_speed = RATES[rate](np.arange(columns["TIME"].size))
+        columns["GLIDER_HORZ_VELO_MODEL"][~has_speed] = np.nan
+        if apart and rate == "half":
+            columns["HEADING"][has_speed] = np.nan
+        return {}
+
+    for dive in steered(tmp_path, change=change):
+        assert way(dive) == pytest.approx(made.SWUM, rel=0.01)
+
+
+def test_a_hole_between_speeds_of_another_rate_is_no_stall_and_no_way(tmp_path):
+    def change(columns):
+        columns["GLIDER_HORZ_VELO_MODEL"][::2] = np.nan
+        columns["GLIDER_HORZ_VELO_MODEL"][100:160] = np.nan
+        return {}
+
+    first, *others = steered(tmp_path, change=change)
+    said = r"\d+ of 400 samples in a row have a heading and no speed, in a stall or between"
+    assert re.search(said, first.notes[0])
+    assert [way(dive) == pytest.approx(made.SWUM, rel=0.01) for dive in others] == [
+        True
+    ] * 2
+    assert np.isnan(first.dr_east)
+
+
+@pytest.mark.parametrize("lost", [np.nan, 0.0, -9999.0, -(2.0**63), 9.97e36])
+def test_a_displacement_without_a_time_counts(lost, tmp_path):
+    columns = og1_rows()
+    rows = np.setdiff1d(np.arange(columns["TIME"].size)[3::7], FIX)
+    columns["TIME"][rows] = lost
+    for dive in mission(tmp_path, columns):
+        assert way(dive) == pytest.approx(made.SWUM)
+
+
+def test_a_displacement_of_an_unknown_dive_is_refused(tmp_path):
+    columns = og1_rows()
+    how = on_their_own(columns)
+    columns["TIME"][395:405] = np.nan
+    said = "9 displacements have no time, the first in row 395 .*not in order of time"
+    refuses(said, mission, tmp_path, columns, **how)
+
+
+SINCE = {  # unit, its length in s, and seconds from 1970 to its date
+    "seconds since 1970-01-01": (1.0, 0.0),
+    "days since 1970-01-01": (86400.0, 0.0),
+    "minutes since 2000-01-01": (60.0, 946684800.0),
+}
+
+
+@pytest.mark.parametrize("units", SINCE)
+@pytest.mark.parametrize("drop", [(), NO_STEPS])
+def test_times_in_single_precision_are_refused_where_they_are_coarse(
+    units, drop, tmp_path
+):
+    columns, (size, date) = og1_rows(), SINCE[units]
+    columns["TIME"] = ((columns["TIME"] - date) / size).astype(np.float32)
+    how = {"units": {"TIME": {"units": units}}, "drop": drop}
+    refuses("TIME is in single precision", mission, tmp_path, columns, **TURNED, **how)
+    columns["TIME"] = (og1_rows()["TIME"] - made.T0).astype(np.float32)
+    near = {
+        "units": {"TIME": {"units": "seconds since 2017-07-14 02:40:00"}},
+        "drop": drop,
+    }
+    for dive in mission(tmp_path, columns, **TURNED, **near):
+        assert way(dive) == pytest.approx(made.SWUM, rel=1e-4)
+
+
+def test_different_samples_at_one_time_are_not_left_out(tmp_path):
+    columns = og1_rows()
+    columns["TIME"] = np.where(
+        np.isin(np.arange(columns["TIME"].size), FIX),
+        columns["TIME"],
+        columns["TIME"] // 60 * 60,
+    )
+    used, skipped = read_dives(og1(tmp_path / "og1.nc", columns=columns))
+    assert used == []
+    assert "samples have the time of the one before" in skipped[0].why
+
+
+def with_dimensions(tmp_path, dims, shape, columns=None):
+    """Return the dives of a file whose columns have other dimensions."""
+    columns = og1_rows() if columns is None else columns
+    rows = {
+        name: (dims, column.reshape(shape), made.UNITS.get(name, {}))
+        for name, column in columns.items()
+    }
+    return dives_in(made.write(tmp_path / "og1.nc", rows))
+
+
+def test_dimensions_of_length_one_are_none(tmp_path):
+    for dims, shape in (
+        (("trajectory", "obs"), (1, -1)),
+        (("row", "profile"), (-1, 1)),
+    ):
+        assert all(map(swam, with_dimensions(tmp_path, dims, shape)))
+    two = ("trajectory", "obs"), (3, -1)
+    refuses(
+        "TIME, LATITUDE_GPS, LONGITUDE_GPS have the dim.*Give a file for each",
+        with_dimensions,
+        tmp_path,
+        *two,
+    )
+
+
+@pytest.mark.parametrize("size", [1209, 700])
+def test_a_heading_of_another_clock_is_not_read_row_by_row(size, tmp_path):
+    heading = ("N_ENG",), np.linspace(0.0, 359.0, size), TRUE
+    dives = mission(tmp_path, drop=NO_STEPS, **{"HEADING": heading})
+    assert used_numbers(dives) == []
+    assert (
+        "HEADING is not read: it does not have the dimensions of TIME" in dives[0].notes
+    )
