@@ -21,9 +21,9 @@ from ..base.figures import (
     ORANGE,
     RED,
     TITLE,
+    axes_for,
     file_settings,
     legend_below,
-    new_figure,
 )
 from ..base.files import check_writable, write_file
 from ..base.html import fragment
@@ -135,7 +135,8 @@ def animate(
     samples = np.clip(samples, 0, None)
     count = len(samples)
     with file_settings(), progress_bar("drawing", count, "frames") as report:
-        figure, ax = new_figure(INCHES, INCHES + 0.6)
+        ax = axes_for(None, INCHES, INCHES + 0.6)
+        figure = ax.figure
         figure.set_dpi(width / INCHES)
         content = _gif(figure, draw_samples(ax, run, samples), pause, report)
     if path is None:

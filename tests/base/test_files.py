@@ -15,11 +15,11 @@ import xarray
 import zarr
 from command_outputs import write
 from error_sentences import says
+from matplotlib.figure import Figure
 from subprocesses import ran
 
 import clpt_control
 from clpt_control import DataError
-from clpt_control.base.figures import new_figure
 from clpt_control.base.files import atomic_path, make_folder, write_together
 from clpt_control.base.files.reading import open_netcdf, zarr_store
 from clpt_control.base.progress import interrupt
@@ -60,7 +60,7 @@ def test_a_folder_takes_the_place_of_no_other(tmp_path):
 
 def test_files_that_belong_together_are_all_written_or_none(tmp_path):
     data = xarray.Dataset({"u": ("time", [1.0, float("nan")])})
-    results = {"a.txt": "text", "b.nc": data, "c.png": new_figure()[0]}
+    results = {"a.txt": "text", "b.nc": data, "c.png": Figure()}
     results = {tmp_path / name: one for name, one in results.items()}
     more = {**results, tmp_path / "none" / "d.txt": "text"}
     says(DataError, r"none/d\.txt: cannot be written: the folder", write_together, more)

@@ -231,18 +231,15 @@ def export(
         from ..pages.writing import read
 
         read(scenario).clpt.table(out)
-        say(f"Wrote {out}")
-        return
-    if out.suffix in (*SUFFIXES, ".nc"):
+    elif out.suffix in (*SUFFIXES, ".nc"):
         with open_netcdf(scenario) as data:
             estimate = data.load() if kind_of(data) == "fixes" else None
         clpt.export(clpt.load_run(scenario) if estimate is None else estimate, out)
-        say(f"Wrote {out}")
-        return
-    check_writable(
-        out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
-    )
-    clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
+    else:
+        check_writable(
+            out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
+        )
+        clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
     say(f"Wrote {out}")
 
 

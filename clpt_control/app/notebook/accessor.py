@@ -19,7 +19,7 @@ from ...base.arguments import public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
 from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
-from ...engine.model.ports import ports_of
+from ...engine.model.ports import columns_of
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import (
     named,
@@ -147,15 +147,6 @@ def _valid(name: str, used_names: Any) -> str:
     return word
 
 
-def of_port(argument: str, labels: list[str], port: str) -> tuple[list[int], list[str]]:
-    """Return rows and labels of the signals of a port; refuse an unknown one."""
-    ports = ports_of(labels)
-    if port not in ports:
-        names = ", ".join(ports)
-        raise ArgumentError(f"linearize: has no {argument} '{port}'. It has {names}")
-    return ports[port], [labels[k] for k in ports[port]]
-
-
 # --- what a dataset has ---------------------------------------------------------------------------
 
 
@@ -246,13 +237,15 @@ class ClptAccessor:
             u = [signals[label] for label in system.input_labels]
             linear = linearize(system, x, u, t)
         if input is not None:
-            columns, labels = of_port("input", linear.input_labels, input)
+            labels = linear.input_labels
+            columns = columns_of(linear, "input", labels, input)
             linear.B, linear.D = linear.B[:, columns], linear.D[:, columns]
-            linear.set_inputs(labels)
+            linear.set_inputs([labels[k] for k in columns])
         if output is not None:
-            rows, labels = of_port("output", linear.output_labels, output)
+            labels = linear.output_labels
+            rows = columns_of(linear, "output", labels, output)
             linear.C, linear.D = linear.C[rows], linear.D[rows]
-            linear.set_outputs(labels)
+            linear.set_outputs([labels[k] for k in rows])
         return minimal_of(linear) if minimal else linear
 
     def _linear_in_memory(self, state: Any, t: float, description: str) -> Any:

@@ -6,7 +6,7 @@ import numpy as np
 from xarray import Dataset
 
 from ...base.errors import ClptError
-from ...base.figures import figure_of, new_figure
+from ...base.figures import axes_for, figure_of
 from ...base.html import Result, folded, listing
 from ...base.page import Drawn, Page, Section, drawn, versions_section
 from ...base.run_attributes import BEYOND, CHANGED, OWN_LAW, OWN_PARTS, TEAM
@@ -246,7 +246,7 @@ def _learned_value(value: float, atol: float) -> str:
 
 def end_plot(run: Dataset) -> Any:
     """Draw the end of a run: vehicle, prediction, the true flow and the learned one."""
-    _, ax = new_figure()
+    ax = axes_for(None, 6.4, 4.2)
     next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
     return ax
 

@@ -78,14 +78,6 @@ ONE_DRAWING = RLock()  # settings of matplotlib are those of the process
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
 
 
-def new_figure(
-    width: float = 6.4, height: float = 4.2, **subplots: Any
-) -> "tuple[Figure, Any]":
-    """Return a figure (inches) and its axes, as ``pyplot.subplots``, in the house style."""
-    figure = _bare(width, height)
-    return figure, styled(figure.subplots(**subplots))
-
-
 def styled(axes: Any) -> Any:
     """Return axes in the house style."""
     for ax in np.ravel(axes):
@@ -161,21 +153,21 @@ def _displayed(width: float, height: float) -> "Figure":
 
 @contextmanager
 def file_settings() -> Iterator[None]:
-    """Draw for files, one thread at a time, whatever the user's matplotlibrc says."""
+    """Draw for files, without pyplot, one thread at a time, whatever the matplotlibrc says."""
     from matplotlib import rc_context
 
-    with ONE_DRAWING, rc_context(SAME):
-        yield
+    token = _for_a_file.set(True)
+    try:
+        with ONE_DRAWING, rc_context(SAME):
+            yield
+    finally:
+        _for_a_file.reset(token)
 
 
 def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
     """Return the figure that a plot draws, without pyplot, for a file or a page."""
-    token = _for_a_file.set(True)
-    try:
-        with file_settings():
-            axes = plot(*arguments, **keywords)
-    finally:
-        _for_a_file.reset(token)
+    with file_settings():
+        axes = plot(*arguments, **keywords)
     figure: Figure = np.ravel(np.asarray(axes, dtype=object))[0].figure
     return figure
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import Formatter, Locator, MaxNLocator
+from matplotlib.ticker import Locator, MaxNLocator
 from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
 
 from ..geodesy import LocalPlane, east_of
@@ -16,8 +16,8 @@ from ..geodesy import LocalPlane, east_of
 BARS_PER_WIDTH = 5  # about
 
 
-class _Degrees:
-    """Conversion between one axis of a chart and degrees, at the middle of the other axis."""
+class _Degrees(Locator):
+    """Ticks of one axis of a chart at even degrees, at the middle of the other axis."""
 
     def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool) -> None:
         self.ax, self.plane, self.is_longitude = ax, plane, is_longitude
@@ -37,31 +37,22 @@ class _Degrees:
         position = (lat, degrees) if self.is_longitude else (degrees, lon)
         return float(self.plane.to_plane(*position)[int(not self.is_longitude)])
 
-
-class _DegreeLocator(Locator):
-    def __init__(self, degrees: _Degrees) -> None:
-        self.degrees = degrees
-
     def __call__(self) -> list[float]:
-        limits = "get_xlim" if self.degrees.is_longitude else "get_ylim"
-        return self.tick_values(*getattr(self.degrees.ax, limits)())
+        return self.tick_values(*self.axis.get_view_interval())
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
-        edges = map(self.degrees.of_point, (vmin, vmax))
+        """Return the coordinates of even degrees between two coordinates."""
+        edges = map(self.of_point, (vmin, vmax))
         ticks = MaxNLocator(5, steps=[1, 2, 5, 10]).tick_values(*edges)
-        return [*map(self.degrees.to_point, ticks)]
+        return [*map(self.to_point, ticks)]
 
-
-class _DegreeFormatter(Formatter):
-    def __init__(self, degrees: _Degrees) -> None:
-        self.degrees = degrees
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        angle = self.degrees.of_point(x)
-        if self.degrees.is_longitude:
+    def label(self, x: float, position: int) -> str:
+        """Return the degrees of a tick with their letter."""
+        angle = self.of_point(x)
+        if self.is_longitude:
             angle = east_of(angle)
         angle = round(angle, 6)
-        letter = ("EW" if self.degrees.is_longitude else "NS")[int(angle < 0)]
+        letter = ("EW" if self.is_longitude else "NS")[int(angle < 0)]
         return f"{abs(angle):g}\N{DEGREE SIGN} {letter}"
 
 
@@ -69,8 +60,8 @@ def degree_axes(ax: Any, plane: LocalPlane, unit: str) -> None:
     """Label the axes of a chart in degrees, and draw a bar with its length."""
     for axis, is_longitude in ((ax.xaxis, True), (ax.yaxis, False)):
         degrees = _Degrees(ax, plane, is_longitude)
-        axis.set_major_locator(_DegreeLocator(degrees))
-        axis.set_major_formatter(_DegreeFormatter(degrees))
+        axis.set_major_locator(degrees)
+        axis.set_major_formatter(degrees.label)
     ax.set(xlabel="longitude ($x_1$, east)", ylabel="latitude ($x_2$, north)")
     scale_bar(ax, unit)
 

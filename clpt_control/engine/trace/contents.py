@@ -146,10 +146,6 @@ def holding(make: Callable[..., Any] | None, *names: str) -> Kind:
     )
 
 
-def _partial(function: Any, arguments: tuple, keywords: dict) -> Any:
-    return functools.partial(function, *arguments, **keywords)
-
-
 def _cached_property(function: FunctionType, name: str) -> Any:
     copy = functools.cached_property(fixing_results(function))
     copy.attrname = name
@@ -183,7 +179,12 @@ ATTRIBUTES = Kind(_read_attributes, _write_attributes)
 PANDAS = Kind(_read_table, _write_table)
 HOLDERS: dict[type, Kind] = {  # of functions
     MethodType: holding(MethodType, "__func__", "__self__"),
-    functools.partial: holding(_partial, "func", "args", "keywords"),
+    functools.partial: holding(
+        lambda func, args, keywords: functools.partial(func, *args, **keywords),
+        "func",
+        "args",
+        "keywords",
+    ),
     functools.cached_property: holding(_cached_property, "func", "attrname"),
     functools._lru_cache_wrapper: holding(fixing_results, "__wrapped__"),
     **dict.fromkeys(

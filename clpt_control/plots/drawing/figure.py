@@ -127,7 +127,8 @@ def _same_style() -> Any:
 
 def diagram_html(diagram: control.InterconnectedSystem) -> str:
     """Return a diagram drawn, or in words where it is large."""
-    name = f"{diagram.name}: {_size(diagram)}"
+    size = f"{len(diagram.syslist)} blocks, {diagram.nstates or 0} states"
+    name = f"{diagram.name}: {size}"
     try:
         large = len(wiring_of(diagram).nodes) > MOST
         drawn = "" if large else drawing(diagram).svg
@@ -137,10 +138,6 @@ def diagram_html(diagram: control.InterconnectedSystem) -> str:
         f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."
     ]
     return fragment("Diagram", name, paragraphs(advice) if large else drawn)
-
-
-def _size(diagram: control.InterconnectedSystem) -> str:
-    return f"{len(diagram.syslist)} blocks, {diagram.nstates or 0} states"
 
 
 @public

@@ -148,6 +148,9 @@ def base_and_term(expression: Expr) -> tuple[Expr, Expr]:
 class EveryN(Symbols):
     """Elements as expressions, for every N: a sum over an open axis is an atom."""
 
+    prefix = "s"  # of the indices that are summed over
+    summed = staticmethod(summed)
+
     def of(self, value: Any) -> Any:
         """Return the elements of an array, or of a scalar its expression.
 
@@ -167,7 +170,8 @@ class EveryN(Symbols):
         return elements
 
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
-        """Return the atom of a sum over an axis of an array."""
-        name = next(n for n in (f"s{k}" for k in range(20)) if n not in index)
+        """Return a sum over an axis of an array."""
+        names = (f"{self.prefix}{k}" for k in range(1, 20))
+        name = next(name for name in names if name not in index)
         summand = self.at(array, (*index[:axis], name, *index[axis:]))
-        return summed(summand, name, size)
+        return self.summed(summand, name, size)

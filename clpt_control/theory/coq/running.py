@@ -13,7 +13,6 @@ from sympy import Expr
 
 from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import Diagram
-from ...engine.record.graph import Ref
 from ...engine.record.scalar_graph import Index
 from ...paper.laws.table import LAWS
 from ..algebra.decided import decided
@@ -41,16 +40,17 @@ class Equations(NamedTuple):
 class Sums(EveryN):
     """Elements for every N, with sums as they are in the record, and numbers compared."""
 
+    prefix = "k"
+
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return the expression of an operation."""
         applied = super().apply(ref, kind, arguments)
         is_known = kind in ("gt", "where") and arguments[0].is_number
         return decided(applied) if is_known else applied
 
-    def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
-        """Return the sum over an axis of an array, not expanded."""
-        name = next(n for n in (f"k{j}" for j in range(1, 20)) if n not in index)
-        summand = self.at(array, (*index[:axis], name, *index[axis:]))
+    @staticmethod
+    def summed(summand: Any, name: str, size: str) -> Any:
+        """Return a sum that is not expanded."""
         if summand == 0:
             return sympy.S.Zero
         return SUM(summand, index_symbol(name), sympy.Symbol(size))
