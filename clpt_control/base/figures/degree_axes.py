@@ -38,7 +38,8 @@ class _Degrees(Locator):
         return float(self.plane.to_plane(*position)[int(not self.is_longitude)])
 
     def __call__(self) -> list[float]:
-        return self.tick_values(*self.axis.get_view_interval())
+        axis: Any = self.axis
+        return self.tick_values(*axis.get_view_interval())
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
         """Return the coordinates of even degrees between two coordinates."""

@@ -149,7 +149,7 @@ class EveryN(Symbols):
     """Elements as expressions, for every N: a sum over an open axis is an atom."""
 
     prefix = "s"  # of the indices that are summed over
-    summed = staticmethod(summed)
+    summed: Any = staticmethod(summed)
 
     def of(self, value: Any) -> Any:
         """Return the elements of an array, or of a scalar its expression.
