@@ -59,7 +59,7 @@ def geojson(features: Iterable[Feature]) -> str:
 
 
 def _geojson_feature(feature: Feature) -> dict[str, Any]:
-    points: Any = coordinates(feature.places)
+    points = coordinates(feature.places)
     nested = {"Point": points[0], "Polygon": [points]}.get(feature.shape, points)
     return {
         "type": "Feature",

@@ -168,7 +168,7 @@ class Ensemble:
     def _make_one_by_one(self, members: Members, values: Values) -> None:
         """Fill in each member from the values that have no location of their own."""
         times = self.varied.state_times
-        numbers: dict[tuple, int] = {}
+        numbers = {}
         for m in range(len(members.x0)):
             member_values = {key: values[key][m] for key in self.one_by_one}
             parameters, members.x0[m], inputs = self.varied.member(member_values)

@@ -49,7 +49,7 @@ def arrays_of(varied: Varied, values: Values) -> "dict[str, xarray.Variable]":
 
     numbers = np.arange(member_count(values))
     axes = {"member": (numbers, {"long_name": "member of the ensemble"}), **varied.axes}
-    arrays: dict[str, Variable] = {}
+    arrays = {}
 
     def add(name: str, dims: Iterable[str], numbers: Any, attributes: Any) -> None:
         if name in arrays:
@@ -386,7 +386,7 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        recorded: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
+        recorded = json.loads(store.group.attrs[DIGESTS])
         now = store.digests()
         wrong = [
             name

@@ -323,7 +323,7 @@ def _run_here(
         for index in missing
         for values in cut(store.values(index), size)
     )
-    summaries: list[Values] = []  # of the oldest chunk that is running
+    summaries = []  # of the oldest chunk that is running
     count = threads if members > size else 1
     for index, batch in _in_order(ensemble.summaries, batches, count):
         summaries.append(batch)

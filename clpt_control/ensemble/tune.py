@@ -148,7 +148,7 @@ def tune_law(
             f"laws: none of {', '.join(names)} learns the flow. Name another"
         )
     report = progress or (lambda share: None)
-    scores: list[Score] = []
+    scores = []
 
     def test(law: Law, gains_fixed: bool, *factors: float) -> None:
         name = law.name

@@ -202,7 +202,7 @@ class VariedDiagram:
                 key in s.names if key in labels else s.mentions(key)
             )
 
-        params: dict[str, Any] = {}
+        params = {}
         systems = [
             node.system for node in self.wiring.nodes if isinstance(node.system, System)
         ]

@@ -169,7 +169,7 @@ def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> 
     from PIL import Image
 
     canvas = FigureCanvasAgg(figure)
-    images: list[Any] = []
+    images = []
     for k in frames:
         if k == 0:  # the layout is that of the first frame
             figure.draw_without_rendering()
@@ -209,7 +209,7 @@ def draw_samples(ax: Any, run: "xarray.Dataset", samples: np.ndarray) -> Iterato
     kind = "true" if true.any() else "learned"
     max_speed = np.hypot(*(true if true.any() else learned).T).max() or 1.0
     arrow_length = LENGTH * np.ptp(ax.get_xlim()) / (ARROWS - 1 + MAX_LEARNED)
-    style: dict[str, Any] = {**ARROW, "scale": max_speed / arrow_length}
+    style = {**ARROW, "scale": max_speed / arrow_length}
     if learned.any() or true.any():
         note = f"longest {kind} arrow {max_speed:.2g} {units.length}/{units.time}"
         ax.set_title(note, loc="right", fontsize=8, color=GREY)

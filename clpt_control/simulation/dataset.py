@@ -199,7 +199,7 @@ def _estimate(scenario: Scenario, signals: Signals) -> Any:
     N = scenario.basis.N
     if scenario.learning.row.given_estimate:
         block = signals.parameters.get("injection")
-        theta: Any = getattr(block, "theta_hat", scenario.learning.theta_estimate)
+        theta = getattr(block, "theta_hat", scenario.learning.theta_estimate)
         theta = np.array(theta, dtype=float)
         return lambda signals: np.broadcast_to(theta, (len(signals), 2, N)).copy()
     if "theta_hat[0]" in signals.column:

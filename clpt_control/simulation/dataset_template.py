@@ -105,7 +105,7 @@ class DatasetTemplate:
         """
         from xarray import Dataset, Variable
 
-        variables: dict[str, Any] = {
+        variables = {
             name: variable_of(
                 Variable, series.dims, series.of(signals), series.attributes
             )

@@ -262,7 +262,7 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
     scenario = scenario_of_run(estimate)
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
-    plane: LocalPlane | None = None
+    plane = None
     east = angle_near(estimate.longitude.values, longitude)
     places = np.column_stack([east, estimate.latitude])
     if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):

@@ -119,9 +119,9 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
 
 def _variables(file: CFile) -> dict[str, str]:
     """Return the variables and the structure in modelDescription.xml."""
-    lines: list[str] = []
-    kinds: list[str] = []
-    names: set[str] = set()
+    lines = []
+    kinds = []
+    names = set()
     for reference, (kind, label, extra) in enumerate(_rows(file)):
         name = _xml_name(label)
         while name in names:

@@ -71,7 +71,7 @@ def changed_blocks(
     localized = _localization(scenario)
     is_noisy = any(block.name == "measurement" for block in localized)
     true_position = TRUE if is_noisy else "x"
-    blocks: list[Part] = [
+    blocks = [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario.basis_block("x"),
         scenario.basis_block("z"),

@@ -19,7 +19,7 @@ from ..base.errors import DiagramError
 from ..base.html import asset
 from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
-from ..engine.diagram.wiring import Part, input_ports, output_ports
+from ..engine.diagram.wiring import input_ports, output_ports
 from ..paper.blocks.ports import POWERS, paper_block
 from ..paper.laws.fix_bound import largest_gain
 from ..paper.scenario.experiment import Scenario
@@ -71,7 +71,7 @@ def learner(loop: ClosedLoop, name: str) -> Diagram:
     outside = {*INPUTS, *loop.external} - ({"zc"} - {*loop.external})
     makers = {port: block for block in blocks for port in output_ports(block)}
     makers["taken"] = paper_block("received", "-> taken", output=received)
-    parts: list[Part] = [makers["alpha"]]
+    parts = [makers["alpha"]]
     read: set[str] = set()
     for block in parts:
         ports = input_ports(block).keys()

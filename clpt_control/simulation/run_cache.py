@@ -50,7 +50,7 @@ def cached_run(key: Key | None, make: Callable[[], Any]) -> Iterator[Any]:
 
 def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
     """Return the key of a diagram's run; None if the diagram could change unnoticed."""
-    numbers: list[Any] = [tuple((params or {}).items()), options]
+    numbers = [tuple((params or {}).items()), options]
     functions: list[Any] = []
     try:
         names = _identity(diagram, numbers, functions)
@@ -83,7 +83,7 @@ def _fingerprint(functions: tuple) -> Fingerprint:
 
 def _plain_key(values: tuple) -> tuple | None:
     """Return the key of names and numbers in tuples; None if there are other values."""
-    key: list[Any] = []
+    key = []
     for value in values:
         kind = type(value)
         if kind is tuple:

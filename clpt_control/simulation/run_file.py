@@ -79,7 +79,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
 
 def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     """Return a run with the attributes of its file; paths of the scenario are relative to it."""
-    attributes: dict[str, str] = {}
+    attributes = {}
     if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):

@@ -277,7 +277,7 @@ def run_plot(
     """
     scenario_with(run, "position", "clpe", "flow_parameters_estimate")
     axes = axes_for(ax, 11.0, 10.0, mosaic=OVERVIEW)
-    options: dict[str, Any] = {"label": label, "color": color}
+    options = {"label": label, "color": color}
     track_plot(run, ax=axes[0], **options)
     clpe_plot(run, ax=axes[1:3], **options)
     for axis in (1, 2):

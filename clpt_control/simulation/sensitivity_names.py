@@ -35,7 +35,7 @@ def varied_numbers(
         if candidates[-1].states
     }
     known[START] = [Place(states=tuple(range(len(states))))]
-    varied: dict[str, Place] = {}
+    varied = {}
     for name in [names] if isinstance(names, str) else names:
         location = place_of(name, known, parameters)
         if location is None:  # unknown, or the name of a parameter and of a state

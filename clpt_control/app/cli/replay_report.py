@@ -299,7 +299,7 @@ def watch(
             "files there. Give another folder, or leave --out out"
         )
     make_folder(out)
-    summary: Report | None = None  # None while results are not those of all files
+    summary = None  # None while results are not those of all files
     current: dict[Path, Any] = {}
     alerts = Alerts(alert, out)
     since = time.monotonic()

@@ -141,7 +141,7 @@ def run(
     from ...theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
-    system: Any = clpt.load_scenario(scenario)
+    system = clpt.load_scenario(scenario)
     check_out(out, *RUN_FILE)
     folder = None if figures is None else make_folder(figures)
     arguments = recorded_arguments(scenario)

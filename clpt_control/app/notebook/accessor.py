@@ -227,7 +227,7 @@ class ClptAccessor:
             description = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             linear = self._linear_in_memory(state, t, description)
         else:
-            scenario: Any = self.scenario
+            scenario = self.scenario
             loop = closed_loop(scenario)
             system = closed_loop(scenario, external=input or ())
             states = dict(zip(loop.state_labels, state, strict=True))

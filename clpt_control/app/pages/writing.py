@@ -105,7 +105,7 @@ def _written(
     folder = None if figures is None else make_folder(figures)
     page = page_of(source, title, name)
     text = page_html(page)
-    results: dict[Path, Any] = {}
+    results = {}
     if folder is not None:
         results = {
             folder / f"{item.name}.{end}": item.figure

@@ -25,7 +25,6 @@ from ..trace.arrays import operand
 from ..trace.derivative import OF_ROOTS, Direction
 from ..trace.elementwise import lifted
 from .diagram_record import DiagramRecord, Varied, is_read
-from .switching_conditions import Port
 
 JUMPING = named(lambda row: row.smoothness >= JUMP)
 
@@ -43,7 +42,7 @@ def add_derivatives(record: DiagramRecord, directions: tuple[Varied, ...]) -> No
         (record.leaps, nstates),
         (record.signals, nsignals),
     ]
-    originals: list[list[Port]] = [[*ports] for ports, _ in groups]
+    originals = [[*ports] for ports, _ in groups]
     for number, varied in enumerate(directions, 1):
         direction = _direction(record, varied, number * nstates)
         for original, (ports, count) in zip(originals, groups, strict=True):
@@ -107,7 +106,7 @@ def places_of(
 
     `parameters` are those of the blocks; `states` and `inputs` are labels.
     """
-    locations: dict[str, list[Place]] = {}
+    locations = {}
     for name, fields in _fields_by_name(wiring).items():
         shapes = {np.shape(getattr(parameters[k], field)) for k, field in fields}
         if len(shapes) > 1:

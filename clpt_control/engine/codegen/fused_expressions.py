@@ -92,7 +92,7 @@ class Components(Elements):
         axes = [symbol for _, symbols in computed for symbol in symbols]
         free_axes = [symbol for symbol in axes if symbol != bound]
         symbols = tuple(dict.fromkeys(free_axes))
-        axis_numbers: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}
+        axis_numbers = {symbol: k for k, symbol in enumerate(symbols)}
         axis_numbers[bound] = BOUND
         arguments = [with_axes(value, axis_numbers) for value in values]
         if bound is not None:
@@ -174,7 +174,7 @@ class Components(Elements):
             candidates = ((count, k) for k in range(len(used) + 1))
             symbol = next(symbol for symbol in candidates if symbol not in used)
             return self.total(summand((symbol, 0, 1)), symbol)
-        total: Value = 0.0
+        total = 0.0
         for k in range(count):
             total = self.add("add", total, summand(k))
         return total

@@ -408,7 +408,7 @@ def sort_by_start(block: ir.Block) -> None:
     operations alternate.
     """
     ends: dict[int, int] = {}
-    starts: dict[int, int] = {}
+    starts = {}
     for operation in block.instructions:
         start = max(
             (ends.get(id(argument), 0) for argument in operation.operands), default=0

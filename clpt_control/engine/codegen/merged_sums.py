@@ -7,8 +7,6 @@ author wrote it: terms cancel only if they come from different blocks, and a coe
 cancelled terms does not change.
 """
 
-from typing import Any
-
 from .diagram_record import WIRE, Ref
 from .fused_expressions import LONG, Components, Value
 
@@ -34,7 +32,7 @@ class MergedSums:
         unsummed: list[Signed] = []
         sums: dict[int, list[Signed]] = {}
         self.terms(True, ref, index, unsummed, sums)
-        terms: list[Signed] = []
+        terms = []
         for count, summands in sums.items():
             symbol = (count, 0)
             owners = {owner for _, owner, _ in summands}
@@ -93,7 +91,7 @@ class MergedSums:
             factors.remove(heavy)
             coefficient = self.components.product(factors) if factors else 1.0
             groups.setdefault(heavy, []).append((plus, owner, coefficient))
-        terms: list[Signed] = []
+        terms = []
         for heavy, coefficients in groups.items():
             remaining = self.cancelled(coefficients)
             if remaining == [(True, coefficients[0][1], 1.0)]:
@@ -139,14 +137,14 @@ class MergedSums:
         name, values = self.components.operation(value)
         if name not in SIGNS:
             return [(plus, owner, value)]
-        terms: list[Signed] = []
+        terms = []
         for sign, argument in zip(SIGNS[name], values, strict=True):
             terms += self.signed_terms(plus == sign, owner, argument)
         return terms
 
     def added(self, terms: list[Signed]) -> Value:
         """Return a sum of terms."""
-        total: Any = None
+        total = None
         for plus, _, value in terms:
             if total is None:
                 total = value if plus else self.components.add("neg", value)
@@ -157,7 +155,7 @@ class MergedSums:
 
     def work(self, value: Value) -> int:
         """Return the cost of a value: of all components that it depends on, each once."""
-        counted: set[int] = set()
+        counted = set()
         stack = [value[0]] if type(value) is tuple else []
         cost = 0
         while stack:

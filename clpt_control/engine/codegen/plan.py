@@ -94,10 +94,10 @@ class Planner:
 
     def live(self, writes: list[Write]) -> tuple[set[int], list[Write]]:
         """Return the components that are computed or read, and all that is written."""
-        live: set[int] = set()
-        every: list[Write] = []
+        live = set()
+        every = []
         stack: list[int] = []
-        filled_buffers: set[int] = set()
+        filled_buffers = set()
 
         def write(new_writes: list[Write]) -> None:
             every.extend(new_writes)
@@ -176,7 +176,7 @@ class Planner:
 
     def saved(self, live: set[int], level: dict[int, int]) -> list[int]:
         """Return the components that are saved in W, in their order: sums, and some with axes."""
-        saved: set[int] = set()
+        saved = set()
         for c in live:
             name = self.all[c].name
             if name == "sum" and not self.is_prepared(c):

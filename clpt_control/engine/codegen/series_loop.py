@@ -318,7 +318,7 @@ class SeriesPrinter(Coefficients):
         builder = self.builder
         bits = vector(self.lanes, WORD)
         lowered = 1023.0 - 0.045
-        most: Any = -1e300
+        most = -1e300
         is_sound = constant(1, self.lanes, BIT)
         for order in (self.order - 1, self.order):
             size = self.weighed([row[order] for row in series], weights)

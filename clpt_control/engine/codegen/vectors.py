@@ -61,7 +61,7 @@ def gathered(builder: ir.IRBuilder, numbers: list[Any]) -> Any:
     """Return single numbers as one vector."""
     if len(numbers) == 1:
         return numbers[0]
-    value: Any = ir.Constant(vector(len(numbers)), ir.Undefined)
+    value = ir.Constant(vector(len(numbers)), ir.Undefined)
     for k, number in enumerate(numbers):
         value = builder.insert_element(value, number, ir.Constant(INT32, k))
     return value

@@ -396,7 +396,7 @@ def check_block(
     block.read_anew()
     drawn = random_samples(block, seed, max(samples, 4))
     checks = [*CHECKS, *([] if units is None else [unit_check(units)])]
-    descriptions: list[str] = []
+    descriptions = []
     failures: list[str] = []
     notes: list[str] = []
     for check in checks:

@@ -32,7 +32,7 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
         k: {(*range(node.outputs.start, node.outputs.stop),): _sources(node)}
         for k, node in enumerate(nodes)
     }
-    order: list[int] = []
+    order = []
     computed: set[int] = set()
     by_signal = False
 

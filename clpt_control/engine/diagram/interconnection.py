@@ -17,7 +17,6 @@ from ...base.errors import BlockError, DiagramError
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import (
-    Slices,
     Vector,
     bare_labels,
     counts_of,
@@ -33,7 +32,6 @@ from ..trace.tracing import Ports
 from .wiring import (
     Params,
     Part,
-    Row,
     Wiring,
     as_part,
     blocks_of,
@@ -145,10 +143,10 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         raise BlockError(
             f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}"
         )
-    accepted: set[str] = set()
-    names: set[str] = set()
-    parameters: list[Any] = []
-    systems: list[tuple[str, System]] = []
+    accepted = set()
+    names = set()
+    parameters = []
+    systems = []
     for name, block in blocks:
         fields = call_names(name, block)
         changes = {fields[key]: params[key] for key in fields if key in params}
@@ -395,7 +393,7 @@ def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wi
     outputs = [label for block in blocks for label in whole_labels(block.output_labels)]
     signals = {label: k for k, label in enumerate(outputs)}
     signals |= {label: ~k for k, label in enumerate(inputs)}
-    rows: list[Row] = [
+    rows = [
         {signals[label]: 1.0}
         for block in blocks
         for label in whole_labels(block.input_labels)
@@ -431,7 +429,7 @@ class _Tracers(_ByLabel, Ports):
 
 def _named(values: Any, labels: Sequence[str]) -> Any:
     """Return a vector with the ports of its labels."""
-    ports: Slices = {
+    ports = {
         name: (span, (size,) if (size := span.stop - span.start) > 1 else ())
         for name, span in spans_of(labels).items()
     }

@@ -105,7 +105,7 @@ class RecordMerger:
 
     def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
         """Return the value of the inputs of a port: an array, or several joined."""
-        values: list[Ref] = []
+        values = []
         for sources, group in groupby(inputs, lambda k: self._sources(node.rows[k], k)):
             indices = [*group]
             if len(indices) == len(inputs):
@@ -123,7 +123,7 @@ class RecordMerger:
 
     def _sum(self, sources: list[Source], k: int, shape: Shape) -> Ref:
         """Return the sum of the sources of consecutive inputs, the first of which is k."""
-        total: Ref | None = None
+        total = None
         for external, start, offset, gain in sources:
             known_values = self.inputs if external else self.outputs
             size = (self._sizes[external][start],)

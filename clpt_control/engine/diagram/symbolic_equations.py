@@ -394,7 +394,7 @@ class _SymbolicRecord:
 
     def _elements_of(self, values: Mapping[Any, Any], node: Node) -> np.ndarray:
         """Return the elements of the ports of a block that have values."""
-        elements: list[Any] = []
+        elements = []
         for (name, _), value in values.items():
             if name == node.name:
                 elements += self.elements.all_of(operand(value))
@@ -403,7 +403,7 @@ class _SymbolicRecord:
         return flat
 
     def _add_parameters(self, node: Node) -> None:
-        fields: dict[str, Any] = {}
+        fields = {}
         for name in fields_of(node.system):
             value = getattr(node.system.parameters, name)
             if not isinstance(value, int):

@@ -127,12 +127,12 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
             "such as control.ss(...)"
         )
     if not isinstance(system, control.InterconnectedSystem):
-        inputs: list[Row] = [{~k: 1.0} for k in range(system.ninputs or 0)]
+        inputs = [{~k: 1.0} for k in range(system.ninputs or 0)]
         return inputs, [{k: 1.0} for k in range(system.noutputs or 0)]
 
     # rows inside the subsystems; k is an output of a block, ~k an input of a subsystem
-    block_inputs: list[Row] = []
-    outputs: list[Row] = []
+    block_inputs = []
+    outputs = []
     first_output = first_input = 0
     for subsystem in system.syslist:
         inner_inputs, inner_outputs = _flatten(subsystem, subsystem.name)
@@ -154,7 +154,7 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
             sources = [
                 (resolve(outputs[j]), gain) for j, gain in connections.get(k, ())
             ]
-            outer: Row = {~j: gain for j, gain in external.get(k, ())}
+            outer = {~j: gain for j, gain in external.get(k, ())}
             resolved[k] = _sum([(outer, 1.0), *sources])
         row = resolved[k]
         if row is None:

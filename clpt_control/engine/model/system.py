@@ -55,7 +55,7 @@ class System(Block):
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         q = int(q)
-        ports: dict[str, Any] = {}
+        ports = {}
         for kind, letter, size in (
             ("input", "u", m),
             ("output", "y", q),

@@ -178,7 +178,7 @@ class ReadBlock(control.NonlinearIOSystem):
     def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
         """Return each role's function and the shapes of what it returns."""
         states = self._inner_shapes("states", self.state_shapes)
-        roles: dict[str, tuple[Any, dict[str, Shape]]] = {
+        roles = {
             "update": (self.update_function, states),
             "output": (
                 self.output_function,

@@ -132,7 +132,7 @@ def reached(
 ) -> set[int]:
     """Return the values that roots depend on, except known ones and what these depend on."""
     lines = operations if isinstance(operations, list | tuple) else list(operations)
-    values: set[int] = set()
+    values = set()
     stack = values_among(roots)
     while stack:
         value = stack.pop()

@@ -120,7 +120,7 @@ def _read_attributes(value: Any) -> Content:
 
 
 def _write_attributes(value: Any, content: Content) -> None:
-    owner: Any = type if isinstance(value, type) else object
+    owner = type if isinstance(value, type) else object
     now = _read_attributes(value)
     for name in {*now.keys} - {*content.keys}:
         owner.__delattr__(value, name)

@@ -22,7 +22,7 @@ from ..record.graph import Ref, compact, evaluated
 from ..record.unread import Unread, active, caller
 from .arrays import Array, Tape, moves
 from .elementwise import chosen, common, elementwise, in_a_try, is_of_python, is_whole
-from .heaps import Entry, Joining, NotMergeable, decision_tree, heap_of, put_back
+from .heaps import Joining, NotMergeable, decision_tree, heap_of, put_back
 from .interpolators import lookup
 from .views import tape_of
 
@@ -160,7 +160,7 @@ def each_path(tape: Any) -> Iterator[None]:
 
 def merging() -> Any:
     """Return the tape on which this thread traces a function and merges paths, or None."""
-    tape: Any = active()
+    tape = active()
     return tape if tape is not None and tape.merging else None
 
 
@@ -176,7 +176,7 @@ def run_region(
     if key in tape.unmergeable:
         return run()
     answers, decisions, texts = tape.answers, tape.way, tape.texts
-    before: dict[int, Entry] = {}
+    before = {}
     paths = list[Any]()  # of each: answers, result and heap
     try:
         before = heap_of(roots, tape.persistent)
@@ -315,7 +315,7 @@ def index_of(values, value):
         return values.index(value)
     if in_a_try():  # Python raises if no item is equal
         return values.index(value)
-    position: Any = np.nan
+    position = np.nan
     for k in range(len(values) - 1, -1, -1):
         position = chosen(elementwise("eq", values[k], value), k, position)
     if isinstance(position, Array):

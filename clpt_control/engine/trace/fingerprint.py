@@ -226,7 +226,7 @@ class _Walk:
             return id(value)
         if root_of(kind) == PACKAGE:
             return id(value)
-        key: list[Any] = [self._class(kind)]
+        key = [self._class(kind)]
         if isinstance(value, tuple):
             return *key, *self._items(value)
         if isinstance(value, frozenset):

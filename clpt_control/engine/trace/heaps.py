@@ -113,7 +113,7 @@ def _read_elements(array: Array) -> Content:
 
 
 def _write_elements(array: Array, content: Content) -> None:
-    elements: Any = content.items
+    elements = content.items
     if elements is None and array._store is None:
         return
     if elements is None:
@@ -195,7 +195,7 @@ def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
 
     Values in `persistent` outlive the function and are left out: they must not change at all.
     """
-    heap: dict[int, Entry] = {}
+    heap = {}
     stack = [*roots]
     while stack:
         value = stack.pop()

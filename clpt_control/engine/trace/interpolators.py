@@ -196,7 +196,7 @@ def _of_interp1d(f: Any) -> Table:
     points = np.asarray(f.x, dtype=float)
     values = np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
     if f._extrapolate or f.bounds_error:
-        ends: Any = (None if f._extrapolate else np.nan,) * 2
+        ends = (None if f._extrapolate else np.nan,) * 2
     else:
         ends = f._fill_value_below, f._fill_value_above
     side = "left" if f._kind in ("linear", "nearest", "next") else "right"
@@ -260,7 +260,7 @@ def _of_grid(f: Any) -> Table:
     def table(tape: Tape, *coordinates: Any) -> Any:
         x = _points(tape, len(grid), *coordinates)
         # the value is a weighted mean of the corners of the cell
-        corners: list[Any] = [(1.0, 0.0)]  # weight and offset in the values
+        corners = [(1.0, 0.0)]  # weight and offset in the values
         for k, points in enumerate(grid):
             index = place_in(points[1:-1], x[..., k], joints="kinks")
             step = lookup(np.diff(points), index)
@@ -300,7 +300,7 @@ def _of_simplices(f: Any) -> Table:
     ys = np.asarray(f.values, dtype=float).reshape(-1, *f.values_shape)
 
     def value_at(x: Any) -> Any:
-        value: Any = np.full(f.values_shape, f.fill_value)[()]
+        value = np.full(f.values_shape, f.fill_value)[()]
         cells = zip(f.tri.simplices[::-1], f.tri.transform[::-1], strict=True)
         for corners, inverse in cells:
             weights = inverse[:-1] @ (x - inverse[-1])

@@ -150,7 +150,7 @@ def _is_better_pivot(a: Any, b: Any) -> Any:
 
 def _eliminate(rows: list[Any], divisor: Callable = lambda pivot: pivot) -> Any:
     """Make rows triangular, in place; return the sign of their permutation."""
-    sign: Any = 1.0
+    sign = 1.0
     count = len(rows)
     if in_a_try() and any(map(moves, rows)):  # a singular matrix would raise
         refuse_in_a_try()

@@ -38,7 +38,7 @@ COPIED = (int, float, complex, str, bytes, tuple, frozenset)
 
 def is_same(a: Any, b: Any) -> bool:
     """Return `a is b`."""
-    tape: Any = active()
+    tape = active()
     if tape is None:
         return a is b
     for value, counterpart in ((a, b), (b, a)):
@@ -114,7 +114,7 @@ def rewritten(code: CodeType) -> CodeType:
     if not _may_branch(code):
         return code
     for k, statement in enumerate(_statements_of(code.co_filename)):
-        nodes: list[Any] = [statement, *getattr(statement, "decorator_list", [])]
+        nodes = [statement, *getattr(statement, "decorator_list", [])]
         first_line = min(node.lineno for node in nodes)
         if first_line <= code.co_firstlineno <= (statement.end_lineno or 0):
             return _replacement(code, k)
@@ -264,7 +264,7 @@ __merge_paths__({STATEMENT})
             ast.YieldFrom,
         }:
             return node
-        function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
+        function = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
         function.body = node
         return self._call("__merge_paths__", node, [function])
 
@@ -294,7 +294,7 @@ __merge_paths__({STATEMENT})
         (comparator,) = node.comparators
         if isinstance(comparator, ast.Constant) and comparator.value is None:
             return node
-        identity: Any = self._call("__is_same__", node, [node.left, comparator])
+        identity = self._call("__is_same__", node, [node.left, comparator])
         if isinstance(operator, ast.Is):
             return identity
         return ast.copy_location(ast.UnaryOp(ast.Not(), identity), node)
@@ -306,7 +306,7 @@ __merge_paths__({STATEMENT})
         if node.value is None:
             return node
         name = f"__{str(node.value).lower()}__"
-        value: Any = ast.parse(f"{name}.value", mode="eval").body
+        value = ast.parse(f"{name}.value", mode="eval").body
         return _place_at(ast.MatchValue(value), node)
 
     def visit_MatchClass(self, node: ast.MatchClass) -> Any:
@@ -328,7 +328,7 @@ __merge_paths__({STATEMENT})
         return self._call("__index_of__", node, [node.func.value, *node.args])  # type: ignore
 
     def _call(self, name: str, node: ast.expr, arguments: list[ast.expr]) -> ast.expr:
-        call: Any = _place_at(ast.parse(f"{name}()", mode="eval").body, node)
+        call = _place_at(ast.parse(f"{name}()", mode="eval").body, node)
         call.args = arguments
         return call
 

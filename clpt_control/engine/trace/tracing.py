@@ -110,7 +110,7 @@ def read(request: Request) -> Read:
     kind = request.role, request.of_control, request.trusted
     key = reached.key, kind, *(tuple(shape.items()) for shape in shapes)
     cached = _TRACED.setdefault(key, [])
-    matching: Any = (
+    matching = (
         result
         for names, values, result, _ in cached
         if values == _values(request.parameters, names)
@@ -178,7 +178,7 @@ class Ports(Array):
             for port, shape in shapes.items()
         }
         has_sizes = all(map(is_known, shapes.values()))
-        size: Any = sum(map(prod, shapes.values())) if has_sizes else f"len({group})"
+        size = sum(map(prod, shapes.values())) if has_sizes else f"len({group})"
         super().__init__(tape, -1, (size,))
         del self._node  # until it was requested
         self._fixed = fixed

@@ -250,7 +250,7 @@ def aims(
     last, start_fix = self.steps[-1].dive, self.start()
     if start is not None:
         start_fix = (start[0], *checked_target(*start[1:]))
-    legs: list[Aim] = []
+    legs = []
     for target in targets:
         leg = aim(self, start_fix, target, V, T)
         stated = (finite_or_none(value) for value in (variation, last.magvar))

@@ -226,7 +226,7 @@ TOLD = ".clpt-told"  # in the folder of results
 
 def checked_command(text: str) -> list[str]:
     """Return the words of a command, or refuse what cannot be run."""
-    words: list[str] = []
+    words = []
     with suppress(ValueError):  # a quotation without its end
         words = shlex.split(text)
     if not words or shutil.which(words[0]) is None:

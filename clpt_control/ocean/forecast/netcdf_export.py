@@ -58,7 +58,7 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
 
     With the next surfacing as the replay expects it.  What has no dive is refused.
     """
-    report: Any = source
+    report = source
     if isinstance(source, xarray.Dataset):
         report = summary_in(source, name)
     elif hasattr(source, "steps"):

@@ -152,5 +152,5 @@ def mark_dates(ax: Axes, x: np.ndarray) -> None:
     ax.xaxis.set_major_locator(locator)
     ax.set_xlabel("surfaced (UTC)")
     if len(x) == 1:
-        hour: Any = np.timedelta64(1, "h")
+        hour = np.timedelta64(1, "h")
         ax.set_xlim(x[0] - hour, x[0] + hour)

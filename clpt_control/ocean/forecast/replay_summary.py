@@ -109,7 +109,7 @@ def rms_of(
     errors: Sequence[Mapping[str, float | None]], models: Sequence[str]
 ) -> dict[str, float | None]:
     """Return the rms of the known misses of each model, m; None where there is none."""
-    rms: dict[str, float | None] = {}
+    rms = {}
     for name in models:
         finite = np.array(
             [size for size in (clpe[name] for clpe in errors) if size is not None]
@@ -271,7 +271,7 @@ def beyond_cards(report: dict[str, Any]) -> list[str]:
 
 def remarks(summary: dict[str, Any]) -> list[str]:
     """Return lines on what was learned, noted and skipped, of what `--json` prints."""
-    lines: list[str] = []
+    lines = []
     if "flow_model" in summary and summary["each_dive"]:
         lines += coverage(summary["flow_model"], summary["used"])
     if summary["dac_identity_median"] is not None:

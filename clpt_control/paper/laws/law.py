@@ -324,7 +324,7 @@ class Law(NamedTuple):
     def parameters_of(self, context: LawContext) -> Parameters:
         """Return the parameters that follow from the context."""
         self.check(self, context)
-        values: dict[str, Any] = {}
+        values = {}
         for name, source in self.parameters.items():
             make = attrgetter(source) if isinstance(source, str) else source
             values[name] = (

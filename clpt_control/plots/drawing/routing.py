@@ -182,7 +182,7 @@ class _Router:
     def paths(self) -> Paths:
         """Return the corners of each arrow."""
         leading = {(t.net, end): (c, t) for c, t in self.turns() for end in t.ends}
-        paths: Paths = {}
+        paths = {}
         for k, net in enumerate(self.layered.nets):
             box = self.boxes[net.source]
             start = box.x + box.width, box.port(k, True)

@@ -120,7 +120,7 @@ def without_fading(expression: Expr, variables: set) -> Expr | None:
 
 def _where_not_zero(factors: Iterable[Expr]) -> list[tuple[Expr, ...]]:
     """Return sets of expressions; where no factor is zero, those of one set are not negative."""
-    cases: list[tuple[Expr, ...]] = [()]
+    cases = [()]
     for call in factors:
         branches = pieces_of(call)
         margins = [margins for margins, values in branches if values.get(call) != 0]
@@ -371,7 +371,7 @@ def _branches(e: Expr, conditions: tuple = ()) -> list[tuple[tuple, Expr]]:
 
 def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
     """Return sets of expressions that are not negative; in each case one of them holds."""
-    cases: list[tuple[Expr, ...]] = [()]
+    cases = [()]
     for condition, truth in conditions:
         name, arguments = condition.func.__name__, condition.args
         margins: list[tuple[Expr, ...]]

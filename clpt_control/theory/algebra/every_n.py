@@ -27,7 +27,7 @@ import numpy as np
 import sympy
 from sympy import Expr, S, Symbol
 
-from ...engine.record.graph import Ref, Shape
+from ...engine.record.graph import Ref
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import Symbols
 from ...engine.record.unread import Unread
@@ -121,7 +121,7 @@ def _atom(summand: Expr, indices: list[tuple[str, str]]) -> Expr:
     atoms = []
     for order in permutations(indices):
         renamed = {}
-        arguments: list[Symbol] = []
+        arguments = []
         for (old, size), new in zip(order, names, strict=True):
             renamed[old] = new
             arguments += [index_symbol(new), Symbol(size)]
@@ -156,7 +156,7 @@ class EveryN(Symbols):
 
         Along an open axis there is one, the generic element.
         """
-        shape: Shape = getattr(value, "shape", ())
+        shape = getattr(value, "shape", ())
         if not shape:
             return self.at(operand(value), ())
         names = iter(GENERIC)

@@ -277,8 +277,8 @@ def interval(e: Expr) -> Interval:
         return e, e
     ends = [interval(a) for a in e.args]
     # runs begin at t = 0
-    low: Any = S.Zero if e.is_nonnegative or e == TIME else -oo
-    high: Any = S.Zero if e.is_nonpositive else oo
+    low = S.Zero if e.is_nonnegative or e == TIME else -oo
+    high = S.Zero if e.is_nonpositive else oo
     bounds = low, high
     if (range_of := fact_of(e).range) is not None:
         bounds = range_of(*ends)

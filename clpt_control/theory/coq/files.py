@@ -134,7 +134,7 @@ def write_proofs(
     options = (FOLDER / PROJECT).read_text("utf-8").split("\n")[0]
     project = {PROJECT: "\n".join([options, *texts, ""])}
     write_together({folder / name: text for name, text in {**texts, **project}.items()})
-    theorems: list[Theorem] = []
+    theorems = []
     if not shutil.which("coqc"):
         return Proofs([*texts], None, not_written)
     for count, (file, text) in enumerate(texts.items()):

@@ -61,7 +61,7 @@ def _variables(equations: Equations, signals: set[str]) -> list[str]:
     rates, inputs, V, _, jumps = equations
     expressions = [*rates, *inputs, *rates.values(), *jumps.values(), V]
     symbols = {s for e in expressions for s in e.free_symbols if s.is_real}
-    lines: dict[tuple[str, int], str] = {}
+    lines = {}
     for symbol in sorted(symbols, key=str):
         if symbol.is_integer or symbol.name == "t":
             continue

@@ -214,7 +214,7 @@ def design_track(
     designed = after.scenario
     report(1.0)
     # Step 4: report
-    summary: dict[str, Any] = {
+    summary = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "law": scenario.learning.law,

@@ -76,8 +76,8 @@ def default_V(law: Block, N: int) -> LawV:
     learned = _learned(loop, N)
     # gains, and the other terms of the rates
     parameters = {*loop.values}
-    weights: list[Expr] = []
-    terms: dict[Expr, Expr] = {}
+    weights = []
+    terms = {}
     has_gains = True
     for state, rate, product in zip(*learned[1:], strict=True):
         gain = -_coefficient(rate, product, parameters)

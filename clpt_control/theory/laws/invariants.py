@@ -398,7 +398,7 @@ def claims_of(case: Invariants) -> Claims:
         sentence += " where it begins so"
         sizes += " and the parameters as they are"
         start = off_at_zero
-    claims: Claims = {sentence: ("", lambda case: case.broken() or start(case))}
+    claims = {sentence: ("", lambda case: case.broken() or start(case))}
     if not case.is_row:
         claims["what is kept does not repel"] = "", repels
     if case.loop.jumps:

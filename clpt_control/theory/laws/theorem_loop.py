@@ -55,7 +55,7 @@ def theorem_scenario(
     """
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     is_limited = speed != "no limit"
-    settings: dict[str, Any] = {
+    settings = {
         "basis.centers": [[float(k), float(-k)] for k in range(N)],
         "basis.widths": [1.0 + k for k in range(N)],
         "basis.periods": [2.0 + k for k in range(N)],

@@ -46,7 +46,7 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
     """
     rest_state = case.origin
     zero, discrete = dict.fromkeys(case.inputs, sympy.S.Zero), case.eq.discrete
-    rates: Rates = {}
+    rates = {}
     for s, rate in case.eq.motion.items():
         number = rate.xreplace(case.eq.values)
         kept, mark = (rest_state[s], "+") if discrete else (sympy.S.Zero, "'")

@@ -91,7 +91,7 @@ def _traced(
 ) -> tuple[sympy.Expr, list[str]]:
     """Return a function of signals as an expression, and where it may have no value."""
     signals, undefined = signals_by_name(eq), list[str]()
-    shapes: list[tuple[int, ...]] = []  # of V
+    shapes = []  # of V
 
     def refuse_no_number(value: Any) -> None:
         if value is None or isinstance(value, control.InputOutputSystem):

@@ -181,7 +181,7 @@ class InForms(NamedTuple):
 def in_forms(case: Any, definite: Definite) -> InForms | None:
     """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
     coordinates: dict[Any, sympy.Expr] = {}
-    forms: dict[Any, sympy.Expr] = {}
+    forms = {}
     for form in definite.forms:
         states = sorted(form.free_symbols & {*case.motion}, key=str)
         if len(states) < 2 or not form.is_polynomial(*states):

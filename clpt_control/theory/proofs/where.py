@@ -66,7 +66,7 @@ class Where:
             if is_input:
                 self.box[s] = low, high
                 continue
-            share: Any = sympy.Dummy(name, nonnegative=True)
+            share = sympy.Dummy(name, nonnegative=True)
             if low is not None and high is not None:
                 share = CLIP(share, 0, 1) * (high - low)
             self.kept[s] = low, high

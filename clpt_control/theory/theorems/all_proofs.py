@@ -66,7 +66,7 @@ def statements(theorem: str | None = None, law: str | None = None) -> list[State
     """Return one theorem and the misprints, or one law, or all statements."""
     if law is not None:
         return [Statement("laws", law)]
-    names: dict[str, list[str]] = {}
+    names = {}
     if theorem is None:
         names = {room: [*proofs] for room, proofs in PROOFS.items()}
     names["theorems"] = numbers_of(theorem)
