@@ -257,8 +257,8 @@ class Sweep:
                 policy = guard.policy
                 sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
                 if np.isnan(distance):
-                    sentence = f"at t = {t:.9g}: the distance of the guard of {node.name} is not a number"
-                    return distance, "raise", sentence
+                    of = f"at t = {t:.9g}: the distance of the guard of {node.name}"
+                    return distance, "raise", f"{of} is not a number"
         return least, policy, sentence
 
     def distances(self, t: float, x: ndarray, u: External = None) -> dict[int, float]:

@@ -284,7 +284,8 @@ def prepare(solver, times):
 def decide(solver, times, state_row, point):
     """Write decisions, distances and rounding errors at a row of states into a sample point.
 
-    A distance that is not a number is infinite: below 0 if the decision has changed, and of a guard.
+    A distance that is not a number is infinite: below 0 if the decision has changed, and that of
+    a guard.
     """
     Z, P, T, W, D = solver.memory
     shape, points = solver.shape, solver.points

@@ -4,12 +4,13 @@ With d the displacement over ground between two rows of a log, w that through th
 resolution of the positions, a position is
 
     held          where it stays within 3 m of the last fix while the vehicle moves, and then jumps
-    reckoned      where d = w to (0.02 m + |w|/1000 + q): the vehicle's own motion, with jumps at fixes
+    reckoned      where d = w to (0.02 m + |w|/1000 + q): the vehicle's own motion, with jumps at
+                  fixes
     interpolated  where it lies within (0.02 m + q) of a straight line at one velocity; without the
                   vehicle's own motion such lines are reckoned if they end in jumps
 
-The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise of
-some metres, so that positions agree that well by chance only.  So many are asked for that even a
+The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
+of some metres, so that positions agree that well by chance only.  So many are asked for that even a
 noise of 2 m shows them less often than once in 1e7.  Without noise, as in a simulation, the
 vehicle's own motion explains the bends of the lines.
 

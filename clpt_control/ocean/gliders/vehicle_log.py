@@ -310,11 +310,11 @@ def _without_measurement(
 ) -> dict[int, str]:
     """Return the kind of the positions that are no fixes, by line."""
     step, lines, rows = 0j, [], []
-    for line, time, _, reading in readings:
+    for line, moment, _, reading in readings:
         step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
             lines.append(line)
-            rows.append((time, *reading.fix, step))
+            rows.append((moment, *reading.fix, step))
             step = 0j
     time, *position, steps = np.array(rows).reshape(-1, 4).T
     kinds, _ = unmeasured(time.real, np.real(position).T, steps[1:])

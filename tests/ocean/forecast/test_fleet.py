@@ -272,7 +272,7 @@ def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, comman
 def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
     for file in ("an empty file.csv", "replay.nc"):
         (tmp_path / file).write_text("")
-    for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
+    for name, lost in (("a", {"lat_gpse": 92.0}), ("z", {})):
         dive = replace(recent(1, 1.0)[0], vehicle=name, **lost)
         write_dive_table([dive], tmp_path / f"{name}.csv")
     lost, well = json.loads(command("watch", tmp_path, "--fleet", "--json").stdout)[
