@@ -171,7 +171,7 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     """Return whether a step after samples without one covers their time too, by its length."""
     step_time, row_time = with_step.time.diff(), rows.time.diff()[with_step.index]
     length, after = np.hypot(with_step.east, with_step.north), step_time > row_time
-    speed = (length / row_time)[(step_time <= row_time) & (row_time > 0)].median()
+    speed = (length / row_time)[~after & (row_time > 0)].median()
     return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
 

@@ -64,17 +64,22 @@ from .usable_dives import SMALLER
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 SURFACING = 1800.0  # s after a dive in which its current may be dated
-# what attributes of a heading say of its north, without other signs than . , ;
+# what attributes of a heading say of its north, without other signs than . , ; +
 VERB = r"(correct|appl|adjust|compensat|includ|account|remov|add|convert|turn|rotat|plus)\w*"
 ANGLE = r"(declination|variation|true)\b"
-APPLIED = rf"\b(un)?{VERB}( \w+){{0,6}} {ANGLE}|\b{ANGLE}( \w+){{0,4}} (un)?{VERB}"
+WORDS = r"( (\d+\.)?\w+)"
+APPLIED = rf"\b(un)?{VERB}{WORDS}{{0,6}} {ANGLE}|\b{ANGLE}{WORDS}{{0,4}} (un)?{VERB}"
 DENIED = (
-    r"\b(not?|un|without|before|never|needs?|must|should|to)"
-    rf"( (be|been|yet|any|is|was|the|magnetic|declination|variation|further))* ?{VERB}"
-    rf"|\b({VERB}|{ANGLE}) (no|false|0)\b|\b(add|apply|correct|convert|subtract)\b"
+    r"\b(not?|un|without|before|never|needs?|must|should|to|\w*n t|lack\w*|ignor\w*|exclud\w*)"
+    r"( (be|been|has|have|yet|still|any|is|was|the|magnetic|declination|variation|further))*"
+    rf" ?{VERB}|\b({VERB}|{ANGLE}) (no|none|false|0|pending|missing|required|needed)\b"
+    r"|\b(add|apply|correct|convert|subtract)\b"
 )
-NEITHER = r"\bnot? (magnetic|true)\b|\b(magnetic|true|north) (false|no|0)\b"
-NO_NORTH = r"\b(ccw|(counter|anti) ?clockwise|from( the)? (east|south|west))\b"  # both and none
+NEITHER = r"\bnot? (magnetic|true)\b(?! (decl|vari|corr))|\b(magnetic|true|north) (false|no|0)\b"
+NO_NORTH = (  # both and none
+    r"\b(ccw|(counter|anti) ?clockwise|from( the)? (east|south|west))\b"
+    r"|\+ ?(magnetic )?(declination|variation)"
+)
 TRUE = rf"\b(true|geographic)|\b(deg\w*|units) ?t\b|{NO_NORTH}"
 MAGNETIC = rf"\bmag(netic)?\b(?! (declination|variation))|\b(deg|units ?)m\b|{NO_NORTH}"
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
@@ -282,7 +287,7 @@ def _frame(heading: xarray.DataArray) -> str:
     It is true if a correction for the variation was applied, and magnetic if it was not.
     """
     attributes = "; ".join(f"{key} {text}" for key, text in heading.attrs.items())
-    words = re.sub(NEITHER, "", re.sub(r"[^\w.,;]+|_", " ", attributes.lower()))
+    words = re.sub(NEITHER, "", re.sub(r"[^\w.,;+]+|_", " ", attributes.lower()))
     rest = re.sub(APPLIED, "", words)
     corrected, denied = rest != words, re.search(DENIED, words)
     true = re.search(TRUE, rest) or (corrected and not denied)

@@ -646,6 +646,8 @@ STILL_MAGNETIC = [
     {"magnetic_declination_applied": "no"},
     {"comment": "heading before magnetic variation is added"},
     {"comment": "magnetic, not true"},
+    {"comment": "no magnetic declination has been applied"},
+    {"comment": "magnetic; variation correction pending"},
 ]
 UNCLEAR = [
     {"comment": "true heading of the magnetic compass"},
