@@ -69,6 +69,13 @@ def naming(file: object) -> Iterator[None]:
         raise DataError(f"{file}: {error}") from None
 
 
+def refuse_unused(reason: str, before: str = "", **unused: Any) -> None:
+    """Refuse arguments that have no effect; `before` stands before the names of options."""
+    for name, value in unused.items():
+        if value is not None:
+            raise ScenarioError(f"{before}{name}: {reason}")
+
+
 def import_optional(module: str) -> types.ModuleType:
     """Import a module of an optional package, or raise an error with the command to install it."""
     try:

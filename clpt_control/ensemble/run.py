@@ -29,6 +29,7 @@ from ..base.errors import (
     ScenarioError,
     SimulationError,
     import_optional,
+    refuse_unused,
 )
 from ..base.files import check_writable
 from ..base.progress import interrupt, progress_shown, warn
@@ -190,7 +191,7 @@ def run_ensemble(
     }
     if timepts is None or isinstance(system, Scenario):
         remedy = "Leave it out" if isinstance(system, Scenario) else "Give timepts"
-        _refuse(
+        refuse_unused(
             f"is for a diagram, with timepts. {remedy}",
             timepts=timepts,
             summary=summary,
@@ -202,7 +203,9 @@ def run_ensemble(
         loop = loop_of(system)
         varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
-        _refuse("is for a scenario; a diagram has timepts. Leave it out", times=times)
+        refuse_unused(
+            "is for a scenario; a diagram has timepts. Leave it out", times=times
+        )
         run_options |= {"trajectories": trajectories, "summary": summary}
         varied = VariedDiagram(system, varies, timepts, **run_options)
     check_varies(varied, varies)
@@ -291,13 +294,6 @@ def _failure(ensemble: Ensemble, values: Values, m: int, number: int) -> str:
         reason = str(error)
         return reason if reason.startswith(status) else f"{status}: {reason}"
     return status
-
-
-def _refuse(reason: str, **unused: Any) -> None:
-    """Refuse arguments that have no effect here."""
-    for name, value in unused.items():
-        if value is not None:
-            raise ScenarioError(f"{name}: {reason}")
 
 
 def available_threads() -> int:

@@ -147,8 +147,7 @@ def animate(
 
 def check_options(path: str | Path | None, **options: float) -> None:
     """Raise `ClptError` for options that are not allowed, or an animation that is too large."""
-    if path is not None:
-        check_writable(path, "a film", (".gif",))
+    check_writable(path, "a film", (".gif",))
     for name, (low, high) in LIMITS.items():
         if not low <= options[name] <= high:
             raise ClptError(

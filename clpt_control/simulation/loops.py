@@ -3,8 +3,8 @@ r"""The paper's block diagrams, wired with `control.interconnect`.
     reference -> vehicle_controller -> vehicle -> clpe -> adaptation
               \> learning_controller -> learning_model /
 
-`closed_loop` is the system of sections II and III, `error_loop` the error and parameter systems of
-Eqs. (27)-(28), and `team_loop` the closed loops of several vehicles.
+`closed_loop` is the system of sections II and III, or the closed loops of several vehicles, and
+`error_loop` the error and parameter systems of Eqs. (27)-(28).
 """
 
 from collections.abc import Iterable, Mapping
@@ -170,9 +170,9 @@ def closed_loop(
                 f"closed_loop: {wrong[0] if wrong else 'errors'} does not go with "
                 f"{'errors=True' if errors and wrong else 'a team'}. Leave it out"
             )
-        return (
-            team_loop(scenario) if isinstance(scenario, Team) else error_loop(scenario)
-        )
+        if isinstance(scenario, Team):
+            return connect(team_blocks(scenario), name="team")
+        return error_loop(scenario)
     loop = ClosedLoop(scenario, changes_of(law, replace, insert), external)
     diagram = connect(loop.blocks(), external, name="closed_loop")
     diagram.origin = loop
@@ -193,11 +193,6 @@ def error_loop(scenario: Scenario) -> Diagram:
     parameter_system = clpe.parameter_system(N, gains.parameters)
     systems = error_system, parameter_system
     return connect(systems, external=("phi_x", "z", "zc"), name="error_loop")
-
-
-def team_loop(team: Team) -> Diagram:
-    """Wire the closed loops of a team's vehicles, which exchange their estimates."""
-    return connect(team_blocks(team), name="team")
 
 
 def team_blocks(team: Team) -> list[Block]:

@@ -7,26 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import clpt_control as clpt
 
-from ...base.errors import DataError, ScenarioError
-from ...base.files import write_together
-from .printing import (
-    FIGURE,
-    SCENARIO,
-    Json,
-    arg,
-    check_out,
-    draw_figure,
-    finish,
-    flag,
-    opt,
-)
+from ...base.errors import DataError, ScenarioError, refuse_unused
+from ...base.files import check_writable, write_together
+from .printing import FIGURE, SCENARIO, Json, arg, draw_figure, finish, flag, opt
 
 if TYPE_CHECKING:
     import numpy as np
     import xarray
 
 MISSION = "made_auv_mission.csv"
-OF_RUNS = ("every", "prior", "noise", "until")
 
 
 def estimate(
@@ -83,14 +72,9 @@ def estimate(
         clpt estimate fixes.csv --scenario mine.toml --out known.toml
         clpt estimate run.nc --method kalman --out known.toml
     """
-    check_out(out, *SCENARIO)
-    check_out(figure, *FIGURE)
-    check_out(results, "the results", (".nc",))
-    given = {
-        name: value
-        for name, value in locals().items()
-        if value not in (None, False, "kalman")
-    }
+    check_writable(out, *SCENARIO)
+    check_writable(figure, *FIGURE)
+    check_writable(results, "the results", (".nc",))
     options = {"shear": shear, "unmodelled": unmodelled}
     limits = {name: x for name, x in options.items() if x is not None}
     if sample:
@@ -107,10 +91,12 @@ def estimate(
         )
     paths = out, figure, results
     if source.endswith(".nc") and scenario is None:
-        _refuse({**given, **limits}, ("drifter", *limits), "a run")
+        refuse_unused("not with a run", "--", drifter=drifter or None, **limits)
         of_run(Path(source), method, (every, prior, noise), until, paths, as_json)
         return
-    _refuse(given, OF_RUNS, "fixes. Set the keys of the law in the scenario")
+    of_runs = {"every": every, "prior": prior, "noise": noise, "until": until}
+    reason = "not with fixes. Set the keys of the law in the scenario"
+    refuse_unused(reason, "--", **of_runs)
     if scenario is None:
         raise ScenarioError(
             "--scenario: is missing. Give the scenario file with functions and law; for a run give "
@@ -130,13 +116,6 @@ def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
         raise DataError(f"{source}: not with --sample. Leave one out")
     folder = Path(clpt.__file__).parent / "data"
     return str(folder / MISSION), scenario or (folder / MISSION).with_suffix(".toml")
-
-
-def _refuse(given: dict[str, Any], names: tuple[str, ...], what: str) -> None:
-    """Refuse options that do not go with the source."""
-    for name in names:
-        if name in given:
-            raise ScenarioError(f"--{name}: not with {what}")
 
 
 # --- recorded -------------------------------------------------------------------------------------

@@ -77,15 +77,8 @@ def fit(
         if key not in ("theta", "width_units", "speed_units", "notes")
     ]
     missing = not_learned(scenario)
-    sentences = [
-        sentence
-        for sentence in (
-            *fitted.report["notes"],
-            _explained_too_little(fitted.report),
-            missing,
-        )
-        if sentence
-    ]
+    warnings = _explained_too_little(fitted.report), missing
+    sentences = [*fitted.report["notes"], *filter(None, warnings)]
     result = Result(
         f"Wrote {out}, with the field next to it", ["", ""], lines, sentences
     )

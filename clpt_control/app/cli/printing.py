@@ -18,7 +18,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from ...base.errors import SimulationError
-from ...base.files import check_writable, write_file
+from ...base.files import write_file
 from ...base.html import Result
 from ...base.progress import discard, escaped
 
@@ -159,12 +159,6 @@ Formats = Annotated[
 FIGURE = "a figure", (".png", ".pdf", ".svg")
 SCENARIO = "a scenario", (".toml",)
 RUN_FILE = "a run", (".nc",)
-
-
-def check_out(path: Path | None, kind: str, endings: Sequence[str]) -> None:
-    """Refuse, before work begins, a file of a kind that cannot be written, if one is named."""
-    if path is not None:
-        check_writable(path, kind, endings)
 
 
 def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None:

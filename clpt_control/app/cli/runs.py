@@ -31,7 +31,6 @@ from .printing import (
     Window,
     arg,
     cell_text,
-    check_out,
     draw_figure,
     finish,
     flag,
@@ -142,7 +141,7 @@ def run(
 
     kinds = checked_formats(formats or ["png"])
     system = clpt.load_scenario(scenario)
-    check_out(out, *RUN_FILE)
+    check_writable(out, *RUN_FILE)
     folder = None if figures is None else make_folder(figures)
     arguments = recorded_arguments(scenario)
     if "timepts" in arguments:
@@ -309,7 +308,7 @@ def ensemble(
     from ..pages.ensemble_page import percentile_table
 
     experiment = load_vehicle_scenario(scenario)
-    check_out(figure, *FIGURE)
+    check_writable(figure, *FIGURE)
     count = grid_count(read_varies(vary)) if members is None else members
     with progress_bar(f"running {scenario.name}", count, "members") as report:
         data = clpt.run_ensemble(
@@ -392,7 +391,7 @@ def tune(
     from ...paper.scenario.file import load_vehicle_scenario
 
     experiment = load_vehicle_scenario(scenario)
-    check_out(out, *SCENARIO)
+    check_writable(out, *SCENARIO)
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
         tuned = clpt.tune_law(
             experiment,

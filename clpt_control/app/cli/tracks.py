@@ -5,8 +5,8 @@ from typing import Any
 
 import clpt_control as clpt
 
-from ...base.errors import ClptError
-from ...base.files import write_together
+from ...base.errors import ClptError, refuse_unused
+from ...base.files import check_writable, write_together
 from ...base.html import Result
 from ...base.progress import progress_bar
 from ...base.units import at_least, at_most
@@ -19,7 +19,6 @@ from .printing import (
     Start,
     Window,
     cell_text,
-    check_out,
     draw_figure,
     finish,
     flag,
@@ -74,8 +73,8 @@ def excitation(
         options = {**of_bounds, "window": window}
         _bound_errors(scenario, options, figure, as_json)
         return
-    for name in [name for name, value in of_bounds.items() if value is not None]:
-        raise ClptError(f"--{name}: is of --bounds. Give that too, or leave it out")
+    reason = "is of --bounds. Give that too, or leave it out"
+    refuse_unused(reason, "--", **of_bounds)
     from ..pages.results import is_team
 
     source = (
@@ -85,10 +84,9 @@ def excitation(
     )
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle. Leave it out for a team")
-    check_out(figure, *FIGURE)
+    check_writable(figure, *FIGURE)
     excitation = clpt.gramian(source, window, start)
-    if figure is not None:
-        draw_figure(figure, excitation.plot)
+    draw_figure(figure, excitation.plot)
     finish([excitation.result], excitation.report, as_json, figure)
 
 
@@ -99,7 +97,7 @@ def _bound_errors(
     from ...paper.scenario.file import load_vehicle_scenario
     from ...theory.excitation.certify_fixes import FixBounds
 
-    check_out(figure, *FIGURE)
+    check_writable(figure, *FIGURE)
     experiment = load_vehicle_scenario(scenario)
     bounds = clpt.certify(experiment, **given)
     if isinstance(bounds, FixBounds):
@@ -145,8 +143,8 @@ def tune_waypoints(
     if out is None:
         raise ClptError("--waypoints: needs --out. Give the scenario file to write")
     experiment = load_vehicle_scenario(scenario)
-    check_out(out, *SCENARIO)
-    check_out(figure, *FIGURE)
+    check_writable(out, *SCENARIO)
+    check_writable(figure, *FIGURE)
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
         design = clpt.theory.design_track(experiment, **search, progress=report)
     results: dict[Path, Any] = {out: scenario_to_text(design.scenario, out.parent)}

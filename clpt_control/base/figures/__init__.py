@@ -168,8 +168,7 @@ def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Fi
     """Return the figure that a plot draws, without pyplot, for a file or a page."""
     with file_settings():
         axes = plot(*arguments, **keywords)
-    figure = np.ravel(np.asarray(axes, dtype=object))[0].figure
-    return figure
+    return np.ravel(np.asarray(axes, dtype=object))[0].figure
 
 
 def literal(text: str) -> str:

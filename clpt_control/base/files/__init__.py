@@ -214,12 +214,16 @@ def make_folder(path: AnyPath) -> Path:
     return path
 
 
-def check_writable(path: AnyPath, kind: str = "", endings: Sequence[str] = ()) -> None:
+def check_writable(
+    path: AnyPath | None, kind: str = "", endings: Sequence[str] = ()
+) -> None:
     """Refuse, before work begins, a file that could not be written: no folder, or read-only.
 
     The name must have one of the `endings`, if any; `kind` is the kind of file, such as
     "a figure", for the message.
     """
+    if path is None:  # no file is asked for
+        return
     target, _ = _target(path)
     if target.is_dir():
         raise DataError(f"{path}: is a folder. Give another name, or move it away")
