@@ -631,19 +631,20 @@ class FlowEstimator:
         times, *degrees, east, north = np.array(rows).T
         steps = np.diff(east + 1j * north)
         kinds, doubted = unmeasured(times, np.transpose(degrees), steps)
-        rival = self.rival
-        if rival and not np.any(doubted[times > rival.rows[-1][0]]):
-            self.state = rival.state
-        elif not np.any(doubted[-2:]):
-            self.rival = None
+        shown = kinds != ""
+        if rival := self.rival:
+            since = times > rival.rows[-1][0]
+            if np.any(shown[since]) and not np.any(doubted[since]):
+                self.state = rival.state
+            elif not np.any(doubted[-2:]):
+                self.rival = None
         if doubted[-1]:
             self.rival = self.rival or self._with(self.state)
             self.rival.is_screened = False
         elif self.rival:
             self.rival.fix(*position)
         if len(rows) > ROWS:
-            is_run = np.all(doubted[-2:] | (kinds[-2:] != ""))
-            del rows[-2 if is_run else 0]
+            del rows[-2 if np.all(doubted[-2:] | shown[-2:]) else 0]
         self.rows = rows
         return kinds[-1] and f"{kinds[-1]}: {NO_FIX}"
 

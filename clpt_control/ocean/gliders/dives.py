@@ -67,9 +67,6 @@ STEERING = ("course", "speed")
 STRETCH = ("dr_east_m", "dr_north_m")
 YAW = ("yaw", "speed")
 VELOCITY = ("v_east", "v_north")
-STALE = (
-    0.1  # m that a vehicle moved, of which a new fix in 1e-6 degrees shows something
-)
 # m/s by which a file's own current may be off
 MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches

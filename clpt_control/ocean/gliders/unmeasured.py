@@ -32,6 +32,7 @@ DOUBT = (
     "the last positions repeat, or follow the vehicle's own motion: learned as fixes, unless later "
     "ones show that they are none"
 )
+Array = np.ndarray
 JITTER = 3.0  # m, of a position that is held
 MOVED = 0.1  # m that a vehicle moves at least
 STAYS = 30.0  # m that one that keeps its place may seem to move
@@ -42,9 +43,7 @@ RARE, SELDOM = 1e-7, 1e-3  # chances that fixes with that noise agree
 PER_DEGREE = 111e3  # m
 
 
-def unmeasured(
-    time: np.ndarray, positions: np.ndarray, steps: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def unmeasured(time: Array, positions: Array, steps: Array) -> tuple[Array, Array]:
     """Return the kind of each position (n,), "" for a fix, and whether a fix is in doubt.
 
     `positions` (n, 2) are degrees north and east, `steps` (n - 1,) the displacements through the
@@ -55,11 +54,7 @@ def unmeasured(
     q = _resolution(positions)
     for rule in (_held, _reckoned, _interpolated):
         kept = np.flatnonzero(kinds == "")
-        sums = (
-            np.add.reduceat(steps[: kept[-1]], kept[:-1])
-            if kept[1:].size
-            else steps[:0]
-        )
+        sums = np.array([*map(np.sum, np.split(steps, kept[1:])[:-1])], complex)
         kind, found, alike = rule(time[kept], positions[kept], sums, q)
         kinds[kept[found]] = kind
         doubted[kept] |= alike
@@ -80,7 +75,7 @@ def counted(kinds: list[str]) -> str:
     return text * bool(counts)
 
 
-def _resolution(positions: np.ndarray) -> float:
+def _resolution(positions: Array) -> float:
     """Return the resolution of positions (m): that of decimals of degrees or of minutes."""
     for scale in (10.0**digits * parts for digits in range(8) for parts in (1, 6)):
         scaled = positions * scale
@@ -89,13 +84,13 @@ def _resolution(positions: np.ndarray) -> float:
     return 0.0
 
 
-def _is_shown(agrees: np.ndarray, within: float, variance: float) -> bool:
+def _is_shown(agrees: Array, within: float, variance: float) -> bool:
     """Return whether deviations of two normal axes are within a distance too often for chance."""
     chance = -np.expm1(-(within**2) / (2 * variance))
     return np.sum(agrees) > 2 * chance * len(agrees) + log(RARE) / log(min(chance, 0.5))
 
 
-def _moved(positions: np.ndarray) -> np.ndarray:
+def _moved(positions: Array) -> Array:
     """Return the displacements over ground between rows, (n - 1,), m."""
     return np.array(
         [complex(*displacement(*a, *b)) for a, b in pairwise(positions)], complex
@@ -103,8 +98,8 @@ def _moved(positions: np.ndarray) -> np.ndarray:
 
 
 def _held(
-    time: np.ndarray, positions: np.ndarray, steps: np.ndarray, q: float
-) -> tuple[str, np.ndarray, np.ndarray]:
+    time: Array, positions: Array, steps: Array, q: float
+) -> tuple[str, Array, Array]:
     """Return which positions are the last fix held, and which may be."""
     held, alike = np.zeros((2, len(time)), bool)
     jumps: list[bool] = []
@@ -119,7 +114,7 @@ def _held(
         alike[run][1:] = farthest > MOVED
         chance = q * q / (4 * np.pi * QUIETEST**2)
         is_exact = np.all(positions[run] == positions[run.start])
-        is_held = bool(is_exact and chance < 1 and chance ** len(water) < SELDOM)
+        is_held = bool(is_exact and chance ** len(water) < SELDOM)
         if not farthest > (MOVED + 1.5 * q if is_held else STAYS + 3 * q):
             continue
         if k < len(time):
@@ -132,8 +127,8 @@ def _held(
 
 
 def _reckoned(
-    time: np.ndarray, positions: np.ndarray, steps: np.ndarray, q: float
-) -> tuple[str, np.ndarray, np.ndarray]:
+    time: Array, positions: Array, steps: Array, q: float
+) -> tuple[str, Array, Array]:
     """Return which positions are the one before plus the vehicle's own motion.
 
     They are reckoned if that is no chance, or if jumps stand alone between them.
@@ -150,8 +145,8 @@ def _reckoned(
 
 
 def _interpolated(
-    time: np.ndarray, positions: np.ndarray, steps: np.ndarray, q: float
-) -> tuple[str, np.ndarray, np.ndarray]:
+    time: Array, positions: Array, steps: Array, q: float
+) -> tuple[str, Array, Array]:
     """Return which positions are inside straight lines at one velocity, or reckoned.
 
     At the ends of reckoned lines the position jumps.
@@ -164,7 +159,7 @@ def _interpolated(
     ground = np.diff(np.unwrap(positions, axis=0, period=360.0), axis=0) @ size
     moved = _moved(positions)
 
-    def bends(moved: np.ndarray) -> np.ndarray:
+    def bends(moved: Array) -> Array:
         weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
         return np.abs(np.diff(moved / spans)) * weights
 

@@ -310,14 +310,14 @@ def _without_measurement(
 ) -> dict[int, str]:
     """Return the kind of the positions that are no fixes, by line."""
     step, lines, rows = 0j, [], []
-    for line, moment, _, reading in readings:
+    for line, time, _, reading in readings:
         step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
             lines.append(line)
-            rows.append((moment, *reading.fix, step))
+            rows.append((time, *reading.fix, step))
             step = 0j
-    time, *position, steps = np.array(rows).reshape(-1, 4).T
-    kinds, _ = unmeasured(time.real, np.real(position).T, steps[1:])
+    times, *position, steps = np.array(rows).reshape(-1, 4).T
+    kinds, _ = unmeasured(times.real, np.real(position).T, steps[1:])
     return dict(zip(lines, kinds.tolist(), strict=True))
 
 
