@@ -256,7 +256,7 @@ class FlowEstimator:
             results = {"forecast": ahead, "error_east": east, "error_north": north}
         elif leg is not None:
             results["note"] = self._unknown(leg, t)
-        begins_again = Leg(t, [float(x) for x in place], t)
+        begins_again = Leg(t, place.tolist(), t)
         if begins_again not in self._open():
             results |= self._learn(begins_again, leg)
         if self.is_everywhere:
@@ -662,15 +662,12 @@ class FlowEstimator:
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
 
-    def _bend(self, leg: Leg) -> float:
-        """Return the error of a way that may have been bent, length."""
-        return self.track.bend(leg, self.fastest) * self.settings.bent
-
     def _terms(self, leg: Leg, m: np.ndarray, Y: np.ndarray, turn: Turn) -> Regression:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
         noise = self.settings.noise_of(duration)
-        return Regression(Y, m, duration, noise, self._bend(leg), turn, self.theta)
+        bend = self.track.bend(leg, self.fastest) * self.settings.bent
+        return Regression(Y, m, duration, noise, bend, turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""

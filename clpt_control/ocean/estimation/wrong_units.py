@@ -11,8 +11,8 @@ from the other legs, over its noise (the sums R are PRESS: D. M. Allen, Technome
 are better by a factor.
 
 Where one part of w is over ground, speed or course, that part is g's to the noise, and the flow is
-the one that the other part shows.  Legs of one course do not show it.  If both are over
-ground, g - w is the noise of the fixes, without a flow: no sea is so still.
+the one that the other part shows.  Legs of one course do not show it.  If both are over ground,
+g - w is the noise of the fixes, without a flow: no sea is so still.
 """
 
 from collections.abc import Callable, Sequence

@@ -3,20 +3,20 @@
 With d the displacement over ground between two rows of a log, w that through the water and q the
 resolution of the positions, a position is
 
-    held          where it stays within 3 m of the last fix while the vehicle moves, and then jumps
-    reckoned      where d = w to (0.02 m + |w|/1000 + q): the vehicle's own motion, with jumps at
-                  fixes
-    interpolated  where it lies within (0.02 m + q) of a straight line at one velocity; without the
-                  vehicle's own motion such lines are reckoned if they end in jumps
+    held          if it stays within 3 m of the last fix while the vehicle moves, and then jumps
+    reckoned      if d = w to (0.02 m + |w|/1000 + q): the vehicle's own motion
+    interpolated  if it lies within (0.02 m + q) of a straight line at one velocity
+
+Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
 
 The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
-of some metres, so that positions agree that well by chance only.  So many are asked for that even a
-noise of 2 m shows them less often than once in 1e7.  Without noise, as in a simulation, the
-vehicle's own motion explains the bends of the lines.
+of metres, so that positions agree that well by chance only.  A rule asks for so many that noise of
+2 m shows them less often than once in 1e7, or for jumps that no current makes.  Without noise, as
+in a simulation, the vehicle's own motion explains the bends of the lines.
 
-A vehicle that keeps its place goes on from it as its motion through the water says; one whose
-position is held appears elsewhere.  Before that a position may be either: it is in doubt, and a
-live estimator decides when it knows (`FlowEstimator.fix`).
+A vehicle that keeps its place leaves it as its motion through the water says; a held position
+jumps.  Before that a position is in doubt: a live estimator learns it, and takes it back later
+(`FlowEstimator.fix`).
 """
 
 from collections import Counter
@@ -29,8 +29,8 @@ from ...base.geodesy import displacement
 
 NO_FIX = "the position carries no measurement and is no fix"
 DOUBT = (
-    "the last positions repeat, or follow the vehicle's own motion: learned as fixes, unless later "
-    "ones show that they are none"
+    "the last positions repeat, or follow the vehicle's own motion: learned as fixes until "
+    "later positions show a jump"
 )
 Array = np.ndarray
 JITTER = 3.0  # m, of a position that is held
@@ -52,12 +52,12 @@ def unmeasured(time: Array, positions: Array, steps: Array) -> tuple[Array, Arra
     kinds = np.full(len(time), "", dtype=object)
     doubted = np.zeros(len(time), bool)
     q = _resolution(positions)
-    for rule in (_held, _reckoned, _interpolated):
-        kept = np.flatnonzero(kinds == "")
-        sums = np.array([*map(np.sum, np.split(steps, kept[1:])[:-1])], complex)
-        kind, found, alike = rule(time[kept], positions[kept], sums, q)
-        kinds[kept[found]] = kind
-        doubted[kept] |= alike
+    for rule in (_repeated, _reckoned, _interpolated) if len(time) else ():
+        rows = np.flatnonzero(kinds == "")
+        sums = np.array([*map(np.sum, np.split(steps, rows[1:])[:-1])], complex)
+        kind, members, candidates = rule(time[rows], positions[rows], sums, q)
+        kinds[rows[members]] = kind
+        doubted[rows] |= candidates
     return kinds, doubted & (kinds == "")
 
 
@@ -84,9 +84,9 @@ def _resolution(positions: Array) -> float:
     return 0.0
 
 
-def _is_shown(agrees: Array, within: float, variance: float) -> bool:
+def _is_shown(agrees: Array, tolerance: float, variance: float) -> bool:
     """Return whether deviations of two normal axes are within a distance too often for chance."""
-    chance = -np.expm1(-(within**2) / (2 * variance))
+    chance = -np.expm1(-(tolerance**2) / (2 * variance))
     return np.sum(agrees) > 2 * chance * len(agrees) + log(RARE) / log(min(chance, 0.5))
 
 
@@ -97,11 +97,11 @@ def _moved(positions: Array) -> Array:
     )
 
 
-def _held(
+def _repeated(
     time: Array, positions: Array, steps: Array, q: float
 ) -> tuple[str, Array, Array]:
     """Return which positions are the last fix held, and which may be."""
-    held, alike = np.zeros((2, len(time)), bool)
+    repeated, candidates = np.zeros((2, len(time)), bool)
     jumps: list[bool] = []
     begin = 0
     for k in range(1, len(time) + 1):
@@ -111,7 +111,7 @@ def _held(
         run, begin = slice(begin, k), k
         water = np.cumsum(steps[run][: k - run.start - 1])
         farthest = np.max(np.abs(water), initial=0.0)  # NaN if not known
-        alike[run][1:] = farthest > MOVED
+        candidates[run][1:] = farthest > MOVED
         chance = q * q / (4 * np.pi * QUIETEST**2)
         is_exact = np.all(positions[run] == positions[run.start])
         is_held = bool(is_exact and chance ** len(water) < SELDOM)
@@ -122,8 +122,8 @@ def _held(
             off = abs(jump - steps[k - 1] + water[-1] * share)
             is_held |= bool(off > min(0.5 * farthest, WANDERS) + STAYS + 3 * q)
             jumps.append(is_held)
-        held[run][1:] = is_held or (k == len(time) and 2 * sum(jumps) > len(jumps))
-    return "held", held, alike
+        repeated[run][1:] = is_held or (k == len(time) and 2 * sum(jumps) > len(jumps))
+    return "held", repeated, candidates
 
 
 def _reckoned(
@@ -135,13 +135,13 @@ def _reckoned(
     """
     size = np.abs(steps)
     off = np.abs(_moved(positions) - steps)
-    within = np.minimum(EXACT + 1e-3 * size, 0.3) + 1.25 * q
-    agrees = (off <= within) & (size > MOVED)
-    alone = agrees[:-2] & agrees[2:] & (off > 10 * within)[1:-1]
-    widest = np.nanmax(within, initial=EXACT)
+    tolerance = np.minimum(EXACT + 1e-3 * size, 0.3) + 1.25 * q
+    agrees = (off <= tolerance) & (size > MOVED)
+    alone = agrees[:-2] & agrees[2:] & (off > 10 * tolerance)[1:-1]
+    widest = np.nanmax(tolerance, initial=EXACT)
     is_shown = np.sum(alone) > 1 or _is_shown(agrees, widest, 2 * QUIETEST**2)
-    alike = np.append(False, agrees)[: len(time)]
-    return "reckoned", alike & is_shown, alike
+    candidates = np.append(False, agrees)
+    return "reckoned", candidates & is_shown, candidates
 
 
 def _interpolated(
@@ -151,9 +151,7 @@ def _interpolated(
 
     At the ends of reckoned lines the position jumps.
     """
-    none = np.zeros(len(time), bool)
-    if len(time) < 4:
-        return "", none, none
+    empty = np.zeros(len(time), bool)
     spans = np.diff(time)
     size = PER_DEGREE * np.array([1j, np.cos(np.radians(positions[:, 0].mean()))])
     ground = np.diff(np.unwrap(positions, axis=0, period=360.0), axis=0) @ size
@@ -163,18 +161,18 @@ def _interpolated(
         weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
         return np.abs(np.diff(moved / spans)) * weights
 
-    within = EXACT + q
-    inner = np.pad(np.minimum(bends(ground), bends(moved)) <= within, 1)
+    tolerance = EXACT + q
+    inner = np.pad(np.minimum(bends(ground), bends(moved)) <= tolerance, 1)
     ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-    unexplained = bends(moved - np.nan_to_num(steps)) > 2 * within
+    unexplained = bends(moved - np.nan_to_num(steps)) > 2 * tolerance
     if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
-        return "", none, none
+        return "", empty, empty
     # steps between two lines that no turn from one to the other makes
     velocity = moved / spans
     change = np.abs(np.diff(velocity))
     detour = change[:-1] + change[1:] - np.abs(velocity[2:] - velocity[:-2])
     is_jump = inner[:-3] & ~inner[1:-2] & ~inner[2:-1] & inner[3:]
-    if np.sum(is_jump & (detour * spans[1:-1] > 20 * within)) > 1:
-        return "reckoned", inner | np.append(False, inner[:-1]), none
-    inner &= _is_shown(inner, within, 1.5 * QUIETEST**2)
-    return "interpolated", inner, none
+    if np.sum(is_jump & (detour * spans[1:-1] > 20 * tolerance)) > 1:
+        return "reckoned", inner | np.append(False, inner[:-1]), empty
+    inner &= _is_shown(inner, tolerance, 1.5 * QUIETEST**2)
+    return "interpolated", inner, empty

@@ -305,20 +305,16 @@ def _readings(
             yield line, moment[0], "", rows.read(*moment, line in in_order)
 
 
-def _without_measurement(
-    readings: list[tuple[int, float, str, Reading]],
-) -> dict[int, str]:
-    """Return the kind of the positions that are no fixes, by line."""
-    step, lines, rows = 0j, [], []
-    for line, time, _, reading in readings:
+def _kinds_of(readings: list[tuple[int, float, str, Reading]]) -> list[str]:
+    """Return the kind of each position, empty for a fix."""
+    step, rows = 0j, []
+    for _, time, _, reading in readings:
         step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
-            lines.append(line)
             rows.append((time, *reading.fix, step))
             step = 0j
     times, *position, steps = np.array(rows).reshape(-1, 4).T
-    kinds, _ = unmeasured(times.real, np.real(position).T, steps[1:])
-    return dict(zip(lines, kinds.tolist(), strict=True))
+    return unmeasured(times.real, np.real(position).T, steps[1:])[0].tolist()
 
 
 def _legs_of(
@@ -329,7 +325,8 @@ def _legs_of(
     rows, track, number = LogRows(), None, 0
     left_out: list[str] = []
     readings = [*_readings(moments, rows)]
-    kinds = _without_measurement(readings)
+    kinds = _kinds_of(readings)
+    remaining = iter(kinds)
     for line, time, fault, reading in readings:
         where = f"{path}, line {line}"
         if fault:
@@ -346,17 +343,15 @@ def _legs_of(
             if reading.unknown and not track.unknown:
                 track.unknown = f"{where}: {reading.unknown} before it"
             track.stretch(time, *(reading.moved or (0.0, 0.0)))
-        if reading.fix is not None:
+        if reading.fix is not None and not next(remaining):
             dated = (time, *reading.fix)
-            if kinds[line]:
-                continue
             if track is not None:
                 number += 1
                 legs.append(track.leg(number, dated))
             track = Way(dated)
     dropped = f"{path}: {rows.dropped} fixes at the time of another are left out"
     left_out += [f"{dropped}. Give the time of day"] * rows.dropped
-    if why := counted([*kinds.values()]):
+    if why := counted(kinds):
         legs.append(Skipped(None, f"{path}: {why}"))
     if rows.dropped:
         legs.append(Skipped(None, dropped))
