@@ -378,9 +378,11 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
         return value
     value = without_mask(value)
     with suppress(Exception):  # of a user's object
-        if attribute_of(attribute_of(value, "dtype"), "kind", "-") in "cmM":
+        array = np.asarray([] if value is None else value)
+        texts = (isinstance(item, str) for item in array.flat)
+        if array.dtype.kind in "cmMUS" or (array.dtype.kind == "O" and any(texts)):
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
-        array = np.asarray([] if value is None else value, dtype=float)
+        array = array.astype(float, copy=False)
         sizes = array.shape[max(array.ndim - len(last), 0) :]
         if all(
             required in (None, size)

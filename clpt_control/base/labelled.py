@@ -4,22 +4,25 @@
 
     dict, xarray.Dataset, response     a value for each name, with times of its own
     dimension or column time, or t     times of the samples
-    decimal numbers                    times of the samples, but of a single time in order
-    whole numbers of a table's index   times if they are those of the run, or called time
-    other numbers                      the order of signals
+    dates, timedelta                   times of the samples, in the unit of the run's time
+    decimal numbers of a table         times of the samples, if its index has no other name
+    whole numbers of a table           times of the samples if they are those of the run
+    other numbers                      the order of signals, counted from 0 or 1
     texts                              names of signals
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import control
 import numpy as np
 
-from .arguments import attribute_of, numbers
+from .arguments import attribute_of, has, nearest, numbers
 from .errors import ArgumentError, SimulationError
+from .units import SECONDS, short_unit
 
 TIME = "time", "t"
+SECOND = np.timedelta64(1, "s")
 
 
 class Labelled(NamedTuple):
@@ -34,149 +37,236 @@ class Labelled(NamedTuple):
         """Return the values in the order of labels; refuse other names."""
         if self.names is None:
             return self.values
-        if sorted(self.names) != sorted(labels):
-            raise ArgumentError(
-                f"{argument}: has the names {', '.join(self.names)}; must be {', '.join(labels)}"
-            )
+        for name in self.names:
+            if name not in labels:
+                raise ArgumentError(
+                    f"{argument}: '{name}' is none of its signals. {known(name, labels)}"
+                )
+        check_complete(argument, labels, self.names, self.names)
         return self.values[[self.names.index(label) for label in labels]]
 
 
-def labelled(argument: str, value: Any, at: Any = None) -> Any:
-    """Return values with names as a dict, with times alone as `Labelled`, others as they are.
+class Clock:
+    """Reader of labels that are times; a run's times are numbers in a unit.
 
-    Samples may be `at` the times of a run, or have their own; values are of one time without.
+    `at` has the times given, in this unit; samples without labels are at these.  Dates count from
+    the first time given if that is a date, otherwise from the first date of the samples, at which
+    all of them must begin.
     """
-    if isinstance(value, Labelled):
-        return value
+
+    def __init__(self, timepts: Any, unit: str = "s"):
+        self.unit = unit
+        self.zero: Any = None  # the date of t = 0
+        self.is_dated: bool | None = None  # whether labels are dates
+        labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
+        self.has_zero = labels.dtype.kind == "M"
+        if labels.dtype.kind in "mM":
+            timepts = self.numbers("timepts", labels)
+        self.at = np.atleast_1d(numbers("timepts", timepts))
+
+    def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
+        """Return times as numbers."""
+        is_dated = labels.dtype.kind == "M"
+        if self.is_dated not in (None, is_dated):
+            raise SimulationError(
+                f"{argument}: dates and numbers are given as times. Give one kind"
+            )
+        self.is_dated = is_dated
+        if is_dated:
+            self.zero = labels[0] if self.zero is None else self.zero
+            if labels[0] != self.zero and not self.has_zero:
+                raise SimulationError(
+                    f"{argument}: begins at {labels[0]}, other data at {self.zero}. "
+                    "Give timepts as dates, of which the first is t = 0"
+                )
+            labels = labels - self.zero
+        if labels.dtype.kind == "m":
+            labels = labels / SECOND / SECONDS[self.unit]
+        return labels.astype(float)
+
+    def read(self, argument: str, labels: np.ndarray, unit: str = "") -> np.ndarray:
+        """Return the times of samples as increasing numbers."""
+        if labels.dtype.kind not in "iufmM":
+            raise ArgumentError(
+                f"{argument}: its times must be numbers, or dates without a time zone"
+            )
+        if unit and short_unit(unit) != self.unit:
+            raise ArgumentError(
+                f"{argument}: its times are in '{unit}', those of the run in '{self.unit}'. "
+                "Convert one of them"
+            )
+        if len(labels) and labels[0] > labels[-1]:
+            labels = labels[::-1]
+        is_ordered = (labels[1:] >= labels[:-1]).all()
+        if not (len(labels) and np.isfinite(labels).all() and is_ordered):
+            raise SimulationError(f"{argument}: its times must be finite and in order")
+        return self.numbers(argument, labels)
+
+
+def known(name: str, names: Iterable[str]) -> str:
+    """Return a sentence on the names that are known, the nearest one if there is one."""
+    close = nearest(name, names)
+    return (
+        f"Did you mean '{close}'?" if close else f"It has {', '.join(names) or 'none'}"
+    )
+
+
+def check_complete(
+    argument: str, labels: Iterable[str], found: Collection, given: Iterable
+) -> None:
+    """Refuse data of `given` names in which a label was not found."""
+    for label in labels:
+        if label not in found:
+            raise SimulationError(
+                f"{argument}: has no signal '{label}', but {', '.join(map(str, given))}. "
+                f"Give a dict by name, {{'{label}': values}}"
+            )
+
+
+def unlabelled(argument: str, value: Any) -> np.ndarray:
+    """Return an array of numbers; refuse labels, which it would lose."""
+    if axes_of(value):
+        raise ArgumentError(
+            f"{argument}: must be an array without labels. Give .to_numpy()"
+        )
+    return numbers(argument, value)
+
+
+def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
+    """Return values with names as a dict, other rows as a list of `Labelled`, arrays as they are.
+
+    Samples are read by a clock; values are of one time without, and rows are then arrays.
+    """
     if isinstance(value, control.TimeResponseData):
-        value = _signals_of(argument, value)
-    elif isinstance(value, Mapping):
-        value = {
-            name: _read(f"{argument}['{name}']", inner, at)
+        return _signals_of(argument, value, clock)
+    if isinstance(value, Mapping):
+        return {
+            name: _read(f"{argument}['{name}']", inner, clock)
             for name, inner in value.items()
         }
-    elif isinstance(value, list | tuple):
-        arrays = [row for row in value if not np.isscalar(row)]
-        if not any(isinstance(row, Labelled) or _axes(row) for row in arrays):
+    if isinstance(value, list | tuple):
+        if all(map(np.isscalar, value)):
             return value
-        value = [_read(argument, row, at) for row in value]
-        if any(row.names for row in value):
+        rows = [_read(argument, row, clock) for row in value]
+        if any(row.names for row in rows):
             raise ArgumentError(
                 f"{argument}: is a list of values with names. Give a dict by name"
             )
-        return value if at is not None else [row.values for row in value]
-    elif _axes(value) is not None:
-        read = _read(argument, value, at)
-        if read.names is None:
-            return read.values if read.times is None else read
-        rows = zip(read.names, read.values, strict=True)
-        return {name: read._replace(values=row, names=None) for name, row in rows}
-    return value
-
-
-def sampled_at(argument: str, value: Any, at: np.ndarray) -> Any:
-    """Return a value of which samples without times are at these times."""
-    if isinstance(value, control.TimeResponseData):
+        return [row.values for row in rows] if clock is None else rows
+    if axes_of(value) is None:
         return value
-    value = labelled(argument, value, at)
-    if isinstance(value, dict):
-        return {name: sampled_at(argument, row, at) for name, row in value.items()}
-    if not isinstance(value, Labelled):
-        if isinstance(value, list | tuple) and any(map(np.ndim, value)):
-            return [sampled_at(argument, row, at) for row in value]
-        if value is None or callable(value):
-            return value
-        value = Labelled(numbers(argument, value))
-    if value.times is None and value.values.shape[-1:] == at.shape:
-        return value._replace(times=at)
-    return value if value.times is not None or value.values.ndim > 1 else value.values
+    read = _read(argument, value, clock)
+    if read.names is None:
+        return read.values if clock is None else [read]
+    rows = zip(read.names, read.values, strict=True)
+    return {name: read._replace(values=row, names=None) for name, row in rows}
 
 
-def _axes(value: Any) -> list[tuple[Any, Any]] | None:
-    """Return name and labels of each dimension of an array of xarray or pandas."""
+def own_times(given: Any) -> np.ndarray:
+    """Return all times of values that `labelled` returned, in order."""
+    rows = given.values() if isinstance(given, dict) else given
+    rows = rows if np.iterable(rows) else []
+    own = [row.times for row in rows if getattr(row, "times", None) is not None]
+    return np.unique(np.concatenate([[], *own]))
+
+
+def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
+    """Return name, labels and unit of each dimension of an array of xarray or pandas."""
     coordinates = attribute_of(value, "coords")
     if coordinates is not None:
         axes = []
         for dim in value.dims:
-            for name in (*TIME, dim):
-                if name in coordinates and coordinates[name].dims == (dim,):
-                    axes.append((name, coordinates[name].values))
-                    break
+            names = [
+                name
+                for name in (*TIME, dim)
+                if name in coordinates and coordinates[name].dims == (dim,)
+            ]
+            if names:
+                labels = coordinates[names[0]]
+                axes.append((names[0], labels.values, labels.attrs.get("units", "")))
             else:
-                axes.append((dim, None))
+                axes.append((dim, None, ""))
         return axes
     if attribute_of(value, "iloc") is None:
         return None
     axes = []
     for index in value.axes:
         labels, name = index.to_numpy(), index.name
+        if name in (None, *TIME) and labels.dtype.kind == "f":
+            name = TIME[0]
         if type(index).__name__ == "RangeIndex" and name not in TIME:
             labels = None if index.start == 0 and index.step == 1 else labels
-        axes.append((name, labels))
+        axes.append((name, labels, ""))
     return axes
 
 
-def _read(argument: str, value: Any, at: Any) -> Labelled:
-    """Return a value with its labels, signals first and samples last."""
-    if isinstance(value, Labelled):
-        return value
+def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
+    """Return a value with its labels: names first, then signals by number, samples last."""
     is_table = attribute_of(value, "iloc") is not None
     if is_table and TIME[0] in getattr(value, "columns", ()):
         value = value.set_index(TIME[0])
-    axes = _axes(value)
-    array = numbers(argument, value if axes is None else value.to_numpy())
-    times = names = time_axis = name_axis = None
-    for k, (dim, labels) in enumerate(axes or ()):
+    axes = axes_of(value)
+    if axes is None:
+        return Labelled(numbers(argument, value))
+    array = numbers(argument, value.to_numpy())
+    times = names = labels = None
+    ranks = []  # of the dimensions
+    for k, (dim, labels, unit) in enumerate(axes):
         kind = "" if labels is None else labels.dtype.kind
-        if at is not None and kind and kind in "fmM":
+        is_index = is_table and clock is not None and kind in ("i", "u")
+        if is_index and np.array_equal(labels, clock.at):
             dim = TIME[0]
-        if is_table and at is not None and kind and kind in "iu" and dim not in TIME:
-            if not np.array_equal(labels, at):
-                raise ArgumentError(
-                    f"{argument}: its index has whole numbers. Name it time if they are times, or "
-                    "give .to_numpy()"
-                )
-            dim = TIME[0]
-        if dim in TIME:
-            if time_axis is not None or at is None:
+        if dim in TIME or kind in ("m", "M"):
+            ranks.append(2)
+            if clock is None:
                 raise SimulationError(
-                    f"{argument}: has values at several times. Give those of one"
+                    f"{argument}: has values over time. Give those of one time"
                 )
-            time_axis = k
             if labels is not None:
-                times = _checked(argument, labels)
-                array = array if np.array_equal(times, labels) else np.flip(array, k)
-        elif labels is not None and all(isinstance(label, str) for label in labels):
-            names, name_axis = [*map(str, labels)], k
-        elif kind and kind in "iuf":
-            array = np.take(array, np.argsort(labels, kind="stable"), k)
-        elif kind:
-            raise ArgumentError(
-                f"{argument}: labels of a dimension must be names, or numbers, of one level"
-            )
-        if labels is not None and dim not in TIME and len({*labels}) < len(labels):
-            raise ArgumentError(f"{argument}: a label is given twice")
-    order = sorted(range(array.ndim), key=lambda k: (k == time_axis) - (k == name_axis))
-    units = attribute_of(value, "attrs", {}).get("units", "")
-    return Labelled(array.transpose(order), times, names, units)
-
-
-def _checked(argument: str, labels: np.ndarray) -> np.ndarray:
-    """Return times as increasing numbers."""
-    if labels.dtype.kind not in "iuf":
+                times = clock.read(argument, labels, unit)
+                array = np.flip(array, k) if labels[0] > labels[-1] else array
+        elif kind and all(isinstance(label, str) for label in labels):
+            ranks.append(0)
+            names = [*map(str, labels)]
+            if len({*names}) < len(names):
+                raise ArgumentError(f"{argument}: a label is given twice")
+        else:
+            ranks.append(1)
+            if labels is not None:
+                order = None if is_index or dim == "member" else _order(labels)
+                if order is None:
+                    raise ArgumentError(
+                        f"{argument}: labels of {dim or 'its index'} are no names and do not count signals. If "
+                        "they are times, call them time, without a time zone; else give .to_numpy()"
+                    )
+                array = np.take(array, order, k)
+    if len({*ranks}) < len(ranks):
         raise ArgumentError(
-            f"{argument}: its times are dates or texts. Give numbers, in the unit of the run's time"
+            f"{argument}: has several dimensions of signals or of times. Give one of each"
         )
-    times = labels.astype(float)
-    times = times[::-1] if times[:1] > times[-1:] else times
-    if not (np.isfinite(times).all() and (np.diff(times) >= 0).all()):
-        raise SimulationError(f"{argument}: its times must be finite and in order")
-    return times
+    array = array.transpose(sorted(range(array.ndim), key=ranks.__getitem__))
+    if clock is not None and ranks == [1] and labels is not None:
+        array = array[:, None]  # one time
+    units = "" if is_table else str(value.attrs.get("units", ""))
+    return Labelled(array, times, names, units)
 
 
-def _signals_of(argument: str, response: Any) -> dict[str, Labelled]:
+def _order(labels: np.ndarray) -> np.ndarray | None:
+    """Return the order of labels that count from 0 or 1, None of others."""
+    if labels.dtype.kind not in "iuf":
+        return None
+    order = np.argsort(labels)
+    counts = {*(labels[order] - np.arange(len(labels))).tolist()}
+    return order if counts in ({0}, {1}) else None
+
+
+def _signals_of(
+    argument: str, response: Any, clock: Clock | None
+) -> dict[str, Labelled]:
     """Return the signals of a response with one trace, by name."""
-    times = np.asarray(response.time, dtype=float)
+    if clock is None:
+        raise SimulationError(f"{argument}: is a response. Give values of one time")
+    times = clock.read(argument, np.asarray(response.time))
     signals: dict[str, Labelled] = {}
     for labels, values in (
         (response.input_labels, response.u),
@@ -188,7 +278,7 @@ def _signals_of(argument: str, response: Any) -> dict[str, Labelled]:
         if values.ndim == 3 and values.shape[1] != 1:
             raise SimulationError(
                 f"{argument}: the response has {values.shape[1]} traces. Give one: "
-                "control.TimeResponseData(r.time, r.outputs[:, 0], inputs=r.inputs[:, 0])"
+                "control.TimeResponseData(r.time, r.y[:, 0], output_labels=r.output_labels, issiso=False)"
             )
         rows = values.reshape(len(values), -1)
         signals |= {

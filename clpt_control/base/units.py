@@ -89,7 +89,7 @@ def at_least(bound: float, digits: int = 4) -> str:
     return at_most(bound, digits, ROUND_FLOOR)
 
 
-def _short(word: str) -> str:
+def short_unit(word: str) -> str:
     """Return the symbol of a unit by its name or symbol."""
     word = word.strip().lower()
     single = word.removesuffix("s") if len(word) > 2 else word
@@ -102,7 +102,7 @@ def length_in_metres(unit: str, where: str) -> float:
     >>> length_in_metres("km", "x"), length_in_metres("Meters", "depth")
     (1000.0, 1.0)
     """
-    size = METRES.get(_short(unit))
+    size = METRES.get(short_unit(unit))
     if size is None:
         raise DataError(
             f"{where} has units '{unit}'; use a unit such as 'm', 'km' or 'cm'"
@@ -116,7 +116,7 @@ def time_in_seconds(unit: str, where: str) -> float:
     >>> time_in_seconds("hours since 2019-01-01", "time")
     3600.0
     """
-    size = SECONDS.get(_short(unit.split(" since ")[0]))
+    size = SECONDS.get(short_unit(unit.split(" since ")[0]))
     if size is None:
         raise DataError(
             f"{where} has units '{unit}'; use a unit such as 's', 'min', 'h' or 'd'"
@@ -130,11 +130,11 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     >>> speed_in_metres_per_second("cm s-1", "u")
     0.01
     """
-    if _short(unit) == "knot":
+    if short_unit(unit) == "knot":
         return KNOT
     match = SPEED.fullmatch(unit)
     length, time = (
-        (_short(word) for word in match.groups() if word) if match else ("", "")
+        (short_unit(word) for word in match.groups() if word) if match else ("", "")
     )
     if length in METRES and time in SECONDS:
         return METRES[length] / SECONDS[time]

@@ -72,7 +72,7 @@ def run_ensemble(
     seed: Seed = 0,
     out: str | Path | None = None,
     *,
-    timepts: Sequence[float] | np.ndarray | None = None,
+    timepts: Any = None,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,

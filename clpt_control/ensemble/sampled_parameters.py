@@ -33,6 +33,7 @@ import numpy as np
 from ..base.arguments import brief, nearest
 from ..base.errors import ScenarioError
 from ..base.html import shortened
+from ..base.labelled import axes_of, unlabelled
 from .members import Values, Varied
 
 FORMS = (
@@ -93,7 +94,9 @@ def _of_item(key: str, values: Any) -> Vary:
                 text = f"{key}~{values.dist.name}({', '.join(words)})"
                 return Vary(key, "drawn", (values,), text)
         elif np.ndim(values) and len(values):
-            levels = np.asarray(values)
+            levels = (
+                np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
+            )
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
             return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
     except (TypeError, ValueError, AttributeError):
@@ -103,6 +106,11 @@ def _of_item(key: str, values: Any) -> Vary:
 
 def read_varies(vary: str | Iterable[str] | Mapping[str, Any]) -> tuple[Vary, ...]:
     """Return the sampled parameters of `vary` in any of its forms."""
+    if axes_of(vary) is not None:
+        raise ScenarioError(
+            "vary: a table of members is no grid. Give a dict, {'k': values}, for a grid, or call "
+            "clpt.prepare for each row"
+        )
     if isinstance(vary, Mapping):
         varies = [_of_item(key, value) for key, value in vary.items()]
     else:

@@ -17,8 +17,9 @@ from ..base.html import asset
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
+from ..engine.diagram.wiring import vector_by_name
 from ..engine.model.declaration import Each
-from ..engine.model.ports import bare_labels, vector_by_name
+from ..engine.model.ports import bare_labels
 from .diagram_runs import CompiledRun, DiagramRun
 from .requests import as_diagram, stacked_state
 

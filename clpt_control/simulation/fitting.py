@@ -16,13 +16,14 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import brief, numbers, public
+from ..base.arguments import brief, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
-from ..base.labelled import Labelled, labelled, sampled_at
+from ..base.labelled import Clock, Labelled, axes_of, labelled, unlabelled
 from ..engine.model.ports import ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
+from .requests import as_diagram, clock_of
 from .sensitivities import RunWithDerivatives, SensitivityRun
 from .sensitivity_names import varied_numbers
 
@@ -205,7 +206,7 @@ class FitProblem:
         for name, value in parameters.items():
             start, *bounds = value if isinstance(value, tuple) else (value,)
             row = [start, *(bounds or (-np.inf, np.inf))]
-            row = [np.ravel(numbers(name, bound)) for bound in row]
+            row = [np.ravel(unlabelled(name, bound)) for bound in row]
             count = len(varied_numbers(name, self.run.wiring, self.run.states))
             if not _is_valid(row, count):
                 what = "a number" if count == 1 else f"{count} numbers"
@@ -382,7 +383,7 @@ def fit_parameters(
     system: Scenario | control.InputOutputSystem,
     data: Any,
     parameters: Mapping[str, Any],
-    timepts: Sequence[float] | np.ndarray | None = None,
+    timepts: Any = None,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,
@@ -430,9 +431,8 @@ def fit_parameters(
     >>> {name: round(value, 2) for name, value in fit.values.items()}
     {'k': 1.7, 'x0.y': 3.0}
     """
-    times, measured = _measurements(data, timepts)
-    if timepts is not None and not np.array_equal(timepts, times):
-        inputs = sampled_at("inputs", inputs, numbers("timepts", timepts))
+    clock = clock_of(as_diagram(system)[0], timepts)
+    times, measured = _measurements(data, clock)
     run = SensitivityRun(
         system,
         times,
@@ -440,6 +440,7 @@ def fit_parameters(
         inputs,
         initial_state,
         params,
+        clock=clock,
         rtol=rtol,
         atol=atol,
         method=method,
@@ -458,7 +459,7 @@ def fit_parameters(
     return problem.fit()
 
 
-def _measurements(data: Any, timepts: Any) -> tuple[np.ndarray, dict[str, Labelled]]:
+def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labelled]]:
     """Return times, and measured values by name at these times, NaN where there are none."""
     if hasattr(data, "iterrows"):  # a table; columns of text are no outputs
         table = data.set_index("time") if "time" in data else data
@@ -469,26 +470,26 @@ def _measurements(data: Any, timepts: Any) -> tuple[np.ndarray, dict[str, Labell
             for name, variable in data.data_vars.items()
             if "time" in variable.dims and variable.dtype.kind in "biuf"
         }
-    at = np.unique(numbers("timepts", timepts))
-    given = labelled("data", data, at)
+    given = labelled("data", data, clock)
     if not isinstance(given, dict):
         raise ArgumentError(
             "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
-    own = [value.times for value in given.values() if value.times is not None]
-    if len(own) < len(given) or not own:
-        if timepts is None:
-            raise ArgumentError(
-                "timepts: is required with arrays, or a table without `time`"
-            )
-        own.append(at)
+    at = np.unique(clock.at)
+    own = [at if value.times is None else value.times for value in given.values()]
+    if not own or not all(map(np.size, own)):
+        raise ArgumentError(
+            "timepts: is required with arrays, or a table without `time`"
+        )
     times = checked_times("data.time", np.unique(np.concatenate(own)))
+    if not len(at):
+        clock.at = times
     measured = {}
-    for name, value in given.items():
-        values, sample_times = value.values, at if value.times is None else value.times
+    for (name, value), sample_times in zip(given.items(), own, strict=True):
+        values = value.values
         if (np.diff(sample_times) <= 0).any():
             raise SimulationError(f"data['{name}']: must be at increasing times")
-        if values.ndim > 1 and not hasattr(data[name], "dims"):
+        if values.ndim > 1 and axes_of(data[name]) is None:
             values = np.moveaxis(values, 0, -1)  # arrays have samples first
         if values.shape[-1:] == sample_times.shape != times.shape:
             samples = values

@@ -14,7 +14,7 @@ from ..base.arguments import public
 from ..base.run_attributes import ARGUMENTS, BEYOND, TEAM
 from ..engine.solver.runner import checked_method
 from .diagram_runs import DiagramRun
-from .requests import Times, request_of, times_from_zero
+from .requests import request_of, times_from_zero
 from .run_cache import cached_run, diagram_key
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 @public
 def simulate(
     system: "Scenario | Team | control.InputOutputSystem",
-    timepts: Times | control.TimeResponseData | None = None,
+    timepts: Any = None,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,

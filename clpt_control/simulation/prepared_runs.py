@@ -11,13 +11,14 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import nearest, numbers, public
+from ..base.arguments import nearest, public
 from ..base.errors import SimulationError
+from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.diagram.interconnection import changed_parameters
 from ..engine.model.system import System
 from .diagram_runs import DiagramRun, fields_of
-from .requests import Request, Times, request_of
+from .requests import Request, request_of
 from .run_cache import diagram_key
 
 ALWAYS, SELDOM = (
@@ -133,7 +134,7 @@ class PreparedRun:
                     + (f"; did you mean {close}?" if close else "")
                 )
             shape = np.shape(self._params[key])
-            array = numbers(f"params['{key}']", value)
+            array = unlabelled(f"params['{key}']", value)
             if array.shape != shape or not np.isfinite(array).all():
                 raise SimulationError(
                     f"params['{key}'] = {value}: must be finite, of shape {shape} as in prepare"
@@ -155,7 +156,7 @@ def _same(value: Any, other: Any) -> bool:
 @public
 def prepare(
     system: control.InputOutputSystem,
-    timepts: Times,
+    timepts: Any,
     inputs: Any = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,

@@ -5,7 +5,6 @@ and initial states may have labels (`labelled`).  Two samples at one time are a 
 as in tables of Modelica.
 """
 
-from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,26 +13,17 @@ import numpy as np
 
 from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, SimulationError
-from ..base.labelled import Labelled, labelled
+from ..base.labelled import Clock, Labelled, labelled, own_times
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
-from ..engine.diagram.wiring import Sizes
-from ..engine.model.ports import check_rows, signals_by_name, vector_by_name
+from ..engine.diagram.wiring import Sizes, check_rows, signals_by_name, vector_by_name
 from ..engine.model.system import linear
-from ..engine.solver.inputs import (
-    Inputs,
-    checked_state,
-    checked_times,
-    read_inputs,
-    stacked,
-)
+from ..engine.solver.inputs import Inputs, checked_state, checked_times, read_inputs
 from ..engine.solver.runner import RunOptions, steps_between
 
 if TYPE_CHECKING:
     from ..paper.scenario.experiment import Scenario
     from ..paper.scenario.team import Team
-
-Times = Sequence[float] | np.ndarray
 
 
 def times_from_zero(
@@ -60,9 +50,8 @@ class Request(NamedTuple):
     start: np.ndarray
     options: RunOptions
     sizes: Sizes  # numbers of states and inputs that the diagram leaves open, or None
-    # as they were given: times, where inputs may jump at repeated ones, initial state and inputs
-    timepts: Any
-    given: tuple[Any, Any]
+    timepts: Any  # as they were given; inputs may jump at repeated ones
+    given: tuple[Any, Any]  # initial state and inputs as they were read, or None
 
     def drawn_around(self) -> AbstractContextManager[None]:
         """Confirm new records of functions around the numbers of this run."""
@@ -79,10 +68,10 @@ class Request(NamedTuple):
 
     def with_inputs(self, inputs: Any) -> "Request":
         """Return the run with other inputs."""
-        inputs = inputs_by_name(self.diagram, inputs, self.timepts)
-        _, inputs = with_jumps(self.diagram, self.timepts, inputs)
-        count = len(self.inputs.samples[1])
-        return self._replace(inputs=read_inputs(inputs, self.times, count))
+        clock = clock_of(self.diagram, self.timepts)
+        given = labelled("inputs", inputs, clock)
+        read = inputs_at(self.diagram, inputs, given, clock.at, self.times)
+        return self._replace(inputs=read)
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
@@ -108,43 +97,42 @@ def request_of(
     inputs: Any,
     initial_state: Any,
     multiples: bool = False,
+    clock: Clock | None = None,
     **options: Any,
 ) -> Request:
     """Read the arguments of a run: the caller's, or the diagram's own where these are None.
 
     A closed loop without inputs and initial state runs from t = 0.  Times in discrete time are one
-    `dt` apart, or `multiples` of it.
+    `dt` apart, or `multiples` of it.  A `clock` has the times of inputs, by default `timepts`.
     """
-    # 1. inputs and initial state by name, and the diagram's own arguments
+    # 1. initial state by name, and the diagram's own arguments
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
-    inputs = inputs_by_name(diagram, inputs, timepts)
-    if timepts is None and isinstance(inputs, Inputs):
-        timepts = np.unique(inputs.samples[0])
     own_state = own_arguments.pop("initial_state", None)
     state = vector_by_name("initial_state", diagram, "state", initial_state, own_state)
     # 2. times
-    skipped, steps = 0, None
-    as_given = timepts
-    if timepts is not None:
-        timepts, inputs = with_jumps(diagram, timepts, inputs)
+    times, skipped, steps = timepts, 0, None
+    if clock is None:
+        clock = clock_of(diagram, timepts)
+        times = None if timepts is None else distinct_times(clock.at)
     if loop is not None and (timepts is None or inputs is state is None):
-        times, skipped = times_from_zero(loop.scenario, timepts)
-    elif timepts is None:
-        raise SimulationError("timepts: is required to simulate a diagram")
-    else:
-        times = timepts
+        times, skipped = times_from_zero(loop.scenario, times)
+    given = labelled("inputs", inputs, clock)
+    if times is None:
+        times = own_times(given)
+        if not len(times):
+            raise SimulationError("timepts: is required to simulate a diagram")
+    if timepts is None:
+        clock.at = times
     if state is None:
         state = own_state
     # 3. numbers of states and inputs
-    nstates, ninputs = diagram.nstates, diagram.ninputs
-    sizes: Sizes = None, None
-    if nstates is None or ninputs is None:
+    read = inputs_at(diagram, inputs, given, clock.at, times)
+    nstates, sizes = diagram.nstates, (None, None)
+    if None in (nstates, diagram.ninputs):
         nstates = states_count(diagram, state)
-        ninputs = inputs_count(diagram, inputs, times)
-        sizes = nstates, ninputs
+        sizes = nstates, len(read.samples[1])
     # 4. arrays
-    read = read_inputs(inputs, times, ninputs)
     if multiples and diagram.dt:
         steps = steps_between(times, diagram.dt)
     if steps is not None:
@@ -163,8 +151,8 @@ def request_of(
         start,
         checked,
         sizes,
-        times if as_given is None else as_given,
-        (state, inputs),
+        clock.at if timepts is None else timepts,
+        (state, None if inputs is None else read.samples[1]),
     )
 
 
@@ -184,16 +172,6 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 # --- in the forms of python-control ------------------------------------------------
 
 
-def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
-    """Return the number of a diagram's inputs; an open number is that of the inputs given."""
-    if diagram.ninputs is not None:
-        return diagram.ninputs
-    if isinstance(inputs, Inputs):
-        return len(inputs.samples[1])
-    shape = np.shape(stacked(inputs, times))
-    return shape[0] if shape and shape != times.shape else 1
-
-
 def states_count(diagram: Any, state: Any) -> int:
     """Return the number of a diagram's states; an open number is that of the states given."""
     if diagram.nstates is not None:
@@ -203,17 +181,17 @@ def states_count(diagram: Any, state: Any) -> int:
     return sum(map(np.size, state))
 
 
-def with_jumps(diagram: Any, timepts: Any, inputs: Any) -> tuple[Any, Any]:
-    """Return times without repetition, checked, and inputs that jump at repeated times."""
-    try:
-        return checked_times("timepts", timepts), inputs
-    except SimulationError:
-        times = np.atleast_1d(numbers("timepts", timepts))
-        if times.ndim != 1 or not np.all(np.diff(times) >= 0):
-            raise
-    if inputs is not None:
-        inputs = read_inputs(inputs, times, inputs_count(diagram, inputs, times))
-    return checked_times("timepts", np.unique(times)), inputs
+def clock_of(diagram: Any, timepts: Any) -> Clock:
+    """Return the clock of a diagram's runs at times as they were given."""
+    loop = getattr(diagram, "origin", None)
+    return Clock(timepts, "s" if loop is None else loop.scenario.units.time)
+
+
+def distinct_times(times: np.ndarray) -> np.ndarray:
+    """Return times without repetition, checked."""
+    if times.ndim == 1 and (times[1:] >= times[:-1]).all():
+        times = np.unique(times)
+    return checked_times("timepts", times)
 
 
 def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
@@ -237,94 +215,101 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     return checked_state(name, state, (count,))
 
 
-# --- by name -------------------------------------------------------------------------------------
+# --- inputs by name and time ---------------------------------------------------------------------
 
 
-def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
-    """Return inputs with labels as rows at `timepts`, or as `Inputs` at times of their own."""
-    at = numbers("timepts", getattr(timepts, "time", timepts)).ravel()
-    given = labelled("inputs", inputs, at)
-    if isinstance(inputs, control.TimeResponseData):
-        missing = [label for label in diagram.input_labels if label not in given]
-        if missing:
-            raise SimulationError(
-                f"inputs: the response has no signal '{missing[0]}', but {', '.join(given)}. "
-                f"Give inputs by name, {{'{missing[0]}': response.outputs}}"
-            )
-        given = {label: given[label] for label in diagram.input_labels}
-    if isinstance(given, Labelled):
-        given = [given]
-    if given is inputs or not isinstance(given, dict | list):
-        return given
-    if isinstance(given, list):
+def inputs_at(
+    diagram: Any, inputs: Any, given: Any, at: np.ndarray, times: np.ndarray
+) -> Inputs:
+    """Return inputs, `given` as `labelled` returns them, for a run at `times`.
+
+    Samples without times are those `at` some times.
+    """
+    labels, count = diagram.input_labels, diagram.ninputs
+    if isinstance(given, list) and any(isinstance(row, Labelled) for row in given):
         rows = [row for value in given for row in _rows("inputs", value, at)]
-        if diagram.ninputs is None:
-            return _joined(rows, at)
-        check_rows("inputs", rows, diagram.ninputs)
-        given = dict(zip(diagram.input_labels, rows, strict=True))
-    rows = [Labelled(np.array(0.0))] * len(diagram.input_labels)
-    for argument, columns, value in signals_by_name("inputs", diagram, "input", given):
-        signals = _rows(argument, value, at, len(columns))
-        for column, row in zip(columns, signals, strict=True):
-            rows[column] = row
-    return _joined(rows, at)
+        if count is not None:
+            check_rows("inputs", rows, count)
+        if count != len(labels):
+            return _joined(rows, at, times)
+        given = dict(zip(labels, rows, strict=True))
+    if isinstance(given, dict):
+        rows = [Labelled(np.array(0.0))] * len(labels)
+        signals = signals_by_name("inputs", diagram, "input", inputs, given)
+        for argument, columns, signal in signals:
+            own_rows = _rows(argument, signal, at, len(columns))
+            for column, row in zip(columns, own_rows, strict=True):
+                rows[column] = row
+        return _joined(rows, at, times)
+    if count is None:
+        shape = np.shape(given)
+        count = shape[0] if shape and shape != at.shape else 1
+    read = read_inputs(given, at, count)
+    if len(read.samples[0]) == 1:
+        return Inputs((times[:1], read.samples[1]))
+    _check_within(times, at)
+    return read
 
 
 def _rows(
-    argument: str, value: Labelled, at: np.ndarray, count: int | None = None
+    argument: str, signal: Labelled, at: np.ndarray, count: int | None = None
 ) -> list[Labelled]:
     """Return a row, a number or samples, for each signal; one number is the value of all."""
-    values, times, *_ = value
+    values, times, *_ = signal
     if not values.ndim:
         values = np.full(count or 1, values)
-    if count == 1 or (
-        values.ndim == 1 and (times is not None or values.shape == at.shape != (count,))
-    ):
+    is_row = times is not None or values.shape == at.shape != (count,)
+    if (count == 1 and times is None) or (values.ndim == 1 and is_row):
         values = values.reshape(1, -1)
     elif values.ndim == 1:
         values = values[:, None]
     if count is not None:
         check_rows(argument, values, count)
     length = values.shape[-1]
-    if times is None and length not in (1, len(at)):
+    if values.ndim > 2 or (times is None and length not in (1, len(at))):
         raise ArgumentError(
             f"{argument}: has {length} values; there are {len(at)} times"
         )
     if times is None and length == 1:
         values = values.ravel()
-    return [value._replace(values=row) for row in values]
+    elif times is None:
+        times = at
+    return [signal._replace(values=row, times=times) for row in values]
 
 
-def _joined(rows: list[Labelled], at: np.ndarray) -> Any:
-    """Return rows of inputs; those that have other times than `at` as `Inputs` at all times."""
+def _check_within(times: np.ndarray, own: np.ndarray) -> None:
+    """Refuse times of a run outside of the inputs' own."""
+    margin = 1e-9 * max(1.0, abs(own[-1]))
+    if times[0] < own[0] - margin or times[-1] > own[-1] + margin:
+        raise SimulationError(
+            f"inputs: are from {own[0]:.9g} to {own[-1]:.9g}. "
+            "Give timepts within these times"
+        )
+
+
+def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
+    """Return rows of inputs for a run at `times`: at all of their own times, if these differ."""
     own = [row.times for row in rows if row.times is not None]
-    if all(np.array_equal(times, at) for times in own):
-        return [row.values if row.values.ndim else float(row.values) for row in rows]
-    for times in own:
-        margin = 1e-9 * max(1.0, abs(times[-1]))
-        if len(at) and (at[0] < times[0] - margin or at[-1] > times[-1] + margin):
-            raise SimulationError(
-                f"inputs: are from {times[0]:.9g} to {times[-1]:.9g}. "
-                "Give timepts within these times"
-            )
-    if any(row.times is None and row.values.ndim for row in rows):
-        own.append(at)
+    for row_times in own:
+        _check_within(times, row_times)
+    if all(np.array_equal(row_times, at) for row_times in own):
+        values = np.array(np.broadcast_arrays(*(row.values for row in rows)))
+        return read_inputs(values, at if own else times, len(rows))
     distinct = np.unique(np.concatenate(own))
     least = 1e-12 * np.abs(distinct).max()  # times that differ by rounding are equal
     distinct = distinct[np.append(True, np.diff(distinct) > least)]
-    rounded = {
-        id(times): distinct[np.searchsorted(distinct, times, "right") - 1]
-        for times in own
-    }
-    jumps = [times[1:][times[1:] == times[:-1]] for times in rounded.values()]
-    times = np.sort(np.append(distinct, np.unique(np.concatenate(jumps))))
-    begins = np.append(times[1:] == times[:-1], False)  # of jumps
-    u = np.empty((len(rows), len(times)))
+    places = [np.searchsorted(distinct, row_times, "right") - 1 for row_times in own]
+    repeated = [place[1:][place[1:] == place[:-1]] for place in places]
+    jumps = distinct[np.unique(np.concatenate(repeated))]
+    joined = np.sort(np.append(distinct, jumps))
+    begins = np.append(joined[1:] == joined[:-1], False)  # of jumps
+    u = np.empty((len(rows), len(joined)))
+    remaining = iter(places)
     for signal, row in zip(u, rows, strict=True):
-        if not row.values.ndim:
+        if row.times is None:
             signal[:] = row.values
-            continue
-        x = rounded[id(at if row.times is None else row.times)]
-        signal[:] = np.interp(times, x, row.values)
-        signal[begins] = np.interp(-times[begins], -x[::-1], row.values[::-1])
-    return read_inputs(u, times, len(u))
+        else:
+            x = distinct[next(remaining)]
+            signal[:] = np.interp(joined, x, row.values)
+            signal[begins] = np.interp(-joined[begins], -x[::-1], row.values[::-1])
+    return read_inputs(u, joined, len(u))

@@ -209,7 +209,7 @@ class SensitivityRun(DiagramRun):
 @public
 def sensitivity(
     system: Scenario | control.InputOutputSystem,
-    timepts: Sequence[float] | np.ndarray,
+    timepts: Any,
     of: str | Sequence[str] | None = None,
     to: str | Sequence[str] = START,
     inputs: Any = None,

@@ -3,7 +3,6 @@
 import control
 import numpy as np
 import pytest
-import xarray
 from example_models import autonomous, decay
 from scipy.optimize import curve_fit
 
@@ -166,7 +165,6 @@ def test_a_start_at_rest_is_told():
     np.testing.assert_allclose(own / own[0], errors / errors[0], rtol=1e-4)
 
 
-DAYS = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
 MISTAKES = [
     ({"data": {"q": TIMES}}, "no finite numbers of the outputs place, speed"),
     ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
@@ -179,13 +177,6 @@ MISTAKES = [
     (
         {"data": pushed(), "inputs": None},
         "force is not an output; .* inputs= takes inputs",
-    ),
-    (
-        {
-            "data": xarray.Dataset({"place": ("time", TIMES)}, {"time": DAYS}),
-            "times": None,
-        },
-        "its times are dates",
     ),
     ({"data": {"place": TIMES}, "times": None}, "timepts: is required"),
     ({"begin": {"q": 1.0}}, "must be among"),

@@ -15,6 +15,8 @@ NAMED = xarray.DataArray(
     [DATA.b, DATA.a], {"signal": ["b", "a"], "time": OWN}, ("signal", "time")
 )
 RIGHT = np.array([TIMES**2 / 2, 10 * TIMES]).T  # integrals of t and 10
+DATES = np.datetime64("2024-05-01T12:00:00", "ns") + (OWN * 1e9).astype("m8[ns]")
+DATED, SPANS = DATA.assign_coords(time=DATES), DATA.assign_coords(time=DATES - DATES[0])
 RESPONSE = control.TimeResponseData(
     OWN, NAMED.values, output_labels=["b", "a"], issiso=False
 )
@@ -47,6 +49,15 @@ def integrators(inputs=("a", "b")):
         TABLE[::-1],
         TABLE.rename_axis("time").reset_index(),
         RESPONSE,
+        DATED,
+        DATED.to_dataframe(),
+        DATED.to_dataframe().reset_index(),
+        {"a": SPANS.a[::-1], "b": DATA.b},
+        {"a": DATED.a, "b": TIMES * 0 + 10},
+        {"a": xarray.DataArray(OWN, {"time": ("sample", OWN)}, "sample"), "b": 10},
+        DATA.assign_coords(
+            time=("time", OWN, {"units": "seconds"}), depth=("time", OWN)
+        ),
     ],
 )
 def test_inputs_are_read_at_their_own_times_and_by_name(inputs):
@@ -60,15 +71,28 @@ def test_inputs_are_read_at_their_own_times_and_by_name(inputs):
     ("inputs", "said"),
     [
         (DATA.assign(c=DATA.a), "has no input 'c'"),
+        (DATA.rename(a="aa"), "has no input 'aa'. Did you mean 'a'"),
+        (DATA[["a"]], "has no signal 'b', but a"),
+        (pd.Series({"b": 1.0}), "has no signal 'a', but b"),
         (DATA.isel(time=slice(3)), "from 0 to 1. Give timepts within"),
+        (DATA.isel(time=[0]), "from 0 to 0. Give timepts within"),
+        (DATA.isel(time=[]), "must be finite and in order"),
         (DATA.isel(time=[1, 0, *range(2, 9)]), "must be finite and in order"),
         (DATA.where(DATA.time != 1.0), "must be finite"),
-        (DATA.assign_coords(time=pd.date_range("2020", periods=9)), "are dates"),
-        (TABLE.set_axis(range(1, 10)), "whole numbers. Name it time"),
-        (TABLE.set_axis(pd.MultiIndex.from_product([range(3)] * 2)), "of one level"),
+        (DATA.assign_coords(time=("time", OWN, {"units": "ms"})), "are in 'ms', those"),
+        ({"a": DATED.a, "b": DATA.b}, "dates and numbers"),
+        ({"a": DATED.a, "b": DATED.b[1:]}, "begins at 2024-05-01T12:00:00.5"),
+        (TABLE.set_axis(pd.DatetimeIndex(DATES, tz="UTC")), "without a time zone"),
+        (TABLE.set_axis(range(1, 10)), "call them time"),
+        (TABLE.rename_axis("depth"), "labels of depth are no names"),
+        (TABLE.set_axis(pd.MultiIndex.from_product([range(3)] * 2)), "are no names"),
         (TABLE.set_axis(["a", "a"], axis=1), "given twice"),
+        (TABLE.astype(str), "must be an array of numbers"),
+        ({"a": "4"}, "must be an array of numbers"),
         ([NAMED, 0.0], "Give a dict by name"),
-        ({"a": NAMED}, "has the names b, a; must be a"),
+        ({"a": NAMED}, "'b' is none of its signals. Did you mean 'a'|It has a"),
+        ({"a": DATA.a.expand_dims(i=2, k=2)}, "several dimensions of signals"),
+        ({"a": 1.0, "m.a": 2.0}, "has no input 'm.a'"),
     ],
 )
 def test_labels_that_contradict_are_refused(inputs, said):
@@ -138,3 +162,154 @@ def test_a_fit_reads_measurements_at_their_own_times():
             assert abs(found.values["k"] - 0.7) < 1e-7
     with pytest.raises(clpt.SimulationError, match="Give timepts within"):
         clpt.fit_parameters(decay, {"y": y}, {"k": 1.0}, fine[:9], fine[:9])
+
+
+def test_dates_count_from_the_first_of_timepts():
+    later = {"a": DATED.a, "b": DATED.b[1:]}
+    right = np.array([OWN[2:7] ** 2 / 2 - 0.5, 10 * (OWN[2:7] - 1)]).T
+    run = clpt.simulate(integrators(), DATES[2:7], later)
+    np.testing.assert_allclose(run.states, right, atol=1e-7)
+    assert run.time.values.tolist() == TIMES.tolist()
+    again = clpt.prepare(integrators(), DATED.time[2:7])(inputs=later)
+    np.testing.assert_allclose(again.states, right, atol=1e-7)
+
+
+def test_a_timedelta_is_in_the_unit_of_the_scenario():
+    hours = clpt.paper_scenario().with_values({"units.time": "h", "run.duration": 5})
+    learner, track = (
+        clpt.closed_loop(hours, external="x"),
+        clpt.simulate(hours).position,
+    )
+    right = clpt.simulate(learner, track.time, {"x": track}).states
+    spans = track.assign_coords(time=pd.to_timedelta(track.time.values, unit="h"))
+    found = clpt.simulate(learner, track.time, {"x": spans.T[::-1]}).states
+    np.testing.assert_allclose(found, right, atol=1e-9)
+    seconds = track.assign_coords(time=("time", track.time.values, {"units": "s"}))
+    with pytest.raises(clpt.ArgumentError, match="are in 's', those of the run in 'h'"):
+        clpt.simulate(learner, track.time, {"x": seconds})
+
+
+def test_signals_are_counted_from_0_or_1():
+    swapped = integrators(["c[1]", "c[0]"])
+    for labels in ([1, 0], [2, 1]):
+        c = xarray.DataArray(
+            [0 * OWN + 10, OWN], {"k": labels, "time": OWN}, ("k", "time")
+        )
+        run = clpt.simulate(swapped, TIMES, {"c": c})
+        np.testing.assert_allclose(run.states[:, ::-1], RIGHT, atol=1e-7)
+    for named in (c.assign_coords(k=[3, 7]), c.rename(k="member")):
+        with pytest.raises(clpt.ArgumentError, match="do not count signals"):
+            clpt.simulate(swapped, TIMES, {"c": named})
+    with pytest.raises(clpt.ArgumentError, match=r"c\[0\]'\]: is given twice"):
+        clpt.simulate(swapped, TIMES, {"c": 1.0, "c[0]": 2.0})
+
+
+@pytest.mark.parametrize("start", [RESPONSE, DATA, TABLE, TABLE.a])
+def test_a_start_is_of_one_time(start):
+    with pytest.raises(clpt.SimulationError, match="of one time"):
+        clpt.simulate(integrators(), TIMES, 0, start)
+    assert clpt.simulate(integrators(), TIMES, 0, {"qa": DATA.a[2]}).qa[0] == 1.0
+
+
+def test_one_trace_of_a_response():
+    r = control.step_response(
+        control.ss(-np.eye(2), np.eye(2), np.eye(2), 0, outputs=["a", "b"]),
+        np.linspace(0, 2, 2001),
+    )
+    with pytest.raises(clpt.SimulationError, match="has 2 traces") as error:
+        clpt.simulate(integrators(), TIMES, r)
+    one = eval(str(error.value).partition("Give one: ")[2])
+    run = clpt.simulate(integrators(), TIMES, one)
+    np.testing.assert_allclose(run.qa, TIMES - 1 + np.exp(-TIMES), atol=1e-6)
+    assert not run.qb.any()
+
+
+def test_dates_of_a_fit():
+    y = np.exp(-0.7 * OWN) * 3
+    decay = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0] + u[0] - t],
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"k": 1.0},
+        name="decay",
+    )
+    data = pd.DataFrame({"y": y, "when": DATES}).set_index("when")
+    ramp = xarray.DataArray(
+        [-1.0, 5.0], {"time": DATES[0] + np.array([-1, 5], "m8[s]")}, "time"
+    )
+    begin, start = {"k": 1.0}, {"y": 3.0}
+    found = clpt.fit_parameters(decay, data, begin, DATES, {"u": ramp}, start)
+    assert abs(found.values["k"] - 0.7) < 1e-7
+    with pytest.raises(clpt.SimulationError, match="Give timepts as dates"):
+        clpt.fit_parameters(decay, data, begin, None, {"u": ramp}, start)
+    ramp = ramp.assign_coords(time=[-1.0, 5.0])
+    with pytest.raises(clpt.SimulationError, match="dates and numbers"):
+        clpt.fit_parameters(decay, data, begin, None, {"u": ramp}, start)
+    found = clpt.fit_parameters(
+        decay, {"y": pd.Series(y, OWN)}, begin, None, ramp, start
+    )
+    assert abs(found.values["k"] - 0.7) < 1e-7
+
+
+@pytest.mark.parametrize("value", ["4", None, pd.Series([4.0])])
+def test_a_parameter_is_a_number_without_labels(value):
+    lag = clpt.Block(
+        "lag",
+        update=lambda t, x, u, p: -p.k * x.y,
+        states={"y": 1},
+        parameters={"k": 1.0},
+    )
+    plain = control.nlsys(
+        lambda t, x, u, p: -p["k"] * x,
+        inputs=0,
+        states="y",
+        params={"k": 1.0},
+        name="p",
+    )
+    for system, key in ((lag, "lag.k"), (plain, "k"), (clpt.connect([plain]), "p.k")):
+        for verb in (clpt.simulate, clpt.prepare):
+            with pytest.raises(clpt.ClptError, match="must be a number"):
+                verb(system, TIMES, params={key: value})
+        run = clpt.simulate(system, TIMES, 0, 1.0, {key: xarray.DataArray(0.5)})
+        np.testing.assert_allclose(run.states[:, 0], np.exp(-TIMES / 2), atol=1e-7)
+
+
+def test_labelled_operating_points_and_members():
+    plant = control.nlsys(
+        lambda t, x, u, p: [x[0] * x[1], x[1] ** 2 + u[0]],
+        inputs="u",
+        states=["states", "b"],
+        name="plant",
+    )
+    A = clpt.linearize(plant, pd.Series({"b": 1.0, "states": 2.0})).A
+    assert A.tolist() == [[1, 2], [0, 2]]
+    for table in (pd.DataFrame({"u": [1.0, 2.0]}), DATA[["a"]]):
+        with pytest.raises(clpt.ScenarioError, match="table of members is no grid"):
+            clpt.run_ensemble(plant, table, timepts=TIMES)
+
+
+def test_inputs_and_states_in_any_order():
+    """Equations, linearization, check and proof of signals that are numbered backwards."""
+    plant = control.nlsys(
+        lambda t, x, u, p: [-x[0] + u[0] * u[2], -2 * x[1] - x[1] ** 3 + 3 * u[1]],
+        lambda t, x, u, p: [x[0], x[1]],
+        inputs=["c[1]", "d", "c[0]"],
+        outputs=["y[1]", "y[0]"],
+        states=["q[1]", "q[0]"],
+        name="plant",
+    )
+    assert str(clpt.equations(plant)).split("\n")[:2] == [
+        "q[1]' = -q[1] + c[0](t)*c[1](t)",
+        "q[0]' = -q[0]**3 - 2*q[0] + 3*d(t)",
+    ]
+    B = clpt.linearize(plant, u={"c": [2.0, 5.0]}).B
+    assert B.tolist() == [[2, 0, 5], [0, 3, 0]]
+    assert clpt.check(plant).ok
+    assert repr(clpt.lyapunov(plant)).startswith("<Verdict proved")
+
+
+def test_two_times_get_a_note():
+    note = "two samples"
+    assert note in clpt.simulate(integrators(), (0, 10)).attrs["message"]
+    assert note not in clpt.simulate(integrators(), (0, 5, 10)).attrs["message"]

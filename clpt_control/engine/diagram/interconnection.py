@@ -42,7 +42,6 @@ from .wiring import (
     output_ports,
     own_params,
     prefixes_of,
-    units_of,
     wiring_of,
 )
 
@@ -71,13 +70,6 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-
-    def units_of(self, kind: str) -> list[str]:
-        """Return the unit of each "input" or "state", "" for none."""
-        wiring = wiring_of(self)
-        if kind == "input":
-            return units_of(wiring)[1]
-        return [u for node in wiring.nodes for u in node.system.units_of(kind)]
 
     def __repr__(self) -> str:
         from ...base.html import shortened

@@ -18,12 +18,12 @@ import control
 import numpy as np
 from scipy.linalg import orth
 
-from ...base.arguments import numbers, public
+from ...base.arguments import attribute_of, numbers, public
 from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
-from ..model.ports import bare_labels, places, spans_of, vector_by_name
+from ..model.ports import bare_labels, places, spans_of
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
@@ -38,7 +38,7 @@ from .sampled_linearization import (
     sampled_blocks,
     states_of,
 )
-from .wiring import Node, Wiring, read_anew, wiring_of
+from .wiring import Node, Wiring, read_anew, vector_by_name, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
 # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
@@ -275,8 +275,8 @@ def linearize(
     array([[0.  , 1.  ],
            [9.81, 0.  ]])
     """
-    u = getattr(x, "inputs", u)
-    x = getattr(x, "states", x)
+    u = attribute_of(x, "inputs", u)
+    x = attribute_of(x, "states", x)
     x = vector_by_name("x", system, "state", x)
     u = vector_by_name("u", system, "input", u)
     with drawn_around(t, x, u):

@@ -104,6 +104,7 @@ class Equations:
     discrete: bool = False
     periods: dict[str, float] = field(default_factory=dict)
     levels: dict[str, Any] = field(default_factory=dict)
+    order: list[Any] = field(default_factory=list)  # symbols of states
 
     def __getitem__(self, name: str) -> Any:
         if name not in self.named:
@@ -123,7 +124,7 @@ class Equations:
         motion: dict[Any, sympy.Expr] = {}
         for port, symbols in self.states.items():
             motion.update(zip(symbols.flat, self.rates[port].flat, strict=True))
-        return motion
+        return {s: motion[s] for s in self.order or motion}
 
     @public
     def derivative(self, expression: sympy.Expr | str | float) -> sympy.Expr:
@@ -345,6 +346,7 @@ class _SymbolicRecord:
                 raise DiagramError(
                     f"{result.name}: two states are called {symbol}. Rename one"
                 )
+        result.order = [*counts]
         return result
 
     @cached_property

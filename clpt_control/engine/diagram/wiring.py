@@ -19,9 +19,11 @@ import control
 import numpy as np
 
 from ...base.arguments import has
-from ...base.errors import DiagramError
+from ...base.errors import ArgumentError, DiagramError
+from ...base.labelled import Labelled, check_complete, known, labelled
 from ..model.block import Block
-from ..model.ports import port_of, ports_of
+from ..model.declaration import same_unit
+from ..model.ports import indices_by_name, port_of, ports_of
 from ..model.sampled import Sampled
 from ..model.system import System, linear
 from .evaluation_order import order_of
@@ -441,3 +443,85 @@ def input_ports(system: Part) -> dict[str, list[int]]:
 def output_ports(system: Part) -> dict[str, list[int]]:
     """Return the output ports of a system, each with the indices of its signals."""
     return ports_of(system.output_labels)
+
+
+# --- signals of a system by name: {"angle": 0.5}, of labels or ports ------------------------------
+
+
+def signals_by_name(
+    argument: str, system: Any, kind: str, value: Any, given: Mapping[str, Labelled]
+) -> Iterator[tuple[str, list[int], Labelled]]:
+    """Yield argument, columns and values of each name; refuse other names and units.
+
+    `value` is what was given: a dict may leave out signals.
+    """
+    labels = getattr(system, f"{kind}_labels")
+    if len(labels) != getattr(system, f"n{kind}s"):
+        raise ArgumentError(
+            f"{argument}: {system.name} has {kind}s of one name. Give an array"
+        )
+    names = indices_by_name(labels)
+    found: set[str] = set()
+    for name, signal in given.items():
+        key = name if name in names else str(name).replace(".", "_")  # of plant.angle
+        if key not in names:
+            if isinstance(value, control.TimeResponseData):
+                continue
+            raise ArgumentError(
+                f"{system.name}: has no {kind} '{name}'. {known(key, ports_of(labels))}"
+            )
+        columns = names[key]
+        words = f"{argument}['{name}']"
+        own_labels = [labels[k] for k in columns]
+        signal = signal._replace(values=signal.ordered(words, own_labels))
+        if not found.isdisjoint(own_labels):
+            raise ArgumentError(f"{words}: is given twice. Leave out one")
+        found |= {*own_labels}
+        if signal.units:
+            _check_unit(words, system, kind, columns, signal.units)
+        yield words, columns, signal
+    if has(value, "coords") or not isinstance(value, Mapping):
+        check_complete(argument, labels, found, given)
+
+
+def _check_unit(
+    argument: str, system: Any, kind: str, columns: Iterable[int], given: str
+) -> None:
+    """Refuse a unit that a signal does not have."""
+    wiring = wiring_of(system)
+    units = units_of(wiring)[1]
+    if kind == "state":
+        units = [u for node in wiring.nodes for u in node.system.units_of(kind)]
+    for unit in {units[k] for k in columns}:
+        if unit and not same_unit(unit, given):
+            raise ArgumentError(
+                f"{argument}: is in '{given}'; {system.name} has it in '{unit}'"
+            )
+
+
+def check_rows(argument: str, values: Any, count: int) -> None:
+    """Refuse values of other signals than `count`."""
+    if len(values) != count:
+        raise ArgumentError(
+            f"{argument}: has {len(values)} rows. Give {count}, one per signal"
+        )
+
+
+def vector_by_name(
+    argument: str, system: Any, kind: str, value: Any, default: Any = None
+) -> Any:
+    """Return states or inputs given by name as a vector; others have the default, or are 0."""
+    given = labelled(argument, value)
+    if not isinstance(given, dict):
+        return given
+    vector = np.zeros(len(getattr(system, f"{kind}_labels")))
+    if default is not None:
+        vector[:] = default
+    signals = signals_by_name(argument, system, kind, value, given)
+    for words, columns, signal in signals:
+        values = signal.values.ravel()
+        if len(values) == 1:
+            values = np.repeat(values, len(columns))
+        check_rows(words, values, len(columns))
+        vector[columns] = values
+    return vector

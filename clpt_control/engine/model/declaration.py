@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.arguments import attribute_of, brief, has, public
-from ...base.errors import BlockError
+from ...base.errors import ArgumentError, BlockError
+from ...base.labelled import unlabelled
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
 MOST_JUMPS = 2 * 10**7  # breakpoints in a list
@@ -300,15 +301,18 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
         is_whole = isinstance(model, int | np.integer)
         try:
             shape = np.shape(model)
-            number: Any = np.array(value, dtype=float) if shape else np.float64(value)
+            number: Any = unlabelled(field, value)
+            number = number.copy() if shape else number[()]
             if is_whole and not isinstance(model, bool):
                 number = int(value) if int(value) == value else np.nan
-        except (TypeError, ValueError, OverflowError):
+        except (ArgumentError, TypeError, ValueError, OverflowError):
             shape, number = (), np.nan
         if np.shape(number) != shape or np.any(np.not_equal(number, number)):
             kind = "a whole number" if is_whole else "a number"
             kind = f"an array of shape {shape}" if shape else kind
-            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}, without NaN")
+            raise BlockError(
+                f"{name}.{field} = {brief(value)}: must be {kind}, without NaN or labels"
+            )
         if shape:
             number.flags.writeable = False  # equations have no side effects
         values[field] = number

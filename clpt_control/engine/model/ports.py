@@ -7,16 +7,15 @@ several vehicles.  A namespace is then the prefix of its name and of its ports: 
 the port `west/x[2]`, and the equations are the same.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from ...base.arguments import brief, nearest
-from ...base.errors import ArgumentError, BlockError
-from ...base.labelled import Labelled, labelled
+from ...base.arguments import brief
+from ...base.errors import BlockError
 from ..record.graph import Shape, bound, is_known
 
 Size = int | str  # a number, or its name
@@ -227,78 +226,6 @@ def whole_labels(labels: Iterable[str], names: Mapping[str, str] = {}) -> list[s
         for k, index in enumerate(indices)
     }
     return [numbered[index] for index in range(len(numbered))]
-
-
-# --- signals of a system by name: {"angle": 0.5}, of labels or ports ------------------------------
-
-
-def columns_of(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
-    """Return the columns of a label or port; refuse an unknown name."""
-    names = indices_by_name(labels)
-    for known in (name, str(name).replace(".", "_")):  # plant.angle is plant_angle
-        if known in names:
-            return names[known]
-    close = nearest(str(name), names)
-    advice = (
-        f"Did you mean '{close}'?" if close else f"It has {', '.join(ports_of(labels))}"
-    )
-    raise ArgumentError(
-        f"{diagram.name}: has no {kind} '{name}'. {advice if names else 'It has none'}"
-    )
-
-
-def check_rows(argument: str, values: Any, count: int) -> None:
-    """Refuse values of other signals than `count`."""
-    if len(values) != count:
-        raise ArgumentError(
-            f"{argument}: has {len(values)} rows. Give {count}, one per signal"
-        )
-
-
-def signals_by_name(
-    argument: str, diagram: Any, kind: str, given: Mapping[str, Labelled]
-) -> Iterator[tuple[str, list[int], Labelled]]:
-    """Yield argument, columns and values of each name; refuse other names and units."""
-    from .declaration import same_unit
-
-    labels = getattr(diagram, f"{kind}_labels")
-    if len(labels) != getattr(diagram, f"n{kind}s"):
-        raise ArgumentError(
-            f"{argument}: {diagram.name} has {kind}s of one name. Give an array"
-        )
-    for name, value in given.items():
-        columns = columns_of(diagram, kind, labels, name)
-        words = f"{argument}['{name}']"
-        values = value.ordered(words, [labels[k] for k in columns])
-        if value.units:
-            if hasattr(diagram, "units_of"):
-                unit = diagram.units_of(kind)[columns[0]]
-            else:
-                unit = getattr(diagram, "units", {}).get(name)
-            if unit and not same_unit(unit, value.units):
-                raise ArgumentError(
-                    f"{words}: is in '{value.units}'; {diagram.name} has it in '{unit}'"
-                )
-        yield words, columns, value._replace(values=values)
-
-
-def vector_by_name(
-    argument: str, diagram: Any, kind: str, given: Any, default: Any = None
-) -> Any:
-    """Return states or inputs given by name as a vector; others have the default, or are 0."""
-    given = labelled(argument, given)
-    if not isinstance(given, dict):
-        return given
-    vector = np.zeros(len(getattr(diagram, f"{kind}_labels")))
-    if default is not None:
-        vector[:] = default
-    for words, columns, value in signals_by_name(argument, diagram, kind, given):
-        values = value.values.ravel()
-        if len(values) == 1:
-            values = np.repeat(values, len(columns))
-        check_rows(words, values, len(columns))
-        vector[columns] = values
-    return vector
 
 
 # --- other names -------------------------------------------------------------------------------

@@ -17,7 +17,9 @@ import control
 import numpy as np
 from scipy.linalg import block_diag
 
+from ...base.arguments import brief
 from ...base.errors import BlockError, DiagramError
+from ...base.labelled import axes_of
 from ...base.progress import warn
 from ..record.graph import MOST_NUMBERS, Shape
 from ..record.unread import Unread, active
@@ -46,6 +48,14 @@ class System(Block):
         m = _size(system, "inputs", system.ninputs, sizes[1])
         self.name = system.name
         self._params = dict(system.params if params is None else params)
+        for key, value in self._params.items():
+            if _is_number(key, system.params.get(key)):
+                if value is None or isinstance(value, str) or axes_of(value):
+                    raise BlockError(
+                        f"{self.name}.{key} = {brief(value)}: must be a number"
+                    )
+                if axes_of(value) is not None:
+                    self._params[key] = value.item()
         self.declared_names = {*system.params}  # which a run may set
         self._spread: set[str] = set()  # roles that were warned of
         # role -> params that it asks for, texts in its code

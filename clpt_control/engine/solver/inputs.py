@@ -153,28 +153,11 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> ndarray:
     return values.copy()
 
 
-def stacked(inputs: Any, times: ndarray) -> Any:
-    """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
-    if not isinstance(inputs, list | tuple):
-        return inputs
-    if not any(hasattr(row, "__len__") for row in inputs):
-        return inputs
-    count = len(times)
-    rows = []
-    for row in inputs:
-        values = numbers("inputs", row)
-        sampled = values.shape[-1:] == (count,) and values.ndim <= 2
-        if not sampled:
-            values = np.outer(values, np.ones(count))
-        rows.append(values)
-    return np.vstack(rows)
-
-
 def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
     Straight lines join values of shape (count, nt) at `times`.  A number, or one for each input, is
-    constant.  A list may hold both, ``[u1, 0]``.
+    constant.
     """
     if isinstance(inputs, Inputs):  # as read before
         return inputs
@@ -184,7 +167,7 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
         )
     if inputs is None:
         return Inputs((times[:1], np.zeros((count, 1))))
-    values = numbers("inputs", stacked(inputs, times))
+    values = numbers("inputs", inputs)
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite. Fill the gaps before the run")
     samples = (count, len(times))
