@@ -19,7 +19,7 @@ from ...base.arguments import public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
 from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
-from ...engine.model.ports import columns_of
+from ...engine.diagram.wiring import columns_of
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import (
     named,

@@ -448,6 +448,17 @@ def output_ports(system: Part) -> dict[str, list[int]]:
 # --- signals of a system by name: {"angle": 0.5}, of labels or ports ------------------------------
 
 
+def columns_of(system: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
+    """Return the columns of a label or port; refuse an unknown name."""
+    names = indices_by_name(labels)
+    key = name if name in names else str(name).replace(".", "_")  # of plant.angle
+    if key not in names:
+        raise ArgumentError(
+            f"{system.name}: has no {kind} '{name}'. {known(key, ports_of(labels))}"
+        )
+    return names[key]
+
+
 def signals_by_name(
     argument: str, system: Any, kind: str, value: Any, given: Mapping[str, Labelled]
 ) -> Iterator[tuple[str, list[int], Labelled]]:
@@ -463,14 +474,9 @@ def signals_by_name(
     names = indices_by_name(labels)
     found: set[str] = set()
     for name, signal in given.items():
-        key = name if name in names else str(name).replace(".", "_")  # of plant.angle
-        if key not in names:
-            if isinstance(value, control.TimeResponseData):
-                continue
-            raise ArgumentError(
-                f"{system.name}: has no {kind} '{name}'. {known(key, ports_of(labels))}"
-            )
-        columns = names[key]
+        if isinstance(value, control.TimeResponseData) and name not in names:
+            continue
+        columns = columns_of(system, kind, labels, name)
         words = f"{argument}['{name}']"
         own_labels = [labels[k] for k in columns]
         signal = signal._replace(values=signal.ordered(words, own_labels))
