@@ -2,16 +2,26 @@
 
 Places are WGS84, longitude first, in degrees, counted on where a line or a ring crosses 180
 degrees.  Text in KML loses characters that XML does not have.
+
+The ring of a region with half axes a and b, and the bearing B of the long one, is
+
+    centre + a cos(s) (sin B, cos B) + b sin(s) (-cos B, sin B),   s = 0 .. 2 pi,
+
+east and north at an origin: counter-clockwise.
 """
 
 import json
 from collections.abc import Iterable
+from math import cos, pi, radians, sin
 from typing import Any, NamedTuple
 
-from .geodesy import angle_near, east_of
+import numpy as np
+
+from .geodesy import angle_near, east_of, place_from
 from .html import safe
 
 DIGITS = 6  # decimals of a degree: 0.1 m
+CORNERS = 48  # of a ring
 # colours of KML: aabbggrr
 BLUE, GREEN = "ffb27200", "ff739e00"
 PURPLE, ORANGE = "ffa779cc", "ff009fe6"
@@ -36,6 +46,22 @@ class Feature(NamedTuple):
     time: str = ""  # ISO 8601
     description: str = ""
     properties: dict[str, Any] = {}  # noqa: RUF012 - never changed; of GeoJSON
+
+
+def ring(
+    origin: tuple[float, float],
+    centre: tuple[float, float],
+    long: float,
+    short: float,
+    bearing: float,
+) -> list[tuple[float, float]]:
+    """Return the closed ring of an ellipse; the centre is east and north of the origin, m."""
+    sine, cosine = sin(radians(bearing)), cos(radians(bearing))
+    angle = 2 * pi * (np.arange(CORNERS + 1) % CORNERS) / CORNERS
+    along_axis, across = long * np.cos(angle), short * np.sin(angle)
+    east = centre[0] + along_axis * sine - across * cosine
+    north = centre[1] + along_axis * cosine + across * sine
+    return [place_from(*origin, *away) for away in zip(east, north, strict=True)]
 
 
 def coordinates(places: Any) -> list[list[float]]:

@@ -1,8 +1,9 @@
-"""Export of a diagram as a program (C99, FMU), of a run as a map (KML, GeoJSON, NetCDF).
+"""Export of a diagram as a program (C99, FMU), of data as a map (KML, GeoJSON, NetCDF).
 
 The ending of the file's name chooses the kind.  Features of a track are the track of the vehicle,
 its prediction, the waypoints, start and end.  If the run has a date (`time_origin`), start and end
-have their time.
+have their time.  Those of an estimate are the fixes, each with its time, the line through them, and
+the regions of their forecasts.
 """
 
 import re
@@ -16,10 +17,10 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.files import check_writable, write_file
-from ..base.map_files import BLUE, GREEN, ORANGE, Feature, geojson, kml
+from ..base.map_files import BLUE, GREEN, ORANGE, PURPLE, Feature, geojson, kml, ring
 from ..base.units import SECONDS, iso, seconds_since_1970
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.recorded_run import scenario_with, waypoints_of
+from ..paper.scenario.recorded_run import kind_of, scenario_with, waypoints_of
 from .c_export import c_file
 from .flow_map import flow_map
 from .fmu_export import fmu
@@ -146,11 +147,46 @@ def in_single_precision(text: str) -> str:
 # --- track of a run ------------------------------------------------------------------------------
 
 
-def track_text(run: "xarray.Dataset", suffix: str) -> str:
-    """Return the track of a scenario's run as KML or GeoJSON, by the ending of a name.
+def track_text(data: "xarray.Dataset", suffix: str) -> str:
+    """Return the track of a run or an estimate as KML or GeoJSON, by the ending of a name."""
+    is_estimate = kind_of(data) == "fixes"
+    features = fixes_on_map(data) if is_estimate else run_on_map(data)
+    title = str(data.attrs.get("title", "")) or ("fixes" if is_estimate else "run")
+    return kml(features, title) if suffix == ".kml" else geojson(features)
 
-    Features are the track, the predicted track, the waypoints, start and end.
-    """
+
+def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
+    """Return the fixes of an estimate, the line through them and the regions of forecasts."""
+    import xarray
+
+    if not estimate.attrs["has_origin"]:
+        raise DataError("the estimate has no latitude and longitude: its run has none")
+    estimate = xarray.decode_cf(estimate)
+    fixes = np.column_stack([estimate.latitude, estimate.longitude])
+    features = [Feature("track", "LineString", fixes, BLUE)][: len(fixes) - 1]
+    for k, fix in enumerate(fixes):
+        leg = estimate.isel(leg=k)
+        place = float(leg.predicted_latitude), float(leg.predicted_longitude)
+        radius = float(leg.forecast_radius)
+        off = float(np.hypot(*leg.position_error.values))
+        time = iso(seconds_since_1970(str(leg.end_time.values)[:23]))
+        name, words, properties = f"leg {int(leg.leg)}", "", {"time": time}
+        regions = []
+        if np.isfinite(radius):  # tomography forecasts nothing
+            words = f"{off:.0f} m from its forecast, whose region has the radius {radius:.0f} m"
+            properties |= {"error_m": off, "radius_m": radius}
+            outline = ring(place, (0.0, 0.0), radius, radius, 0.0)
+            regions = [Feature(f"region of {name}", "Polygon", outline, PURPLE, time)]
+        fix_name = f"fix of {name}"
+        features.append(
+            Feature(fix_name, "Point", [fix], BLUE, time, words, properties)
+        )
+        features += regions
+    return features
+
+
+def run_on_map(run: "xarray.Dataset") -> list[Feature]:
+    """Return the track of a scenario's run, its prediction, waypoints, start and end."""
     scenario = scenario_with(run, "position")
     if scenario.origin is None:
         raise DataError(
@@ -176,5 +212,4 @@ def track_text(run: "xarray.Dataset", suffix: str) -> str:
         features.append(
             Feature(name, "Point", [track[sample]], BLUE, time, "", properties)
         )
-    title = str(run.attrs.get("title", "")) or "run"
-    return kml(features, title) if suffix == ".kml" else geojson(features)
+    return features

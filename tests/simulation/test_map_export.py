@@ -332,3 +332,42 @@ def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
     with xarray.open_dataset(tmp_path / "fixes.nc", decode_times=False) as data:
         again = clpt.flow_map(data, lat, lon)
     np.testing.assert_allclose(again.u, flow.u)
+
+
+@pytest.mark.parametrize("suffix", ["geojson", "kml"])
+@pytest.mark.parametrize("legs", [16, 1])
+def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(
+    legs, suffix, clpt, tmp_path
+):
+    """A region is a circle about the forecast; a line has two fixes at least."""
+    source, path = tmp_path / "learned.nc", tmp_path / f"track.{suffix}"
+    clpt("estimate", "--sample", "--results", source)
+    with xarray.open_dataset(source) as found:
+        learned = found.load().isel(leg=slice(legs))
+    learned.to_netcdf(source)
+    clpt("export", source, "-o", path)
+    fixes = np.column_stack([learned.longitude, learned.latitude])
+    forecasts = np.column_stack(
+        [learned.predicted_longitude, learned.predicted_latitude]
+    )
+    if suffix == "kml":
+        marks = [*ElementTree.parse(path).iter(f"{{{NAMESPACE}}}Placemark")]
+        assert len(marks) == 2 * legs + (legs > 1)
+        when = f"{{{NAMESPACE}}}when"
+        times = [mark.find(f".//{when}") for mark in marks]
+        assert sum(time is not None for time in times) == legs
+        return
+    features = json.loads(path.read_text())["features"]
+    shapes: dict[str, list] = {"LineString": [], "Point": [], "Polygon": []}
+    for feature in features:
+        shape = feature["geometry"]
+        shapes[shape["type"]].append(shape["coordinates"])
+    assert len(shapes["LineString"]) == (legs > 1)
+    np.testing.assert_allclose(shapes["Point"], fixes, atol=1e-6)
+    radii = learned.forecast_radius.values
+    for (region,), (lon, lat), radius in zip(
+        shapes["Polygon"], forecasts, radii, strict=True
+    ):
+        count = len(region)
+        away = WGS84.inv(*np.tile([[lon], [lat]], count), *np.transpose(region))[2]
+        np.testing.assert_allclose(away, radius, rtol=1e-3, atol=0.2)

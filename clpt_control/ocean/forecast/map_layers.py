@@ -3,23 +3,16 @@
 A layer is a list of points, lines or rings of one kind.  Four writers take them: the map of the
 page, replay.png, GeoJSON and KML.
 
-The ring of a forecast, with half axes a and b and the bearing B of the long one, is
-
-    centre + a cos(s) (sin B, cos B) + b sin(s) (-cos B, sin B),   s = 0 .. 2 pi,
-
-east and north at the start of the dive, where its covariance is resolved: counter-clockwise.
+East and north of an ellipse are those at the start of its dive, where its covariance is resolved.
 """
 
 from collections.abc import Callable
 from itertools import pairwise
-from math import cos, pi, radians, sin
 from operator import itemgetter
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from ...base.geodesy import displacement, place_from
-from ...base.map_files import BLUE, ORANGE, PURPLE, Feature, geojson, kml
+from ...base.geodesy import displacement
+from ...base.map_files import BLUE, ORANGE, PURPLE, Feature, geojson, kml, ring
 from ..estimation.fix_model import PERCENT
 from .surfacing import ELLIPSE
 from .table_rows import (
@@ -33,21 +26,13 @@ from .table_rows import (
     within,
 )
 
-CORNERS = 48
 LAST = 5  # dives whose ellipses are drawn
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 
 def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:
     """Return the closed ring of an ellipse about the end of a way."""
-    long, short, bearing = (row[name] for name in ELLIPSE)
-    center = displacement(*begin, *end)
-    sine, cosine = sin(radians(bearing)), cos(radians(bearing))
-    angle = 2 * pi * (np.arange(CORNERS + 1) % CORNERS) / CORNERS
-    along_axis, across = long * np.cos(angle), short * np.sin(angle)
-    east = center[0] + along_axis * sine - across * cosine
-    north = center[1] + along_axis * cosine + across * sine
-    return [place_from(*begin, *away) for away in zip(east, north, strict=True)]
+    return ring(begin, displacement(*begin, *end), *(row[name] for name in ELLIPSE))
 
 
 def words_of_next(ahead: dict[str, Any]) -> str:
