@@ -395,6 +395,18 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     )
 
 
+def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
+    """Return a new vector of numbers; a single number is the value of all."""
+    array = numbers(argument, value)
+    if not array.ndim:
+        array = np.full(size, array)
+    if array.shape != (size,):
+        raise ArgumentError(
+            f"{argument}: must have {size} numbers; it has shape {array.shape}"
+        )
+    return array.copy()
+
+
 def attribute_of(value: Any, name: str, default: Any = None) -> Any:
     """Return an attribute of any object, and never what its class's `__getattr__` makes up."""
     try:

@@ -135,7 +135,7 @@ def unlabelled(argument: str, value: Any) -> np.ndarray:
 def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
     """Return values with names as a dict, other rows as a list of `Labelled`, arrays as they are.
 
-    Samples are read by a clock; values are of one time without, and rows are then arrays.
+    Samples are read by a clock; values are of one time without, and rows are then one vector.
     """
     if isinstance(value, control.TimeResponseData):
         return _signals_of(argument, value, clock)
@@ -152,14 +152,16 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
             raise ArgumentError(
                 f"{argument}: is a list of values with names. Give a dict by name"
             )
-        return [row.values for row in rows] if clock is None else rows
+        if clock is None:
+            return np.concatenate([row.values.ravel() for row in rows])
+        return rows
     if axes_of(value) is None:
         return value
     read = _read(argument, value, clock)
     if read.names is None:
         return read.values if clock is None else [read]
-    rows = zip(read.names, read.values, strict=True)
-    return {name: read._replace(values=row, names=None) for name, row in rows}
+    named = zip(read.names, read.values, strict=True)
+    return {name: read._replace(values=row, names=None) for name, row in named}
 
 
 def own_times(given: Any) -> np.ndarray:
@@ -214,7 +216,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
     for k, (dim, labels, unit) in enumerate(axes):
         kind = "" if labels is None else labels.dtype.kind
         is_index = is_table and clock is not None and kind in ("i", "u")
-        if is_index and np.array_equal(labels, clock.at):
+        if clock and is_index and np.array_equal(labels, clock.at):
             dim = TIME[0]
         if dim in TIME or kind in ("m", "M"):
             ranks.append(2)

@@ -17,11 +17,10 @@ from ..base.html import asset
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
-from ..engine.diagram.wiring import vector_by_name
 from ..engine.model.declaration import Each
 from ..engine.model.ports import bare_labels
 from .diagram_runs import CompiledRun, DiagramRun
-from .requests import as_diagram, stacked_state
+from .requests import as_diagram, start_of
 
 FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63
@@ -49,13 +48,11 @@ def c_file(
     """
     system, own_arguments = as_diagram(system)
     own = own_arguments.get("initial_state")
-    state = vector_by_name("initial_state", system, "state", initial_state, own)
     try:
         run = CompiledRun(system, params)
         if kind is not None:
             refuse_levels(run)
-        state = own if state is None else state
-        start = stacked_state("initial_state", state, run.runner.nstates)
+        start = start_of(system, initial_state, own, run.runner.nstates)
         _check_finite(run, start, params or {})
         return (kind or CFile)(run, start)
     except Uncompiled as error:

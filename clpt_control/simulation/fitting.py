@@ -19,8 +19,8 @@ import numpy as np
 from ..base.arguments import brief, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
-from ..base.labelled import Clock, Labelled, axes_of, labelled, unlabelled
-from ..engine.model.ports import ports_of
+from ..base.labelled import Clock, Labelled, axes_of, labelled, own_times, unlabelled
+from ..engine.model.ports import indices_by_name, ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
 from .requests import as_diagram, clock_of
@@ -163,34 +163,35 @@ class FitProblem:
     ):
         self.run = run
         self.names = [*run.locations]
-        signals = {label: [k] for k, label in enumerate(run.output_labels)}
-        self.ports = signals | ports_of(run.output_labels)
+        self.ports = indices_by_name(run.output_labels)
         self._read(measured)
         self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
     def _read(self, measured: Mapping[str, Labelled]) -> None:
         """Read the measurements: columns of outputs, their names, values and finite ones."""
-        n = len(self.run.request.times) - self.run.request.skipped
+        times = self.run.request.times[self.run.request.skipped :]
         self.columns: list[int] = []
         self.outputs: list[str] = []
         values: list[np.ndarray] = []
-        for name, value in measured.items():
-            if name not in self.ports or not np.isfinite(value.values).any():
+        for name, signal in measured.items():
+            if name not in self.ports or not np.isfinite(signal.values).any():
                 continue
             columns = self.ports[name]
-            labels = [self.run.output_labels[k] for k in columns]
-            array = np.moveaxis(value.ordered(f"data['{name}']", labels), -1, 0)
             if set(columns) & set(self.columns):
                 raise ArgumentError(f"data: {name} is given twice")
-            if array.size != n * len(columns) or array.shape[0] != n:
+            labels = [self.run.output_labels[k] for k in columns]
+            given = signal.ordered(f"data['{name}']", labels)
+            count, n = len(columns), len(signal.times)
+            if given.shape[-1:] != (n,) or given.size != n * count:
                 raise ArgumentError(
-                    f"data: {name} has the shape {array.shape}; must be {n} samples of "
-                    f"{len(columns)} signals"
+                    f"data: {name} has {given.size} numbers; must be {n} samples of {count} signals"
                 )
+            samples = np.full((count, len(times)), np.nan)
+            samples[:, np.searchsorted(times, signal.times)] = given.reshape(count, n)
+            values += [*samples]
             self.columns += columns
-            values += list(array.reshape(n, -1).T)
-            self.outputs += labels if len(columns) > 1 else [name]
+            self.outputs += labels if count > 1 else [name]
         if not values:
             ports = ", ".join(ports_of(self.run.output_labels))
             raise ArgumentError(f"data: has no finite numbers of the outputs {ports}")
@@ -431,8 +432,9 @@ def fit_parameters(
     >>> {name: round(value, 2) for name, value in fit.values.items()}
     {'k': 1.7, 'x0.y': 3.0}
     """
-    clock = clock_of(as_diagram(system)[0], timepts)
-    times, measured = _measurements(data, clock)
+    diagram, _ = as_diagram(system)
+    clock = clock_of(diagram, timepts)
+    times, measured = _measurements(diagram, data, clock)
     run = SensitivityRun(
         system,
         times,
@@ -459,41 +461,33 @@ def fit_parameters(
     return problem.fit()
 
 
-def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labelled]]:
-    """Return times, and measured values by name at these times, NaN where there are none."""
-    if hasattr(data, "iterrows"):  # a table; columns of text are no outputs
-        table = data.set_index("time") if "time" in data else data
-        data = table.select_dtypes("number").rename(columns=str)
-    elif hasattr(data, "data_vars"):
-        data = {
-            str(name): variable
-            for name, variable in data.data_vars.items()
-            if "time" in variable.dims and variable.dtype.kind in "biuf"
-        }
+def _measurements(
+    diagram: Any, data: Any, clock: Clock
+) -> tuple[np.ndarray, dict[str, Labelled]]:
+    """Return the times of all measurements, and the values of each name."""
+    if hasattr(data, "data_vars") or hasattr(data, "columns"):
+        names = {"time", *indices_by_name(diagram.input_labels)}
+        names |= {*indices_by_name(diagram.output_labels)}
+        data = data[[k for k in data if k in names or diagram.noutputs is None]]
     given = labelled("data", data, clock)
     if not isinstance(given, dict):
         raise ArgumentError(
             "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
     at = np.unique(clock.at)
-    own = [at if value.times is None else value.times for value in given.values()]
-    if not own or not all(map(np.size, own)):
+    for name, signal in given.items():
+        if signal.times is None:
+            values = signal.values
+            if values.ndim and axes_of(data[name]) is None:
+                values = np.moveaxis(values, 0, -1)  # arrays have samples first
+            given[name] = signal._replace(values=values, times=at)
+        elif (np.diff(signal.times) <= 0).any():
+            raise SimulationError(f"data['{name}']: must be at increasing times")
+    times = own_times(given)
+    if not len(times):
         raise ArgumentError(
             "timepts: is required with arrays, or a table without `time`"
         )
-    times = checked_times("data.time", np.unique(np.concatenate(own)))
     if not len(at):
         clock.at = times
-    measured = {}
-    for (name, value), sample_times in zip(given.items(), own, strict=True):
-        values = value.values
-        if (np.diff(sample_times) <= 0).any():
-            raise SimulationError(f"data['{name}']: must be at increasing times")
-        if values.ndim > 1 and axes_of(data[name]) is None:
-            values = np.moveaxis(values, 0, -1)  # arrays have samples first
-        if values.shape[-1:] == sample_times.shape != times.shape:
-            samples = values
-            values = np.full((*samples.shape[:-1], len(times)), np.nan)
-            values[..., np.searchsorted(times, sample_times)] = samples
-        measured[name] = value._replace(values=values)
-    return times, measured
+    return checked_times("data.time", times), given

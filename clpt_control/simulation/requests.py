@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import numbers, public
+from ..base.arguments import numbers, public, vector_of
 from ..base.errors import ArgumentError, SimulationError
 from ..base.labelled import Clock, Labelled, labelled, own_times
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.wiring import Sizes, check_rows, signals_by_name, vector_by_name
 from ..engine.model.system import linear
-from ..engine.solver.inputs import Inputs, checked_state, checked_times, read_inputs
+from ..engine.solver.inputs import Inputs, checked_times, read_inputs
 from ..engine.solver.runner import RunOptions, steps_between
 
 if TYPE_CHECKING:
@@ -60,8 +60,7 @@ class Request(NamedTuple):
     def with_state(self, state: Any) -> "Request":
         """Return the run from another initial state; a mapping changes the states it names."""
         own = self.start
-        state = vector_by_name("initial_state", self.diagram, "state", state, own)
-        start = stacked_state("initial_state", state, len(own))
+        start = start_of(self.diagram, state, own, len(own))
         if not np.isfinite(start).all():
             raise SimulationError(f"initial_state = {start}: must be finite")
         return self._replace(start=start)
@@ -105,17 +104,16 @@ def request_of(
     A closed loop without inputs and initial state runs from t = 0.  Times in discrete time are one
     `dt` apart, or `multiples` of it.  A `clock` has the times of inputs, by default `timepts`.
     """
-    # 1. initial state by name, and the diagram's own arguments
+    # 1. the diagram's own arguments
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
-    own_state = own_arguments.pop("initial_state", None)
-    state = vector_by_name("initial_state", diagram, "state", initial_state, own_state)
+    own = own_arguments.pop("initial_state", None)
     # 2. times
     times, skipped, steps = timepts, 0, None
     if clock is None:
         clock = clock_of(diagram, timepts)
         times = None if timepts is None else distinct_times(clock.at)
-    if loop is not None and (timepts is None or inputs is state is None):
+    if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = times_from_zero(loop.scenario, times)
     given = labelled("inputs", inputs, clock)
     if times is None:
@@ -124,20 +122,16 @@ def request_of(
             raise SimulationError("timepts: is required to simulate a diagram")
     if timepts is None:
         clock.at = times
-    if state is None:
-        state = own_state
-    # 3. numbers of states and inputs
+    # 3. arrays
     read = inputs_at(diagram, inputs, given, clock.at, times)
-    nstates, sizes = diagram.nstates, (None, None)
-    if None in (nstates, diagram.ninputs):
-        nstates = states_count(diagram, state)
-        sizes = nstates, len(read.samples[1])
-    # 4. arrays
+    start = start_of(diagram, initial_state, own, diagram.nstates)
+    sizes = None, None
+    if None in (diagram.nstates, diagram.ninputs):
+        sizes = len(start), len(read.samples[1])
     if multiples and diagram.dt:
         steps = steps_between(times, diagram.dt)
     if steps is not None:
         times = np.interp(np.arange(steps[-1] + 1), steps, times)
-    start = stacked_state("initial_state", state, nstates)
     for name, value in own_arguments.items():
         if options.get(name) is None:
             options[name] = value
@@ -152,7 +146,10 @@ def request_of(
         checked,
         sizes,
         clock.at if timepts is None else timepts,
-        (state, None if inputs is None else read.samples[1]),
+        (
+            None if initial_state is own is None else start,
+            None if inputs is None else read.samples[1],
+        ),
     )
 
 
@@ -172,15 +169,6 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 # --- in the forms of python-control ------------------------------------------------
 
 
-def states_count(diagram: Any, state: Any) -> int:
-    """Return the number of a diagram's states; an open number is that of the states given."""
-    if diagram.nstates is not None:
-        return diagram.nstates
-    if not isinstance(state, list | tuple):
-        state = [0.0 if state is None else state]
-    return sum(map(np.size, state))
-
-
 def clock_of(diagram: Any, timepts: Any) -> Clock:
     """Return the clock of a diagram's runs at times as they were given."""
     loop = getattr(diagram, "origin", None)
@@ -194,25 +182,25 @@ def distinct_times(times: np.ndarray) -> np.ndarray:
     return checked_times("timepts", times)
 
 
-def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
-    """Return `count` states in the forms of python-control; None is zero.
+def start_of(diagram: Any, state: Any, own: Any, count: int | None) -> np.ndarray:
+    """Return the states given in any form of python-control, `own` for None, else zero.
 
-    A list, ``[x0, 0]``, is a sequence of numbers and arrays; a last zero is repeated.
+    The number of states, None, may be open.  A last zero is repeated.
     """
+    name = "initial_state"
+    state = vector_by_name(name, diagram, "state", state, own)
     if state is None:
-        return np.zeros(count)
-    if isinstance(state, list | tuple) and not all(map(np.isscalar, state)):
-        state = np.concatenate([numbers(name, value).ravel() for value in state])
-    else:
-        state = numbers(name, state)
-        if state.shape == (count,):
-            return state.copy()
-        state = state.ravel() if state.ndim else state
-    if 0 < np.size(state) < count and np.ndim(state) == 1:
+        state = 0.0 if own is None else own
+    state = numbers(name, state)
+    if count is None:
+        count = state.size
+    if state.ndim:
+        state = state.ravel()
+    if 0 < state.size < count and state.ndim:
         if state[-1] != 0:
             warn(f"{name} is too short: filled with zeros")
         state = np.pad(state, (0, count - len(state)))
-    return checked_state(name, state, (count,))
+    return vector_of(name, state, count)
 
 
 # --- inputs by name and time ---------------------------------------------------------------------
@@ -295,21 +283,19 @@ def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
     if all(np.array_equal(row_times, at) for row_times in own):
         values = np.array(np.broadcast_arrays(*(row.values for row in rows)))
         return read_inputs(values, at if own else times, len(rows))
-    distinct = np.unique(np.concatenate(own))
-    least = 1e-12 * np.abs(distinct).max()  # times that differ by rounding are equal
-    distinct = distinct[np.append(True, np.diff(distinct) > least)]
-    places = [np.searchsorted(distinct, row_times, "right") - 1 for row_times in own]
-    repeated = [place[1:][place[1:] == place[:-1]] for place in places]
-    jumps = distinct[np.unique(np.concatenate(repeated))]
-    joined = np.sort(np.append(distinct, jumps))
-    begins = np.append(joined[1:] == joined[:-1], False)  # of jumps
-    u = np.empty((len(rows), len(joined)))
-    remaining = iter(places)
-    for signal, row in zip(u, rows, strict=True):
+    t = np.unique(np.concatenate(own))
+    rounding = 1e-12 * np.abs(t).max()  # times that differ by less are equal
+    t = t[np.append(True, np.diff(t) > rounding)]
+    u = np.empty((len(rows), 2, len(t)))  # before and after each time
+    for (before, after), row in zip(u, rows, strict=True):
         if row.times is None:
-            signal[:] = row.values
+            before[:] = after[:] = row.values
         else:
-            x = distinct[next(remaining)]
-            signal[:] = np.interp(joined, x, row.values)
-            signal[begins] = np.interp(-joined[begins], -x[::-1], row.values[::-1])
-    return read_inputs(u, joined, len(u))
+            x = t[np.searchsorted(t, row.times, "right") - 1]
+            after[:] = np.interp(t, x, row.values)
+            left = np.interp(-t, -x[::-1], row.values[::-1])
+            before[:] = np.where(np.isin(t, x), left, after)
+    jumps = (u[:, 0] != u[:, 1]).any(axis=0)
+    values = np.repeat(u[:, 1], 1 + jumps, axis=1)
+    values[:, np.flatnonzero(jumps) + np.arange(jumps.sum())] = u[:, 0, jumps]
+    return read_inputs(values, np.repeat(t, 1 + jumps), len(rows))

@@ -18,8 +18,8 @@ import control
 import numpy as np
 from scipy.linalg import orth
 
-from ...base.arguments import attribute_of, numbers, public
-from ...base.errors import ArgumentError, DiagramError
+from ...base.arguments import attribute_of, public, vector_of
+from ...base.errors import DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
@@ -300,8 +300,8 @@ def _linearized(
         raise DiagramError(
             f"{system.name}: has no states and no inputs to linearize along"
         )
-    x = _vector("x", x, n)
-    u = _vector("u", u, m)
+    x = vector_of("x", 0.0 if x is None else x, n)
+    u = vector_of("u", 0.0 if u is None else u, m)
     try:
         block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)
@@ -414,15 +414,6 @@ def state_space(
     system.D = D
     system.set_inputs(0)
     return system
-
-
-def _vector(name: str, value: Any, size: int) -> np.ndarray:
-    """Return states or inputs as a vector; a single number is the value of all, 0 without."""
-    array = numbers(name, 0.0 if value is None else value)
-    vector = array if array.ndim else np.full(size, array)
-    if vector.shape != (size,):
-        raise ArgumentError(f"{name} has shape {vector.shape}; must be ({size},)")
-    return vector
 
 
 def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.arguments import numbers
-from ...base.errors import ArgumentError, SimulationError
+from ...base.errors import SimulationError
 
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 
@@ -139,18 +139,6 @@ def checked_times(name: str, timepts: Any) -> ndarray:
     if not (isfinite(times[0]) and isfinite(times[-1])):
         raise SimulationError(f"{name}: must be finite")
     return times
-
-
-def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> ndarray:
-    """Return states as an array of a shape; a single number is the value of all."""
-    values = numbers(name, state)
-    if values.ndim == 0:
-        values = np.full(shape, float(values))
-    if values.shape != shape:
-        raise ArgumentError(
-            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
-        )
-    return values.copy()
 
 
 def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:

@@ -18,14 +18,14 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ...base.arguments import numbers
+from ...base.arguments import numbers, vector_of
 from ...base.errors import SimulationError
 from ..codegen.diagram_record import Layout
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods import METHODS
 from .evaluation_pass import Sweep
-from .inputs import NO_INPUTS, Inputs, checked_state, checked_times, read_inputs
+from .inputs import NO_INPUTS, Inputs, checked_times, read_inputs
 from .schedule import Schedule, make_schedule
 from .termination import ADVICE, Solution
 
@@ -147,7 +147,7 @@ class Runner(ABC):
             the policy ``"raise"`` is crossed.
         """
         times = checked_times("times", times)
-        start = checked_state("x0", x0, (self.nstates,))
+        start = vector_of("x0", x0, self.nstates)
         options = RunOptions.checked(
             self.wiring.dt,
             times,
