@@ -434,3 +434,15 @@ def nearest(name: str, names: Iterable[str]) -> str:
     if last in candidates:
         return last
     return next(iter(difflib.get_close_matches(name, candidates, n=1)), "")
+
+
+def known(name: str, names: Iterable[str]) -> str:
+    """Return a sentence with the most similar name, or with all names.
+
+    >>> known("angel", ["angle", "rate"]), known("y", ["angle", "rate"])
+    ("Did you mean 'angle'?", 'It has angle, rate')
+    """
+    close = nearest(name, names)
+    return (
+        f"Did you mean '{close}'?" if close else f"It has {', '.join(names) or 'none'}"
+    )

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arguments import attribute_of, has, nearest, numbers
+from .arguments import attribute_of, has, known, numbers
 from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
@@ -56,8 +56,7 @@ class Clock:
 
     def __init__(self, timepts: Any, unit: str = "s"):
         self.unit = unit
-        self.zero: Any = None  # the date of t = 0
-        self.is_dated: bool | None = None  # whether labels are dates
+        self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
         self.has_zero = labels.dtype.kind == "M"
         if labels.dtype.kind in "mM":
@@ -66,19 +65,19 @@ class Clock:
 
     def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
         """Return times as numbers."""
-        is_dated = labels.dtype.kind == "M"
-        if self.is_dated not in (None, is_dated):
+        first = labels[0] if labels.dtype.kind == "M" else 0
+        if self.zero is None:
+            self.zero = first
+        if isinstance(first, int) is not isinstance(self.zero, int):
             raise SimulationError(
                 f"{argument}: dates and numbers are given as times. Give one kind"
             )
-        self.is_dated = is_dated
-        if is_dated:
-            self.zero = labels[0] if self.zero is None else self.zero
-            if labels[0] != self.zero and not self.has_zero:
-                raise SimulationError(
-                    f"{argument}: begins at {labels[0]}, other data at {self.zero}. "
-                    "Give timepts as dates, of which the first is t = 0"
-                )
+        if first != self.zero and not self.has_zero:
+            raise SimulationError(
+                f"{argument}: begins at {first}, other data at {self.zero}. "
+                "Give timepts as dates, of which the first is t = 0"
+            )
+        if labels.dtype.kind == "M":
             labels = labels - self.zero
         if labels.dtype.kind == "m":
             labels = labels / SECOND / SECONDS[self.unit]
@@ -101,14 +100,6 @@ class Clock:
         if not (len(labels) and np.isfinite(labels).all() and is_ordered):
             raise SimulationError(f"{argument}: its times must be finite and in order")
         return self.numbers(argument, labels)
-
-
-def known(name: str, names: Iterable[str]) -> str:
-    """Return a sentence on the names that are known, the nearest one if there is one."""
-    close = nearest(name, names)
-    return (
-        f"Did you mean '{close}'?" if close else f"It has {', '.join(names) or 'none'}"
-    )
 
 
 def check_complete(
@@ -146,7 +137,7 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
         }
     if isinstance(value, list | tuple):
         if all(map(np.isscalar, value)):
-            return value
+            return numbers(argument, value)
         rows = [_read(argument, row, clock) for row in value]
         if any(row.names for row in rows):
             raise ArgumentError(
@@ -164,11 +155,9 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
     return {name: read._replace(values=row, names=None) for name, row in named}
 
 
-def own_times(given: Any) -> np.ndarray:
-    """Return all times of values that `labelled` returned, in order."""
-    rows = given.values() if isinstance(given, dict) else given
-    rows = rows if np.iterable(rows) else []
-    own = [row.times for row in rows if getattr(row, "times", None) is not None]
+def own_times(given: Mapping[Any, Labelled]) -> np.ndarray:
+    """Return all times of labelled values, in order."""
+    own = [row.times for row in given.values() if row.times is not None]
     return np.unique(np.concatenate([[], *own]))
 
 
@@ -229,7 +218,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
                 array = np.flip(array, k) if labels[0] > labels[-1] else array
         elif kind and all(isinstance(label, str) for label in labels):
             ranks.append(0)
-            names = [*map(str, labels)]
+            names = labels.tolist()
             if len({*names}) < len(names):
                 raise ArgumentError(f"{argument}: a label is given twice")
         else:
@@ -238,8 +227,9 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
                 order = None if is_index or dim == "member" else _order(labels)
                 if order is None:
                     raise ArgumentError(
-                        f"{argument}: labels of {dim or 'its index'} are no names and do not count signals. If "
-                        "they are times, call them time, without a time zone; else give .to_numpy()"
+                        f"{argument}: labels of {dim or 'its index'} are no names and do not count "
+                        "signals. If they are times, call them time, without a time zone; else give "
+                        ".to_numpy()"
                     )
                 array = np.take(array, order, k)
     if len({*ranks}) < len(ranks):
@@ -258,8 +248,8 @@ def _order(labels: np.ndarray) -> np.ndarray | None:
     if labels.dtype.kind not in "iuf":
         return None
     order = np.argsort(labels)
-    counts = {*(labels[order] - np.arange(len(labels))).tolist()}
-    return order if counts in ({0}, {1}) else None
+    first = {*(labels[order] - range(len(labels))).tolist()}
+    return order if first in ({0}, {1}) else None
 
 
 def _signals_of(
@@ -280,7 +270,8 @@ def _signals_of(
         if values.ndim == 3 and values.shape[1] != 1:
             raise SimulationError(
                 f"{argument}: the response has {values.shape[1]} traces. Give one: "
-                "control.TimeResponseData(r.time, r.y[:, 0], output_labels=r.output_labels, issiso=False)"
+                "control.TimeResponseData(r.time, r.y[:, 0], output_labels=r.output_labels, "
+                "issiso=False)"
             )
         rows = values.reshape(len(values), -1)
         signals |= {

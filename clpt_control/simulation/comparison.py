@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..base.arguments import nearest, public
+from ..base.arguments import known, public
 from ..base.errors import ArgumentError, DataError
 from ..base.figures import (
     COLOURS,
@@ -136,11 +136,8 @@ def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
     for spelling in (name, name.replace(".", "_"), name.removesuffix("[0]")):
         if spelling in by_name:
             return {_title(run, spelling): by_name[spelling]}
-    close = nearest(name, [*COMPARED, *ports, *by_name])
-    raise ArgumentError(
-        f"plot '{name}': the run has no such signal or state. "
-        + (f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}")
-    )
+    advice = known(name, [*COMPARED, *ports, *by_name])
+    raise ArgumentError(f"plot '{name}': the run has no such signal or state. {advice}")
 
 
 def panels_for(ax: Any, count: int, example: str) -> Any:

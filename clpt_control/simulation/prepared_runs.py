@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import nearest, public
+from ..base.arguments import known, public
 from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
@@ -127,11 +127,8 @@ class PreparedRun:
             )
         for key, value in params.items():
             if key not in self._params:
-                close = nearest(key, self._params)
-                known = ", ".join(self._params) or "none"
                 raise SimulationError(
-                    f"params: {key} was not given to prepare, which knows {known}"
-                    + (f"; did you mean {close}?" if close else "")
+                    f"params: {key} was not given to prepare. {known(key, self._params)}"
                 )
             shape = np.shape(self._params[key])
             array = unlabelled(f"params['{key}']", value)

@@ -49,13 +49,16 @@ class Request(NamedTuple):
     inputs: Inputs
     start: np.ndarray
     options: RunOptions
-    sizes: Sizes  # numbers of states and inputs that the diagram leaves open, or None
     timepts: Any  # as they were given; inputs may jump at repeated ones
-    given: tuple[Any, Any]  # initial state and inputs as they were read, or None
+
+    @property
+    def sizes(self) -> Sizes:
+        """Numbers of states and inputs, which a diagram may leave open."""
+        return len(self.start), len(self.inputs.samples[1])
 
     def drawn_around(self) -> AbstractContextManager[None]:
         """Confirm new records of functions around the numbers of this run."""
-        return drawn_around(self.times, *self.given)
+        return drawn_around(self.times, self.start, self.inputs.samples[1])
 
     def with_state(self, state: Any) -> "Request":
         """Return the run from another initial state; a mapping changes the states it names."""
@@ -117,7 +120,7 @@ def request_of(
         times, skipped = times_from_zero(loop.scenario, times)
     given = labelled("inputs", inputs, clock)
     if times is None:
-        times = own_times(given)
+        times = own_times(given) if isinstance(given, dict) else clock.at
         if not len(times):
             raise SimulationError("timepts: is required to simulate a diagram")
     if timepts is None:
@@ -125,9 +128,6 @@ def request_of(
     # 3. arrays
     read = inputs_at(diagram, inputs, given, clock.at, times)
     start = start_of(diagram, initial_state, own, diagram.nstates)
-    sizes = None, None
-    if None in (diagram.nstates, diagram.ninputs):
-        sizes = len(start), len(read.samples[1])
     if multiples and diagram.dt:
         steps = steps_between(times, diagram.dt)
     if steps is not None:
@@ -144,12 +144,7 @@ def request_of(
         read,
         start,
         checked,
-        sizes,
         clock.at if timepts is None else timepts,
-        (
-            None if initial_state is own is None else start,
-            None if inputs is None else read.samples[1],
-        ),
     )
 
 
@@ -188,18 +183,15 @@ def start_of(diagram: Any, state: Any, own: Any, count: int | None) -> np.ndarra
     The number of states, None, may be open.  A last zero is repeated.
     """
     name = "initial_state"
-    state = vector_by_name(name, diagram, "state", state, own)
-    if state is None:
-        state = 0.0 if own is None else own
-    state = numbers(name, state)
+    state = numbers(name, vector_by_name(name, diagram, "state", state, own))
     if count is None:
         count = state.size
     if state.ndim:
         state = state.ravel()
-    if 0 < state.size < count and state.ndim:
-        if state[-1] != 0:
-            warn(f"{name} is too short: filled with zeros")
-        state = np.pad(state, (0, count - len(state)))
+        if 0 < len(state) < count:
+            if state[-1] != 0:
+                warn(f"{name} is too short: filled with zeros")
+            state = np.pad(state, (0, count - len(state)))
     return vector_of(name, state, count)
 
 
@@ -214,7 +206,7 @@ def inputs_at(
     Samples without times are those `at` some times.
     """
     labels, count = diagram.input_labels, diagram.ninputs
-    if isinstance(given, list) and any(isinstance(row, Labelled) for row in given):
+    if isinstance(given, list):
         rows = [row for value in given for row in _rows("inputs", value, at)]
         if count is not None:
             check_rows("inputs", rows, count)
@@ -230,12 +222,10 @@ def inputs_at(
                 rows[column] = row
         return _joined(rows, at, times)
     if count is None:
-        shape = np.shape(given)
-        count = shape[0] if shape and shape != at.shape else 1
-    read = read_inputs(given, at, count)
-    if len(read.samples[0]) == 1:
-        return Inputs((times[:1], read.samples[1]))
-    _check_within(times, at)
+        count = 1 if np.shape(given) in ((), at.shape) else len(given)
+    read = read_inputs(given, times if given is None else at, count)
+    if len(read.samples[0]) > 1:
+        _check_within(times, at)
     return read
 
 
@@ -244,13 +234,13 @@ def _rows(
 ) -> list[Labelled]:
     """Return a row, a number or samples, for each signal; one number is the value of all."""
     values, times, *_ = signal
-    if not values.ndim:
-        values = np.full(count or 1, values)
-    is_row = times is not None or values.shape == at.shape != (count,)
-    if (count == 1 and times is None) or (values.ndim == 1 and is_row):
+    if values.ndim < 2:
+        is_row = times is not None or values.shape == at.shape != (count,)
+        values = values.reshape((1, -1) if is_row else (-1, 1))
+    if times is None and count == 1:
         values = values.reshape(1, -1)
-    elif values.ndim == 1:
-        values = values[:, None]
+    if values.shape == (1, 1):
+        values = np.repeat(values, count or 1, axis=0)
     if count is not None:
         check_rows(argument, values, count)
     length = values.shape[-1]
@@ -258,9 +248,7 @@ def _rows(
         raise ArgumentError(
             f"{argument}: has {length} values; there are {len(at)} times"
         )
-    if times is None and length == 1:
-        values = values.ravel()
-    elif times is None:
+    if times is None and length > 1:
         times = at
     return [signal._replace(values=row, times=times) for row in values]
 
@@ -282,7 +270,9 @@ def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
         _check_within(times, row_times)
     if all(np.array_equal(row_times, at) for row_times in own):
         values = np.array(np.broadcast_arrays(*(row.values for row in rows)))
-        return read_inputs(values, at if own else times, len(rows))
+        if own:
+            return read_inputs(values, at, len(rows))
+        return read_inputs(values.ravel(), times, len(rows))
     t = np.unique(np.concatenate(own))
     rounding = 1e-12 * np.abs(t).max()  # times that differ by less are equal
     t = t[np.append(True, np.diff(t) > rounding)]

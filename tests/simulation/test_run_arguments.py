@@ -111,7 +111,7 @@ def test_other_states_of_a_scenario_are_its_own():
     [
         ({"inputs": {"torqe": 1}}, "lag: has no input 'torqe'. Did you mean 'torque'"),
         ({"initial_state": {"speed": 1}}, "lag: has no state 'speed'. It has angle"),
-        ({"initial_state": {"angle": [1, 2]}}, "has 2 rows. Give 1, one per signal"),
+        ({"initial_state": {"angle": [1, 2]}}, "must have 1 numbers"),
         ({"inputs": {"torque": "much"}}, "must be an array of numbers"),
     ],
 )

@@ -300,8 +300,8 @@ def _linearized(
         raise DiagramError(
             f"{system.name}: has no states and no inputs to linearize along"
         )
-    x = vector_of("x", 0.0 if x is None else x, n)
-    u = vector_of("u", 0.0 if u is None else u, m)
+    x = vector_of("x", x, n)
+    u = vector_of("u", u, m)
     try:
         block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)

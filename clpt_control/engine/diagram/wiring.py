@@ -18,9 +18,9 @@ from typing import Any, NamedTuple, TypeAlias
 import control
 import numpy as np
 
-from ...base.arguments import has
+from ...base.arguments import has, known, vector_of
 from ...base.errors import ArgumentError, DiagramError
-from ...base.labelled import Labelled, check_complete, known, labelled
+from ...base.labelled import Labelled, check_complete, labelled
 from ..model.block import Block
 from ..model.declaration import same_unit
 from ..model.ports import indices_by_name, port_of, ports_of
@@ -516,18 +516,17 @@ def check_rows(argument: str, values: Any, count: int) -> None:
 def vector_by_name(
     argument: str, system: Any, kind: str, value: Any, default: Any = None
 ) -> Any:
-    """Return states or inputs given by name as a vector; others have the default, or are 0."""
+    """Return states or inputs given by name as a vector, others in it the default or 0."""
+    if value is None:
+        return 0.0 if default is None else default
     given = labelled(argument, value)
     if not isinstance(given, dict):
         return given
     vector = np.zeros(len(getattr(system, f"{kind}_labels")))
-    if default is not None:
-        vector[:] = default
+    vector += 0.0 if default is None else default
     signals = signals_by_name(argument, system, kind, value, given)
     for words, columns, signal in signals:
         values = signal.values.ravel()
-        if len(values) == 1:
-            values = np.repeat(values, len(columns))
-        check_rows(words, values, len(columns))
-        vector[columns] = values
+        values = values[0] if len(values) == 1 else values
+        vector[columns] = vector_of(words, values, len(columns))
     return vector

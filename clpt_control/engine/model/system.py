@@ -50,7 +50,7 @@ class System(Block):
         self._params = dict(system.params if params is None else params)
         for key, value in self._params.items():
             axes = axes_of(value)
-            is_wrong = axes or value is None or isinstance(value, str)
+            is_wrong = axes or isinstance(value, str | None)
             if is_wrong and _is_number(key, system.params.get(key)):
                 raise BlockError(
                     f"{self.name}.{key} = {brief(value)}: must be a number"
