@@ -632,19 +632,20 @@ class FlowEstimator:
         steps = np.diff(east + 1j * north)
         kinds, doubted = unmeasured(times, np.transpose(degrees), steps)
         shown = kinds != ""
+        newest = (doubted | shown)[-2:]
         if rival := self.rival:
             since = times > rival.rows[-1][0]
             if np.any(shown[since]) and not np.any(doubted[since]):
                 self.state = rival.state
-            elif not np.any(doubted[-2:]):
+            elif not np.any(newest):
                 self.rival = None
         if doubted[-1]:
             self.rival = self.rival or self._with(self.state)
             self.rival.is_screened = False
-        elif self.rival:
+        elif self.rival and not shown[-1]:
             self.rival.fix(*position)
         if len(rows) > ROWS:
-            del rows[-2 if np.all(doubted[-2:] | shown[-2:]) else 0]
+            del rows[-2 if np.all(newest) else 0]
         self.rows = rows
         return kinds[-1] and f"{kinds[-1]}: {NO_FIX}"
 

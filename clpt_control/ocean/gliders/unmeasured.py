@@ -4,7 +4,7 @@ With d the displacement over ground between two rows of a log, w that through th
 resolution of the positions, a position is
 
     held          if it stays within 3 m of the last fix while the vehicle moves, and then jumps
-    reckoned      if d = w to (0.02 m + |w|/1000 + q): the vehicle's own motion
+    reckoned      if d = w to (0.02 m + 1e-3 |w| + q): the vehicle's own motion
     interpolated  if it lies within (0.02 m + q) of a straight line at one velocity
 
 Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
@@ -25,7 +25,7 @@ from math import log
 
 import numpy as np
 
-from ...base.geodesy import displacement
+from ...base.geodesy import RADIUS, displacement
 
 NO_FIX = "the position carries no measurement and is no fix"
 DOUBT = (
@@ -38,6 +38,8 @@ MOVED = 0.1  # m that a vehicle moves at least
 STAYS = 30.0  # m that one that keeps its place may seem to move
 WANDERS = 100.0  # m that it moves at most, by noise and control
 EXACT = 0.02  # m, in sums of stretches and in a straight line
+SLOWER = 1e-3  # of the vehicle's own motion, by rounding
+TURNED = 3e-3  # rad, of axes at the last fix 10 km away
 QUIETEST = 2.0  # m, noise of a fix on each axis, the smallest
 RARE, SELDOM = 1e-7, 1e-3  # chances that fixes with that noise agree
 PER_DEGREE = 111e3  # m
@@ -84,10 +86,12 @@ def _resolution(positions: Array) -> float:
     return 0.0
 
 
-def _is_shown(agrees: Array, tolerance: float, variance: float) -> bool:
+def _is_shown(agrees: Array, tolerance: Array, variance: float) -> bool:
     """Return whether deviations of two normal axes are within a distance too often for chance."""
     chance = -np.expm1(-(tolerance**2) / (2 * variance))
-    return np.sum(agrees) > 2 * chance * len(agrees) + log(RARE) / log(min(chance, 0.5))
+    counts = chance < 0.5
+    fewest = log(RARE) / log(np.max(chance[counts], initial=1e-9))
+    return np.sum(agrees[counts]) > 2 * np.sum(chance[counts]) + fewest
 
 
 def _moved(positions: Array) -> Array:
@@ -133,13 +137,16 @@ def _reckoned(
 
     They are reckoned if that is no chance, or if jumps stand alone between them.
     """
-    size = np.abs(steps)
-    off = np.abs(_moved(positions) - steps)
-    tolerance = np.minimum(EXACT + 1e-3 * size, 0.3) + 1.25 * q
-    agrees = (off <= tolerance) & (size > MOVED)
-    alone = agrees[:-2] & agrees[2:] & (off > 10 * tolerance)[1:-1]
-    widest = np.nanmax(tolerance, initial=EXACT)
-    is_shown = np.sum(alone) > 1 or _is_shown(agrees, widest, 2 * QUIETEST**2)
+    size = np.abs(np.nan_to_num(steps))
+    error = _moved(positions) * np.conj(steps) / np.maximum(size, MOVED) - size
+    along, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
+    agrees = (np.abs(error.real) <= along) & (np.abs(error.imag) <= across)
+    agrees &= size > MOVED
+    jumps = np.abs(error) > 10 * across + STAYS
+    alone = agrees[:-2] & jumps[1:-1] & agrees[2:]
+    # area of a rectangle as that of a circle
+    tolerance = np.sqrt(4 * along * across / np.pi)
+    is_shown = np.sum(alone) > 1 or _is_shown(agrees, tolerance, 2 * QUIETEST**2)
     candidates = np.append(False, agrees)
     return "reckoned", candidates & is_shown, candidates
 
@@ -151,28 +158,33 @@ def _interpolated(
 
     At the ends of reckoned lines the position jumps.
     """
-    empty = np.zeros(len(time), bool)
-    spans = np.diff(time)
-    size = PER_DEGREE * np.array([1j, np.cos(np.radians(positions[:, 0].mean()))])
-    ground = np.diff(np.unwrap(positions, axis=0, period=360.0), axis=0) @ size
+    latitudes = np.radians(positions[:, 0])
+    unwrapped = np.unwrap(positions, axis=0, period=360.0)
+    in_degrees = unwrapped @ [1j * PER_DEGREE, PER_DEGREE * np.cos(latitudes.mean())]
     moved = _moved(positions)
-
-    def bends(moved: Array) -> Array:
-        weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
-        return np.abs(np.diff(moved / spans)) * weights
-
-    tolerance = EXACT + q
-    inner = np.pad(np.minimum(bends(ground), bends(moved)) <= tolerance, 1)
-    ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-    unexplained = bends(moved - np.nan_to_num(steps)) > 2 * tolerance
-    if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
-        return "", empty, empty
-    # steps between two lines that no turn from one to the other makes
-    velocity = moved / spans
-    change = np.abs(np.diff(velocity))
-    detour = change[:-1] + change[1:] - np.abs(velocity[2:] - velocity[:-2])
-    is_jump = inner[:-3] & ~inner[1:-2] & ~inner[2:-1] & inner[3:]
-    if np.sum(is_jump & (detour * spans[1:-1] > 20 * tolerance)) > 1:
-        return "reckoned", inner | np.append(False, inner[:-1]), empty
-    inner &= _is_shown(inner, tolerance, 1.5 * QUIETEST**2)
-    return "interpolated", inner, empty
+    curved = np.abs(moved[1:] * moved[:-1] * np.tan(latitudes[1:-1])) / RADIUS
+    spans = np.diff(time)
+    weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
+    # lines of constant course, shortest ones and, closer, those in degrees
+    for ground, tolerance in (moved, curved), (np.diff(in_degrees), 0 * curved):
+        tolerance = tolerance + EXACT + q
+        velocity = ground / spans
+        change = np.abs(np.diff(velocity))
+        inner = np.pad(change * weights <= tolerance, 1)
+        ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
+        drift = velocity - np.nan_to_num(steps) / spans
+        unexplained = np.abs(np.diff(drift)) * weights > 2 * tolerance
+        if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
+            continue
+        # steps between two lines that no turn from one to the other makes
+        detour = change[:-1] + change[1:] - np.abs(velocity[2:] - velocity[:-2])
+        is_jump = inner[:-3] & ~inner[1:-2] & ~inner[2:-1] & inner[3:]
+        is_jump &= spans[1:-1] < 4 * spans[:-2]
+        is_jump &= detour * spans[1:-1] > 20 * tolerance[1:] + STAYS
+        if np.sum(is_jump) > 1:
+            last = np.append(False, inner[:-1]) & ~np.append(inner[1:], False)
+            return "reckoned", inner | last, ~inner & inner
+        if _is_shown(inner[1:-1], tolerance, 1.5 * QUIETEST**2):
+            return "interpolated", inner, ~inner & inner
+    empty = np.zeros(len(time), bool)
+    return "", empty, empty

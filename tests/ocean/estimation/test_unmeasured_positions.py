@@ -1,0 +1,196 @@
+"""Positions that are no fixes: held by a receiver, reckoned by the vehicle, interpolated by a file.
+
+The current is that of the made missions; their fixes alone are the right table.
+"""
+
+import tomllib
+from math import atan2, cos, degrees, radians, sin
+
+import numpy as np
+import pytest
+from geodesics import place_from
+from made_missions import CURRENT, HEAD, LEG, UNIFORM, mission
+
+import clpt_control as clpt
+
+SCENARIO = clpt.Scenario(**tomllib.loads(UNIFORM))
+BEGIN_OF_SOUTH = (1777593600.0, -58.3, 179.9)
+
+
+def velocity(row):
+    return row[4] * np.array([sin(radians(row[3])), cos(radians(row[3]))])
+
+
+def between(fixes, every, kind, jitter=0.3, seed=5):
+    """Rows each `every` s, of which only those at the times of the fixes are fixes."""
+    random = np.random.default_rng(seed)
+    for number, (fix, after) in enumerate(zip(fixes, [*fixes[1:], None], strict=True)):
+        yield fix
+        kind_of_leg = kind[number % len(kind)]
+        for k in range(1, round(LEG / every) if after else 1):
+            line = np.array([fix[1:3], (after or fix)[1:3]])
+            place = {
+                "held": place_from(*fix[1:3], *random.normal(0, jitter, 2)),
+                "digit": line[0] + 1e-5 * random.integers(-1, 2, 2),
+                "reckoned": place_from(*fix[1:3], *(velocity(fix) * every * k)),
+                "interpolated": line[0] + every * k / LEG * (line[1] - line[0]),
+            }[kind_of_leg]
+            yield (fix[0] + every * k, *place, *fix[3:])
+
+
+def rounded(rows, digits):
+    return [
+        (row[0], round(row[1], digits), round(row[2], digits), *row[3:]) for row in rows
+    ]
+
+
+def recorded(path, rows, head=HEAD):
+    """Legs of a log, and the sentences on what is left out."""
+    columns = head.count(",") + 1
+    lines = [",".join(repr(float(cell)) for cell in row[:columns]) for row in rows]
+    path.write_text("\n".join([head, *lines]) + "\n")
+    legs, skipped = clpt.gliders.read_dives(path, usable=False)
+    return legs, [one.why.split(": ", 1)[1] for one in skipped]
+
+
+def fed(rows, estimator=None):
+    """A live estimator that was fed with rows, and its notes."""
+    estimator, notes, last = (
+        estimator or clpt.currents.FlowEstimator(SCENARIO),
+        [],
+        None,
+    )
+    for row in rows:
+        if last:
+            estimator.move(row[0], *(velocity(last) * (row[0] - last[0])))
+        notes.append(estimator.fix(*row[:3]).note)
+        last = row
+    return estimator, notes
+
+
+def flow_of(legs):
+    estimate = clpt.currents.flow_estimate(legs, SCENARIO)
+    return estimate.flow_parameters_estimate.values[-1]
+
+
+# digits, seconds between rows, kinds of the legs, how the mission differs
+LOGS = [
+    (8, 600.0, ["held"], {}),
+    (6, 900.0, ["held"], {"begin": BEGIN_OF_SOUTH}),
+    (5, 600.0, ["digit"], {}),
+    (4, 900.0, ["held"], {}),
+    (8, 600.0, ["reckoned"], {"begin": BEGIN_OF_SOUTH}),
+    (6, 5400.0, ["reckoned"], {}),
+    (4, 900.0, ["reckoned"], {}),
+    (8, 900.0, ["held", "reckoned"], {}),
+    (8, 5400.0, ["interpolated"], {}),
+    (5, 600.0, ["interpolated"], {}),
+    (8, 600.0, ["reckoned", "interpolated"], {"begin": BEGIN_OF_SOUTH}),
+]
+
+
+@pytest.mark.parametrize(("digits", "every", "kinds", "changes"), LOGS)
+def test_positions_without_a_measurement_are_left_out(
+    tmp_path, digits, every, kinds, changes
+):
+    fixes = rounded(mission(12, scatter=0.02, fix=3.0, seed=3, **changes), digits)
+    rows = rounded(between(fixes, every, kinds), digits)
+    legs, whys = recorded(tmp_path / "log.csv", rows)
+    right, none = recorded(tmp_path / "fixes.csv", fixes)
+    assert none == []
+    # a leg or two may end one row early or late, where digits hide a jump
+    assert abs(len(legs) - 12) <= (digits < 6)
+    assert np.abs(flow_of(legs) - flow_of(right)).max() < 0.003
+    (why,) = whys
+    names = {"digit": "held"}
+    assert f"{len(rows) - len(legs) - 1} rows are no fixes" in why
+    assert all(names.get(kind, kind) in why for kind in kinds)
+    if "interpolated" in kinds:
+        return  # which only later positions show
+    estimator, notes = fed(rows)
+    assert np.abs(estimator.flow_parameters - flow_of(right)).max() < 0.003
+    assert sum("is no fix" in note for note in notes) > 0.4 * (len(rows) - 13)
+    if digits == 8:
+        np.testing.assert_allclose(estimator.flow_parameters, flow_of(legs), rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("digits", "every", "drop"), [(8, 600.0, 0.0), (6, 300.0, 0.3)]
+)
+def test_reckoned_positions_without_motion_are_told(tmp_path, digits, every, drop):
+    """A jump is the fix, and the position before it is none."""
+    fixes = mission(12, fix=3.0, seed=1)
+    random = np.random.default_rng(1)
+    rows = [
+        row
+        for row in between(fixes, every, ["reckoned"])
+        if (row[0] - fixes[0][0]) % LEG == 0 or random.random() >= drop
+    ]
+    legs, whys = recorded(
+        tmp_path / "log.csv", rounded(rows, digits), "time,latitude,longitude"
+    )
+    assert len(legs) == 12
+    assert (
+        f"{len(rows) - 13} rows are no fixes and are left out: {len(rows) - 13} reckoned"
+        in (whys[0])
+    )
+    # reckoned positions with dropped rows, with the motion
+    legs, _ = recorded(tmp_path / "log.csv", rounded(rows, digits))
+    assert len(legs) == 12
+
+
+def test_an_estimator_in_doubt_goes_on_after_a_restart(tmp_path):
+    """Positions with jitter may be those of a vehicle that keeps its place, until one jumps."""
+    fixes = mission(5, fix=3.0, seed=2)
+    rows = [*between(fixes, 600.0, ["held"])]
+    estimator, _ = fed(rows[:10])
+    assert any("last positions repeat" in warning for warning in estimator.warnings)
+    estimator.save(tmp_path / "s")
+    loaded = clpt.currents.FlowEstimator.load(tmp_path / "s")
+    step = velocity(rows[9]) * 600.0
+    for one in (estimator, loaded):
+        one.move(rows[10][0], *step)
+        fed(rows[10:], one)
+    assert (estimator.legs, loaded.legs) == (5, 5)
+    np.testing.assert_array_equal(estimator.flow_parameters, loaded.flow_parameters)
+    assert np.abs(estimator.flow_parameters[:, 0] - CURRENT).max() < 0.03
+    assert estimator.warnings == []
+
+
+# motion through the water and over ground of each row (m/s), of the current c
+VEHICLES = {
+    "drifter": lambda c, k: (0.0 * c, c),
+    "moored": lambda c, k: (0.0 * c, 0.0 * c),
+    "moored with a log": lambda c, k: (-c, 0.0 * c),
+    "at its station, then away": lambda c, k: (-c, 0.0 * c) if k % 25 else (-2 * c, -c),
+    "slow": lambda c, k: (0.02 * heading(k), 0.02 * heading(k) + c),
+    "lawn-mower": lambda c, k: (
+        heading(1.57 * (k // 12)),
+        heading(1.57 * (k // 12)) + c,
+    ),
+    "still water": lambda c, k: (heading(k), heading(k)),
+}
+
+
+def heading(angle):
+    return np.array([sin(angle), cos(angle)])
+
+
+@pytest.mark.parametrize("name", VEHICLES)
+@pytest.mark.parametrize(
+    ("noise", "digits", "every"), [(2.0, 5, 3600.0), (2.0, 4, 300.0), (20.0, 6, 1.0)]
+)
+def test_true_fixes_stay(tmp_path, name, noise, digits, every):
+    random = np.random.default_rng([7, digits, *name.encode()])
+    current, place, rows = random.normal(0, 0.2, 2), (47.1, -20.3), []
+    for k in range(60):
+        water, ground = VEHICLES[name](current, k)
+        read = place_from(*place, *random.normal(0, noise, 2))
+        course = degrees(atan2(*water))
+        rows.append((1.7e9 + every * k, *read, course, float(np.hypot(*water))))
+        place = place_from(*place, *(ground * every))
+    rows = rounded(rows, digits)
+    legs, whys = recorded(tmp_path / "log.csv", rows)
+    assert (len(legs), whys) == (59, [])
+    estimator, _ = fed(rows)
+    assert estimator.legs == 59
