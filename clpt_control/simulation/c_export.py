@@ -97,7 +97,7 @@ class CFile:
             for field, value in parameters._asdict().items()
             if np.size(value) <= LARGE
         }
-        self.layout = lay_out(self.wiring, self.parameters, separate)
+        self.layout = lay_out(self.wiring, self.parameters, separate, False)
         self.record = CRecord(self.wiring, self.layout)
         self.program = CProgram(self.record, run.runner.nsignals)
         self.name = _c_name(run.name)[:MAX_NAME]
@@ -183,7 +183,7 @@ class CFile:
             for j, index in enumerate(np.ndindex(shape)):
                 suffix = f"[{','.join(map(str, index))}]" if index else ""
                 names[offset + j] = label + suffix
-        listed = self.record.parameters
+        listed = sorted(names)
         return [names[offset] for offset in listed], self.layout.P[listed]
 
     def _enum(self, letter: str, labels: list[str]) -> str:

@@ -193,7 +193,7 @@ class _CFunctions:
         # without optimization, to be quick; every function can be called
         flags = ("-O0", "-Dstatic=")
         self.library = loaded(compiled(f"#include <math.h>\n{text}", *flags))
-        self.p = np.append(layout.P[record.parameters], 0.0)
+        self.p = np.append(np.delete(layout.P, record.set_by_integrator), 0.0)
 
     def values(self, t: float, x: Any, u: Any) -> Values:
         """Return rates and outputs."""

@@ -7,7 +7,6 @@ The diagram is printed without preparation for a whole run and without locked de
 are one array.  Intervals and jumps, which an integrator sets, are another array, `kept`.
 """
 
-from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from itertools import chain
 from math import copysign, inf, isnan
@@ -48,10 +47,6 @@ class CRecord(DiagramRecord):
     def __init__(self, wiring: Any, layout: Layout):
         # places in P
         self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]
-        rows = [table.offset for table in layout.time_tables.values()]
-        hidden = {*self.set_by_integrator, *rows}
-        # of the numbers of `p`, in their order
-        self.parameters = [k for k in range(len(layout.P)) if k not in hidden]
         super().__init__(wiring, layout, Form(locking=False))
         systems = [node.system for node in wiring.nodes]
         guarded = [k for k, system in enumerate(systems) if system.guard is not None]
@@ -75,7 +70,7 @@ class CRecord(DiagramRecord):
 
     def place(self, offset: int) -> int:
         """Return the place in `p` of a parameter in P."""
-        return bisect_left(self.parameters, offset)
+        return offset - sum(setting < offset for setting in self.set_by_integrator)
 
 
 class CProgram:

@@ -130,12 +130,16 @@ class Layout:
 
 
 def lay_out(
-    wiring: Wiring, parameters: Sequence[Any], apart: Mapping[tuple[int, str], Any] = {}
+    wiring: Wiring,
+    parameters: Sequence[Any],
+    apart: Mapping[tuple[int, str], Any] = {},
+    tables: bool = True,
 ) -> Layout:
     """Return slots for the parameters of a diagram's blocks.
 
     `apart` maps fields that differ from run to run, (block, field), to a value; two of them share a
-    slot only if these values are equal.
+    slot only if these values are equal.  Without `tables`, P has parameters and what an integrator
+    sets alone.
     """
     layout = Layout()
     slots = dict[tuple, Slot]()
@@ -165,7 +169,7 @@ def lay_out(
                 layout.intervals[k] = slots[key].offset
         if block.jump_function is not None:
             layout.jumps[k] = slot("P", np.zeros(1)).offset
-        if wiring.dt:
+        if wiring.dt or not tables:
             continue
         for key in tables_over_time(block):
             if key not in layout.time_tables:

@@ -246,20 +246,15 @@ class Sweep:
         self, t: float, x: ndarray, u: External = None
     ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
-        least = np.inf
-        policy = ""
-        sentence = ""
-        for k, distance in self.distances(t, x, u).items():
-            if not distance >= least:
-                node = self.nodes[k]
-                guard: Any = node.system.guard
-                least = distance
-                policy = guard.policy
-                sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
-                if np.isnan(distance):
-                    of = f"at t = {t:.9g}: the distance of the guard of {node.name}"
-                    return distance, "raise", f"{of} is not a number"
-        return least, policy, sentence
+        distances = self.distances(t, x, u)
+        k = self.guarded[int(np.argmin([*distances.values()]))]  # the first NaN, if any
+        node = self.nodes[k]
+        guard: Any = node.system.guard
+        if np.isnan(distances[k]):
+            sentence = f"the distance of the guard of {node.name} is not a number at t = {t:.9g}"
+            return np.nan, "raise", sentence
+        sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
+        return distances[k], guard.policy, sentence
 
     def distances(self, t: float, x: ndarray, u: External = None) -> dict[int, float]:
         """Return the distances to the edges of guards, by block."""

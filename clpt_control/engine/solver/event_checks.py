@@ -137,7 +137,7 @@ def set_edges(solver):
     for guard in range(shape.decisions, shape.decisions + shape.guarded):
         least, most, rounding = math.inf, -math.inf, 0.0
         for point in range(SAMPLE_POINTS + 1):
-            rounding = max(rounding, edge_of(points[point, ROUNDING, guard], 0.0))
+            rounding = max(rounding, points[point, ROUNDING, guard])
             if abs(points[point, DISTANCE, guard]) < math.inf:
                 least = min(least, points[point, DISTANCE, guard])
                 most = max(most, points[point, DISTANCE, guard])
@@ -150,9 +150,8 @@ def set_edges(solver):
 
 
 def edge_of(rounding, change):
-    """Return how far beyond its edge a guard is left; rounding and change may not be finite."""
-    edge = rounding if 0.0 <= rounding < math.inf else 0.0
-    return edge + change if 0.0 <= change < math.inf else edge
+    """Return how far beyond its edge a guard is left; the change may not be finite."""
+    return rounding + change if change < math.inf else rounding
 
 
 def row_of(point):

@@ -325,8 +325,9 @@ def is_undecided(solver):
     """Return whether rates would be others if decisions about NaN, which are no, were yes."""
     for j in range(solver.shape.decisions):
         held = solver.memory.P[solver.shape.first_decision + j]
+        solver.points[BEHIND, DECISION, j] = held
         if held != held:
+            solver.points[BEHIND, DECISION, j] = 1.0
             solver.integers[EVENT_INDEX, 0] = j
-        solver.points[BEHIND, DECISION, j] = held if held == held else 1.0
-    some = decisions_differ(solver, BEHIND)
-    return some and rates_differ(solver, solver.lane[TIME], STATE)
+    differ = decisions_differ(solver, BEHIND)
+    return differ and rates_differ(solver, solver.lane[TIME], STATE)

@@ -150,18 +150,15 @@ class NativeRun:
         if self.diagram.code.program.decided and self.status in STUCK:
             # it is stuck: once more, without located switches
             with suppress(SimulationError):  # the error is that of the first run
-                free = self._again(self.diagram.in_form(locking=False))
+                program = self.diagram.in_form(locking=False)
+                P = program.parameters(self.parameters)
+                whole = self.start, P, self.times, self.segments, self.options
+                free = NativeRun(program, *whole)
                 free.locates = False
                 free = free.go_on(free.first_leg())
                 if free.status in (Status.FINISHED, Status.GUARD_LEFT):
                     return free
         return self
-
-    def _again(self, diagram: Any) -> "NativeRun":
-        """Return the same run of a form of the diagram, from its start."""
-        P = diagram.parameters(self.parameters)
-        whole = self.start, P, self.times, self.segments, self.options
-        return NativeRun(diagram, *whole)
 
     def _append_legs(self) -> None:
         """Append legs until the run has ended."""
@@ -241,10 +238,6 @@ class NativeRun:
         """Go on by Rodas5P: the equations are stiff."""
         return self._from_end(method=IMPLICIT)
 
-    def by_steps(self) -> Leg:
-        """Go on by DOP853: a series has ended."""
-        return self._from_end()
-
     def onto_switches(self) -> Leg | None:
         """Go on on the switches that a leg crossed to and fro."""
         from .filippov import enter
@@ -294,7 +287,7 @@ class NativeRun:
 
 FOLLOWING: dict[int, Callable[[NativeRun], Leg | None]] = {
     Status.STIFF: NativeRun.by_implicit_method,
-    Status.SERIES_ENDED: NativeRun.by_steps,
+    Status.SERIES_ENDED: NativeRun._from_end,  # by steps of DOP853
     Status.CHATTERING: NativeRun.onto_switches,
     Status.GUARD_LEFT: NativeRun.behind_a_guard,
     Status.FINISHED: NativeRun.at_a_known_stop,

@@ -258,6 +258,7 @@ class PythonRun:
     def _margin(self, t: float, x: ndarray) -> float:
         return self.sweep.margin(t, x, self.inputs.at(t))[0]
 
+    @np.errstate(all="ignore")
     def _stop_at_guard(self, before: float, solver: Any) -> None:
         """Set the end of the run to the first time of a step at which a guard is left."""
         within = solver.dense_output()

@@ -1,4 +1,4 @@
-; sha256 6a66b8a8730074a015d2c458e366b58b199252572200b4d5d670066a9d29a144 d92822acf102a1438b3341918913373b8214961ed3acc69c187fe03b6219c613, Python 3.11, numba 0.68.1
+; sha256 14920945ca86e75ae27a6b628776d0e5ee1672ad389f72d31388e75cee0c5a1c b63763cb3a32cff47845a080719c6645bf8d657746ad6b65bad9359afa745b61, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -519,6093 +519,6253 @@ v450:
   %v751 = icmp slt i64 %v15, 1
   %v752 = getelementptr double, ptr %v204, i64 %v207
   %v753 = getelementptr i8, ptr %v204, i64 %v741
-  %v754 = shl i64 %v740, 4
-  %v755 = mul i64 %v740, 24
-  %v756 = shl i64 %v740, 5
-  %v757 = mul i64 %v740, 40
-  %v758 = mul i64 %v740, 48
-  %v759 = mul i64 %v740, 56
-  %v760 = shl i64 %v740, 6
-  %v761 = shl i64 %v144, 5
-  %v762 = getelementptr i8, ptr %v142, i64 %v761
-  %v763 = getelementptr double, ptr %v92, i64 %v93
-  %v764 = getelementptr i8, ptr %v763, i64 -8
-  %v765 = mul i64 %v135, 56
-  %v766 = getelementptr i8, ptr %v133, i64 %v765
-  %v767 = mul i64 %v135, 120
-  %v768 = getelementptr i8, ptr %v133, i64 %v767
-  %v769 = shl i64 %v10, 7
-  %v770 = getelementptr i8, ptr %v158, i64 %v769
-  %v771 = mul i64 %v207, 216
-  %v772 = getelementptr i8, ptr %v186, i64 %v771
-  %v773 = mul i64 %v740, 72
+  %v754 = getelementptr double, ptr %v204, i64 %v740
+  %v755 = getelementptr i8, ptr %v754, i64 %v741
+  %v756 = getelementptr double, ptr %v754, i64 %v207
+  %v757 = shl i64 %v740, 4
+  %v758 = getelementptr i8, ptr %v204, i64 %v757
+  %v759 = getelementptr i8, ptr %v758, i64 %v741
+  %v760 = getelementptr double, ptr %v758, i64 %v207
+  %v761 = mul i64 %v740, 24
+  %v762 = getelementptr i8, ptr %v204, i64 %v761
+  %v763 = getelementptr i8, ptr %v762, i64 %v741
+  %v764 = getelementptr double, ptr %v762, i64 %v207
+  %v765 = shl i64 %v740, 5
+  %v766 = getelementptr i8, ptr %v204, i64 %v765
+  %v767 = getelementptr i8, ptr %v766, i64 %v741
+  %v768 = getelementptr double, ptr %v766, i64 %v207
+  %v769 = mul i64 %v740, 40
+  %v770 = getelementptr i8, ptr %v204, i64 %v769
+  %v771 = getelementptr i8, ptr %v770, i64 %v741
+  %v772 = getelementptr double, ptr %v770, i64 %v207
+  %v773 = mul i64 %v740, 48
   %v774 = getelementptr i8, ptr %v204, i64 %v773
-  %v775 = getelementptr double, ptr %v774, i64 %v207
-  %v776 = getelementptr i8, ptr %v774, i64 %v741
-  %v777 = sub i64 %v207, %v18
-  %v778 = tail call i64 @llvm.smax.i64(i64 %v777, i64 0)
-  %v779 = icmp sgt i64 %v777, 0
-  %v780 = shl i64 %v740, 6
-  %v781 = getelementptr i8, ptr %v204, i64 %v780
-  %v782 = getelementptr i8, ptr %v781, i64 %v741
-  %v783 = getelementptr inbounds i8, ptr %v300, i64 8
-  %v784 = getelementptr inbounds i8, ptr %v300, i64 16
-  %v785 = getelementptr inbounds i8, ptr %v300, i64 24
-  %v786 = mul i64 %v740, 80
-  %v787 = getelementptr i8, ptr %v204, i64 %v786
-  %v788 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v789 = mul i64 %v457, %v195
-  %v790 = getelementptr i8, ptr %v193, i64 %v789
-  %v791 = mul nsw i64 %v10, %v9
-  %v792 = shl i64 %v791, 7
-  %v793 = getelementptr i8, ptr %v158, i64 %v792
-  %v794 = mul i64 %v791, 112
-  %v795 = getelementptr i8, ptr %v158, i64 %v794
-  %v796 = getelementptr i8, ptr %v6, i64 8
-  %v797 = mul i64 %v791, 120
-  %v798 = getelementptr i8, ptr %v158, i64 %v797
-  %v799 = getelementptr i8, ptr %v23, i64 8
-  %v800 = mul i64 %v729, 120
-  %v801 = getelementptr i8, ptr %v193, i64 %v800
-  %v802 = mul i64 %v729, 112
-  %v803 = getelementptr i8, ptr %v193, i64 %v802
-  %v804 = mul i64 %v135, 40
-  %v805 = getelementptr i8, ptr %v133, i64 %v804
-  %v806 = icmp slt i64 %v18, 1
-  %v807 = mul i64 %v740, 80
-  %v808 = getelementptr i8, ptr %v204, i64 %v807
-  %v809 = mul i64 %v791, 136
-  %v810 = getelementptr i8, ptr %v158, i64 %v809
-  %v811 = mul i64 %v791, 104
-  %v812 = getelementptr i8, ptr %v158, i64 %v811
-  %v813 = mul i64 %v135, 40
-  %v814 = getelementptr i8, ptr %v133, i64 %v813
-  %v815 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
-  %v816 = icmp slt i64 %v10, 1
-  %v817 = icmp slt i64 %v207, 1
-  %v818 = icmp slt i64 %v777, 1
-  %v819 = mul i64 %v135, 104
-  %v820 = getelementptr i8, ptr %v133, i64 %v819
-  %v821 = mul i64 %v135, 112
-  %v822 = getelementptr i8, ptr %v133, i64 %v821
-  %v823 = shl i64 %v144, 4
-  %v824 = getelementptr i8, ptr %v142, i64 %v823
-  %v825 = mul i64 %v135, 200
-  %v826 = getelementptr i8, ptr %v133, i64 %v825
-  %v827 = mul i64 %v102, %v101
-  %v828 = mul i64 %v729, 136
-  %v829 = getelementptr i8, ptr %v193, i64 %v828
-  %v830 = add i64 %v93, -1
-  %v831 = mul i64 %v135, 40
-  %v832 = getelementptr i8, ptr %v133, i64 %v831
-  %v833 = mul i64 %v135, 96
-  %v834 = getelementptr i8, ptr %v133, i64 %v833
-  %v835 = mul i64 %v135, 192
-  %v836 = getelementptr i8, ptr %v133, i64 %v835
+  %v775 = getelementptr i8, ptr %v774, i64 %v741
+  %v776 = getelementptr double, ptr %v774, i64 %v207
+  %v777 = mul i64 %v740, 56
+  %v778 = getelementptr i8, ptr %v204, i64 %v777
+  %v779 = getelementptr i8, ptr %v778, i64 %v741
+  %v780 = getelementptr double, ptr %v778, i64 %v207
+  %v781 = shl i64 %v740, 6
+  %v782 = getelementptr i8, ptr %v204, i64 %v781
+  %v783 = getelementptr i8, ptr %v782, i64 %v741
+  %v784 = getelementptr double, ptr %v782, i64 %v207
+  %v785 = shl i64 %v144, 5
+  %v786 = getelementptr i8, ptr %v142, i64 %v785
+  %v787 = getelementptr double, ptr %v92, i64 %v93
+  %v788 = getelementptr i8, ptr %v787, i64 -8
+  %v789 = mul i64 %v135, 56
+  %v790 = getelementptr i8, ptr %v133, i64 %v789
+  %v791 = mul i64 %v135, 120
+  %v792 = getelementptr i8, ptr %v133, i64 %v791
+  %v793 = shl i64 %v10, 7
+  %v794 = getelementptr i8, ptr %v158, i64 %v793
+  %v795 = mul i64 %v207, 216
+  %v796 = getelementptr i8, ptr %v186, i64 %v795
+  %v797 = mul i64 %v740, 72
+  %v798 = getelementptr i8, ptr %v204, i64 %v797
+  %v799 = getelementptr double, ptr %v798, i64 %v207
+  %v800 = getelementptr i8, ptr %v798, i64 %v741
+  %v801 = sub i64 %v207, %v18
+  %v802 = tail call i64 @llvm.smax.i64(i64 %v801, i64 0)
+  %v803 = icmp sgt i64 %v801, 0
+  %v804 = shl i64 %v740, 6
+  %v805 = getelementptr i8, ptr %v204, i64 %v804
+  %v806 = getelementptr i8, ptr %v805, i64 %v741
+  %v807 = getelementptr inbounds i8, ptr %v300, i64 8
+  %v808 = getelementptr inbounds i8, ptr %v300, i64 16
+  %v809 = getelementptr inbounds i8, ptr %v300, i64 24
+  %v810 = mul i64 %v740, 80
+  %v811 = getelementptr i8, ptr %v204, i64 %v810
+  %v812 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v813 = mul i64 %v457, %v195
+  %v814 = getelementptr i8, ptr %v193, i64 %v813
+  %v815 = mul nsw i64 %v10, %v9
+  %v816 = shl i64 %v815, 7
+  %v817 = getelementptr i8, ptr %v158, i64 %v816
+  %v818 = mul i64 %v815, 112
+  %v819 = getelementptr i8, ptr %v158, i64 %v818
+  %v820 = getelementptr i8, ptr %v6, i64 8
+  %v821 = mul i64 %v815, 120
+  %v822 = getelementptr i8, ptr %v158, i64 %v821
+  %v823 = getelementptr i8, ptr %v23, i64 8
+  %v824 = mul i64 %v729, 120
+  %v825 = getelementptr i8, ptr %v193, i64 %v824
+  %v826 = mul i64 %v729, 112
+  %v827 = getelementptr i8, ptr %v193, i64 %v826
+  %v828 = mul i64 %v135, 40
+  %v829 = getelementptr i8, ptr %v133, i64 %v828
+  %v830 = icmp slt i64 %v18, 1
+  %v831 = mul i64 %v740, 80
+  %v832 = getelementptr i8, ptr %v204, i64 %v831
+  %v833 = mul i64 %v815, 136
+  %v834 = getelementptr i8, ptr %v158, i64 %v833
+  %v835 = mul i64 %v815, 104
+  %v836 = getelementptr i8, ptr %v158, i64 %v835
   %v837 = mul i64 %v135, 40
   %v838 = getelementptr i8, ptr %v133, i64 %v837
-  %v839 = shl i64 %v135, 5
-  %v840 = getelementptr i8, ptr %v133, i64 %v839
-  %v841 = getelementptr double, ptr %v133, i64 %v135
-  %v842 = icmp slt i64 %v10, 1
-  %v843 = mul i64 %v729, 136
-  %v844 = getelementptr i8, ptr %v193, i64 %v843
-  %v845 = mul nsw i64 %v10, %v9
-  %v846 = mul i64 %v845, 136
-  %v847 = getelementptr i8, ptr %v158, i64 %v846
-  %v848 = mul i64 %v845, 104
-  %v849 = getelementptr i8, ptr %v158, i64 %v848
-  %v850 = mul i64 %v10, 136
-  %v851 = getelementptr i8, ptr %v158, i64 %v850
-  %v852 = mul i64 %v207, 192
-  %v853 = getelementptr i8, ptr %v186, i64 %v852
-  %v854 = icmp slt i64 %v207, 1
-  %v855 = getelementptr double, ptr %v781, i64 %v207
-  %v856 = mul i64 %v196, %v195
-  %v857 = mul i64 %v135, 40
+  %v839 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
+  %v840 = icmp slt i64 %v10, 1
+  %v841 = icmp slt i64 %v207, 1
+  %v842 = icmp slt i64 %v801, 1
+  %v843 = mul i64 %v135, 104
+  %v844 = getelementptr i8, ptr %v133, i64 %v843
+  %v845 = mul i64 %v135, 112
+  %v846 = getelementptr i8, ptr %v133, i64 %v845
+  %v847 = shl i64 %v144, 4
+  %v848 = getelementptr i8, ptr %v142, i64 %v847
+  %v849 = mul i64 %v135, 200
+  %v850 = getelementptr i8, ptr %v133, i64 %v849
+  %v851 = mul i64 %v102, %v101
+  %v852 = mul i64 %v729, 136
+  %v853 = getelementptr i8, ptr %v193, i64 %v852
+  %v854 = add i64 %v93, -1
+  %v855 = mul i64 %v135, 40
+  %v856 = getelementptr i8, ptr %v133, i64 %v855
+  %v857 = mul i64 %v135, 96
   %v858 = getelementptr i8, ptr %v133, i64 %v857
-  %v859 = mul i64 %v135, 56
+  %v859 = mul i64 %v135, 192
   %v860 = getelementptr i8, ptr %v133, i64 %v859
-  %v861 = shl i64 %v144, 4
-  %v862 = getelementptr i8, ptr %v142, i64 %v861
-  %v863 = mul i64 %v135, 48
+  %v861 = mul i64 %v135, 40
+  %v862 = getelementptr i8, ptr %v133, i64 %v861
+  %v863 = shl i64 %v135, 5
   %v864 = getelementptr i8, ptr %v133, i64 %v863
-  %v865 = mul i64 %v856, 136
+  %v865 = getelementptr double, ptr %v133, i64 %v135
   %v866 = icmp slt i64 %v10, 1
-  %v867 = mul i64 %v135, 200
-  %v868 = getelementptr i8, ptr %v133, i64 %v867
-  %v869 = mul i64 %v102, %v101
-  %v870 = getelementptr i8, ptr %v193, i64 %v865
-  %v871 = add i64 %v93, -1
-  %v872 = mul i64 %v856, 192
-  %v873 = mul i64 %v856, 184
-  %v874 = mul i64 %v856, 176
-  %v875 = mul i64 %v856, 168
-  %v876 = mul i64 %v856, 160
-  %v877 = mul i64 %v856, 152
-  %v878 = mul i64 %v856, 144
-  %v879 = icmp sgt i64 %v9, 1
-  %v880 = mul i64 %v135, 40
-  %v881 = getelementptr i8, ptr %v133, i64 %v880
-  %v882 = getelementptr i8, ptr %v6, i64 80
-  %v883 = mul i64 %v135, 40
+  %v867 = mul i64 %v729, 136
+  %v868 = getelementptr i8, ptr %v193, i64 %v867
+  %v869 = mul nsw i64 %v10, %v9
+  %v870 = mul i64 %v869, 136
+  %v871 = getelementptr i8, ptr %v158, i64 %v870
+  %v872 = mul i64 %v869, 104
+  %v873 = getelementptr i8, ptr %v158, i64 %v872
+  %v874 = mul i64 %v10, 136
+  %v875 = getelementptr i8, ptr %v158, i64 %v874
+  %v876 = mul i64 %v207, 192
+  %v877 = getelementptr i8, ptr %v186, i64 %v876
+  %v878 = icmp slt i64 %v207, 1
+  %v879 = getelementptr double, ptr %v805, i64 %v207
+  %v880 = mul i64 %v196, %v195
+  %v881 = mul i64 %v135, 40
+  %v882 = getelementptr i8, ptr %v133, i64 %v881
+  %v883 = mul i64 %v135, 56
   %v884 = getelementptr i8, ptr %v133, i64 %v883
-  %v885 = mul i64 %v135, 96
-  %v886 = getelementptr i8, ptr %v133, i64 %v885
-  %v887 = mul i64 %v458, 72
-  %v888 = icmp sgt i64 %v18, 0
-  %v889 = shl i64 %v144, 5
-  %v890 = getelementptr i8, ptr %v142, i64 %v889
-  %v891 = getelementptr i8, ptr %v204, i64 %v887
-  %v892 = mul i64 %v459, 72
-  %v893 = icmp sgt i64 %v18, 0
-  %v894 = getelementptr i8, ptr %v204, i64 %v892
-  %v895 = mul nsw i64 %v10, %v9
-  %v896 = mul i64 %v895, 112
-  %v897 = getelementptr i8, ptr %v158, i64 %v896
-  %v898 = icmp sgt i64 %v18, 0
-  %v899 = getelementptr i8, ptr %v6, i64 8
-  %v900 = mul i64 %v895, 120
-  %v901 = getelementptr i8, ptr %v158, i64 %v900
-  %v902 = icmp sgt i64 %v18, 0
-  %v903 = getelementptr i8, ptr %v23, i64 8
-  %v904 = mul i64 %v196, %v195
-  %v905 = mul i64 %v904, 120
-  %v906 = getelementptr i8, ptr %v193, i64 %v905
-  %v907 = mul i64 %v904, 112
-  %v908 = getelementptr i8, ptr %v193, i64 %v907
-  %v909 = mul i64 %v135, 48
+  %v885 = shl i64 %v144, 4
+  %v886 = getelementptr i8, ptr %v142, i64 %v885
+  %v887 = mul i64 %v135, 48
+  %v888 = getelementptr i8, ptr %v133, i64 %v887
+  %v889 = mul i64 %v880, 136
+  %v890 = icmp slt i64 %v10, 1
+  %v891 = mul i64 %v135, 200
+  %v892 = getelementptr i8, ptr %v133, i64 %v891
+  %v893 = mul i64 %v102, %v101
+  %v894 = getelementptr i8, ptr %v193, i64 %v889
+  %v895 = add i64 %v93, -1
+  %v896 = mul i64 %v880, 192
+  %v897 = mul i64 %v880, 184
+  %v898 = mul i64 %v880, 176
+  %v899 = mul i64 %v880, 168
+  %v900 = mul i64 %v880, 160
+  %v901 = mul i64 %v880, 152
+  %v902 = mul i64 %v880, 144
+  %v903 = icmp sgt i64 %v9, 1
+  %v904 = mul i64 %v135, 40
+  %v905 = getelementptr i8, ptr %v133, i64 %v904
+  %v906 = getelementptr i8, ptr %v6, i64 80
+  %v907 = mul i64 %v135, 40
+  %v908 = getelementptr i8, ptr %v133, i64 %v907
+  %v909 = mul i64 %v135, 96
   %v910 = getelementptr i8, ptr %v133, i64 %v909
-  %v911 = shl i64 %v460, 6
+  %v911 = mul i64 %v458, 72
   %v912 = icmp sgt i64 %v18, 0
   %v913 = getelementptr i8, ptr %v204, i64 %v911
-  %v914 = mul i64 %v135, 120
-  %v915 = getelementptr i8, ptr %v133, i64 %v914
-  %v916 = icmp slt i64 %v10, 1
-  %v917 = getelementptr i8, ptr %v23, i64 8
-  %v918 = getelementptr double, ptr %v92, i64 %v93
-  %v919 = getelementptr i8, ptr %v918, i64 -8
-  %v920 = mul i64 %v144, 24
-  %v921 = getelementptr i8, ptr %v142, i64 %v920
-  %v922 = mul i64 %v144, 24
-  %v923 = getelementptr i8, ptr %v142, i64 %v922
-  %v924 = mul i64 %v135, 24
-  %v925 = getelementptr i8, ptr %v133, i64 %v924
-  %v926 = icmp ne i64 %v16, 0
-  %v927 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v928 = mul i64 %v135, 40
-  %v929 = getelementptr i8, ptr %v133, i64 %v928
-  %v930 = shl i64 %v135, 4
-  %v931 = getelementptr i8, ptr %v133, i64 %v930
-  %v932 = getelementptr i64, ptr %v142, i64 %v144
-  %v933 = icmp slt i64 %v63, 1
-  %v934 = getelementptr i8, ptr %v6, i64 8
-  %v935 = mul nsw i64 %v10, %v9
-  %v936 = getelementptr i8, ptr %v6, i64 24
-  %v937 = mul i64 %v935, 136
-  %v938 = getelementptr i8, ptr %v158, i64 %v937
-  %v939 = mul i64 %v102, %v101
-  %v940 = add nsw i64 %v927, -1
-  %v941 = mul i64 %v207, %v206
-  %v942 = mul i64 %v196, %v195
-  %v943 = shl i64 %v144, 4
-  %v944 = getelementptr i8, ptr %v142, i64 %v943
-  %v945 = mul i64 %v942, 136
-  %v946 = icmp slt i64 %v10, 1
-  %v947 = getelementptr i8, ptr %v193, i64 %v945
-  %v948 = icmp eq i64 %v15, 0
-  %v949 = getelementptr double, ptr %v92, i64 %v93
-  %v950 = getelementptr i8, ptr %v949, i64 -8
-  %v951 = shl i64 %v135, 6
-  %v952 = getelementptr i8, ptr %v133, i64 %v951
-  %v953 = mul i64 %v935, 112
-  %v954 = getelementptr i8, ptr %v158, i64 %v953
-  %v955 = mul i64 %v942, 112
-  %v956 = getelementptr i8, ptr %v193, i64 %v955
-  %v957 = shl i64 %v942, 7
-  %v958 = getelementptr i8, ptr %v193, i64 %v957
-  %v959 = getelementptr i8, ptr %v6, i64 32
-  %v960 = mul i64 %v10, 136
-  %v961 = getelementptr i8, ptr %v158, i64 %v960
-  %v962 = mul i64 %v207, 216
-  %v963 = getelementptr i8, ptr %v186, i64 %v962
-  %v964 = mul i64 %v941, 72
-  %v965 = icmp slt i64 %v207, 1
-  %v966 = getelementptr i8, ptr %v204, i64 %v964
-  %v967 = getelementptr double, ptr %v966, i64 %v207
-  %v968 = shl i64 %v207, 4
-  %v969 = getelementptr i8, ptr %v966, i64 %v968
-  %v970 = shl i64 %v10, 7
-  %v971 = getelementptr i8, ptr %v158, i64 %v970
-  %v972 = mul i64 %v207, 240
-  %v973 = getelementptr i8, ptr %v186, i64 %v972
-  %v974 = mul i64 %v941, 80
-  %v975 = getelementptr i8, ptr %v204, i64 %v974
-  %v976 = getelementptr double, ptr %v975, i64 %v207
-  %v977 = getelementptr i8, ptr %v975, i64 %v968
-  %v978 = sub i64 %v207, %v18
-  %v979 = tail call i64 @llvm.smax.i64(i64 %v978, i64 0)
-  %v980 = getelementptr double, ptr %v204, i64 %v207
-  %v981 = getelementptr i8, ptr %v980, i64 %v974
-  %v982 = shl i64 %v144, 5
-  %v983 = getelementptr i8, ptr %v142, i64 %v982
-  %v984 = mul i64 %v135, 112
-  %v985 = getelementptr i8, ptr %v133, i64 %v984
-  %v986 = xor i1 %v307, true
-  %v987 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
-  %v988 = add nsw i64 %v987, -1
-  %v989 = zext i1 %v986 to i64
-  %v990 = mul i64 %v135, 208
-  %v991 = getelementptr i8, ptr %v133, i64 %v990
-  %v992 = icmp slt i64 %v10, 1
-  %v993 = mul i64 %v135, 216
-  %v994 = getelementptr i8, ptr %v133, i64 %v993
-  %v995 = mul i64 %v135, 248
-  %v996 = getelementptr i8, ptr %v133, i64 %v995
-  %v997 = mul i64 %v135, 224
-  %v998 = getelementptr i8, ptr %v133, i64 %v997
-  %v999 = mul i64 %v135, 232
-  %v1000 = getelementptr i8, ptr %v133, i64 %v999
-  %v1001 = shl i64 %v135, 4
-  %v1002 = getelementptr i8, ptr %v133, i64 %v1001
-  %v1003 = mul i64 %v135, 232
-  %v1004 = getelementptr i8, ptr %v133, i64 %v1003
-  %v1005 = mul i64 %v135, 40
-  %v1006 = getelementptr i8, ptr %v133, i64 %v1005
-  %v1007 = shl i64 %v135, 4
-  %v1008 = getelementptr i8, ptr %v133, i64 %v1007
-  %v1009 = getelementptr i64, ptr %v142, i64 %v144
-  %v1010 = mul i64 %v135, 24
-  %v1011 = getelementptr i8, ptr %v133, i64 %v1010
-  %v1012 = mul i64 %v135, 24
-  %v1013 = getelementptr i8, ptr %v133, i64 %v1012
-  %v1014 = icmp slt i64 %v63, 1
-  %v1015 = shl i64 %v144, 4
-  %v1016 = getelementptr i8, ptr %v142, i64 %v1015
-  %v1017 = mul i64 %v135, 24
+  %v914 = shl i64 %v144, 5
+  %v915 = getelementptr i8, ptr %v142, i64 %v914
+  %v916 = mul i64 %v459, 72
+  %v917 = icmp sgt i64 %v18, 0
+  %v918 = getelementptr i8, ptr %v204, i64 %v916
+  %v919 = mul nsw i64 %v10, %v9
+  %v920 = mul i64 %v919, 112
+  %v921 = getelementptr i8, ptr %v158, i64 %v920
+  %v922 = icmp sgt i64 %v18, 0
+  %v923 = getelementptr i8, ptr %v6, i64 8
+  %v924 = mul i64 %v919, 120
+  %v925 = getelementptr i8, ptr %v158, i64 %v924
+  %v926 = icmp sgt i64 %v18, 0
+  %v927 = getelementptr i8, ptr %v23, i64 8
+  %v928 = mul i64 %v196, %v195
+  %v929 = mul i64 %v928, 120
+  %v930 = getelementptr i8, ptr %v193, i64 %v929
+  %v931 = mul i64 %v928, 112
+  %v932 = getelementptr i8, ptr %v193, i64 %v931
+  %v933 = mul i64 %v135, 48
+  %v934 = getelementptr i8, ptr %v133, i64 %v933
+  %v935 = shl i64 %v460, 6
+  %v936 = icmp sgt i64 %v18, 0
+  %v937 = getelementptr i8, ptr %v204, i64 %v935
+  %v938 = mul i64 %v135, 120
+  %v939 = getelementptr i8, ptr %v133, i64 %v938
+  %v940 = icmp slt i64 %v10, 1
+  %v941 = getelementptr i8, ptr %v23, i64 8
+  %v942 = getelementptr double, ptr %v92, i64 %v93
+  %v943 = getelementptr i8, ptr %v942, i64 -8
+  %v944 = mul i64 %v144, 24
+  %v945 = getelementptr i8, ptr %v142, i64 %v944
+  %v946 = mul i64 %v144, 24
+  %v947 = getelementptr i8, ptr %v142, i64 %v946
+  %v948 = mul i64 %v135, 24
+  %v949 = getelementptr i8, ptr %v133, i64 %v948
+  %v950 = icmp ne i64 %v16, 0
+  %v951 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v952 = mul i64 %v135, 40
+  %v953 = getelementptr i8, ptr %v133, i64 %v952
+  %v954 = shl i64 %v135, 4
+  %v955 = getelementptr i8, ptr %v133, i64 %v954
+  %v956 = getelementptr i64, ptr %v142, i64 %v144
+  %v957 = icmp slt i64 %v63, 1
+  %v958 = getelementptr i8, ptr %v6, i64 8
+  %v959 = mul nsw i64 %v10, %v9
+  %v960 = getelementptr i8, ptr %v6, i64 24
+  %v961 = mul i64 %v959, 136
+  %v962 = getelementptr i8, ptr %v158, i64 %v961
+  %v963 = mul i64 %v102, %v101
+  %v964 = add nsw i64 %v951, -1
+  %v965 = mul i64 %v207, %v206
+  %v966 = mul i64 %v196, %v195
+  %v967 = shl i64 %v144, 4
+  %v968 = getelementptr i8, ptr %v142, i64 %v967
+  %v969 = mul i64 %v966, 136
+  %v970 = icmp slt i64 %v10, 1
+  %v971 = getelementptr i8, ptr %v193, i64 %v969
+  %v972 = icmp eq i64 %v15, 0
+  %v973 = getelementptr double, ptr %v92, i64 %v93
+  %v974 = getelementptr i8, ptr %v973, i64 -8
+  %v975 = shl i64 %v135, 6
+  %v976 = getelementptr i8, ptr %v133, i64 %v975
+  %v977 = mul i64 %v959, 112
+  %v978 = getelementptr i8, ptr %v158, i64 %v977
+  %v979 = mul i64 %v966, 112
+  %v980 = getelementptr i8, ptr %v193, i64 %v979
+  %v981 = shl i64 %v966, 7
+  %v982 = getelementptr i8, ptr %v193, i64 %v981
+  %v983 = getelementptr i8, ptr %v6, i64 32
+  %v984 = mul i64 %v10, 136
+  %v985 = getelementptr i8, ptr %v158, i64 %v984
+  %v986 = mul i64 %v207, 216
+  %v987 = getelementptr i8, ptr %v186, i64 %v986
+  %v988 = mul i64 %v965, 72
+  %v989 = icmp slt i64 %v207, 1
+  %v990 = getelementptr i8, ptr %v204, i64 %v988
+  %v991 = getelementptr double, ptr %v990, i64 %v207
+  %v992 = shl i64 %v207, 4
+  %v993 = getelementptr i8, ptr %v990, i64 %v992
+  %v994 = shl i64 %v10, 7
+  %v995 = getelementptr i8, ptr %v158, i64 %v994
+  %v996 = mul i64 %v207, 240
+  %v997 = getelementptr i8, ptr %v186, i64 %v996
+  %v998 = mul i64 %v965, 80
+  %v999 = getelementptr i8, ptr %v204, i64 %v998
+  %v1000 = getelementptr double, ptr %v999, i64 %v207
+  %v1001 = getelementptr i8, ptr %v999, i64 %v992
+  %v1002 = sub i64 %v207, %v18
+  %v1003 = tail call i64 @llvm.smax.i64(i64 %v1002, i64 0)
+  %v1004 = getelementptr double, ptr %v204, i64 %v207
+  %v1005 = getelementptr i8, ptr %v1004, i64 %v998
+  %v1006 = shl i64 %v144, 5
+  %v1007 = getelementptr i8, ptr %v142, i64 %v1006
+  %v1008 = mul i64 %v135, 112
+  %v1009 = getelementptr i8, ptr %v133, i64 %v1008
+  %v1010 = xor i1 %v307, true
+  %v1011 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
+  %v1012 = add nsw i64 %v1011, -1
+  %v1013 = zext i1 %v1010 to i64
+  %v1014 = mul i64 %v135, 208
+  %v1015 = getelementptr i8, ptr %v133, i64 %v1014
+  %v1016 = icmp slt i64 %v10, 1
+  %v1017 = mul i64 %v135, 216
   %v1018 = getelementptr i8, ptr %v133, i64 %v1017
-  %v1019 = getelementptr i8, ptr %v151, i64 8
-  %v1020 = getelementptr i64, ptr %v142, i64 %v144
-  %v1021 = mul i64 %v144, 24
-  %v1022 = getelementptr i8, ptr %v142, i64 %v1021
-  %v1023 = icmp slt i64 %v41, 1
-  %v1024 = icmp slt i64 %v63, 1
-  %v1025 = icmp slt i64 %v10, 1
-  %v1026 = mul i64 %v135, 208
-  %v1027 = getelementptr i8, ptr %v133, i64 %v1026
-  %v1028 = mul i64 %v135, 120
-  %v1029 = getelementptr i8, ptr %v133, i64 %v1028
-  %v1030 = mul i64 %v135, 200
-  %v1031 = getelementptr i8, ptr %v133, i64 %v1030
-  %v1032 = mul i64 %v135, 216
-  %v1033 = getelementptr i8, ptr %v133, i64 %v1032
-  %v1034 = shl i64 %v135, 4
+  %v1019 = mul i64 %v135, 248
+  %v1020 = getelementptr i8, ptr %v133, i64 %v1019
+  %v1021 = mul i64 %v135, 224
+  %v1022 = getelementptr i8, ptr %v133, i64 %v1021
+  %v1023 = mul i64 %v135, 232
+  %v1024 = getelementptr i8, ptr %v133, i64 %v1023
+  %v1025 = shl i64 %v135, 4
+  %v1026 = getelementptr i8, ptr %v133, i64 %v1025
+  %v1027 = mul i64 %v135, 232
+  %v1028 = getelementptr i8, ptr %v133, i64 %v1027
+  %v1029 = mul i64 %v135, 40
+  %v1030 = getelementptr i8, ptr %v133, i64 %v1029
+  %v1031 = shl i64 %v135, 4
+  %v1032 = getelementptr i8, ptr %v133, i64 %v1031
+  %v1033 = getelementptr i64, ptr %v142, i64 %v144
+  %v1034 = mul i64 %v135, 24
   %v1035 = getelementptr i8, ptr %v133, i64 %v1034
-  %v1036 = mul i64 %v135, 240
+  %v1036 = mul i64 %v135, 24
   %v1037 = getelementptr i8, ptr %v133, i64 %v1036
-  %v1038 = getelementptr double, ptr %v92, i64 %v93
-  %v1039 = getelementptr i8, ptr %v1038, i64 -8
-  %v1040 = getelementptr double, ptr %v133, i64 %v135
-  %v1041 = mul i64 %v135, 240
+  %v1038 = icmp slt i64 %v63, 1
+  %v1039 = shl i64 %v144, 4
+  %v1040 = getelementptr i8, ptr %v142, i64 %v1039
+  %v1041 = mul i64 %v135, 24
   %v1042 = getelementptr i8, ptr %v133, i64 %v1041
-  %v1043 = mul i64 %v135, 208
-  %v1044 = getelementptr i8, ptr %v133, i64 %v1043
-  %v1045 = sitofp i64 %v298 to double
-  %v1046 = mul i64 %v135, 152
-  %v1047 = getelementptr i8, ptr %v133, i64 %v1046
-  %v1048 = shl i64 %v135, 4
-  %v1049 = getelementptr i8, ptr %v133, i64 %v1048
-  %v1050 = mul i64 %v135, 144
+  %v1043 = getelementptr i8, ptr %v151, i64 8
+  %v1044 = getelementptr i64, ptr %v142, i64 %v144
+  %v1045 = mul i64 %v144, 24
+  %v1046 = getelementptr i8, ptr %v142, i64 %v1045
+  %v1047 = icmp slt i64 %v41, 1
+  %v1048 = icmp slt i64 %v63, 1
+  %v1049 = icmp slt i64 %v10, 1
+  %v1050 = mul i64 %v135, 208
   %v1051 = getelementptr i8, ptr %v133, i64 %v1050
-  %v1052 = shl i64 %v144, 4
-  %v1053 = getelementptr i8, ptr %v142, i64 %v1052
-  %v1054 = shl i64 %v682, 4
-  %v1055 = mul i64 %v682, 24
-  %v1056 = shl i64 %v682, 5
-  %v1057 = mul i64 %v682, 40
-  %v1058 = mul i64 %v682, 48
-  %v1059 = mul i64 %v682, 56
-  %v1060 = shl i64 %v682, 6
-  %v1061 = shl i64 %v682, 4
-  %v1062 = shl i64 %v682, 5
-  %v1063 = mul i64 %v682, 48
-  %v1064 = shl i64 %v682, 6
-  %v1065 = mul i64 %v682, 24
-  %v1066 = shl i64 %v682, 4
-  %v1067 = shl i64 %v682, 5
-  %v1068 = mul i64 %v682, 48
-  %v1069 = shl i64 %v682, 6
-  %v1070 = mul i64 %v682, 40
-  %v1071 = shl i64 %v682, 4
-  %v1072 = shl i64 %v682, 5
-  %v1073 = mul i64 %v682, 48
-  %v1074 = shl i64 %v682, 6
-  %v1075 = mul i64 %v682, 56
-  %v1076 = shl i64 %v682, 4
-  %v1077 = shl i64 %v682, 5
-  %v1078 = mul i64 %v682, 48
-  %v1079 = shl i64 %v682, 6
-  br label %v1080
+  %v1052 = mul i64 %v135, 120
+  %v1053 = getelementptr i8, ptr %v133, i64 %v1052
+  %v1054 = mul i64 %v135, 200
+  %v1055 = getelementptr i8, ptr %v133, i64 %v1054
+  %v1056 = mul i64 %v135, 216
+  %v1057 = getelementptr i8, ptr %v133, i64 %v1056
+  %v1058 = shl i64 %v135, 4
+  %v1059 = getelementptr i8, ptr %v133, i64 %v1058
+  %v1060 = mul i64 %v135, 240
+  %v1061 = getelementptr i8, ptr %v133, i64 %v1060
+  %v1062 = getelementptr double, ptr %v92, i64 %v93
+  %v1063 = getelementptr i8, ptr %v1062, i64 -8
+  %v1064 = getelementptr double, ptr %v133, i64 %v135
+  %v1065 = mul i64 %v135, 240
+  %v1066 = getelementptr i8, ptr %v133, i64 %v1065
+  %v1067 = mul i64 %v135, 208
+  %v1068 = getelementptr i8, ptr %v133, i64 %v1067
+  %v1069 = sitofp i64 %v298 to double
+  %v1070 = mul i64 %v135, 152
+  %v1071 = getelementptr i8, ptr %v133, i64 %v1070
+  %v1072 = shl i64 %v135, 4
+  %v1073 = getelementptr i8, ptr %v133, i64 %v1072
+  %v1074 = mul i64 %v135, 144
+  %v1075 = getelementptr i8, ptr %v133, i64 %v1074
+  %v1076 = shl i64 %v144, 4
+  %v1077 = getelementptr i8, ptr %v142, i64 %v1076
+  %v1078 = shl i64 %v682, 4
+  %v1079 = mul i64 %v682, 24
+  %v1080 = shl i64 %v682, 5
+  %v1081 = mul i64 %v682, 40
+  %v1082 = mul i64 %v682, 48
+  %v1083 = mul i64 %v682, 56
+  %v1084 = shl i64 %v682, 6
+  %v1085 = shl i64 %v682, 4
+  %v1086 = shl i64 %v682, 5
+  %v1087 = mul i64 %v682, 48
+  %v1088 = shl i64 %v682, 6
+  %v1089 = mul i64 %v682, 24
+  %v1090 = shl i64 %v682, 4
+  %v1091 = shl i64 %v682, 5
+  %v1092 = mul i64 %v682, 48
+  %v1093 = shl i64 %v682, 6
+  %v1094 = mul i64 %v682, 40
+  %v1095 = shl i64 %v682, 4
+  %v1096 = shl i64 %v682, 5
+  %v1097 = mul i64 %v682, 48
+  %v1098 = shl i64 %v682, 6
+  %v1099 = mul i64 %v682, 56
+  %v1100 = shl i64 %v682, 4
+  %v1101 = shl i64 %v682, 5
+  %v1102 = mul i64 %v682, 48
+  %v1103 = shl i64 %v682, 6
+  br label %v1104
 
-v1080:
-  %v1081 = phi i64 [ %v1082, %v1083 ], [ %v297, %v450 ]
-  %v1084 = phi i64 [ %v1085, %v1083 ], [ %v446, %v450 ]
-  %v1086 = add nsw i64 %v1081, -1
-  %v1087 = load i64, ptr %v452, align 8, !noalias !11
-  %v1088 = icmp eq i64 %v1087, 0
-  br i1 %v1088, label %v1089, label %v1090
+v1104:
+  %v1105 = phi i64 [ %v1106, %v1107 ], [ %v297, %v450 ]
+  %v1108 = phi i64 [ %v1109, %v1107 ], [ %v446, %v450 ]
+  %v1110 = add nsw i64 %v1105, -1
+  %v1111 = load i64, ptr %v452, align 8, !noalias !11
+  %v1112 = icmp eq i64 %v1111, 0
+  br i1 %v1112, label %v1113, label %v1114
 
-v1090:
-  %v1091 = icmp eq i64 %v1087, 2
+v1114:
+  %v1115 = icmp eq i64 %v1111, 2
   store i64 0, ptr %v452, align 8, !noalias !11
-  %v1092 = load i64, ptr %v461, align 8, !noalias !15
-  %v1093 = inttoptr i64 %v1092 to ptr
-  tail call void %v1093(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
-  br i1 %v305, label %v1094, label %v1095
+  %v1116 = load i64, ptr %v461, align 8, !noalias !15
+  %v1117 = inttoptr i64 %v1116 to ptr
+  tail call void %v1117(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
+  br i1 %v305, label %v1118, label %v1119
 
-v1094:
-  %v1096 = load i64, ptr %v462, align 8, !noalias !18
-  %v1097 = inttoptr i64 %v1096 to ptr
-  tail call void %v1097(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
-  br i1 %v463, label %v1098, label %v1099
-
-v1100:
-  store double 0.000000e+00, ptr %v1101, align 8, !noalias !18
-  br label %v1102
-
-v1102:
-  %v1103 = fcmp uno double %v1104, 0.000000e+00
-  br i1 %v1103, label %v1105, label %v1106
-
-v1105:
-  %v1107 = icmp slt i64 %v1108, %v18
-  br i1 %v1107, label %v1109, label %v1110
-
-v1109:
-  %v1111 = add nsw i64 %v1108, %v17
-  %v1112 = icmp slt i64 %v1111, 0
-  %v1113 = select i1 %v1112, i64 %v166, i64 0
-  %v1114 = getelementptr double, ptr %v165, i64 %v1111
-  %v1115 = getelementptr double, ptr %v1114, i64 %v1113
-  %v1116 = load double, ptr %v1115, align 8, !noalias !18
-  br label %v1110
-
-v1110:
-  %v1117 = phi double [ %v1116, %v1109 ], [ 0.000000e+00, %v1105 ]
-  %v1118 = getelementptr double, ptr %v204, i64 %v1108
-  %v1119 = load double, ptr %v1118, align 8, !noalias !18
-  %v1120 = fcmp une double %v1119, %v1117
-  br i1 %v1120, label %v1121, label %v1122
-
-v1121:
-  %v1123 = fcmp ord double %v1119, 0.000000e+00
-  br i1 %v1123, label %v1122, label %v1124
+v1118:
+  %v1120 = load i64, ptr %v462, align 8, !noalias !18
+  %v1121 = inttoptr i64 %v1120 to ptr
+  tail call void %v1121(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
+  br i1 %v463, label %v1122, label %v1123
 
 v1124:
-  %v1125 = fcmp uno double %v1117, 0.000000e+00
-  %v1126 = select i1 %v1125, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v1122
+  store double 0.000000e+00, ptr %v1125, align 8, !noalias !18
+  br label %v1126
 
-v1122:
-  %v1127 = phi double [ 0xFFF0000000000000, %v1121 ], [ %v1126, %v1124 ], [ 0x7FF0000000000000, %v1110 ]
-  store double %v1127, ptr %v1128, align 8, !noalias !18
-  br label %v1106
+v1126:
+  %v1127 = icmp slt i64 %v1128, %v18
+  br i1 %v1127, label %v1129, label %v1130
 
-v1106:
-  %v1129 = icmp eq i64 %v207, %v1130
-  br i1 %v1129, label %v1098, label %v1099
+v1129:
+  %v1131 = getelementptr double, ptr %v204, i64 %v1128
+  %v1132 = load double, ptr %v1131, align 8, !noalias !18
+  %v1133 = add nsw i64 %v1128, %v17
+  %v1134 = icmp slt i64 %v1133, 0
+  %v1135 = select i1 %v1134, i64 %v166, i64 0
+  %v1136 = getelementptr double, ptr %v165, i64 %v1133
+  %v1137 = getelementptr double, ptr %v1136, i64 %v1135
+  %v1138 = load double, ptr %v1137, align 8, !noalias !18
+  %v1139 = fcmp une double %v1132, %v1138
+  br i1 %v1139, label %v1140, label %v1130
 
-v1099:
-  %v1108 = phi i64 [ %v1130, %v1106 ], [ 0, %v1094 ]
-  %v1130 = add nsw i64 %v1108, 1
-  %v1128 = getelementptr double, ptr %v464, i64 %v1108
-  %v1104 = load double, ptr %v1128, align 8, !noalias !18
-  %v1131 = tail call double @llvm.fabs.f64(double %v1104)
-  %v1101 = getelementptr double, ptr %v466, i64 %v1108
-  %v1132 = load double, ptr %v1101, align 8, !noalias !18
-  %v1133 = fadd double %v1131, %v1132
-  %v1134 = fcmp ueq double %v1133, 0x7FF0000000000000
-  br i1 %v1134, label %v1100, label %v1102
-
-v1135:
-  %v1136 = fcmp uno double %v1137, 0.000000e+00
-  %v1138 = fcmp uno double %v1139, 0.000000e+00
-  %v1140 = and i1 %v1136, %v1138
-  br i1 %v1140, label %v1141, label %v1142
-
-v1143:
-  %v1144 = phi i64 [ %v1145, %v1141 ], [ 0, %v1146 ]
-  %v1145 = add nsw i64 %v1144, 1
-  %v1147 = getelementptr double, ptr %v204, i64 %v1144
-  %v1137 = load double, ptr %v1147, align 8, !noalias !25
-  %v1148 = add nsw i64 %v1144, %v17
-  %v1149 = icmp slt i64 %v1148, 0
-  %v1150 = select i1 %v1149, i64 %v166, i64 0
-  %v1151 = getelementptr double, ptr %v165, i64 %v1148
-  %v1152 = getelementptr double, ptr %v1151, i64 %v1150
-  %v1139 = load double, ptr %v1152, align 8, !noalias !25
-  %v1153 = fcmp une double %v1137, %v1139
-  br i1 %v1153, label %v1135, label %v1141
-
-v1141:
-  %v1154 = icmp eq i64 %v1145, %v18
-  br i1 %v1154, label %v1142, label %v1143
-
-v1155:
-  %v1156 = load double, ptr %v468, align 8, !noalias !29
-  %v1157 = fcmp ogt double %v1156, 5.000000e-01
-  br i1 %v1157, label %v1158, label %v1159
-
-v1158:
-  br i1 %v470, label %v1160, label %v1161
-
-v1161:
-  %v1162 = load i64, ptr %v461, align 8, !noalias !30
-  %v1163 = inttoptr i64 %v1162 to ptr
-  tail call void %v1163(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !30
-  br label %v1159
-
-v1098:
-  %v1164 = load double, ptr %v468, align 8, !noalias !29
-  %v1165 = fcmp oeq double %v1164, 2.500000e-01
-  br i1 %v1165, label %v1146, label %v1155
-
-v1146:
-  br i1 %v469, label %v1143, label %v1142
+v1140:
+  %v1141 = fcmp ord double %v1132, 0.000000e+00
+  br i1 %v1141, label %v1130, label %v1142
 
 v1142:
-  %v1166 = phi double [ 0.000000e+00, %v1146 ], [ 0.000000e+00, %v1141 ], [ 1.000000e+00, %v1135 ]
-  store double %v1166, ptr %v468, align 8, !noalias !29
-  br label %v1155
+  %v1143 = fcmp ord double %v1138, 0.000000e+00
+  br label %v1130
 
-v1160:
-  %v1167 = phi i64 [ %v1168, %v1160 ], [ 0, %v1158 ]
-  %v1168 = add nsw i64 %v1167, 1
-  %v1169 = getelementptr double, ptr %v204, i64 %v1167
-  %v1170 = load double, ptr %v1169, align 8, !noalias !29
-  %v1171 = add nsw i64 %v1167, %v17
-  %v1172 = icmp slt i64 %v1171, 0
-  %v1173 = select i1 %v1172, i64 %v166, i64 0
-  %v1174 = getelementptr double, ptr %v165, i64 %v1171
-  %v1175 = getelementptr double, ptr %v1174, i64 %v1173
-  store double %v1170, ptr %v1175, align 8, !noalias !29
-  %v1176 = icmp eq i64 %v1168, %v18
-  br i1 %v1176, label %v1161, label %v1160
+v1130:
+  %v1144 = phi i1 [ false, %v1126 ], [ true, %v1140 ], [ %v1143, %v1142 ], [ false, %v1129 ]
+  %v1145 = fcmp uno double %v1146, 0.000000e+00
+  %v1147 = fcmp oeq double %v1146, 0.000000e+00
+  %v1148 = and i1 %v1147, %v1144
+  %v1149 = or i1 %v1145, %v1148
+  br i1 %v1149, label %v1150, label %v1151
 
-v1177:
-  %v1178 = load double, ptr %v468, align 8, !noalias !11
-  %v1179 = fcmp ogt double %v1178, 5.000000e-01
-  br label %v1095
+v1150:
+  %v1152 = icmp sge i64 %v1128, %v18
+  %v1153 = select i1 %v1144, i1 true, i1 %v1152
+  %v1154 = select i1 %v1153, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v1154, ptr %v1155, align 8, !noalias !18
+  br label %v1151
 
-v1095:
-  %v1180 = phi i1 [ %v1091, %v1090 ], [ %v1179, %v1177 ]
-  br i1 %v1180, label %v1181, label %v1089
+v1151:
+  %v1156 = icmp eq i64 %v207, %v1157
+  br i1 %v1156, label %v1122, label %v1123
 
-v1181:
-  br i1 %v471, label %v1182, label %v1183
+v1123:
+  %v1128 = phi i64 [ %v1157, %v1151 ], [ 0, %v1118 ]
+  %v1157 = add nsw i64 %v1128, 1
+  %v1155 = getelementptr double, ptr %v464, i64 %v1128
+  %v1146 = load double, ptr %v1155, align 8, !noalias !18
+  %v1158 = tail call double @llvm.fabs.f64(double %v1146)
+  %v1125 = getelementptr double, ptr %v466, i64 %v1128
+  %v1159 = load double, ptr %v1125, align 8, !noalias !18
+  %v1160 = fadd double %v1158, %v1159
+  %v1161 = fcmp ueq double %v1160, 0x7FF0000000000000
+  br i1 %v1161, label %v1124, label %v1126
+
+v1162:
+  %v1163 = fcmp uno double %v1164, 0.000000e+00
+  %v1165 = fcmp uno double %v1166, 0.000000e+00
+  %v1167 = and i1 %v1163, %v1165
+  br i1 %v1167, label %v1168, label %v1169
+
+v1170:
+  %v1171 = phi i64 [ %v1172, %v1168 ], [ 0, %v1173 ]
+  %v1172 = add nsw i64 %v1171, 1
+  %v1174 = getelementptr double, ptr %v204, i64 %v1171
+  %v1164 = load double, ptr %v1174, align 8, !noalias !25
+  %v1175 = add nsw i64 %v1171, %v17
+  %v1176 = icmp slt i64 %v1175, 0
+  %v1177 = select i1 %v1176, i64 %v166, i64 0
+  %v1178 = getelementptr double, ptr %v165, i64 %v1175
+  %v1179 = getelementptr double, ptr %v1178, i64 %v1177
+  %v1166 = load double, ptr %v1179, align 8, !noalias !25
+  %v1180 = fcmp une double %v1164, %v1166
+  br i1 %v1180, label %v1162, label %v1168
+
+v1168:
+  %v1181 = icmp eq i64 %v1172, %v18
+  br i1 %v1181, label %v1169, label %v1170
 
 v1182:
-  %v1184 = load i64, ptr %v6, align 8, !noalias !33
-  %v1185 = inttoptr i64 %v1184 to ptr
-  tail call void %v1185(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v474), !noalias !33
-  %v1186 = load i64, ptr %v475, align 8, !noalias !36
-  %v1187 = inttoptr i64 %v1186 to ptr
-  tail call void %v1187(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !36
-  %v1188 = load i64, ptr %v476, align 8, !noalias !39
-  %v1189 = inttoptr i64 %v1188 to ptr
-  tail call void %v1189(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !39
-  %v1190 = load i64, ptr %v6, align 8, !noalias !42
-  %v1191 = inttoptr i64 %v1190 to ptr
-  tail call void %v1191(ptr %v478, ptr %v480, ptr %v165, ptr %v172, ptr %v179, ptr %v482), !noalias !42
-  %v1192 = load i64, ptr %v483, align 8, !noalias !45
-  %v1193 = inttoptr i64 %v1192 to ptr
-  tail call void %v1193(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !45
-  br label %v1183
+  %v1183 = load double, ptr %v468, align 8, !noalias !29
+  %v1184 = fcmp ogt double %v1183, 5.000000e-01
+  br i1 %v1184, label %v1185, label %v1186
 
-v1183:
-  br i1 %v307, label %v1089, label %v1194
+v1185:
+  br i1 %v470, label %v1187, label %v1188
 
-v1195:
-  store double 0.000000e+00, ptr %v1196, align 8, !noalias !48
-  %v1197 = getelementptr double, ptr %v490, i64 %v1198
-  store double 0.000000e+00, ptr %v1197, align 8, !noalias !48
-  %v1199 = getelementptr double, ptr %v492, i64 %v1198
-  store double 0.000000e+00, ptr %v1199, align 8, !noalias !48
-  %v1200 = getelementptr i64, ptr %v142, i64 %v1198
-  %v1201 = load i64, ptr %v1200, align 8, !noalias !48
-  %v1202 = icmp slt i64 %v1201, 0
-  %v1203 = select i1 %v1202, i64 %v125, i64 0
-  %v1204 = add i64 %v1203, %v1201
-  %v1205 = mul i64 %v1204, %v126
-  %v1206 = getelementptr i64, ptr %v124, i64 %v1205
-  %v1207 = getelementptr i8, ptr %v1206, i64 8
-  %v1208 = load i64, ptr %v1207, align 8, !noalias !48
-  %v1209 = add nsw i64 %v1208, %v494
-  store i64 %v1209, ptr %v1207, align 8, !noalias !48
-  %v1210 = load i64, ptr %v1200, align 8, !noalias !48
-  %v1211 = icmp slt i64 %v1210, 0
-  %v1212 = select i1 %v1211, i64 %v125, i64 0
-  %v1213 = add i64 %v1212, %v1210
-  %v1214 = mul i64 %v1213, %v126
-  %v1215 = getelementptr i64, ptr %v124, i64 %v1214
-  %v1216 = getelementptr i8, ptr %v1215, i64 16
-  %v1217 = load i64, ptr %v1216, align 8, !noalias !48
-  %v1218 = add nsw i64 %v1217, %v495
-  store i64 %v1218, ptr %v1216, align 8, !noalias !48
-  %v1219 = getelementptr double, ptr %v497, i64 %v1198
-  %v1220 = load double, ptr %v1219, align 8, !noalias !48
-  %v1221 = fcmp une double %v1220, 0.000000e+00
-  br i1 %v1221, label %v1222, label %v1223
+v1188:
+  %v1189 = load i64, ptr %v461, align 8, !noalias !30
+  %v1190 = inttoptr i64 %v1189 to ptr
+  tail call void %v1190(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !30
+  br label %v1186
+
+v1122:
+  %v1191 = load double, ptr %v468, align 8, !noalias !29
+  %v1192 = fcmp oeq double %v1191, 2.500000e-01
+  br i1 %v1192, label %v1173, label %v1182
+
+v1173:
+  br i1 %v469, label %v1170, label %v1169
+
+v1169:
+  %v1193 = phi double [ 0.000000e+00, %v1173 ], [ 0.000000e+00, %v1168 ], [ 1.000000e+00, %v1162 ]
+  store double %v1193, ptr %v468, align 8, !noalias !29
+  br label %v1182
+
+v1187:
+  %v1194 = phi i64 [ %v1195, %v1187 ], [ 0, %v1185 ]
+  %v1195 = add nsw i64 %v1194, 1
+  %v1196 = getelementptr double, ptr %v204, i64 %v1194
+  %v1197 = load double, ptr %v1196, align 8, !noalias !29
+  %v1198 = add nsw i64 %v1194, %v17
+  %v1199 = icmp slt i64 %v1198, 0
+  %v1200 = select i1 %v1199, i64 %v166, i64 0
+  %v1201 = getelementptr double, ptr %v165, i64 %v1198
+  %v1202 = getelementptr double, ptr %v1201, i64 %v1200
+  store double %v1197, ptr %v1202, align 8, !noalias !29
+  %v1203 = icmp eq i64 %v1195, %v18
+  br i1 %v1203, label %v1188, label %v1187
+
+v1204:
+  %v1205 = load double, ptr %v468, align 8, !noalias !11
+  %v1206 = fcmp ogt double %v1205, 5.000000e-01
+  br label %v1119
+
+v1119:
+  %v1207 = phi i1 [ %v1115, %v1114 ], [ %v1206, %v1204 ]
+  br i1 %v1207, label %v1208, label %v1113
+
+v1208:
+  br i1 %v471, label %v1209, label %v1210
+
+v1209:
+  %v1211 = load i64, ptr %v6, align 8, !noalias !33
+  %v1212 = inttoptr i64 %v1211 to ptr
+  tail call void %v1212(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v474), !noalias !33
+  %v1213 = load i64, ptr %v475, align 8, !noalias !36
+  %v1214 = inttoptr i64 %v1213 to ptr
+  tail call void %v1214(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !36
+  %v1215 = load i64, ptr %v476, align 8, !noalias !39
+  %v1216 = inttoptr i64 %v1215 to ptr
+  tail call void %v1216(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !39
+  %v1217 = load i64, ptr %v6, align 8, !noalias !42
+  %v1218 = inttoptr i64 %v1217 to ptr
+  tail call void %v1218(ptr %v478, ptr %v480, ptr %v165, ptr %v172, ptr %v179, ptr %v482), !noalias !42
+  %v1219 = load i64, ptr %v483, align 8, !noalias !45
+  %v1220 = inttoptr i64 %v1219 to ptr
+  tail call void %v1220(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !45
+  br label %v1210
+
+v1210:
+  br i1 %v307, label %v1113, label %v1221
 
 v1222:
-  %v1224 = load i64, ptr %v1200, align 8, !noalias !52
-  %v1225 = icmp sgt i64 %v1224, -1
-  br i1 %v1225, label %v1226, label %v1223
-
-v1226:
-  %v1227 = getelementptr i64, ptr %v110, i64 %v1224
-  %v1228 = load i64, ptr %v1227, align 8, !noalias !52
-  %v1229 = icmp eq i64 %v1228, 0
-  br i1 %v1229, label %v1230, label %v1223
-
-v1230:
-  store i64 3, ptr %v1227, align 8, !noalias !52
-  br label %v1223
-
-v1223:
-  br i1 %v498, label %v1231, label %v1232
-
-v1232:
-  %v1233 = load double, ptr %v500, align 8, !noalias !55
-  %v1234 = load double, ptr %v92, align 8, !noalias !55
-  %v1235 = fsub double %v1233, %v1234
-  %v1236 = fmul double %v1235, 1.000000e-13
-  %v1237 = load double, ptr %v133, align 8, !noalias !55
-  %v1238 = tail call double @llvm.fabs.f64(double %v1237)
-  %v1239 = fmul double %v1238, 4.000000e-15
-  %v1240 = fcmp ogt double %v1239, %v1236
-  %v1241 = select i1 %v1240, double %v1239, double %v1236
-  %v1242 = fadd double %v1237, %v1241
-  store double %v1242, ptr %v502, align 8, !noalias !62
-  %v1243 = load i64, ptr %v6, align 8, !noalias !63
-  %v1244 = inttoptr i64 %v1243 to ptr
-  tail call void %v1244(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v503), !noalias !63
-  br i1 %v505, label %v1245, label %v1246
-
-v1245:
-  %v1247 = load i64, ptr %v511, align 8, !noalias !66
-  %v1248 = inttoptr i64 %v1247 to ptr
-  tail call void %v1248(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v513), !noalias !66
-  br i1 %v514, label %v1249, label %v1250
-
-v1251:
-  store double 0.000000e+00, ptr %v1252, align 8, !noalias !66
-  br label %v1253
-
-v1253:
-  %v1254 = fcmp uno double %v1255, 0.000000e+00
-  br i1 %v1254, label %v1256, label %v1257
-
-v1256:
-  %v1258 = icmp slt i64 %v1259, %v18
-  br i1 %v1258, label %v1260, label %v1261
-
-v1260:
-  %v1262 = add nsw i64 %v1259, %v17
-  %v1263 = icmp slt i64 %v1262, 0
-  %v1264 = select i1 %v1263, i64 %v166, i64 0
-  %v1265 = getelementptr double, ptr %v165, i64 %v1262
-  %v1266 = getelementptr double, ptr %v1265, i64 %v1264
-  %v1267 = load double, ptr %v1266, align 8, !noalias !66
-  br label %v1261
-
-v1261:
-  %v1268 = phi double [ %v1267, %v1260 ], [ 0.000000e+00, %v1256 ]
-  %v1269 = getelementptr double, ptr %v515, i64 %v1259
-  %v1270 = load double, ptr %v1269, align 8, !noalias !66
-  %v1271 = fcmp une double %v1270, %v1268
-  br i1 %v1271, label %v1272, label %v1273
-
-v1272:
-  %v1274 = fcmp ord double %v1270, 0.000000e+00
-  br i1 %v1274, label %v1273, label %v1275
-
-v1275:
-  %v1276 = fcmp uno double %v1268, 0.000000e+00
-  %v1277 = select i1 %v1276, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v1273
-
-v1273:
-  %v1278 = phi double [ 0xFFF0000000000000, %v1272 ], [ %v1277, %v1275 ], [ 0x7FF0000000000000, %v1261 ]
-  store double %v1278, ptr %v1279, align 8, !noalias !66
-  br label %v1257
-
-v1257:
-  %v1280 = icmp eq i64 %v207, %v1281
-  br i1 %v1280, label %v1249, label %v1250
-
-v1250:
-  %v1259 = phi i64 [ %v1281, %v1257 ], [ 0, %v1245 ]
-  %v1281 = add nsw i64 %v1259, 1
-  %v1279 = getelementptr double, ptr %v516, i64 %v1259
-  %v1255 = load double, ptr %v1279, align 8, !noalias !66
-  %v1282 = tail call double @llvm.fabs.f64(double %v1255)
-  %v1252 = getelementptr double, ptr %v518, i64 %v1259
-  %v1283 = load double, ptr %v1252, align 8, !noalias !66
-  %v1284 = fadd double %v1282, %v1283
-  %v1285 = fcmp ueq double %v1284, 0x7FF0000000000000
-  br i1 %v1285, label %v1251, label %v1253
-
-v1286:
-  %v1287 = phi i64 [ %v1288, %v1289 ], [ %v18, %v1290 ]
-  %v1291 = phi i64 [ %v1292, %v1289 ], [ %v529, %v1290 ]
-  %v1293 = icmp sgt i64 %v1291, 0
-  br i1 %v1293, label %v1289, label %v1231
-
-v1294:
-  %v1295 = getelementptr i64, ptr %v540, i64 %v1198
-  store i64 %v1287, ptr %v1295, align 8, !noalias !62
-  %v1296 = load i64, ptr %v1200, align 8, !noalias !70
-  %v1297 = icmp sgt i64 %v1296, -1
-  br i1 %v1297, label %v1298, label %v1299
-
-v1298:
-  %v1300 = getelementptr i64, ptr %v110, i64 %v1296
-  %v1301 = load i64, ptr %v1300, align 8, !noalias !70
-  %v1302 = icmp eq i64 %v1301, 0
-  br i1 %v1302, label %v1303, label %v1299
-
-v1303:
-  store i64 4, ptr %v1300, align 8, !noalias !70
-  br label %v1299
-
-v1299:
-  %v1304 = getelementptr double, ptr %v133, i64 %v1198
-  %v1305 = load double, ptr %v1304, align 8, !noalias !62
-  %v1306 = getelementptr double, ptr %v542, i64 %v1198
-  store double %v1305, ptr %v1306, align 8, !noalias !62
-  %v1307 = getelementptr double, ptr %v544, i64 %v1198
-  store double 0.000000e+00, ptr %v1307, align 8, !noalias !62
-  br label %v1231
-
-v1246:
-  %v1308 = phi i64 [ %v1309, %v1246 ], [ 0, %v1232 ]
-  %v1309 = add nsw i64 %v1308, 1
-  %v1310 = mul i64 %v1308, %v196
-  %v1311 = getelementptr double, ptr %v193, i64 %v1310
-  %v1312 = load double, ptr %v1311, align 8, !noalias !62
-  %v1313 = getelementptr double, ptr %v508, i64 %v1310
-  %v1314 = load double, ptr %v1313, align 8, !noalias !62
-  %v1315 = fmul double %v1241, %v1314
-  %v1316 = fadd double %v1312, %v1315
-  %v1317 = getelementptr double, ptr %v510, i64 %v1310
-  store double %v1316, ptr %v1317, align 8, !noalias !62
-  %v1318 = icmp eq i64 %v10, %v1309
-  br i1 %v1318, label %v1245, label %v1246
+  store double 0.000000e+00, ptr %v1223, align 8, !noalias !48
+  %v1224 = getelementptr double, ptr %v490, i64 %v1225
+  store double 0.000000e+00, ptr %v1224, align 8, !noalias !48
+  %v1226 = getelementptr double, ptr %v492, i64 %v1225
+  store double 0.000000e+00, ptr %v1226, align 8, !noalias !48
+  %v1227 = getelementptr i64, ptr %v142, i64 %v1225
+  %v1228 = load i64, ptr %v1227, align 8, !noalias !48
+  %v1229 = icmp slt i64 %v1228, 0
+  %v1230 = select i1 %v1229, i64 %v125, i64 0
+  %v1231 = add i64 %v1230, %v1228
+  %v1232 = mul i64 %v1231, %v126
+  %v1233 = getelementptr i64, ptr %v124, i64 %v1232
+  %v1234 = getelementptr i8, ptr %v1233, i64 8
+  %v1235 = load i64, ptr %v1234, align 8, !noalias !48
+  %v1236 = add nsw i64 %v1235, %v494
+  store i64 %v1236, ptr %v1234, align 8, !noalias !48
+  %v1237 = load i64, ptr %v1227, align 8, !noalias !48
+  %v1238 = icmp slt i64 %v1237, 0
+  %v1239 = select i1 %v1238, i64 %v125, i64 0
+  %v1240 = add i64 %v1239, %v1237
+  %v1241 = mul i64 %v1240, %v126
+  %v1242 = getelementptr i64, ptr %v124, i64 %v1241
+  %v1243 = getelementptr i8, ptr %v1242, i64 16
+  %v1244 = load i64, ptr %v1243, align 8, !noalias !48
+  %v1245 = add nsw i64 %v1244, %v495
+  store i64 %v1245, ptr %v1243, align 8, !noalias !48
+  %v1246 = getelementptr double, ptr %v497, i64 %v1225
+  %v1247 = load double, ptr %v1246, align 8, !noalias !48
+  %v1248 = fcmp une double %v1247, 0.000000e+00
+  br i1 %v1248, label %v1249, label %v1250
 
 v1249:
-  %v1319 = load i64, ptr %v511, align 8, !noalias !73
-  %v1320 = inttoptr i64 %v1319 to ptr
-  tail call void %v1320(ptr nonnull %v502, ptr %v520, ptr %v165, ptr %v172, ptr %v179, ptr %v522), !noalias !73
-  br i1 %v523, label %v1290, label %v1321
+  %v1251 = load i64, ptr %v1227, align 8, !noalias !52
+  %v1252 = icmp sgt i64 %v1251, -1
+  br i1 %v1252, label %v1253, label %v1250
 
-v1290:
-  br label %v1286
+v1253:
+  %v1254 = getelementptr i64, ptr %v110, i64 %v1251
+  %v1255 = load i64, ptr %v1254, align 8, !noalias !52
+  %v1256 = icmp eq i64 %v1255, 0
+  br i1 %v1256, label %v1257, label %v1250
 
-v1322:
-  store double 0.000000e+00, ptr %v1323, align 8, !noalias !73
-  br label %v1324
+v1257:
+  store i64 3, ptr %v1254, align 8, !noalias !52
+  br label %v1250
+
+v1250:
+  br i1 %v498, label %v1258, label %v1259
+
+v1259:
+  %v1260 = load double, ptr %v500, align 8, !noalias !55
+  %v1261 = load double, ptr %v92, align 8, !noalias !55
+  %v1262 = fsub double %v1260, %v1261
+  %v1263 = fmul double %v1262, 1.000000e-13
+  %v1264 = load double, ptr %v133, align 8, !noalias !55
+  %v1265 = tail call double @llvm.fabs.f64(double %v1264)
+  %v1266 = fmul double %v1265, 4.000000e-15
+  %v1267 = fcmp ogt double %v1266, %v1263
+  %v1268 = select i1 %v1267, double %v1266, double %v1263
+  %v1269 = fadd double %v1264, %v1268
+  store double %v1269, ptr %v502, align 8, !noalias !62
+  %v1270 = load i64, ptr %v6, align 8, !noalias !63
+  %v1271 = inttoptr i64 %v1270 to ptr
+  tail call void %v1271(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v503), !noalias !63
+  br i1 %v505, label %v1272, label %v1273
+
+v1272:
+  %v1274 = load i64, ptr %v511, align 8, !noalias !66
+  %v1275 = inttoptr i64 %v1274 to ptr
+  tail call void %v1275(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v513), !noalias !66
+  br i1 %v514, label %v1276, label %v1277
+
+v1278:
+  store double 0.000000e+00, ptr %v1279, align 8, !noalias !66
+  br label %v1280
+
+v1280:
+  %v1281 = icmp slt i64 %v1282, %v18
+  br i1 %v1281, label %v1283, label %v1284
+
+v1283:
+  %v1285 = getelementptr double, ptr %v515, i64 %v1282
+  %v1286 = load double, ptr %v1285, align 8, !noalias !66
+  %v1287 = add nsw i64 %v1282, %v17
+  %v1288 = icmp slt i64 %v1287, 0
+  %v1289 = select i1 %v1288, i64 %v166, i64 0
+  %v1290 = getelementptr double, ptr %v165, i64 %v1287
+  %v1291 = getelementptr double, ptr %v1290, i64 %v1289
+  %v1292 = load double, ptr %v1291, align 8, !noalias !66
+  %v1293 = fcmp une double %v1286, %v1292
+  br i1 %v1293, label %v1294, label %v1284
+
+v1294:
+  %v1295 = fcmp ord double %v1286, 0.000000e+00
+  br i1 %v1295, label %v1284, label %v1296
+
+v1296:
+  %v1297 = fcmp ord double %v1292, 0.000000e+00
+  br label %v1284
+
+v1284:
+  %v1298 = phi i1 [ false, %v1280 ], [ true, %v1294 ], [ %v1297, %v1296 ], [ false, %v1283 ]
+  %v1299 = fcmp uno double %v1300, 0.000000e+00
+  %v1301 = fcmp oeq double %v1300, 0.000000e+00
+  %v1302 = and i1 %v1301, %v1298
+  %v1303 = or i1 %v1299, %v1302
+  br i1 %v1303, label %v1304, label %v1305
+
+v1304:
+  %v1306 = icmp sge i64 %v1282, %v18
+  %v1307 = select i1 %v1298, i1 true, i1 %v1306
+  %v1308 = select i1 %v1307, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v1308, ptr %v1309, align 8, !noalias !66
+  br label %v1305
+
+v1305:
+  %v1310 = icmp eq i64 %v207, %v1311
+  br i1 %v1310, label %v1276, label %v1277
+
+v1277:
+  %v1282 = phi i64 [ %v1311, %v1305 ], [ 0, %v1272 ]
+  %v1311 = add nsw i64 %v1282, 1
+  %v1309 = getelementptr double, ptr %v516, i64 %v1282
+  %v1300 = load double, ptr %v1309, align 8, !noalias !66
+  %v1312 = tail call double @llvm.fabs.f64(double %v1300)
+  %v1279 = getelementptr double, ptr %v518, i64 %v1282
+  %v1313 = load double, ptr %v1279, align 8, !noalias !66
+  %v1314 = fadd double %v1312, %v1313
+  %v1315 = fcmp ueq double %v1314, 0x7FF0000000000000
+  br i1 %v1315, label %v1278, label %v1280
+
+v1316:
+  %v1317 = phi i64 [ %v1318, %v1319 ], [ %v18, %v1320 ]
+  %v1321 = phi i64 [ %v1322, %v1319 ], [ %v529, %v1320 ]
+  %v1323 = icmp sgt i64 %v1321, 0
+  br i1 %v1323, label %v1319, label %v1258
 
 v1324:
-  %v1325 = fcmp uno double %v1326, 0.000000e+00
-  br i1 %v1325, label %v1327, label %v1328
-
-v1327:
-  %v1329 = icmp slt i64 %v1330, %v18
-  br i1 %v1329, label %v1331, label %v1332
-
-v1331:
-  %v1333 = add nsw i64 %v1330, %v17
-  %v1334 = icmp slt i64 %v1333, 0
-  %v1335 = select i1 %v1334, i64 %v166, i64 0
-  %v1336 = getelementptr double, ptr %v165, i64 %v1333
-  %v1337 = getelementptr double, ptr %v1336, i64 %v1335
-  %v1338 = load double, ptr %v1337, align 8, !noalias !73
-  br label %v1332
-
-v1332:
-  %v1339 = phi double [ %v1338, %v1331 ], [ 0.000000e+00, %v1327 ]
-  %v1340 = getelementptr double, ptr %v524, i64 %v1330
-  %v1341 = load double, ptr %v1340, align 8, !noalias !73
-  %v1342 = fcmp une double %v1341, %v1339
-  br i1 %v1342, label %v1343, label %v1344
-
-v1343:
-  %v1345 = fcmp ord double %v1341, 0.000000e+00
-  br i1 %v1345, label %v1344, label %v1346
-
-v1346:
-  %v1347 = fcmp uno double %v1339, 0.000000e+00
-  %v1348 = select i1 %v1347, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v1344
-
-v1344:
-  %v1349 = phi double [ 0xFFF0000000000000, %v1343 ], [ %v1348, %v1346 ], [ 0x7FF0000000000000, %v1332 ]
-  store double %v1349, ptr %v1350, align 8, !noalias !73
-  br label %v1328
+  %v1325 = getelementptr i64, ptr %v540, i64 %v1225
+  store i64 %v1317, ptr %v1325, align 8, !noalias !62
+  %v1326 = load i64, ptr %v1227, align 8, !noalias !70
+  %v1327 = icmp sgt i64 %v1326, -1
+  br i1 %v1327, label %v1328, label %v1329
 
 v1328:
-  %v1351 = icmp eq i64 %v207, %v1352
-  br i1 %v1351, label %v1290, label %v1321
+  %v1330 = getelementptr i64, ptr %v110, i64 %v1326
+  %v1331 = load i64, ptr %v1330, align 8, !noalias !70
+  %v1332 = icmp eq i64 %v1331, 0
+  br i1 %v1332, label %v1333, label %v1329
 
-v1321:
-  %v1330 = phi i64 [ %v1352, %v1328 ], [ 0, %v1249 ]
-  %v1352 = add nsw i64 %v1330, 1
-  %v1350 = getelementptr double, ptr %v525, i64 %v1330
-  %v1326 = load double, ptr %v1350, align 8, !noalias !73
-  %v1353 = tail call double @llvm.fabs.f64(double %v1326)
-  %v1323 = getelementptr double, ptr %v527, i64 %v1330
-  %v1354 = load double, ptr %v1323, align 8, !noalias !73
-  %v1355 = fadd double %v1353, %v1354
-  %v1356 = fcmp ueq double %v1355, 0x7FF0000000000000
-  br i1 %v1356, label %v1322, label %v1324
+v1333:
+  store i64 4, ptr %v1330, align 8, !noalias !70
+  br label %v1329
 
-v1289:
-  %v1292 = add nsw i64 %v1291, -1
-  %v1288 = add i64 %v1287, 1
-  %v1357 = icmp slt i64 %v1287, 0
-  %v1358 = select i1 %v1357, i64 %v207, i64 0
-  %v1359 = add i64 %v1358, %v1287
-  %v1360 = getelementptr double, ptr %v533, i64 %v1359
-  %v1361 = load double, ptr %v1360, align 8, !noalias !62
-  %v1362 = getelementptr double, ptr %v536, i64 %v1359
-  %v1363 = load double, ptr %v1362, align 8, !noalias !62
-  %v1364 = fsub double %v1361, %v1363
-  %v1365 = tail call double @llvm.fabs.f64(double %v1364)
-  %v1366 = getelementptr double, ptr %v538, i64 %v1359
-  %v1367 = load double, ptr %v1366, align 8, !noalias !62
-  %v1368 = tail call i1 @llvm.is.fpclass.f64(double %v1367, i32 543)
-  %v1369 = select i1 %v1368, double 0.000000e+00, double %v1367
-  %v1370 = fcmp ueq double %v1365, 0x7FF0000000000000
-  %v1371 = select i1 %v1370, double -0.000000e+00, double %v1365
-  %v1372 = fadd double %v1369, %v1371
-  %v1373 = getelementptr double, ptr %v535, i64 %v1359
-  %v1374 = load double, ptr %v1373, align 8, !noalias !62
-  %v1375 = fneg double %v1372
-  %v1376 = fcmp ult double %v1374, %v1375
-  br i1 %v1376, label %v1294, label %v1286
+v1329:
+  %v1334 = getelementptr double, ptr %v133, i64 %v1225
+  %v1335 = load double, ptr %v1334, align 8, !noalias !62
+  %v1336 = getelementptr double, ptr %v542, i64 %v1225
+  store double %v1335, ptr %v1336, align 8, !noalias !62
+  %v1337 = getelementptr double, ptr %v544, i64 %v1225
+  store double 0.000000e+00, ptr %v1337, align 8, !noalias !62
+  br label %v1258
 
-v1377:
-  %v1378 = icmp sgt i64 %v1379, 1
-  br i1 %v1378, label %v1194, label %v1089
+v1273:
+  %v1338 = phi i64 [ %v1339, %v1273 ], [ 0, %v1259 ]
+  %v1339 = add nsw i64 %v1338, 1
+  %v1340 = mul i64 %v1338, %v196
+  %v1341 = getelementptr double, ptr %v193, i64 %v1340
+  %v1342 = load double, ptr %v1341, align 8, !noalias !62
+  %v1343 = getelementptr double, ptr %v508, i64 %v1340
+  %v1344 = load double, ptr %v1343, align 8, !noalias !62
+  %v1345 = fmul double %v1268, %v1344
+  %v1346 = fadd double %v1342, %v1345
+  %v1347 = getelementptr double, ptr %v510, i64 %v1340
+  store double %v1346, ptr %v1347, align 8, !noalias !62
+  %v1348 = icmp eq i64 %v10, %v1339
+  br i1 %v1348, label %v1272, label %v1273
 
-v1194:
-  %v1379 = phi i64 [ %v1380, %v1377 ], [ %v308, %v1183 ]
-  %v1198 = phi i64 [ %v1381, %v1377 ], [ 0, %v1183 ]
-  %v1380 = add nsw i64 %v1379, -1
-  %v1381 = add nsw i64 %v1198, 1
-  %v1196 = getelementptr double, ptr %v488, i64 %v1198
-  %v1382 = load double, ptr %v1196, align 8, !noalias !48
-  %v1383 = fcmp olt double %v1382, 5.000000e-01
-  br i1 %v1383, label %v1377, label %v1195
+v1276:
+  %v1349 = load i64, ptr %v511, align 8, !noalias !73
+  %v1350 = inttoptr i64 %v1349 to ptr
+  tail call void %v1350(ptr nonnull %v502, ptr %v520, ptr %v165, ptr %v172, ptr %v179, ptr %v522), !noalias !73
+  br i1 %v523, label %v1320, label %v1351
 
-v1231:
-  %v1384 = getelementptr double, ptr %v546, i64 %v1198
-  %v1385 = load double, ptr %v1384, align 8, !noalias !77
-  %v1386 = getelementptr double, ptr %v548, i64 %v1198
-  store double %v1385, ptr %v1386, align 8, !noalias !77
-  %v1387 = getelementptr i64, ptr %v550, i64 %v1198
-  %v1388 = load i64, ptr %v1387, align 8, !noalias !77
-  %v1389 = icmp slt i64 %v1388, %v93
-  br i1 %v1389, label %v1390, label %v1377
+v1320:
+  br label %v1316
 
-v1390:
-  %v1391 = icmp slt i64 %v1388, 0
-  %v1392 = select i1 %v1391, i64 %v93, i64 0
-  %v1393 = getelementptr double, ptr %v92, i64 %v1388
-  %v1394 = getelementptr double, ptr %v1393, i64 %v1392
-  %v1395 = load double, ptr %v1394, align 8, !noalias !77
-  %v1396 = load double, ptr %v1384, align 8, !noalias !77
-  %v1397 = fcmp olt double %v1396, %v1395
-  %v1398 = select i1 %v1397, double %v1396, double %v1395
-  store double %v1398, ptr %v1386, align 8, !noalias !77
-  br label %v1377
+v1352:
+  store double 0.000000e+00, ptr %v1353, align 8, !noalias !73
+  br label %v1354
 
-v1159:
-  br i1 %v1091, label %v1181, label %v1177
+v1354:
+  %v1355 = icmp slt i64 %v1356, %v18
+  br i1 %v1355, label %v1357, label %v1358
 
-v1089:
-  %v1399 = phi i1 [ %v635, %v1095 ], [ %v635, %v1080 ], [ true, %v1183 ], [ true, %v1377 ]
-  %v1400 = load i64, ptr %v551, align 8, !noalias !81
-  %v1401 = inttoptr i64 %v1400 to ptr
-  tail call void %v1401(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !81
-  br i1 %v552, label %v1402, label %v1403
+v1357:
+  %v1359 = getelementptr double, ptr %v524, i64 %v1356
+  %v1360 = load double, ptr %v1359, align 8, !noalias !73
+  %v1361 = add nsw i64 %v1356, %v17
+  %v1362 = icmp slt i64 %v1361, 0
+  %v1363 = select i1 %v1362, i64 %v166, i64 0
+  %v1364 = getelementptr double, ptr %v165, i64 %v1361
+  %v1365 = getelementptr double, ptr %v1364, i64 %v1363
+  %v1366 = load double, ptr %v1365, align 8, !noalias !73
+  %v1367 = fcmp une double %v1360, %v1366
+  br i1 %v1367, label %v1368, label %v1358
 
-v1404:
-  %v1405 = getelementptr double, ptr %v637, i64 %v1406
-  %v1407 = load double, ptr %v1405, align 8
-  %v1408 = fcmp ogt double %v1407, 5.000000e-01
-  br label %v1409
+v1368:
+  %v1369 = fcmp ord double %v1360, 0.000000e+00
+  br i1 %v1369, label %v1358, label %v1370
 
-v1409:
-  %v1410 = phi i1 [ true, %v1411 ], [ %v1408, %v1404 ]
-  br i1 %v1412, label %v1413, label %v1414
+v1370:
+  %v1371 = fcmp ord double %v1366, 0.000000e+00
+  br label %v1358
 
-v1414:
-  %v1415 = getelementptr double, ptr %v639, i64 %v1406
-  %v1416 = load double, ptr %v1415, align 8
-  %v1417 = fcmp ogt double %v1416, 5.000000e-01
-  br label %v1413
+v1358:
+  %v1372 = phi i1 [ false, %v1354 ], [ true, %v1368 ], [ %v1371, %v1370 ], [ false, %v1357 ]
+  %v1373 = fcmp uno double %v1374, 0.000000e+00
+  %v1375 = fcmp oeq double %v1374, 0.000000e+00
+  %v1376 = and i1 %v1375, %v1372
+  %v1377 = or i1 %v1373, %v1376
+  br i1 %v1377, label %v1378, label %v1379
 
-v1413:
-  %v1418 = phi i1 [ true, %v1409 ], [ %v1417, %v1414 ]
-  %v1419 = icmp sgt i64 %v1420, 1
-  br i1 %v1419, label %v1411, label %v1421
+v1378:
+  %v1380 = icmp sge i64 %v1356, %v18
+  %v1381 = select i1 %v1372, i1 true, i1 %v1380
+  %v1382 = select i1 %v1381, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v1382, ptr %v1383, align 8, !noalias !73
+  br label %v1379
+
+v1379:
+  %v1384 = icmp eq i64 %v207, %v1385
+  br i1 %v1384, label %v1320, label %v1351
+
+v1351:
+  %v1356 = phi i64 [ %v1385, %v1379 ], [ 0, %v1276 ]
+  %v1385 = add nsw i64 %v1356, 1
+  %v1383 = getelementptr double, ptr %v525, i64 %v1356
+  %v1374 = load double, ptr %v1383, align 8, !noalias !73
+  %v1386 = tail call double @llvm.fabs.f64(double %v1374)
+  %v1353 = getelementptr double, ptr %v527, i64 %v1356
+  %v1387 = load double, ptr %v1353, align 8, !noalias !73
+  %v1388 = fadd double %v1386, %v1387
+  %v1389 = fcmp ueq double %v1388, 0x7FF0000000000000
+  br i1 %v1389, label %v1352, label %v1354
+
+v1319:
+  %v1322 = add nsw i64 %v1321, -1
+  %v1318 = add i64 %v1317, 1
+  %v1390 = icmp slt i64 %v1317, 0
+  %v1391 = select i1 %v1390, i64 %v207, i64 0
+  %v1392 = add i64 %v1391, %v1317
+  %v1393 = getelementptr double, ptr %v533, i64 %v1392
+  %v1394 = load double, ptr %v1393, align 8, !noalias !62
+  %v1395 = getelementptr double, ptr %v536, i64 %v1392
+  %v1396 = load double, ptr %v1395, align 8, !noalias !62
+  %v1397 = fsub double %v1394, %v1396
+  %v1398 = tail call double @llvm.fabs.f64(double %v1397)
+  %v1399 = getelementptr double, ptr %v538, i64 %v1392
+  %v1400 = load double, ptr %v1399, align 8, !noalias !62
+  %v1401 = fcmp ueq double %v1398, 0x7FF0000000000000
+  %v1402 = fadd double %v1400, %v1398
+  %v1403 = select i1 %v1401, double %v1400, double %v1402
+  %v1404 = getelementptr double, ptr %v535, i64 %v1392
+  %v1405 = load double, ptr %v1404, align 8, !noalias !62
+  %v1406 = fneg double %v1403
+  %v1407 = fcmp ult double %v1405, %v1406
+  br i1 %v1407, label %v1324, label %v1316
+
+v1408:
+  %v1409 = icmp sgt i64 %v1410, 1
+  br i1 %v1409, label %v1221, label %v1113
+
+v1221:
+  %v1410 = phi i64 [ %v1411, %v1408 ], [ %v308, %v1210 ]
+  %v1225 = phi i64 [ %v1412, %v1408 ], [ 0, %v1210 ]
+  %v1411 = add nsw i64 %v1410, -1
+  %v1412 = add nsw i64 %v1225, 1
+  %v1223 = getelementptr double, ptr %v488, i64 %v1225
+  %v1413 = load double, ptr %v1223, align 8, !noalias !48
+  %v1414 = fcmp olt double %v1413, 5.000000e-01
+  br i1 %v1414, label %v1408, label %v1222
+
+v1258:
+  %v1415 = getelementptr double, ptr %v546, i64 %v1225
+  %v1416 = load double, ptr %v1415, align 8, !noalias !77
+  %v1417 = getelementptr double, ptr %v548, i64 %v1225
+  store double %v1416, ptr %v1417, align 8, !noalias !77
+  %v1418 = getelementptr i64, ptr %v550, i64 %v1225
+  %v1419 = load i64, ptr %v1418, align 8, !noalias !77
+  %v1420 = icmp slt i64 %v1419, %v93
+  br i1 %v1420, label %v1421, label %v1408
 
 v1421:
-  %v1422 = phi i1 [ false, %v1423 ], [ %v1410, %v1413 ]
-  %v1424 = phi i1 [ %v1399, %v1423 ], [ %v1418, %v1413 ]
-  %v1425 = xor i1 %v1424, true
-  %v1426 = or i1 %v307, %v1425
-  br i1 %v1426, label %v1427, label %v1428
+  %v1422 = icmp slt i64 %v1419, 0
+  %v1423 = select i1 %v1422, i64 %v93, i64 0
+  %v1424 = getelementptr double, ptr %v92, i64 %v1419
+  %v1425 = getelementptr double, ptr %v1424, i64 %v1423
+  %v1426 = load double, ptr %v1425, align 8, !noalias !77
+  %v1427 = load double, ptr %v1415, align 8, !noalias !77
+  %v1428 = fcmp olt double %v1427, %v1426
+  %v1429 = select i1 %v1428, double %v1427, double %v1426
+  store double %v1429, ptr %v1417, align 8, !noalias !77
+  br label %v1408
 
-v1429:
-  br i1 %v307, label %v1427, label %v1430
+v1186:
+  br i1 %v1115, label %v1208, label %v1204
 
-v1431:
-  %v1432 = getelementptr double, ptr %v641, i64 %v1433
-  %v1434 = load double, ptr %v1432, align 8, !noalias !87
-  %v1435 = fptosi double %v1434 to i64
-  %v1436 = getelementptr double, ptr %v643, i64 %v1433
-  %v1437 = load double, ptr %v1436, align 8, !noalias !87
-  %v1438 = fptosi double %v1437 to i64
-  %v1439 = mul i64 %v1440, %v126
-  %v1441 = getelementptr i64, ptr %v124, i64 %v1439
-  %v1442 = load i64, ptr %v1441, align 8, !noalias !87
-  %v1443 = add nsw i64 %v1442, %v1435
-  store i64 %v1443, ptr %v1441, align 8, !noalias !87
-  %v1444 = getelementptr i8, ptr %v1441, i64 24
-  %v1445 = load i64, ptr %v1444, align 8, !noalias !87
-  %v1446 = add nsw i64 %v1445, %v1438
-  store i64 %v1446, ptr %v1444, align 8, !noalias !87
-  %v1447 = getelementptr i8, ptr %v1441, i64 8
-  %v1448 = load i64, ptr %v1447, align 8, !noalias !87
-  %v1449 = add nsw i64 %v1438, %v1435
-  %v1450 = mul nsw i64 %v1449, %v611
-  %v1451 = add nsw i64 %v1450, %v1435
-  %v1452 = add nsw i64 %v1451, %v1448
-  store i64 %v1452, ptr %v1447, align 8, !noalias !87
-  store double 0.000000e+00, ptr %v1432, align 8, !noalias !87
-  store double 0.000000e+00, ptr %v1436, align 8, !noalias !87
-  %v1453 = getelementptr double, ptr %v645, i64 %v1433
-  %v1454 = load double, ptr %v1453, align 8, !noalias !87
-  %v1455 = sitofp i64 %v1449 to double
-  %v1456 = fsub double %v1454, %v1455
-  store double %v1456, ptr %v1453, align 8, !noalias !87
-  br label %v1457
+v1113:
+  %v1430 = phi i1 [ %v635, %v1119 ], [ %v635, %v1104 ], [ true, %v1210 ], [ true, %v1408 ]
+  %v1431 = load i64, ptr %v551, align 8, !noalias !81
+  %v1432 = inttoptr i64 %v1431 to ptr
+  tail call void %v1432(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !81
+  br i1 %v552, label %v1433, label %v1434
 
-v1457:
-  %v1458 = icmp sgt i64 %v1459, 1
-  br i1 %v1458, label %v1428, label %v1429
+v1435:
+  %v1436 = getelementptr double, ptr %v637, i64 %v1437
+  %v1438 = load double, ptr %v1436, align 8
+  %v1439 = fcmp ogt double %v1438, 5.000000e-01
+  br label %v1440
 
-v1428:
-  %v1459 = phi i64 [ %v1460, %v1457 ], [ %v308, %v1421 ]
-  %v1433 = phi i64 [ %v1461, %v1457 ], [ 0, %v1421 ]
-  %v1460 = add nsw i64 %v1459, -1
-  %v1461 = add nsw i64 %v1433, 1
-  %v1462 = getelementptr i64, ptr %v142, i64 %v1433
-  %v1440 = load i64, ptr %v1462, align 8, !noalias !87
-  %v1463 = icmp sgt i64 %v1440, -1
-  br i1 %v1463, label %v1431, label %v1457
+v1440:
+  %v1441 = phi i1 [ true, %v1442 ], [ %v1439, %v1435 ]
+  br i1 %v1443, label %v1444, label %v1445
 
-v1464:
-  %v1465 = getelementptr double, ptr %v651, i64 %v1466
-  %v1467 = load double, ptr %v1465, align 8, !noalias !94
-  %v1468 = fcmp ogt double %v1467, 5.000000e-01
-  br i1 %v1468, label %v1469, label %v1470
+v1445:
+  %v1446 = getelementptr double, ptr %v639, i64 %v1437
+  %v1447 = load double, ptr %v1446, align 8
+  %v1448 = fcmp ogt double %v1447, 5.000000e-01
+  br label %v1444
 
-v1469:
-  %v1471 = fptosi double %v1467 to i64
-  %v1472 = load i64, ptr %v1473, align 8, !noalias !95
-  %v1474 = icmp sgt i64 %v1472, -1
-  br i1 %v1474, label %v1475, label %v1470
+v1444:
+  %v1449 = phi i1 [ true, %v1440 ], [ %v1448, %v1445 ]
+  %v1450 = icmp sgt i64 %v1451, 1
+  br i1 %v1450, label %v1442, label %v1452
 
-v1470:
-  %v1476 = getelementptr double, ptr %v653, i64 %v1466
-  %v1477 = load double, ptr %v1476, align 8, !noalias !94
-  %v1478 = fcmp ogt double %v1477, 5.000000e-01
-  br i1 %v1478, label %v1479, label %v1480
+v1452:
+  %v1453 = phi i1 [ false, %v1454 ], [ %v1441, %v1444 ]
+  %v1455 = phi i1 [ %v1430, %v1454 ], [ %v1449, %v1444 ]
+  %v1456 = xor i1 %v1455, true
+  %v1457 = or i1 %v307, %v1456
+  br i1 %v1457, label %v1458, label %v1459
 
-v1479:
-  %v1481 = select i1 %v1482, i1 true, i1 %v304
-  %v1483 = icmp slt i64 %v1484, %v93
-  br i1 %v1483, label %v1485, label %v1486
+v1460:
+  br i1 %v307, label %v1458, label %v1461
 
-v1485:
-  %v1487 = icmp slt i64 %v1484, 0
-  %v1488 = select i1 %v1487, i64 %v93, i64 0
-  %v1489 = getelementptr double, ptr %v92, i64 %v1484
-  %v1490 = getelementptr double, ptr %v1489, i64 %v1488
-  %v1491 = load double, ptr %v1490, align 8, !noalias !94
-  %v1492 = getelementptr double, ptr %v655, i64 %v1466
-  %v1493 = load double, ptr %v1492, align 8, !noalias !94
-  %v1494 = fcmp olt double %v1491, %v1493
-  br i1 %v1494, label %v1495, label %v1486
+v1462:
+  %v1463 = getelementptr double, ptr %v641, i64 %v1464
+  %v1465 = load double, ptr %v1463, align 8, !noalias !87
+  %v1466 = fptosi double %v1465 to i64
+  %v1467 = getelementptr double, ptr %v643, i64 %v1464
+  %v1468 = load double, ptr %v1467, align 8, !noalias !87
+  %v1469 = fptosi double %v1468 to i64
+  %v1470 = mul i64 %v1471, %v126
+  %v1472 = getelementptr i64, ptr %v124, i64 %v1470
+  %v1473 = load i64, ptr %v1472, align 8, !noalias !87
+  %v1474 = add nsw i64 %v1473, %v1466
+  store i64 %v1474, ptr %v1472, align 8, !noalias !87
+  %v1475 = getelementptr i8, ptr %v1472, i64 24
+  %v1476 = load i64, ptr %v1475, align 8, !noalias !87
+  %v1477 = add nsw i64 %v1476, %v1469
+  store i64 %v1477, ptr %v1475, align 8, !noalias !87
+  %v1478 = getelementptr i8, ptr %v1472, i64 8
+  %v1479 = load i64, ptr %v1478, align 8, !noalias !87
+  %v1480 = add nsw i64 %v1469, %v1466
+  %v1481 = mul nsw i64 %v1480, %v611
+  %v1482 = add nsw i64 %v1481, %v1466
+  %v1483 = add nsw i64 %v1482, %v1479
+  store i64 %v1483, ptr %v1478, align 8, !noalias !87
+  store double 0.000000e+00, ptr %v1463, align 8, !noalias !87
+  store double 0.000000e+00, ptr %v1467, align 8, !noalias !87
+  %v1484 = getelementptr double, ptr %v645, i64 %v1464
+  %v1485 = load double, ptr %v1484, align 8, !noalias !87
+  %v1486 = sitofp i64 %v1480 to double
+  %v1487 = fsub double %v1485, %v1486
+  store double %v1487, ptr %v1484, align 8, !noalias !87
+  br label %v1488
+
+v1488:
+  %v1489 = icmp sgt i64 %v1490, 1
+  br i1 %v1489, label %v1459, label %v1460
+
+v1459:
+  %v1490 = phi i64 [ %v1491, %v1488 ], [ %v308, %v1452 ]
+  %v1464 = phi i64 [ %v1492, %v1488 ], [ 0, %v1452 ]
+  %v1491 = add nsw i64 %v1490, -1
+  %v1492 = add nsw i64 %v1464, 1
+  %v1493 = getelementptr i64, ptr %v142, i64 %v1464
+  %v1471 = load i64, ptr %v1493, align 8, !noalias !87
+  %v1494 = icmp sgt i64 %v1471, -1
+  br i1 %v1494, label %v1462, label %v1488
 
 v1495:
-  br label %v1486
+  %v1496 = getelementptr double, ptr %v651, i64 %v1497
+  %v1498 = load double, ptr %v1496, align 8, !noalias !94
+  %v1499 = fcmp ogt double %v1498, 5.000000e-01
+  br i1 %v1499, label %v1500, label %v1501
 
-v1486:
-  %v1496 = phi i1 [ true, %v1495 ], [ %v1481, %v1485 ], [ %v1481, %v1479 ]
-  %v1497 = mul i64 %v1498, %v126
-  %v1499 = getelementptr i64, ptr %v124, i64 %v1497
-  %v1500 = load i64, ptr %v1499, align 8, !noalias !94
-  %v1501 = and i64 %v1500, 127
-  %v1502 = icmp eq i64 %v1501, 0
-  br i1 %v1502, label %v1503, label %v1504
+v1500:
+  %v1502 = fptosi double %v1498 to i64
+  %v1503 = load i64, ptr %v1504, align 8, !noalias !95
+  %v1505 = icmp sgt i64 %v1503, -1
+  br i1 %v1505, label %v1506, label %v1501
 
-v1504:
-  %v1505 = getelementptr double, ptr %v657, i64 %v1466
-  %v1506 = load double, ptr %v1505, align 8, !noalias !94
-  %v1507 = fcmp ogt double %v1506, 0.000000e+00
-  br i1 %v1507, label %v1503, label %v1480
+v1501:
+  %v1507 = getelementptr double, ptr %v653, i64 %v1497
+  %v1508 = load double, ptr %v1507, align 8, !noalias !94
+  %v1509 = fcmp ogt double %v1508, 5.000000e-01
+  br i1 %v1509, label %v1510, label %v1511
 
-v1503:
-  store double 1.000000e+00, ptr %v1508, align 8, !noalias !94
-  br label %v1480
+v1510:
+  %v1512 = select i1 %v1513, i1 true, i1 %v304
+  %v1514 = icmp slt i64 %v1515, %v93
+  br i1 %v1514, label %v1516, label %v1517
 
-v1480:
-  %v1509 = phi i1 [ %v1496, %v1503 ], [ %v1496, %v1504 ], [ %v1482, %v1470 ], [ %v1482, %v1430 ]
-  %v1510 = phi i1 [ true, %v1503 ], [ %v1511, %v1504 ], [ %v1511, %v1470 ], [ %v1511, %v1430 ]
-  %v1512 = icmp sgt i64 %v1513, 1
-  br i1 %v1512, label %v1430, label %v1514
+v1516:
+  %v1518 = icmp slt i64 %v1515, 0
+  %v1519 = select i1 %v1518, i64 %v93, i64 0
+  %v1520 = getelementptr double, ptr %v92, i64 %v1515
+  %v1521 = getelementptr double, ptr %v1520, i64 %v1519
+  %v1522 = load double, ptr %v1521, align 8, !noalias !94
+  %v1523 = getelementptr double, ptr %v655, i64 %v1497
+  %v1524 = load double, ptr %v1523, align 8, !noalias !94
+  %v1525 = fcmp olt double %v1522, %v1524
+  br i1 %v1525, label %v1526, label %v1517
 
-v1430:
-  %v1511 = phi i1 [ %v1510, %v1480 ], [ false, %v1429 ]
-  %v1482 = phi i1 [ %v1509, %v1480 ], [ false, %v1429 ]
-  %v1513 = phi i64 [ %v1515, %v1480 ], [ %v308, %v1429 ]
-  %v1466 = phi i64 [ %v1516, %v1480 ], [ 0, %v1429 ]
-  %v1515 = add nsw i64 %v1513, -1
-  %v1516 = add nsw i64 %v1466, 1
-  %v1473 = getelementptr i64, ptr %v142, i64 %v1466
-  %v1498 = load i64, ptr %v1473, align 8, !noalias !94
-  %v1517 = getelementptr i64, ptr %v647, i64 %v1466
-  %v1484 = load i64, ptr %v1517, align 8, !noalias !94
-  %v1508 = getelementptr double, ptr %v649, i64 %v1466
-  store double 0.000000e+00, ptr %v1508, align 8, !noalias !94
-  %v1518 = icmp sgt i64 %v1498, -1
-  br i1 %v1518, label %v1464, label %v1480
+v1526:
+  br label %v1517
 
-v1475:
-  %v1519 = getelementptr i64, ptr %v110, i64 %v1472
-  %v1520 = load i64, ptr %v1519, align 8, !noalias !95
-  %v1521 = icmp eq i64 %v1520, 0
-  br i1 %v1521, label %v1522, label %v1470
+v1517:
+  %v1527 = phi i1 [ true, %v1526 ], [ %v1512, %v1516 ], [ %v1512, %v1510 ]
+  %v1528 = mul i64 %v1529, %v126
+  %v1530 = getelementptr i64, ptr %v124, i64 %v1528
+  %v1531 = load i64, ptr %v1530, align 8, !noalias !94
+  %v1532 = and i64 %v1531, 127
+  %v1533 = icmp eq i64 %v1532, 0
+  br i1 %v1533, label %v1534, label %v1535
 
-v1522:
-  store i64 %v1471, ptr %v1519, align 8, !noalias !95
-  br label %v1470
+v1535:
+  %v1536 = getelementptr double, ptr %v657, i64 %v1497
+  %v1537 = load double, ptr %v1536, align 8, !noalias !94
+  %v1538 = fcmp ogt double %v1537, 0.000000e+00
+  br i1 %v1538, label %v1534, label %v1511
 
-v1427:
-  %v1523 = phi i1 [ true, %v1421 ], [ true, %v1429 ], [ %v1524, %v1514 ]
-  %v1525 = phi i1 [ true, %v1421 ], [ true, %v1429 ], [ %v1526, %v1514 ]
-  %v1527 = and i1 %v658, %v1422
-  br i1 %v1527, label %v1528, label %v1529
+v1534:
+  store double 1.000000e+00, ptr %v1539, align 8, !noalias !94
+  br label %v1511
 
-v1528:
-  %v1530 = load i64, ptr %v6, align 8, !noalias !98
-  %v1531 = inttoptr i64 %v1530 to ptr
-  tail call void %v1531(ptr %v663, ptr %v666, ptr %v165, ptr %v172, ptr %v179, ptr %v668), !noalias !98
-  br label %v1529
+v1511:
+  %v1540 = phi i1 [ %v1527, %v1534 ], [ %v1527, %v1535 ], [ %v1513, %v1501 ], [ %v1513, %v1461 ]
+  %v1541 = phi i1 [ true, %v1534 ], [ %v1542, %v1535 ], [ %v1542, %v1501 ], [ %v1542, %v1461 ]
+  %v1543 = icmp sgt i64 %v1544, 1
+  br i1 %v1543, label %v1461, label %v1545
 
-v1529:
-  br i1 %v1525, label %v1532, label %v1533
+v1461:
+  %v1542 = phi i1 [ %v1541, %v1511 ], [ false, %v1460 ]
+  %v1513 = phi i1 [ %v1540, %v1511 ], [ false, %v1460 ]
+  %v1544 = phi i64 [ %v1546, %v1511 ], [ %v308, %v1460 ]
+  %v1497 = phi i64 [ %v1547, %v1511 ], [ 0, %v1460 ]
+  %v1546 = add nsw i64 %v1544, -1
+  %v1547 = add nsw i64 %v1497, 1
+  %v1504 = getelementptr i64, ptr %v142, i64 %v1497
+  %v1529 = load i64, ptr %v1504, align 8, !noalias !94
+  %v1548 = getelementptr i64, ptr %v647, i64 %v1497
+  %v1515 = load i64, ptr %v1548, align 8, !noalias !94
+  %v1539 = getelementptr double, ptr %v649, i64 %v1497
+  store double 0.000000e+00, ptr %v1539, align 8, !noalias !94
+  %v1549 = icmp sgt i64 %v1529, -1
+  br i1 %v1549, label %v1495, label %v1511
 
-v1533:
-  %v1534 = load i64, ptr %v669, align 8, !noalias !104
-  %v1535 = inttoptr i64 %v1534 to ptr
-  tail call void %v1535(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !104
-  br label %v1532
+v1506:
+  %v1550 = getelementptr i64, ptr %v110, i64 %v1503
+  %v1551 = load i64, ptr %v1550, align 8, !noalias !95
+  %v1552 = icmp eq i64 %v1551, 0
+  br i1 %v1552, label %v1553, label %v1501
 
-v1532:
-  %v1536 = select i1 %v1422, i1 %v304, i1 false
-  %v1537 = xor i1 %v1422, true
-  %v1538 = select i1 %v305, i1 %v1422, i1 false
-  %v1539 = xor i1 %v1538, true
-  %v1540 = select i1 %v1539, i1 true, i1 %v1536
-  %v1541 = select i1 %v305, i1 %v1422, i1 %v1536
-  br i1 %v1540, label %v1542, label %v1543
+v1553:
+  store i64 %v1502, ptr %v1550, align 8, !noalias !95
+  br label %v1501
 
-v1543:
-  %v1544 = load i64, ptr %v670, align 8, !noalias !107
-  %v1545 = inttoptr i64 %v1544 to ptr
-  tail call void %v1545(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !107
-  br label %v1546
+v1458:
+  %v1554 = phi i1 [ true, %v1452 ], [ true, %v1460 ], [ %v1555, %v1545 ]
+  %v1556 = phi i1 [ true, %v1452 ], [ true, %v1460 ], [ %v1557, %v1545 ]
+  %v1558 = and i1 %v658, %v1453
+  br i1 %v1558, label %v1559, label %v1560
 
-v1547:
-  %v1548 = icmp ne i64 %v1549, 0
-  %v1550 = zext i1 %v1548 to i64
-  %v1551 = add i64 %v1552, %v1550
-  %v1553 = sext i1 %v1548 to i64
-  %v1554 = add nsw i64 %v1549, %v1553
-  %v1555 = select i1 %v1548, i64 %v1552, i64 0
-  br i1 %v1548, label %v1546, label %v1556
-
-v1546:
-  %v1557 = phi i64 [ 0, %v1543 ], [ %v1555, %v1547 ]
-  %v1549 = phi i64 [ 8, %v1543 ], [ %v1554, %v1547 ]
-  %v1552 = phi i64 [ 1, %v1543 ], [ %v1551, %v1547 ]
-  %v1558 = add i64 %v1557, 9
-  %v1559 = icmp ult i64 %v1558, 18
-  br i1 %v1559, label %v1560, label %v1556
+v1559:
+  %v1561 = load i64, ptr %v6, align 8, !noalias !98
+  %v1562 = inttoptr i64 %v1561 to ptr
+  tail call void %v1562(ptr %v663, ptr %v666, ptr %v165, ptr %v172, ptr %v179, ptr %v668), !noalias !98
+  br label %v1560
 
 v1560:
-  %v1561 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1558
-  %v1562 = load double, ptr %v1561, align 8
-  %v1563 = load double, ptr %v133, align 8, !noalias !110
-  %v1564 = load double, ptr %v673, align 8, !noalias !110
-  %v1565 = fmul double %v1562, %v1564
-  %v1566 = fadd double %v1563, %v1565
-  store double %v1566, ptr %v675, align 8, !noalias !110
-  br i1 %v677, label %v1567, label %v1568
+  br i1 %v1556, label %v1563, label %v1564
 
-v1568:
-  %v1569 = fsub double 1.000000e+00, %v1562
-  br label %v1570
+v1564:
+  %v1565 = load i64, ptr %v669, align 8, !noalias !104
+  %v1566 = inttoptr i64 %v1565 to ptr
+  tail call void %v1566(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !104
+  br label %v1563
 
-v1570:
-  %v1571 = phi i64 [ 0, %v1568 ], [ %v1572, %v1570 ]
-  %v1573 = mul i64 %v1571, %v196
-  %v1574 = getelementptr double, ptr %v193, i64 %v1573
-  %v1575 = getelementptr i8, ptr %v1574, i64 %v684
-  %v1576 = load double, ptr %v1575, align 8, !noalias !120
-  %v1577 = fadd double %v1576, 0.000000e+00
-  %v1578 = fmul double %v1562, %v1577
-  %v1579 = getelementptr i8, ptr %v1574, i64 %v685
-  %v1580 = load double, ptr %v1579, align 8, !noalias !120
-  %v1581 = fadd double %v1580, %v1578
-  %v1582 = fmul double %v1569, %v1581
-  %v1583 = getelementptr i8, ptr %v1574, i64 %v686
-  %v1584 = load double, ptr %v1583, align 8, !noalias !120
-  %v1585 = fadd double %v1584, %v1582
-  %v1586 = fmul double %v1562, %v1585
-  %v1587 = getelementptr i8, ptr %v1574, i64 %v687
-  %v1588 = load double, ptr %v1587, align 8, !noalias !120
-  %v1589 = fadd double %v1588, %v1586
-  %v1590 = fmul double %v1569, %v1589
-  %v1591 = getelementptr i8, ptr %v1574, i64 %v688
-  %v1592 = load double, ptr %v1591, align 8, !noalias !120
-  %v1593 = fadd double %v1592, %v1590
-  %v1594 = fmul double %v1562, %v1593
-  %v1595 = getelementptr i8, ptr %v1574, i64 %v689
-  %v1596 = load double, ptr %v1595, align 8, !noalias !120
-  %v1597 = fadd double %v1596, %v1594
-  %v1598 = fmul double %v1569, %v1597
-  %v1599 = getelementptr i8, ptr %v1574, i64 %v690
-  %v1600 = load double, ptr %v1599, align 8, !noalias !120
-  %v1601 = fadd double %v1600, %v1598
-  %v1602 = fmul double %v1562, %v1601
-  %v1572 = add nsw i64 %v1571, 1
-  %v1603 = load double, ptr %v1574, align 8, !noalias !120
-  %v1604 = fadd double %v1603, %v1602
-  %v1605 = getelementptr double, ptr %v678, i64 %v1573
-  store double %v1604, ptr %v1605, align 8, !noalias !110
-  %v1606 = icmp eq i64 %v10, %v1572
-  br i1 %v1606, label %v1567, label %v1570
+v1563:
+  %v1567 = select i1 %v1453, i1 %v304, i1 false
+  %v1568 = xor i1 %v1453, true
+  %v1569 = select i1 %v305, i1 %v1453, i1 false
+  %v1570 = xor i1 %v1569, true
+  %v1571 = select i1 %v1570, i1 true, i1 %v1567
+  %v1572 = select i1 %v305, i1 %v1453, i1 %v1567
+  br i1 %v1571, label %v1573, label %v1574
 
-v1567:
-  %v1607 = icmp slt i64 %v1557, 8
-  %v1608 = select i1 %v1607, i64 16, i64 17
-  %v1609 = mul i64 %v679, %v1557
-  %v1610 = load i64, ptr %v680, align 8, !noalias !124
-  %v1611 = mul nsw i64 %v1608, %v10
-  %v1612 = getelementptr double, ptr %v158, i64 %v1611
-  %v1613 = getelementptr double, ptr %v186, i64 %v1609
-  %v1614 = inttoptr i64 %v1610 to ptr
-  tail call void %v1614(ptr nonnull %v675, ptr %v1612, ptr %v165, ptr %v172, ptr %v179, ptr %v1613), !noalias !124
-  br i1 %v681, label %v1547, label %v1615
+v1574:
+  %v1575 = load i64, ptr %v670, align 8, !noalias !107
+  %v1576 = inttoptr i64 %v1575 to ptr
+  tail call void %v1576(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !107
+  br label %v1577
 
-v1615:
-  %v1616 = icmp slt i64 %v1557, 0
-  %v1617 = select i1 %v1616, i64 %v205, i64 0
-  %v1618 = add i64 %v1617, %v1557
-  %v1619 = mul i64 %v1618, %v682
-  %v1620 = getelementptr double, ptr %v204, i64 %v1619
-  %v1621 = getelementptr double, ptr %v1620, i64 %v207
-  %v1622 = getelementptr i8, ptr %v1620, i64 %v683
-  br label %v1623
+v1578:
+  %v1579 = icmp ne i64 %v1580, 0
+  %v1581 = zext i1 %v1579 to i64
+  %v1582 = add i64 %v1583, %v1581
+  %v1584 = sext i1 %v1579 to i64
+  %v1585 = add nsw i64 %v1580, %v1584
+  %v1586 = select i1 %v1579, i64 %v1583, i64 0
+  br i1 %v1579, label %v1577, label %v1587
 
-v1624:
-  store double 0.000000e+00, ptr %v1625, align 8, !noalias !124
-  br label %v1626
+v1577:
+  %v1588 = phi i64 [ 0, %v1574 ], [ %v1586, %v1578 ]
+  %v1580 = phi i64 [ 8, %v1574 ], [ %v1585, %v1578 ]
+  %v1583 = phi i64 [ 1, %v1574 ], [ %v1582, %v1578 ]
+  %v1589 = add i64 %v1588, 9
+  %v1590 = icmp ult i64 %v1589, 18
+  br i1 %v1590, label %v1591, label %v1587
 
-v1626:
-  %v1627 = fcmp uno double %v1628, 0.000000e+00
-  br i1 %v1627, label %v1629, label %v1630
+v1591:
+  %v1592 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1589
+  %v1593 = load double, ptr %v1592, align 8
+  %v1594 = load double, ptr %v133, align 8, !noalias !110
+  %v1595 = load double, ptr %v673, align 8, !noalias !110
+  %v1596 = fmul double %v1593, %v1595
+  %v1597 = fadd double %v1594, %v1596
+  store double %v1597, ptr %v675, align 8, !noalias !110
+  br i1 %v677, label %v1598, label %v1599
 
-v1629:
-  %v1631 = icmp slt i64 %v1632, %v18
-  br i1 %v1631, label %v1633, label %v1634
+v1599:
+  %v1600 = fsub double 1.000000e+00, %v1593
+  br label %v1601
 
-v1633:
-  %v1635 = add nsw i64 %v1632, %v17
-  %v1636 = icmp slt i64 %v1635, 0
-  %v1637 = select i1 %v1636, i64 %v166, i64 0
-  %v1638 = getelementptr double, ptr %v165, i64 %v1635
-  %v1639 = getelementptr double, ptr %v1638, i64 %v1637
-  %v1640 = load double, ptr %v1639, align 8, !noalias !124
-  br label %v1634
+v1601:
+  %v1602 = phi i64 [ 0, %v1599 ], [ %v1603, %v1601 ]
+  %v1604 = mul i64 %v1602, %v196
+  %v1605 = getelementptr double, ptr %v193, i64 %v1604
+  %v1606 = getelementptr i8, ptr %v1605, i64 %v684
+  %v1607 = load double, ptr %v1606, align 8, !noalias !120
+  %v1608 = fadd double %v1607, 0.000000e+00
+  %v1609 = fmul double %v1593, %v1608
+  %v1610 = getelementptr i8, ptr %v1605, i64 %v685
+  %v1611 = load double, ptr %v1610, align 8, !noalias !120
+  %v1612 = fadd double %v1611, %v1609
+  %v1613 = fmul double %v1600, %v1612
+  %v1614 = getelementptr i8, ptr %v1605, i64 %v686
+  %v1615 = load double, ptr %v1614, align 8, !noalias !120
+  %v1616 = fadd double %v1615, %v1613
+  %v1617 = fmul double %v1593, %v1616
+  %v1618 = getelementptr i8, ptr %v1605, i64 %v687
+  %v1619 = load double, ptr %v1618, align 8, !noalias !120
+  %v1620 = fadd double %v1619, %v1617
+  %v1621 = fmul double %v1600, %v1620
+  %v1622 = getelementptr i8, ptr %v1605, i64 %v688
+  %v1623 = load double, ptr %v1622, align 8, !noalias !120
+  %v1624 = fadd double %v1623, %v1621
+  %v1625 = fmul double %v1593, %v1624
+  %v1626 = getelementptr i8, ptr %v1605, i64 %v689
+  %v1627 = load double, ptr %v1626, align 8, !noalias !120
+  %v1628 = fadd double %v1627, %v1625
+  %v1629 = fmul double %v1600, %v1628
+  %v1630 = getelementptr i8, ptr %v1605, i64 %v690
+  %v1631 = load double, ptr %v1630, align 8, !noalias !120
+  %v1632 = fadd double %v1631, %v1629
+  %v1633 = fmul double %v1593, %v1632
+  %v1603 = add nsw i64 %v1602, 1
+  %v1634 = load double, ptr %v1605, align 8, !noalias !120
+  %v1635 = fadd double %v1634, %v1633
+  %v1636 = getelementptr double, ptr %v678, i64 %v1604
+  store double %v1635, ptr %v1636, align 8, !noalias !110
+  %v1637 = icmp eq i64 %v10, %v1603
+  br i1 %v1637, label %v1598, label %v1601
 
-v1634:
-  %v1641 = phi double [ %v1640, %v1633 ], [ 0.000000e+00, %v1629 ]
-  %v1642 = getelementptr double, ptr %v1620, i64 %v1632
-  %v1643 = load double, ptr %v1642, align 8, !noalias !124
-  %v1644 = fcmp une double %v1643, %v1641
-  br i1 %v1644, label %v1645, label %v1646
-
-v1645:
-  %v1647 = fcmp ord double %v1643, 0.000000e+00
-  br i1 %v1647, label %v1646, label %v1648
-
-v1648:
-  %v1649 = fcmp uno double %v1641, 0.000000e+00
-  %v1650 = select i1 %v1649, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v1646
+v1598:
+  %v1638 = icmp slt i64 %v1588, 8
+  %v1639 = select i1 %v1638, i64 16, i64 17
+  %v1640 = mul i64 %v679, %v1588
+  %v1641 = load i64, ptr %v680, align 8, !noalias !124
+  %v1642 = mul nsw i64 %v1639, %v10
+  %v1643 = getelementptr double, ptr %v158, i64 %v1642
+  %v1644 = getelementptr double, ptr %v186, i64 %v1640
+  %v1645 = inttoptr i64 %v1641 to ptr
+  tail call void %v1645(ptr nonnull %v675, ptr %v1643, ptr %v165, ptr %v172, ptr %v179, ptr %v1644), !noalias !124
+  br i1 %v681, label %v1578, label %v1646
 
 v1646:
-  %v1651 = phi double [ 0xFFF0000000000000, %v1645 ], [ %v1650, %v1648 ], [ 0x7FF0000000000000, %v1634 ]
-  store double %v1651, ptr %v1652, align 8, !noalias !124
-  br label %v1630
+  %v1647 = icmp slt i64 %v1588, 0
+  %v1648 = select i1 %v1647, i64 %v205, i64 0
+  %v1649 = add i64 %v1648, %v1588
+  %v1650 = mul i64 %v1649, %v682
+  %v1651 = getelementptr double, ptr %v204, i64 %v1650
+  %v1652 = getelementptr double, ptr %v1651, i64 %v207
+  %v1653 = getelementptr i8, ptr %v1651, i64 %v683
+  br label %v1654
 
-v1630:
-  %v1653 = icmp eq i64 %v207, %v1654
-  br i1 %v1653, label %v1547, label %v1623
+v1655:
+  store double 0.000000e+00, ptr %v1656, align 8, !noalias !124
+  br label %v1657
 
-v1623:
-  %v1632 = phi i64 [ 0, %v1615 ], [ %v1654, %v1630 ]
-  %v1654 = add nsw i64 %v1632, 1
-  %v1652 = getelementptr double, ptr %v1621, i64 %v1632
-  %v1628 = load double, ptr %v1652, align 8, !noalias !124
-  %v1655 = tail call double @llvm.fabs.f64(double %v1628)
-  %v1625 = getelementptr double, ptr %v1622, i64 %v1632
-  %v1656 = load double, ptr %v1625, align 8, !noalias !124
-  %v1657 = fadd double %v1655, %v1656
-  %v1658 = fcmp ueq double %v1657, 0x7FF0000000000000
-  br i1 %v1658, label %v1624, label %v1626
+v1657:
+  %v1658 = icmp slt i64 %v1659, %v18
+  br i1 %v1658, label %v1660, label %v1661
 
-v1556:
-  %v1659 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1546 ], [ null, %v1547 ]
-  %v1660 = phi i32 [ 1, %v1546 ], [ 0, %v1547 ]
-  br i1 %v1559, label %v1661, label %v1662, !prof !128
-
-v1542:
-  %v1663 = phi i1 [ %v1541, %v1532 ], [ %v1664, %v1662 ]
-  %v1665 = xor i1 %v1523, true
-  %v1666 = select i1 %v1665, i1 true, i1 %v1663
-  br i1 %v1666, label %v1667, label %v1668
-
-v1667:
-  br i1 %v698, label %v1669, label %v1670
+v1660:
+  %v1662 = getelementptr double, ptr %v1651, i64 %v1659
+  %v1663 = load double, ptr %v1662, align 8, !noalias !124
+  %v1664 = add nsw i64 %v1659, %v17
+  %v1665 = icmp slt i64 %v1664, 0
+  %v1666 = select i1 %v1665, i64 %v166, i64 0
+  %v1667 = getelementptr double, ptr %v165, i64 %v1664
+  %v1668 = getelementptr double, ptr %v1667, i64 %v1666
+  %v1669 = load double, ptr %v1668, align 8, !noalias !124
+  %v1670 = fcmp une double %v1663, %v1669
+  br i1 %v1670, label %v1671, label %v1661
 
 v1671:
-  %v1672 = load i64, ptr %v709, align 8, !noalias !129
-  %v1673 = inttoptr i64 %v1672 to ptr
-  tail call void %v1673(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !129
-  br label %v1670
+  %v1672 = fcmp ord double %v1663, 0.000000e+00
+  br i1 %v1672, label %v1661, label %v1673
 
-v1669:
-  %v1674 = phi i64 [ %v1675, %v1669 ], [ 1, %v1667 ]
-  %v1675 = add i64 %v1674, 1
-  %v1676 = add nsw i64 %v699, %v1674
-  %v1677 = icmp slt i64 %v1676, 0
-  %v1678 = select i1 %v1677, i64 %v7, i64 0
-  %v1679 = getelementptr i64, ptr %v6, i64 %v1676
-  %v1680 = getelementptr i64, ptr %v1679, i64 %v1678
-  %v1681 = load i64, ptr %v1680, align 8, !noalias !135
-  %v1682 = inttoptr i64 %v1681 to ptr
-  tail call void %v1682(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !135
-  %v1683 = add nsw i64 %v1674, 13
-  %v1684 = load i64, ptr %v6, align 8, !noalias !138
-  %v1685 = mul nsw i64 %v1683, %v702
-  %v1686 = getelementptr double, ptr %v158, i64 %v1685
-  %v1687 = inttoptr i64 %v1684 to ptr
-  tail call void %v1687(ptr %v701, ptr %v704, ptr %v165, ptr %v172, ptr %v179, ptr %v1686), !noalias !138
-  %v1688 = icmp eq i64 %v1674, %v12
-  br i1 %v1688, label %v1671, label %v1669
+v1673:
+  %v1674 = fcmp ord double %v1669, 0.000000e+00
+  br label %v1661
 
-v1670:
-  %v1689 = load i64, ptr %v710, align 8, !noalias !141
-  %v1690 = inttoptr i64 %v1689 to ptr
-  tail call void %v1690(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !141
-  %v1691 = select i1 %v661, i1 true, i1 %v1537
-  %v1692 = or i1 %v1691, %v307
-  br i1 %v1692, label %v1693, label %v1694
+v1661:
+  %v1675 = phi i1 [ false, %v1657 ], [ true, %v1671 ], [ %v1674, %v1673 ], [ false, %v1660 ]
+  %v1676 = fcmp uno double %v1677, 0.000000e+00
+  %v1678 = fcmp oeq double %v1677, 0.000000e+00
+  %v1679 = and i1 %v1678, %v1675
+  %v1680 = or i1 %v1676, %v1679
+  br i1 %v1680, label %v1681, label %v1682
 
-v1695:
-  %v1696 = getelementptr double, ptr %v714, i64 %v1697
-  %v1698 = load double, ptr %v1696, align 8, !noalias !144
-  %v1699 = fcmp uge double %v1698, 5.000000e-01
-  %v1700 = icmp slt i64 %v1701, %v93
-  %v1702 = select i1 %v1699, i1 %v1700, i1 false
-  br i1 %v1702, label %v1703, label %v1704
+v1681:
+  %v1683 = icmp sge i64 %v1659, %v18
+  %v1684 = select i1 %v1675, i1 true, i1 %v1683
+  %v1685 = select i1 %v1684, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v1685, ptr %v1686, align 8, !noalias !124
+  br label %v1682
 
-v1703:
-  %v1705 = icmp slt i64 %v1701, 0
-  %v1706 = select i1 %v1705, i64 %v93, i64 0
-  %v1707 = getelementptr double, ptr %v92, i64 %v1701
-  %v1708 = getelementptr double, ptr %v1707, i64 %v1706
-  %v1709 = load double, ptr %v1708, align 8, !noalias !144
-  %v1710 = getelementptr double, ptr %v716, i64 %v1697
-  %v1711 = load double, ptr %v1710, align 8, !noalias !144
-  %v1712 = fcmp olt double %v1709, %v1711
-  br i1 %v1712, label %v1713, label %v1704
+v1682:
+  %v1687 = icmp eq i64 %v207, %v1688
+  br i1 %v1687, label %v1578, label %v1654
 
-v1713:
-  %v1714 = getelementptr double, ptr %v718, i64 %v1697
-  %v1715 = load double, ptr %v1714, align 8, !noalias !144
-  %v1716 = fcmp ogt double %v1715, 1.000000e+00
-  br i1 %v1716, label %v1717, label %v1704
+v1654:
+  %v1659 = phi i64 [ 0, %v1646 ], [ %v1688, %v1682 ]
+  %v1688 = add nsw i64 %v1659, 1
+  %v1686 = getelementptr double, ptr %v1652, i64 %v1659
+  %v1677 = load double, ptr %v1686, align 8, !noalias !124
+  %v1689 = tail call double @llvm.fabs.f64(double %v1677)
+  %v1656 = getelementptr double, ptr %v1653, i64 %v1659
+  %v1690 = load double, ptr %v1656, align 8, !noalias !124
+  %v1691 = fadd double %v1689, %v1690
+  %v1692 = fcmp ueq double %v1691, 0x7FF0000000000000
+  br i1 %v1692, label %v1655, label %v1657
 
-v1717:
-  %v1718 = getelementptr double, ptr %v720, i64 %v1697
-  %v1719 = load double, ptr %v1718, align 8, !noalias !144
-  store double 0.000000e+00, ptr %v1696, align 8, !noalias !148
-  %v1720 = getelementptr double, ptr %v722, i64 %v1697
-  store double 0.000000e+00, ptr %v1720, align 8, !noalias !148
-  %v1721 = getelementptr double, ptr %v723, i64 %v1697
-  store double %v1719, ptr %v1721, align 8, !noalias !148
-  %v1722 = load i64, ptr %v1723, align 8, !noalias !148
-  %v1724 = icmp slt i64 %v1722, 0
-  %v1725 = select i1 %v1724, i64 %v125, i64 0
-  %v1726 = add i64 %v1725, %v1722
-  %v1727 = mul i64 %v1726, %v126
-  %v1728 = getelementptr i64, ptr %v124, i64 %v1727
-  %v1729 = load i64, ptr %v1728, align 8, !noalias !148
-  %v1730 = add nsw i64 %v1729, -1
-  store i64 %v1730, ptr %v1728, align 8, !noalias !148
-  %v1731 = load i64, ptr %v1723, align 8, !noalias !148
-  %v1732 = icmp slt i64 %v1731, 0
-  %v1733 = select i1 %v1732, i64 %v125, i64 0
-  %v1734 = add i64 %v1733, %v1731
-  %v1735 = mul i64 %v1734, %v126
-  %v1736 = getelementptr i64, ptr %v124, i64 %v1735
-  %v1737 = getelementptr i8, ptr %v1736, i64 24
-  %v1738 = load i64, ptr %v1737, align 8, !noalias !148
-  %v1739 = add nsw i64 %v1738, 1
-  store i64 %v1739, ptr %v1737, align 8, !noalias !148
-  %v1740 = load double, ptr %v1708, align 8, !noalias !144
-  %v1741 = getelementptr double, ptr %v725, i64 %v1697
-  store double %v1740, ptr %v1741, align 8, !noalias !144
-  %v1742 = mul i64 %v1743, %v126
-  %v1744 = getelementptr i64, ptr %v124, i64 %v1742
-  %v1745 = getelementptr i8, ptr %v1744, i64 8
-  %v1746 = load i64, ptr %v1745, align 8, !noalias !144
-  %v1747 = add nsw i64 %v1746, %v12
-  store i64 %v1747, ptr %v1745, align 8, !noalias !144
+v1587:
+  %v1693 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1577 ], [ null, %v1578 ]
+  %v1694 = phi i32 [ 1, %v1577 ], [ 0, %v1578 ]
+  br i1 %v1590, label %v1695, label %v1696, !prof !128
+
+v1573:
+  %v1697 = phi i1 [ %v1572, %v1563 ], [ %v1698, %v1696 ]
+  %v1699 = xor i1 %v1554, true
+  %v1700 = select i1 %v1699, i1 true, i1 %v1697
+  br i1 %v1700, label %v1701, label %v1702
+
+v1701:
+  br i1 %v698, label %v1703, label %v1704
+
+v1705:
+  %v1706 = load i64, ptr %v709, align 8, !noalias !129
+  %v1707 = inttoptr i64 %v1706 to ptr
+  tail call void %v1707(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !129
   br label %v1704
 
+v1703:
+  %v1708 = phi i64 [ %v1709, %v1703 ], [ 1, %v1701 ]
+  %v1709 = add i64 %v1708, 1
+  %v1710 = add nsw i64 %v699, %v1708
+  %v1711 = icmp slt i64 %v1710, 0
+  %v1712 = select i1 %v1711, i64 %v7, i64 0
+  %v1713 = getelementptr i64, ptr %v6, i64 %v1710
+  %v1714 = getelementptr i64, ptr %v1713, i64 %v1712
+  %v1715 = load i64, ptr %v1714, align 8, !noalias !135
+  %v1716 = inttoptr i64 %v1715 to ptr
+  tail call void %v1716(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !135
+  %v1717 = add nsw i64 %v1708, 13
+  %v1718 = load i64, ptr %v6, align 8, !noalias !138
+  %v1719 = mul nsw i64 %v1717, %v702
+  %v1720 = getelementptr double, ptr %v158, i64 %v1719
+  %v1721 = inttoptr i64 %v1718 to ptr
+  tail call void %v1721(ptr %v701, ptr %v704, ptr %v165, ptr %v172, ptr %v179, ptr %v1720), !noalias !138
+  %v1722 = icmp eq i64 %v1708, %v12
+  br i1 %v1722, label %v1705, label %v1703
+
 v1704:
-  %v1748 = icmp sgt i64 %v1749, 1
-  br i1 %v1748, label %v1694, label %v1693
+  %v1723 = load i64, ptr %v710, align 8, !noalias !141
+  %v1724 = inttoptr i64 %v1723 to ptr
+  tail call void %v1724(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !141
+  %v1725 = select i1 %v661, i1 true, i1 %v1568
+  %v1726 = or i1 %v1725, %v307
+  br i1 %v1726, label %v1727, label %v1728
 
-v1694:
-  %v1749 = phi i64 [ %v1750, %v1704 ], [ %v308, %v1670 ]
-  %v1697 = phi i64 [ %v1751, %v1704 ], [ 0, %v1670 ]
-  %v1750 = add nsw i64 %v1749, -1
-  %v1751 = add nsw i64 %v1697, 1
-  %v1723 = getelementptr i64, ptr %v142, i64 %v1697
-  %v1743 = load i64, ptr %v1723, align 8, !noalias !144
-  %v1752 = getelementptr i64, ptr %v712, i64 %v1697
-  %v1701 = load i64, ptr %v1752, align 8, !noalias !144
-  %v1753 = icmp slt i64 %v1743, 0
-  br i1 %v1753, label %v1704, label %v1695
+v1729:
+  %v1730 = getelementptr double, ptr %v714, i64 %v1731
+  %v1732 = load double, ptr %v1730, align 8, !noalias !144
+  %v1733 = fcmp uge double %v1732, 5.000000e-01
+  %v1734 = icmp slt i64 %v1735, %v93
+  %v1736 = select i1 %v1733, i1 %v1734, i1 false
+  br i1 %v1736, label %v1737, label %v1738
 
-v1693:
-  br i1 %v1663, label %v1754, label %v1755
+v1737:
+  %v1739 = icmp slt i64 %v1735, 0
+  %v1740 = select i1 %v1739, i64 %v93, i64 0
+  %v1741 = getelementptr double, ptr %v92, i64 %v1735
+  %v1742 = getelementptr double, ptr %v1741, i64 %v1740
+  %v1743 = load double, ptr %v1742, align 8, !noalias !144
+  %v1744 = getelementptr double, ptr %v716, i64 %v1731
+  %v1745 = load double, ptr %v1744, align 8, !noalias !144
+  %v1746 = fcmp olt double %v1743, %v1745
+  br i1 %v1746, label %v1747, label %v1738
 
-v1754:
+v1747:
+  %v1748 = getelementptr double, ptr %v718, i64 %v1731
+  %v1749 = load double, ptr %v1748, align 8, !noalias !144
+  %v1750 = fcmp ogt double %v1749, 1.000000e+00
+  br i1 %v1750, label %v1751, label %v1738
+
+v1751:
+  %v1752 = getelementptr double, ptr %v720, i64 %v1731
+  %v1753 = load double, ptr %v1752, align 8, !noalias !144
+  store double 0.000000e+00, ptr %v1730, align 8, !noalias !148
+  %v1754 = getelementptr double, ptr %v722, i64 %v1731
+  store double 0.000000e+00, ptr %v1754, align 8, !noalias !148
+  %v1755 = getelementptr double, ptr %v723, i64 %v1731
+  store double %v1753, ptr %v1755, align 8, !noalias !148
+  %v1756 = load i64, ptr %v1757, align 8, !noalias !148
+  %v1758 = icmp slt i64 %v1756, 0
+  %v1759 = select i1 %v1758, i64 %v125, i64 0
+  %v1760 = add i64 %v1759, %v1756
+  %v1761 = mul i64 %v1760, %v126
+  %v1762 = getelementptr i64, ptr %v124, i64 %v1761
+  %v1763 = load i64, ptr %v1762, align 8, !noalias !148
+  %v1764 = add nsw i64 %v1763, -1
+  store i64 %v1764, ptr %v1762, align 8, !noalias !148
+  %v1765 = load i64, ptr %v1757, align 8, !noalias !148
+  %v1766 = icmp slt i64 %v1765, 0
+  %v1767 = select i1 %v1766, i64 %v125, i64 0
+  %v1768 = add i64 %v1767, %v1765
+  %v1769 = mul i64 %v1768, %v126
+  %v1770 = getelementptr i64, ptr %v124, i64 %v1769
+  %v1771 = getelementptr i8, ptr %v1770, i64 24
+  %v1772 = load i64, ptr %v1771, align 8, !noalias !148
+  %v1773 = add nsw i64 %v1772, 1
+  store i64 %v1773, ptr %v1771, align 8, !noalias !148
+  %v1774 = load double, ptr %v1742, align 8, !noalias !144
+  %v1775 = getelementptr double, ptr %v725, i64 %v1731
+  store double %v1774, ptr %v1775, align 8, !noalias !144
+  %v1776 = mul i64 %v1777, %v126
+  %v1778 = getelementptr i64, ptr %v124, i64 %v1776
+  %v1779 = getelementptr i8, ptr %v1778, i64 8
+  %v1780 = load i64, ptr %v1779, align 8, !noalias !144
+  %v1781 = add nsw i64 %v1780, %v12
+  store i64 %v1781, ptr %v1779, align 8, !noalias !144
+  br label %v1738
+
+v1738:
+  %v1782 = icmp sgt i64 %v1783, 1
+  br i1 %v1782, label %v1728, label %v1727
+
+v1728:
+  %v1783 = phi i64 [ %v1784, %v1738 ], [ %v308, %v1704 ]
+  %v1731 = phi i64 [ %v1785, %v1738 ], [ 0, %v1704 ]
+  %v1784 = add nsw i64 %v1783, -1
+  %v1785 = add nsw i64 %v1731, 1
+  %v1757 = getelementptr i64, ptr %v142, i64 %v1731
+  %v1777 = load i64, ptr %v1757, align 8, !noalias !144
+  %v1786 = getelementptr i64, ptr %v712, i64 %v1731
+  %v1735 = load i64, ptr %v1786, align 8, !noalias !144
+  %v1787 = icmp slt i64 %v1777, 0
+  br i1 %v1787, label %v1738, label %v1729
+
+v1727:
+  br i1 %v1697, label %v1788, label %v1789
+
+v1788:
   call void @llvm.lifetime.start.p0(ptr nonnull %v302), !noalias !151
   call void @llvm.lifetime.start.p0(ptr nonnull %v303), !noalias !151
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v302, i8 0, i64 32, i1 false), !noalias !155
   store ptr null, ptr %v303, align 8, !noalias !155
-  br label %v1756
+  br label %v1790
 
-v1757:
-  %v1758 = icmp ne i64 %v1759, 0
-  %v1760 = zext i1 %v1758 to i64
-  %v1761 = add i64 %v1762, %v1760
-  %v1763 = sext i1 %v1758 to i64
-  %v1764 = add nsw i64 %v1759, %v1763
-  %v1765 = select i1 %v1758, i64 %v1762, i64 0
-  br i1 %v1758, label %v1756, label %v1766
+v1791:
+  %v1792 = icmp ne i64 %v1793, 0
+  %v1794 = zext i1 %v1792 to i64
+  %v1795 = add i64 %v1796, %v1794
+  %v1797 = sext i1 %v1792 to i64
+  %v1798 = add nsw i64 %v1793, %v1797
+  %v1799 = select i1 %v1792, i64 %v1796, i64 0
+  br i1 %v1792, label %v1790, label %v1800
 
-v1756:
-  %v1767 = phi i64 [ 0, %v1754 ], [ %v1765, %v1757 ]
-  %v1759 = phi i64 [ 8, %v1754 ], [ %v1764, %v1757 ]
-  %v1762 = phi i64 [ 1, %v1754 ], [ %v1761, %v1757 ]
-  %v1768 = add i64 %v1767, 9
-  %v1769 = icmp ult i64 %v1768, 18
-  br i1 %v1769, label %v1770, label %v1766
+v1790:
+  %v1801 = phi i64 [ 0, %v1788 ], [ %v1799, %v1791 ]
+  %v1793 = phi i64 [ 8, %v1788 ], [ %v1798, %v1791 ]
+  %v1796 = phi i64 [ 1, %v1788 ], [ %v1795, %v1791 ]
+  %v1802 = add i64 %v1801, 9
+  %v1803 = icmp ult i64 %v1802, 18
+  br i1 %v1803, label %v1804, label %v1800
 
-v1770:
-  %v1771 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1768
-  %v1772 = load double, ptr %v1771, align 8
-  %v1773 = load double, ptr %v133, align 8, !noalias !159
-  %v1774 = load double, ptr %v731, align 8, !noalias !159
-  %v1775 = fmul double %v1772, %v1774
-  %v1776 = fadd double %v1773, %v1775
-  store double %v1776, ptr %v733, align 8, !noalias !159
-  br i1 %v735, label %v1777, label %v1778
+v1804:
+  %v1805 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1802
+  %v1806 = load double, ptr %v1805, align 8
+  %v1807 = load double, ptr %v133, align 8, !noalias !159
+  %v1808 = load double, ptr %v731, align 8, !noalias !159
+  %v1809 = fmul double %v1806, %v1808
+  %v1810 = fadd double %v1807, %v1809
+  store double %v1810, ptr %v733, align 8, !noalias !159
+  br i1 %v735, label %v1811, label %v1812
 
-v1777:
-  %v1779 = fsub double 1.000000e+00, %v1772
-  br label %v1780
+v1811:
+  %v1813 = fsub double 1.000000e+00, %v1806
+  br label %v1814
 
-v1780:
-  %v1781 = phi i64 [ 0, %v1777 ], [ %v1782, %v1780 ]
-  %v1783 = mul i64 %v1781, %v196
-  %v1784 = getelementptr double, ptr %v193, i64 %v1783
-  %v1785 = getelementptr i8, ptr %v1784, i64 %v742
-  %v1786 = load double, ptr %v1785, align 8, !noalias !166
-  %v1787 = fadd double %v1786, 0.000000e+00
-  %v1788 = fmul double %v1772, %v1787
-  %v1789 = getelementptr i8, ptr %v1784, i64 %v743
-  %v1790 = load double, ptr %v1789, align 8, !noalias !166
-  %v1791 = fadd double %v1790, %v1788
-  %v1792 = fmul double %v1779, %v1791
-  %v1793 = getelementptr i8, ptr %v1784, i64 %v744
-  %v1794 = load double, ptr %v1793, align 8, !noalias !166
-  %v1795 = fadd double %v1794, %v1792
-  %v1796 = fmul double %v1772, %v1795
-  %v1797 = getelementptr i8, ptr %v1784, i64 %v745
-  %v1798 = load double, ptr %v1797, align 8, !noalias !166
-  %v1799 = fadd double %v1798, %v1796
-  %v1800 = fmul double %v1779, %v1799
-  %v1801 = getelementptr i8, ptr %v1784, i64 %v746
-  %v1802 = load double, ptr %v1801, align 8, !noalias !166
-  %v1803 = fadd double %v1802, %v1800
-  %v1804 = fmul double %v1772, %v1803
-  %v1805 = getelementptr i8, ptr %v1784, i64 %v747
-  %v1806 = load double, ptr %v1805, align 8, !noalias !166
-  %v1807 = fadd double %v1806, %v1804
-  %v1808 = fmul double %v1779, %v1807
-  %v1809 = getelementptr i8, ptr %v1784, i64 %v748
-  %v1810 = load double, ptr %v1809, align 8, !noalias !166
-  %v1811 = fadd double %v1810, %v1808
-  %v1812 = fmul double %v1772, %v1811
-  %v1782 = add nsw i64 %v1781, 1
-  %v1813 = load double, ptr %v1784, align 8, !noalias !166
-  %v1814 = fadd double %v1813, %v1812
-  %v1815 = getelementptr double, ptr %v736, i64 %v1783
-  store double %v1814, ptr %v1815, align 8, !noalias !159
-  %v1816 = icmp eq i64 %v10, %v1782
-  br i1 %v1816, label %v1778, label %v1780
+v1814:
+  %v1815 = phi i64 [ 0, %v1811 ], [ %v1816, %v1814 ]
+  %v1817 = mul i64 %v1815, %v196
+  %v1818 = getelementptr double, ptr %v193, i64 %v1817
+  %v1819 = getelementptr i8, ptr %v1818, i64 %v742
+  %v1820 = load double, ptr %v1819, align 8, !noalias !166
+  %v1821 = fadd double %v1820, 0.000000e+00
+  %v1822 = fmul double %v1806, %v1821
+  %v1823 = getelementptr i8, ptr %v1818, i64 %v743
+  %v1824 = load double, ptr %v1823, align 8, !noalias !166
+  %v1825 = fadd double %v1824, %v1822
+  %v1826 = fmul double %v1813, %v1825
+  %v1827 = getelementptr i8, ptr %v1818, i64 %v744
+  %v1828 = load double, ptr %v1827, align 8, !noalias !166
+  %v1829 = fadd double %v1828, %v1826
+  %v1830 = fmul double %v1806, %v1829
+  %v1831 = getelementptr i8, ptr %v1818, i64 %v745
+  %v1832 = load double, ptr %v1831, align 8, !noalias !166
+  %v1833 = fadd double %v1832, %v1830
+  %v1834 = fmul double %v1813, %v1833
+  %v1835 = getelementptr i8, ptr %v1818, i64 %v746
+  %v1836 = load double, ptr %v1835, align 8, !noalias !166
+  %v1837 = fadd double %v1836, %v1834
+  %v1838 = fmul double %v1806, %v1837
+  %v1839 = getelementptr i8, ptr %v1818, i64 %v747
+  %v1840 = load double, ptr %v1839, align 8, !noalias !166
+  %v1841 = fadd double %v1840, %v1838
+  %v1842 = fmul double %v1813, %v1841
+  %v1843 = getelementptr i8, ptr %v1818, i64 %v748
+  %v1844 = load double, ptr %v1843, align 8, !noalias !166
+  %v1845 = fadd double %v1844, %v1842
+  %v1846 = fmul double %v1806, %v1845
+  %v1816 = add nsw i64 %v1815, 1
+  %v1847 = load double, ptr %v1818, align 8, !noalias !166
+  %v1848 = fadd double %v1847, %v1846
+  %v1849 = getelementptr double, ptr %v736, i64 %v1817
+  store double %v1848, ptr %v1849, align 8, !noalias !159
+  %v1850 = icmp eq i64 %v10, %v1816
+  br i1 %v1850, label %v1812, label %v1814
 
-v1778:
-  %v1817 = icmp slt i64 %v1767, 8
-  %v1818 = select i1 %v1817, i64 16, i64 17
-  %v1819 = mul i64 %v1767, %v737
-  %v1820 = load i64, ptr %v738, align 8, !noalias !170
-  %v1821 = mul nsw i64 %v1818, %v10
-  %v1822 = getelementptr double, ptr %v158, i64 %v1821
-  %v1823 = getelementptr double, ptr %v186, i64 %v1819
-  %v1824 = inttoptr i64 %v1820 to ptr
-  tail call void %v1824(ptr nonnull %v733, ptr %v1822, ptr %v165, ptr %v172, ptr %v179, ptr %v1823), !noalias !170
-  br i1 %v739, label %v1825, label %v1757
+v1812:
+  %v1851 = icmp slt i64 %v1801, 8
+  %v1852 = select i1 %v1851, i64 16, i64 17
+  %v1853 = mul i64 %v1801, %v737
+  %v1854 = load i64, ptr %v738, align 8, !noalias !170
+  %v1855 = mul nsw i64 %v1852, %v10
+  %v1856 = getelementptr double, ptr %v158, i64 %v1855
+  %v1857 = getelementptr double, ptr %v186, i64 %v1853
+  %v1858 = inttoptr i64 %v1854 to ptr
+  tail call void %v1858(ptr nonnull %v733, ptr %v1856, ptr %v165, ptr %v172, ptr %v179, ptr %v1857), !noalias !170
+  br i1 %v739, label %v1859, label %v1791
 
-v1825:
-  %v1826 = icmp slt i64 %v1767, 0
-  %v1827 = select i1 %v1826, i64 %v205, i64 0
-  %v1828 = add i64 %v1827, %v1767
-  %v1829 = mul i64 %v1828, %v740
-  %v1830 = getelementptr double, ptr %v204, i64 %v1829
-  %v1831 = getelementptr double, ptr %v1830, i64 %v207
-  %v1832 = getelementptr i8, ptr %v1830, i64 %v741
-  br label %v1833
+v1859:
+  %v1860 = icmp slt i64 %v1801, 0
+  %v1861 = select i1 %v1860, i64 %v205, i64 0
+  %v1862 = add i64 %v1861, %v1801
+  %v1863 = mul i64 %v1862, %v740
+  %v1864 = getelementptr double, ptr %v204, i64 %v1863
+  %v1865 = getelementptr double, ptr %v1864, i64 %v207
+  %v1866 = getelementptr i8, ptr %v1864, i64 %v741
+  br label %v1867
 
-v1834:
-  store double 0.000000e+00, ptr %v1835, align 8, !noalias !170
-  br label %v1836
+v1868:
+  store double 0.000000e+00, ptr %v1869, align 8, !noalias !170
+  br label %v1870
 
-v1836:
-  %v1837 = fcmp uno double %v1838, 0.000000e+00
-  br i1 %v1837, label %v1839, label %v1840
+v1870:
+  %v1871 = icmp slt i64 %v1872, %v18
+  br i1 %v1871, label %v1873, label %v1874
 
-v1839:
-  %v1841 = icmp slt i64 %v1842, %v18
-  br i1 %v1841, label %v1843, label %v1844
+v1873:
+  %v1875 = getelementptr double, ptr %v1864, i64 %v1872
+  %v1876 = load double, ptr %v1875, align 8, !noalias !170
+  %v1877 = add nsw i64 %v1872, %v17
+  %v1878 = icmp slt i64 %v1877, 0
+  %v1879 = select i1 %v1878, i64 %v166, i64 0
+  %v1880 = getelementptr double, ptr %v165, i64 %v1877
+  %v1881 = getelementptr double, ptr %v1880, i64 %v1879
+  %v1882 = load double, ptr %v1881, align 8, !noalias !170
+  %v1883 = fcmp une double %v1876, %v1882
+  br i1 %v1883, label %v1884, label %v1874
 
-v1843:
-  %v1845 = add nsw i64 %v1842, %v17
-  %v1846 = icmp slt i64 %v1845, 0
-  %v1847 = select i1 %v1846, i64 %v166, i64 0
-  %v1848 = getelementptr double, ptr %v165, i64 %v1845
-  %v1849 = getelementptr double, ptr %v1848, i64 %v1847
-  %v1850 = load double, ptr %v1849, align 8, !noalias !170
-  br label %v1844
-
-v1844:
-  %v1851 = phi double [ %v1850, %v1843 ], [ 0.000000e+00, %v1839 ]
-  %v1852 = getelementptr double, ptr %v1830, i64 %v1842
-  %v1853 = load double, ptr %v1852, align 8, !noalias !170
-  %v1854 = fcmp une double %v1853, %v1851
-  br i1 %v1854, label %v1855, label %v1856
-
-v1855:
-  %v1857 = fcmp ord double %v1853, 0.000000e+00
-  br i1 %v1857, label %v1856, label %v1858
-
-v1858:
-  %v1859 = fcmp uno double %v1851, 0.000000e+00
-  %v1860 = select i1 %v1859, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v1856
-
-v1856:
-  %v1861 = phi double [ 0xFFF0000000000000, %v1855 ], [ %v1860, %v1858 ], [ 0x7FF0000000000000, %v1844 ]
-  store double %v1861, ptr %v1862, align 8, !noalias !170
-  br label %v1840
-
-v1840:
-  %v1863 = icmp eq i64 %v207, %v1864
-  br i1 %v1863, label %v1757, label %v1833
-
-v1833:
-  %v1842 = phi i64 [ 0, %v1825 ], [ %v1864, %v1840 ]
-  %v1864 = add nsw i64 %v1842, 1
-  %v1862 = getelementptr double, ptr %v1831, i64 %v1842
-  %v1838 = load double, ptr %v1862, align 8, !noalias !170
-  %v1865 = tail call double @llvm.fabs.f64(double %v1838)
-  %v1835 = getelementptr double, ptr %v1832, i64 %v1842
-  %v1866 = load double, ptr %v1835, align 8, !noalias !170
-  %v1867 = fadd double %v1865, %v1866
-  %v1868 = fcmp ueq double %v1867, 0x7FF0000000000000
-  br i1 %v1868, label %v1834, label %v1836
-
-v1766:
-  %v1869 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1756 ], [ null, %v1757 ]
-  %v1870 = phi i32 [ 1, %v1756 ], [ 0, %v1757 ]
-  br i1 %v1769, label %v1871, label %v1872, !prof !128
-
-v1871:
-  %v1873 = load double, ptr %v750, align 8, !noalias !174
-  %v1874 = load double, ptr %v92, align 8, !noalias !174
-  %v1875 = fsub double %v1873, %v1874
-  %v1876 = fmul double %v1875, 1.000000e-13
-  %v1877 = load double, ptr %v133, align 8, !noalias !174
-  %v1878 = tail call double @llvm.fabs.f64(double %v1877)
-  %v1879 = fmul double %v1878, 4.000000e-15
-  %v1880 = fcmp ogt double %v1879, %v1876
-  %v1881 = select i1 %v1880, double %v1879, double %v1876
-  %v1882 = load double, ptr %v731, align 8, !noalias !181
-  %v1883 = fdiv double %v1881, %v1882
-  %v1884 = fcmp olt double %v1883, 1.000000e+00
-  %v1885 = select i1 %v1884, double %v1883, double 1.000000e+00
-  br i1 %v751, label %v1886, label %v1887
-
-v1888:
-  %v1889 = fcmp olt double %v1890, %v1891
-  %v1892 = select i1 %v1889, double %v1890, double %v1891
-  %v1893 = fcmp ogt double %v1890, %v1894
-  %v1895 = select i1 %v1893, double %v1890, double %v1894
-  br label %v1896
-
-v1896:
-  %v1897 = phi double [ %v1895, %v1888 ], [ %v1894, %v1898 ]
-  %v1899 = phi double [ %v1892, %v1888 ], [ %v1891, %v1898 ]
-  %v1900 = icmp eq i64 %v1901, 9
-  br i1 %v1900, label %v1902, label %v1898
-
-v1902:
-  %v1903 = fsub double %v1897, %v1899
-  %v1904 = fmul double %v1885, %v1903
-  %v1905 = tail call i1 @llvm.is.fpclass.f64(double %v1906, i32 543)
-  %v1907 = select i1 %v1905, double 0.000000e+00, double %v1906
-  %v1908 = tail call i1 @llvm.is.fpclass.f64(double %v1904, i32 543)
-  %v1909 = select i1 %v1908, double -0.000000e+00, double %v1904
-  %v1910 = fadd double %v1907, %v1909
-  %v1911 = getelementptr double, ptr %v752, i64 %v1912
-  %v1913 = load double, ptr %v1911, align 8, !noalias !181
-  %v1914 = sub nsw i64 %v1915, %v18
-  %v1916 = getelementptr double, ptr %v215, i64 %v1914
-  %v1917 = load double, ptr %v1916, align 8, !noalias !181
-  %v1918 = getelementptr double, ptr %v753, i64 %v1912
-  store double %v1910, ptr %v1918, align 8, !noalias !181
-  %v1919 = fcmp ule double %v1917, 5.000000e-01
-  %v1920 = fcmp ule double %v1913, 0.000000e+00
-  %v1921 = select i1 %v1919, i1 true, i1 %v1920
-  %v1922 = select i1 %v1921, double %v1910, double 0.000000e+00
-  %v1923 = getelementptr double, ptr %v1918, i64 %v740
-  store double %v1922, ptr %v1923, align 8, !noalias !181
-  %v1924 = getelementptr i8, ptr %v1918, i64 %v754
-  store double %v1922, ptr %v1924, align 8, !noalias !181
-  %v1925 = getelementptr i8, ptr %v1918, i64 %v755
-  store double %v1922, ptr %v1925, align 8, !noalias !181
-  %v1926 = getelementptr i8, ptr %v1918, i64 %v756
-  store double %v1922, ptr %v1926, align 8, !noalias !181
-  %v1927 = getelementptr i8, ptr %v1918, i64 %v757
-  store double %v1922, ptr %v1927, align 8, !noalias !181
-  %v1928 = getelementptr i8, ptr %v1918, i64 %v758
-  store double %v1922, ptr %v1928, align 8, !noalias !181
-  %v1929 = getelementptr i8, ptr %v1918, i64 %v759
-  store double %v1922, ptr %v1929, align 8, !noalias !181
-  %v1930 = getelementptr i8, ptr %v1918, i64 %v760
-  store double %v1922, ptr %v1930, align 8, !noalias !181
-  %v1931 = add nsw i64 %v1932, -1
-  %v1933 = add i64 %v1915, 1
-  %v1934 = icmp sgt i64 %v1932, 1
-  br i1 %v1934, label %v1887, label %v1886
-
-v1887:
-  %v1932 = phi i64 [ %v1931, %v1902 ], [ %v15, %v1871 ]
-  %v1915 = phi i64 [ %v1933, %v1902 ], [ %v18, %v1871 ]
-  %v1935 = icmp slt i64 %v1915, 0
-  %v1936 = select i1 %v1935, i64 %v207, i64 0
-  %v1912 = add i64 %v1936, %v1915
-  br label %v1898
-
-v1898:
-  %v1891 = phi double [ 0x7FF0000000000000, %v1887 ], [ %v1899, %v1896 ]
-  %v1894 = phi double [ 0xFFF0000000000000, %v1887 ], [ %v1897, %v1896 ]
-  %v1937 = phi double [ 0.000000e+00, %v1887 ], [ %v1906, %v1896 ]
-  %v1938 = phi i64 [ 0, %v1887 ], [ %v1901, %v1896 ]
-  %v1901 = add nsw i64 %v1938, 1
-  %v1939 = mul i64 %v1938, %v740
-  %v1940 = getelementptr double, ptr %v204, i64 %v1939
-  %v1941 = getelementptr i8, ptr %v1940, i64 %v741
-  %v1942 = getelementptr double, ptr %v1941, i64 %v1912
-  %v1943 = load double, ptr %v1942, align 8, !noalias !181
-  %v1944 = tail call i1 @llvm.is.fpclass.f64(double %v1943, i32 543)
-  %v1945 = fadd double %v1943, 0.000000e+00
-  %v1946 = select i1 %v1944, double 0.000000e+00, double %v1945
-  %v1947 = fcmp ogt double %v1946, %v1937
-  %v1906 = select i1 %v1947, double %v1946, double %v1937
-  %v1948 = getelementptr double, ptr %v1940, i64 %v207
-  %v1949 = getelementptr double, ptr %v1948, i64 %v1912
-  %v1890 = load double, ptr %v1949, align 8, !noalias !181
-  %v1950 = tail call double @llvm.fabs.f64(double %v1890)
-  %v1951 = fcmp ueq double %v1950, 0x7FF0000000000000
-  br i1 %v1951, label %v1896, label %v1888
+v1884:
+  %v1885 = fcmp ord double %v1876, 0.000000e+00
+  br i1 %v1885, label %v1874, label %v1886
 
 v1886:
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v302, i8 0, i64 32, i1 false), !noalias !155
-  %v1952 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
-  %v1953 = icmp eq i32 %v1952, 0
-  br i1 %v1953, label %v1954, label %v1955, !prof !128
+  %v1887 = fcmp ord double %v1882, 0.000000e+00
+  br label %v1874
 
-v1955:
-  %v1956 = load ptr, ptr %v303, align 8, !noalias !155
-  br label %v1872
+v1874:
+  %v1888 = phi i1 [ false, %v1870 ], [ true, %v1884 ], [ %v1887, %v1886 ], [ false, %v1873 ]
+  %v1889 = fcmp uno double %v1890, 0.000000e+00
+  %v1891 = fcmp oeq double %v1890, 0.000000e+00
+  %v1892 = and i1 %v1891, %v1888
+  %v1893 = or i1 %v1889, %v1892
+  br i1 %v1893, label %v1894, label %v1895
 
-v1954:
-  %v1957 = load double, ptr %v302, align 8, !noalias !155
-  %v1958 = load double, ptr %v726, align 8, !noalias !155
-  %v1959 = load double, ptr %v727, align 8, !noalias !155
-  %v1960 = load double, ptr %v728, align 8, !noalias !155
-  br label %v1872
+v1894:
+  %v1896 = icmp sge i64 %v1872, %v18
+  %v1897 = select i1 %v1888, i1 true, i1 %v1896
+  %v1898 = select i1 %v1897, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v1898, ptr %v1899, align 8, !noalias !170
+  br label %v1895
 
-v1872:
-  %v1961 = phi double [ %v1960, %v1954 ], [ 0.000000e+00, %v1955 ], [ 0.000000e+00, %v1766 ]
-  %v1962 = phi double [ %v1959, %v1954 ], [ 0.000000e+00, %v1955 ], [ 0.000000e+00, %v1766 ]
-  %v1963 = phi double [ %v1958, %v1954 ], [ 0.000000e+00, %v1955 ], [ 0.000000e+00, %v1766 ]
-  %v1964 = phi double [ %v1957, %v1954 ], [ 0.000000e+00, %v1955 ], [ 0.000000e+00, %v1766 ]
-  %v1965 = phi ptr [ null, %v1954 ], [ %v1956, %v1955 ], [ %v1869, %v1766 ]
-  %v1966 = phi i32 [ 0, %v1954 ], [ 1, %v1955 ], [ %v1870, %v1766 ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %v302), !noalias !151
-  call void @llvm.lifetime.end.p0(ptr nonnull %v303), !noalias !151
-  %v1967 = icmp eq i32 %v1966, 0
-  br i1 %v1967, label %v1968, label %v1969, !prof !128
+v1895:
+  %v1900 = icmp eq i64 %v207, %v1901
+  br i1 %v1900, label %v1791, label %v1867
 
-v1970:
-  %v1971 = load double, ptr %v731, align 8, !noalias !151
-  %v1972 = load double, ptr %v764, align 8, !noalias !151
-  %v1973 = load double, ptr %v92, align 8, !noalias !151
-  %v1974 = fsub double %v1972, %v1973
-  %v1975 = load double, ptr %v766, align 8, !noalias !151
-  %v1976 = load double, ptr %v768, align 8, !noalias !151
-  %v1977 = fsub double %v1975, %v1976
-  %v1978 = fmul double %v1974, 5.000000e-06
-  %v1979 = fcmp olt double %v1977, %v1978
-  br label %v1980
+v1867:
+  %v1872 = phi i64 [ 0, %v1859 ], [ %v1901, %v1895 ]
+  %v1901 = add nsw i64 %v1872, 1
+  %v1899 = getelementptr double, ptr %v1865, i64 %v1872
+  %v1890 = load double, ptr %v1899, align 8, !noalias !170
+  %v1902 = tail call double @llvm.fabs.f64(double %v1890)
+  %v1869 = getelementptr double, ptr %v1866, i64 %v1872
+  %v1903 = load double, ptr %v1869, align 8, !noalias !170
+  %v1904 = fadd double %v1902, %v1903
+  %v1905 = fcmp ueq double %v1904, 0x7FF0000000000000
+  br i1 %v1905, label %v1868, label %v1870
 
-v1981:
-  %v1982 = sub nsw i64 45, %v1983
-  br label %v1984
+v1800:
+  %v1906 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1790 ], [ null, %v1791 ]
+  %v1907 = phi i32 [ 1, %v1790 ], [ 0, %v1791 ]
+  br i1 %v1803, label %v1908, label %v1909, !prof !128
 
-v1984:
-  %v1985 = phi double [ %v1986, %v1984 ], [ 1.000000e+00, %v1981 ]
-  %v1987 = phi double [ %v1988, %v1984 ], [ 2.000000e+00, %v1981 ]
-  %v1989 = phi i64 [ %v1990, %v1984 ], [ %v1982, %v1981 ]
-  %v1991 = and i64 %v1989, 1
-  %v1992 = icmp eq i64 %v1991, 0
-  %v1993 = fmul double %v1985, %v1987
-  %v1986 = select i1 %v1992, double %v1985, double %v1993
-  %v1990 = lshr i64 %v1989, 1
-  %v1988 = fmul double %v1987, %v1987
-  %v1994 = icmp eq i64 %v1990, 0
-  br i1 %v1994, label %v1995, label %v1984
+v1908:
+  %v1910 = load double, ptr %v750, align 8, !noalias !174
+  %v1911 = load double, ptr %v92, align 8, !noalias !174
+  %v1912 = fsub double %v1910, %v1911
+  %v1913 = fmul double %v1912, 1.000000e-13
+  %v1914 = load double, ptr %v133, align 8, !noalias !174
+  %v1915 = tail call double @llvm.fabs.f64(double %v1914)
+  %v1916 = fmul double %v1915, 4.000000e-15
+  %v1917 = fcmp ogt double %v1916, %v1913
+  %v1918 = select i1 %v1917, double %v1916, double %v1913
+  %v1919 = load double, ptr %v731, align 8, !noalias !181
+  %v1920 = fdiv double %v1918, %v1919
+  %v1921 = fcmp olt double %v1920, 1.000000e+00
+  %v1922 = select i1 %v1921, double %v1920, double 1.000000e+00
+  br i1 %v751, label %v1923, label %v1924
 
-v1996:
-  %v1997 = fcmp olt double %v1998, 0.000000e+00
-  %v1999 = select i1 %v1997, double 0.000000e+00, double %v1998
-  %v2000 = fmul double %v2001, %v1999
-  %v2002 = fsub double %v2003, %v2000
-  br label %v2004
+v1925:
+  %v1926 = fcmp olt double %v1927, %v1928
+  %v1929 = select i1 %v1926, double %v1927, double %v1928
+  %v1930 = fcmp ogt double %v1927, %v1931
+  %v1932 = select i1 %v1930, double %v1927, double %v1931
+  br label %v1933
+
+v1933:
+  %v1934 = phi double [ %v1932, %v1925 ], [ %v1931, %v1924 ]
+  %v1935 = phi double [ %v1929, %v1925 ], [ %v1928, %v1924 ]
+  %v1936 = getelementptr double, ptr %v759, i64 %v1937
+  %v1938 = load double, ptr %v1936, align 8, !noalias !181
+  %v1939 = fcmp ogt double %v1938, %v1940
+  %v1941 = select i1 %v1939, double %v1938, double %v1940
+  %v1942 = getelementptr double, ptr %v760, i64 %v1937
+  %v1943 = load double, ptr %v1942, align 8, !noalias !181
+  %v1944 = tail call double @llvm.fabs.f64(double %v1943)
+  %v1945 = fcmp ueq double %v1944, 0x7FF0000000000000
+  br i1 %v1945, label %v1946, label %v1947
+
+v1947:
+  %v1948 = fcmp olt double %v1943, %v1935
+  %v1949 = select i1 %v1948, double %v1943, double %v1935
+  %v1950 = fcmp ogt double %v1943, %v1934
+  %v1951 = select i1 %v1950, double %v1943, double %v1934
+  br label %v1946
+
+v1946:
+  %v1952 = phi double [ %v1951, %v1947 ], [ %v1934, %v1933 ]
+  %v1953 = phi double [ %v1949, %v1947 ], [ %v1935, %v1933 ]
+  %v1954 = getelementptr double, ptr %v763, i64 %v1937
+  %v1955 = load double, ptr %v1954, align 8, !noalias !181
+  %v1956 = fcmp ogt double %v1955, %v1941
+  %v1957 = select i1 %v1956, double %v1955, double %v1941
+  %v1958 = getelementptr double, ptr %v764, i64 %v1937
+  %v1959 = load double, ptr %v1958, align 8, !noalias !181
+  %v1960 = tail call double @llvm.fabs.f64(double %v1959)
+  %v1961 = fcmp ueq double %v1960, 0x7FF0000000000000
+  br i1 %v1961, label %v1962, label %v1963
+
+v1963:
+  %v1964 = fcmp olt double %v1959, %v1953
+  %v1965 = select i1 %v1964, double %v1959, double %v1953
+  %v1966 = fcmp ogt double %v1959, %v1952
+  %v1967 = select i1 %v1966, double %v1959, double %v1952
+  br label %v1962
+
+v1962:
+  %v1968 = phi double [ %v1967, %v1963 ], [ %v1952, %v1946 ]
+  %v1969 = phi double [ %v1965, %v1963 ], [ %v1953, %v1946 ]
+  %v1970 = getelementptr double, ptr %v767, i64 %v1937
+  %v1971 = load double, ptr %v1970, align 8, !noalias !181
+  %v1972 = fcmp ogt double %v1971, %v1957
+  %v1973 = select i1 %v1972, double %v1971, double %v1957
+  %v1974 = getelementptr double, ptr %v768, i64 %v1937
+  %v1975 = load double, ptr %v1974, align 8, !noalias !181
+  %v1976 = tail call double @llvm.fabs.f64(double %v1975)
+  %v1977 = fcmp ueq double %v1976, 0x7FF0000000000000
+  br i1 %v1977, label %v1978, label %v1979
+
+v1979:
+  %v1980 = fcmp olt double %v1975, %v1969
+  %v1981 = select i1 %v1980, double %v1975, double %v1969
+  %v1982 = fcmp ogt double %v1975, %v1968
+  %v1983 = select i1 %v1982, double %v1975, double %v1968
+  br label %v1978
+
+v1978:
+  %v1984 = phi double [ %v1983, %v1979 ], [ %v1968, %v1962 ]
+  %v1985 = phi double [ %v1981, %v1979 ], [ %v1969, %v1962 ]
+  %v1986 = getelementptr double, ptr %v771, i64 %v1937
+  %v1987 = load double, ptr %v1986, align 8, !noalias !181
+  %v1988 = fcmp ogt double %v1987, %v1973
+  %v1989 = select i1 %v1988, double %v1987, double %v1973
+  %v1990 = getelementptr double, ptr %v772, i64 %v1937
+  %v1991 = load double, ptr %v1990, align 8, !noalias !181
+  %v1992 = tail call double @llvm.fabs.f64(double %v1991)
+  %v1993 = fcmp ueq double %v1992, 0x7FF0000000000000
+  br i1 %v1993, label %v1994, label %v1995
 
 v1995:
-  %v2005 = fadd double %v2006, %v2007
-  %v2003 = fmul double %v2005, 5.000000e-01
-  %v2008 = fmul double %v1986, 1.000000e-13
-  %v2009 = fsub double %v2008, %v2010
-  %v1998 = fmul double %v2009, 5.000000e-01
-  %v2011 = fmul double %v2012, %v2007
-  %v2013 = fmul double %v2014, %v2006
-  %v2015 = fsub double %v2011, %v2013
-  %v2016 = fsub double %v2012, %v2014
-  %v2017 = fdiv double %v2015, %v2016
-  %v2018 = fcmp olt double %v2007, %v2017
-  %v2019 = fcmp olt double %v2017, %v2006
-  %v2020 = and i1 %v2018, %v2019
-  %v2021 = select i1 %v2020, double %v2017, double %v2003
-  %v2022 = fsub double %v2003, %v2021
-  %v2001 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2022)
-  %v2023 = fmul double %v2010, %v2010
-  %v2024 = tail call double @llvm.fabs.f64(double %v2022)
-  %v2025 = fcmp olt double %v2024, %v2023
-  %v2026 = select i1 %v2025, double %v2024, double %v2023
-  %v2027 = fmul double %v2001, %v2026
-  %v2028 = fadd double %v2021, %v2027
-  %v2029 = fsub double %v2028, %v2003
-  %v2030 = tail call double @llvm.fabs.f64(double %v2029)
-  %v2031 = fcmp ugt double %v2030, %v1998
-  br i1 %v2031, label %v1996, label %v2004
+  %v1996 = fcmp olt double %v1991, %v1985
+  %v1997 = select i1 %v1996, double %v1991, double %v1985
+  %v1998 = fcmp ogt double %v1991, %v1984
+  %v1999 = select i1 %v1998, double %v1991, double %v1984
+  br label %v1994
 
-v2032:
-  br label %v2033
+v1994:
+  %v2000 = phi double [ %v1999, %v1995 ], [ %v1984, %v1978 ]
+  %v2001 = phi double [ %v1997, %v1995 ], [ %v1985, %v1978 ]
+  %v2002 = getelementptr double, ptr %v775, i64 %v1937
+  %v2003 = load double, ptr %v2002, align 8, !noalias !181
+  %v2004 = fcmp ogt double %v2003, %v1989
+  %v2005 = select i1 %v2004, double %v2003, double %v1989
+  %v2006 = getelementptr double, ptr %v776, i64 %v1937
+  %v2007 = load double, ptr %v2006, align 8, !noalias !181
+  %v2008 = tail call double @llvm.fabs.f64(double %v2007)
+  %v2009 = fcmp ueq double %v2008, 0x7FF0000000000000
+  br i1 %v2009, label %v2010, label %v2011
 
-v2033:
-  %v2034 = phi double [ %v2035, %v2032 ], [ %v2007, %v2036 ]
-  %v2037 = phi double [ %v2038, %v2032 ], [ %v2014, %v2036 ]
-  %v2039 = phi double [ %v2012, %v2032 ], [ %v2038, %v2036 ]
-  %v2040 = phi double [ %v2006, %v2032 ], [ %v2035, %v2036 ]
-  %v2041 = icmp eq i64 %v2042, 45
-  br i1 %v2041, label %v2043, label %v1980
+v2011:
+  %v2012 = fcmp olt double %v2007, %v2001
+  %v2013 = select i1 %v2012, double %v2007, double %v2001
+  %v2014 = fcmp ogt double %v2007, %v2000
+  %v2015 = select i1 %v2014, double %v2007, double %v2000
+  br label %v2010
 
-v1980:
-  %v2012 = phi double [ %v1961, %v1970 ], [ %v2039, %v2033 ]
-  %v2014 = phi double [ %v1962, %v1970 ], [ %v2037, %v2033 ]
-  %v2006 = phi double [ %v1963, %v1970 ], [ %v2040, %v2033 ]
-  %v2007 = phi double [ %v1964, %v1970 ], [ %v2034, %v2033 ]
-  %v1983 = phi i64 [ 0, %v1970 ], [ %v2042, %v2033 ]
-  %v2042 = add nsw i64 %v1983, 1
-  %v2010 = fsub double %v2006, %v2007
-  %v2044 = fcmp ugt double %v2010, 1.000000e-13
-  br i1 %v2044, label %v1981, label %v2043
+v2010:
+  %v2016 = phi double [ %v2015, %v2011 ], [ %v2000, %v1994 ]
+  %v2017 = phi double [ %v2013, %v2011 ], [ %v2001, %v1994 ]
+  %v2018 = getelementptr double, ptr %v779, i64 %v1937
+  %v2019 = load double, ptr %v2018, align 8, !noalias !181
+  %v2020 = fcmp ogt double %v2019, %v2005
+  %v2021 = select i1 %v2020, double %v2019, double %v2005
+  %v2022 = getelementptr double, ptr %v780, i64 %v1937
+  %v2023 = load double, ptr %v2022, align 8, !noalias !181
+  %v2024 = tail call double @llvm.fabs.f64(double %v2023)
+  %v2025 = fcmp ueq double %v2024, 0x7FF0000000000000
+  br i1 %v2025, label %v2026, label %v2027
 
-v2004:
-  %v2035 = phi double [ %v2028, %v1995 ], [ %v2002, %v1996 ]
-  %v2045 = load double, ptr %v133, align 8, !noalias !182
-  %v2046 = load double, ptr %v731, align 8, !noalias !182
-  %v2047 = fmul double %v2035, %v2046
-  %v2048 = fadd double %v2045, %v2047
-  store double %v2048, ptr %v733, align 8, !noalias !182
-  br i1 %v735, label %v2049, label %v2050
+v2027:
+  %v2028 = fcmp olt double %v2023, %v2017
+  %v2029 = select i1 %v2028, double %v2023, double %v2017
+  %v2030 = fcmp ogt double %v2023, %v2016
+  %v2031 = select i1 %v2030, double %v2023, double %v2016
+  br label %v2026
 
-v2049:
-  %v2051 = fsub double 1.000000e+00, %v2035
-  br label %v2052
+v2026:
+  %v2032 = phi double [ %v2031, %v2027 ], [ %v2016, %v2010 ]
+  %v2033 = phi double [ %v2029, %v2027 ], [ %v2017, %v2010 ]
+  %v2034 = getelementptr double, ptr %v783, i64 %v1937
+  %v2035 = load double, ptr %v2034, align 8, !noalias !181
+  %v2036 = fcmp ogt double %v2035, %v2021
+  %v2037 = select i1 %v2036, double %v2035, double %v2021
+  %v2038 = getelementptr double, ptr %v784, i64 %v1937
+  %v2039 = load double, ptr %v2038, align 8, !noalias !181
+  %v2040 = tail call double @llvm.fabs.f64(double %v2039)
+  %v2041 = fcmp ueq double %v2040, 0x7FF0000000000000
+  br i1 %v2041, label %v2042, label %v2043
 
-v2052:
-  %v2053 = phi i64 [ 0, %v2049 ], [ %v2054, %v2052 ]
-  %v2055 = mul i64 %v2053, %v196
-  %v2056 = getelementptr double, ptr %v193, i64 %v2055
-  %v2057 = getelementptr i8, ptr %v2056, i64 %v742
-  %v2058 = load double, ptr %v2057, align 8, !noalias !191
-  %v2059 = fadd double %v2058, 0.000000e+00
-  %v2060 = fmul double %v2035, %v2059
-  %v2061 = getelementptr i8, ptr %v2056, i64 %v743
-  %v2062 = load double, ptr %v2061, align 8, !noalias !191
-  %v2063 = fadd double %v2062, %v2060
-  %v2064 = fmul double %v2051, %v2063
-  %v2065 = getelementptr i8, ptr %v2056, i64 %v744
-  %v2066 = load double, ptr %v2065, align 8, !noalias !191
-  %v2067 = fadd double %v2066, %v2064
-  %v2068 = fmul double %v2035, %v2067
-  %v2069 = getelementptr i8, ptr %v2056, i64 %v745
-  %v2070 = load double, ptr %v2069, align 8, !noalias !191
-  %v2071 = fadd double %v2070, %v2068
-  %v2072 = fmul double %v2051, %v2071
-  %v2073 = getelementptr i8, ptr %v2056, i64 %v746
-  %v2074 = load double, ptr %v2073, align 8, !noalias !191
-  %v2075 = fadd double %v2074, %v2072
-  %v2076 = fmul double %v2035, %v2075
-  %v2077 = getelementptr i8, ptr %v2056, i64 %v747
-  %v2078 = load double, ptr %v2077, align 8, !noalias !191
-  %v2079 = fadd double %v2078, %v2076
-  %v2080 = fmul double %v2051, %v2079
-  %v2081 = getelementptr i8, ptr %v2056, i64 %v748
-  %v2082 = load double, ptr %v2081, align 8, !noalias !191
-  %v2083 = fadd double %v2082, %v2080
-  %v2084 = fmul double %v2035, %v2083
-  %v2054 = add nsw i64 %v2053, 1
-  %v2085 = load double, ptr %v2056, align 8, !noalias !191
-  %v2086 = fadd double %v2085, %v2084
-  %v2087 = getelementptr double, ptr %v736, i64 %v2055
-  store double %v2086, ptr %v2087, align 8, !noalias !182
-  %v2088 = icmp eq i64 %v10, %v2054
-  br i1 %v2088, label %v2050, label %v2052
+v2043:
+  %v2044 = fcmp olt double %v2039, %v2033
+  %v2045 = select i1 %v2044, double %v2039, double %v2033
+  %v2046 = fcmp ogt double %v2039, %v2032
+  %v2047 = select i1 %v2046, double %v2039, double %v2032
+  br label %v2042
 
-v2089:
-  br i1 %v739, label %v2090, label %v2036
+v2042:
+  %v2048 = phi double [ %v2047, %v2043 ], [ %v2032, %v2026 ]
+  %v2049 = phi double [ %v2045, %v2043 ], [ %v2033, %v2026 ]
+  %v2050 = fsub double %v2048, %v2049
+  %v2051 = fmul double %v1922, %v2050
+  %v2052 = fcmp ueq double %v2051, 0x7FF0000000000000
+  %v2053 = fadd double %v2037, %v2051
+  %v2054 = select i1 %v2052, double %v2037, double %v2053
+  %v2055 = sub nsw i64 %v2056, %v18
+  %v2057 = getelementptr double, ptr %v215, i64 %v2055
+  %v2058 = load double, ptr %v2057, align 8, !noalias !181
+  store double %v2054, ptr %v2059, align 8, !noalias !181
+  %v2060 = fcmp ule double %v2058, 5.000000e-01
+  %v2061 = fcmp ule double %v2062, 0.000000e+00
+  %v2063 = select i1 %v2060, i1 true, i1 %v2061
+  %v2064 = select i1 %v2063, double %v2054, double 0.000000e+00
+  %v2065 = getelementptr double, ptr %v2059, i64 %v740
+  store double %v2064, ptr %v2065, align 8, !noalias !181
+  %v2066 = getelementptr i8, ptr %v2059, i64 %v757
+  store double %v2064, ptr %v2066, align 8, !noalias !181
+  %v2067 = getelementptr i8, ptr %v2059, i64 %v761
+  store double %v2064, ptr %v2067, align 8, !noalias !181
+  %v2068 = getelementptr i8, ptr %v2059, i64 %v765
+  store double %v2064, ptr %v2068, align 8, !noalias !181
+  %v2069 = getelementptr i8, ptr %v2059, i64 %v769
+  store double %v2064, ptr %v2069, align 8, !noalias !181
+  %v2070 = getelementptr i8, ptr %v2059, i64 %v773
+  store double %v2064, ptr %v2070, align 8, !noalias !181
+  %v2071 = getelementptr i8, ptr %v2059, i64 %v777
+  store double %v2064, ptr %v2071, align 8, !noalias !181
+  %v2072 = getelementptr i8, ptr %v2059, i64 %v781
+  store double %v2064, ptr %v2072, align 8, !noalias !181
+  %v2073 = add nsw i64 %v2074, -1
+  %v2075 = add i64 %v2056, 1
+  %v2076 = icmp sgt i64 %v2074, 1
+  br i1 %v2076, label %v1924, label %v1923
 
-v2050:
-  %v2091 = load i64, ptr %v738, align 8, !noalias !195
-  %v2092 = inttoptr i64 %v2091 to ptr
-  tail call void %v2092(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !195
-  br i1 %v739, label %v2093, label %v2094
+v1924:
+  %v2074 = phi i64 [ %v2073, %v2042 ], [ %v15, %v1908 ]
+  %v2056 = phi i64 [ %v2075, %v2042 ], [ %v18, %v1908 ]
+  %v2077 = icmp slt i64 %v2056, 0
+  %v2078 = select i1 %v2077, i64 %v207, i64 0
+  %v1937 = add i64 %v2078, %v2056
+  %v2059 = getelementptr double, ptr %v753, i64 %v1937
+  %v2079 = load double, ptr %v2059, align 8, !noalias !181
+  %v2080 = fcmp ogt double %v2079, 0.000000e+00
+  %v2081 = select i1 %v2080, double %v2079, double 0.000000e+00
+  %v2082 = getelementptr double, ptr %v752, i64 %v1937
+  %v2062 = load double, ptr %v2082, align 8, !noalias !181
+  %v2083 = tail call double @llvm.fabs.f64(double %v2062)
+  %v2084 = fcmp ueq double %v2083, 0x7FF0000000000000
+  %v1931 = select i1 %v2084, double 0xFFF0000000000000, double %v2062
+  %v1928 = select i1 %v2084, double 0x7FF0000000000000, double %v2062
+  %v2085 = getelementptr double, ptr %v755, i64 %v1937
+  %v2086 = load double, ptr %v2085, align 8, !noalias !181
+  %v2087 = fcmp ogt double %v2086, %v2081
+  %v1940 = select i1 %v2087, double %v2086, double %v2081
+  %v2088 = getelementptr double, ptr %v756, i64 %v1937
+  %v1927 = load double, ptr %v2088, align 8, !noalias !181
+  %v2089 = tail call double @llvm.fabs.f64(double %v1927)
+  %v2090 = fcmp ueq double %v2089, 0x7FF0000000000000
+  br i1 %v2090, label %v1933, label %v1925
 
-v2095:
-  store double 0.000000e+00, ptr %v2096, align 8, !noalias !195
-  br label %v2097
-
-v2097:
-  %v2098 = fcmp uno double %v2099, 0.000000e+00
-  br i1 %v2098, label %v2100, label %v2101
-
-v2100:
-  %v2102 = icmp slt i64 %v2103, %v18
-  br i1 %v2102, label %v2104, label %v2105
-
-v2104:
-  %v2106 = add nsw i64 %v2103, %v17
-  %v2107 = icmp slt i64 %v2106, 0
-  %v2108 = select i1 %v2107, i64 %v166, i64 0
-  %v2109 = getelementptr double, ptr %v165, i64 %v2106
-  %v2110 = getelementptr double, ptr %v2109, i64 %v2108
-  %v2111 = load double, ptr %v2110, align 8, !noalias !195
-  br label %v2105
-
-v2105:
-  %v2112 = phi double [ %v2111, %v2104 ], [ 0.000000e+00, %v2100 ]
-  %v2113 = getelementptr double, ptr %v774, i64 %v2103
-  %v2114 = load double, ptr %v2113, align 8, !noalias !195
-  %v2115 = fcmp une double %v2114, %v2112
-  br i1 %v2115, label %v2116, label %v2117
-
-v2116:
-  %v2118 = fcmp ord double %v2114, 0.000000e+00
-  br i1 %v2118, label %v2117, label %v2119
-
-v2119:
-  %v2120 = fcmp uno double %v2112, 0.000000e+00
-  %v2121 = select i1 %v2120, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2117
-
-v2117:
-  %v2122 = phi double [ 0xFFF0000000000000, %v2116 ], [ %v2121, %v2119 ], [ 0x7FF0000000000000, %v2105 ]
-  store double %v2122, ptr %v2123, align 8, !noalias !195
-  br label %v2101
-
-v2101:
-  %v2124 = icmp eq i64 %v207, %v2125
-  br i1 %v2124, label %v2094, label %v2093
-
-v2093:
-  %v2103 = phi i64 [ %v2125, %v2101 ], [ 0, %v2050 ]
-  %v2125 = add nsw i64 %v2103, 1
-  %v2123 = getelementptr double, ptr %v775, i64 %v2103
-  %v2099 = load double, ptr %v2123, align 8, !noalias !195
-  %v2126 = tail call double @llvm.fabs.f64(double %v2099)
-  %v2096 = getelementptr double, ptr %v776, i64 %v2103
-  %v2127 = load double, ptr %v2096, align 8, !noalias !195
-  %v2128 = fadd double %v2126, %v2127
-  %v2129 = fcmp ueq double %v2128, 0x7FF0000000000000
-  br i1 %v2129, label %v2095, label %v2097
+v1923:
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v302, i8 0, i64 32, i1 false), !noalias !155
+  %v2091 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
+  %v2092 = icmp eq i32 %v2091, 0
+  br i1 %v2092, label %v2093, label %v2094, !prof !128
 
 v2094:
-  br i1 %v779, label %v2130, label %v2089
+  %v2095 = load ptr, ptr %v303, align 8, !noalias !155
+  br label %v1909
 
-v2130:
-  %v2131 = phi i64 [ %v2132, %v2130 ], [ %v778, %v2094 ]
-  %v2133 = phi i64 [ %v2134, %v2130 ], [ %v18, %v2094 ]
-  %v2132 = add nsw i64 %v2131, -1
-  %v2134 = add i64 %v2133, 1
-  %v2135 = icmp slt i64 %v2133, 0
-  %v2136 = select i1 %v2135, i64 %v207, i64 0
-  %v2137 = add i64 %v2136, %v2133
-  %v2138 = getelementptr double, ptr %v782, i64 %v2137
-  %v2139 = load double, ptr %v2138, align 8, !noalias !199
-  %v2140 = getelementptr double, ptr %v776, i64 %v2137
-  store double %v2139, ptr %v2140, align 8, !noalias !199
-  %v2141 = icmp sgt i64 %v2131, 1
-  br i1 %v2141, label %v2130, label %v2089
+v2093:
+  %v2096 = load double, ptr %v302, align 8, !noalias !155
+  %v2097 = load double, ptr %v726, align 8, !noalias !155
+  %v2098 = load double, ptr %v727, align 8, !noalias !155
+  %v2099 = load double, ptr %v728, align 8, !noalias !155
+  br label %v1909
 
-v2090:
-  %v2142 = phi double [ %v2143, %v2090 ], [ 0x7FF0000000000000, %v2089 ]
-  %v2144 = phi i64 [ %v2145, %v2090 ], [ 0, %v2089 ]
-  %v2145 = add nsw i64 %v2144, 1
-  %v2146 = getelementptr double, ptr %v775, i64 %v2144
-  %v2147 = load double, ptr %v2146, align 8, !noalias !200
-  %v2148 = getelementptr double, ptr %v776, i64 %v2144
-  %v2149 = load double, ptr %v2148, align 8, !noalias !200
-  %v2150 = fadd double %v2147, %v2149
-  %v2151 = fcmp olt double %v2150, %v2142
-  %v2143 = select i1 %v2151, double %v2150, double %v2142
-  %v2152 = icmp eq i64 %v207, %v2145
-  br i1 %v2152, label %v2036, label %v2090
+v1909:
+  %v2100 = phi double [ %v2099, %v2093 ], [ 0.000000e+00, %v2094 ], [ 0.000000e+00, %v1800 ]
+  %v2101 = phi double [ %v2098, %v2093 ], [ 0.000000e+00, %v2094 ], [ 0.000000e+00, %v1800 ]
+  %v2102 = phi double [ %v2097, %v2093 ], [ 0.000000e+00, %v2094 ], [ 0.000000e+00, %v1800 ]
+  %v2103 = phi double [ %v2096, %v2093 ], [ 0.000000e+00, %v2094 ], [ 0.000000e+00, %v1800 ]
+  %v2104 = phi ptr [ null, %v2093 ], [ %v2095, %v2094 ], [ %v1906, %v1800 ]
+  %v2105 = phi i32 [ 0, %v2093 ], [ 1, %v2094 ], [ %v1907, %v1800 ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %v302), !noalias !151
+  call void @llvm.lifetime.end.p0(ptr nonnull %v303), !noalias !151
+  %v2106 = icmp eq i32 %v2105, 0
+  br i1 %v2106, label %v2107, label %v2108, !prof !128
 
-v2036:
-  %v2038 = phi double [ 0x7FF0000000000000, %v2089 ], [ %v2143, %v2090 ]
-  %v2153 = fcmp olt double %v2038, 0.000000e+00
-  br i1 %v2153, label %v2033, label %v2032
+v2109:
+  %v2110 = load double, ptr %v731, align 8, !noalias !151
+  %v2111 = load double, ptr %v788, align 8, !noalias !151
+  %v2112 = load double, ptr %v92, align 8, !noalias !151
+  %v2113 = fsub double %v2111, %v2112
+  %v2114 = load double, ptr %v790, align 8, !noalias !151
+  %v2115 = load double, ptr %v792, align 8, !noalias !151
+  %v2116 = fsub double %v2114, %v2115
+  %v2117 = fmul double %v2113, 5.000000e-06
+  %v2118 = fcmp olt double %v2116, %v2117
+  br label %v2119
 
-v2154:
-  %v2155 = load double, ptr %v133, align 8, !noalias !204
-  %v2156 = load double, ptr %v731, align 8, !noalias !204
-  %v2157 = fmul double %v2158, %v2156
-  %v2159 = fadd double %v2155, %v2157
-  store double %v2159, ptr %v733, align 8, !noalias !204
-  br i1 %v735, label %v2160, label %v2161
+v2120:
+  %v2121 = sub nsw i64 45, %v2122
+  br label %v2123
 
-v2160:
-  %v2162 = fsub double 1.000000e+00, %v2158
-  br label %v2163
+v2123:
+  %v2124 = phi double [ %v2125, %v2123 ], [ 1.000000e+00, %v2120 ]
+  %v2126 = phi double [ %v2127, %v2123 ], [ 2.000000e+00, %v2120 ]
+  %v2128 = phi i64 [ %v2129, %v2123 ], [ %v2121, %v2120 ]
+  %v2130 = and i64 %v2128, 1
+  %v2131 = icmp eq i64 %v2130, 0
+  %v2132 = fmul double %v2124, %v2126
+  %v2125 = select i1 %v2131, double %v2124, double %v2132
+  %v2129 = lshr i64 %v2128, 1
+  %v2127 = fmul double %v2126, %v2126
+  %v2133 = icmp eq i64 %v2129, 0
+  br i1 %v2133, label %v2134, label %v2123
 
-v2163:
-  %v2164 = phi i64 [ 0, %v2160 ], [ %v2165, %v2163 ]
-  %v2166 = mul i64 %v2164, %v196
-  %v2167 = getelementptr double, ptr %v193, i64 %v2166
-  %v2168 = getelementptr i8, ptr %v2167, i64 %v742
-  %v2169 = load double, ptr %v2168, align 8, !noalias !214
-  %v2170 = fadd double %v2169, 0.000000e+00
-  %v2171 = fmul double %v2158, %v2170
-  %v2172 = getelementptr i8, ptr %v2167, i64 %v743
-  %v2173 = load double, ptr %v2172, align 8, !noalias !214
-  %v2174 = fadd double %v2173, %v2171
-  %v2175 = fmul double %v2162, %v2174
-  %v2176 = getelementptr i8, ptr %v2167, i64 %v744
-  %v2177 = load double, ptr %v2176, align 8, !noalias !214
-  %v2178 = fadd double %v2177, %v2175
-  %v2179 = fmul double %v2158, %v2178
-  %v2180 = getelementptr i8, ptr %v2167, i64 %v745
-  %v2181 = load double, ptr %v2180, align 8, !noalias !214
-  %v2182 = fadd double %v2181, %v2179
-  %v2183 = fmul double %v2162, %v2182
-  %v2184 = getelementptr i8, ptr %v2167, i64 %v746
-  %v2185 = load double, ptr %v2184, align 8, !noalias !214
-  %v2186 = fadd double %v2185, %v2183
-  %v2187 = fmul double %v2158, %v2186
-  %v2188 = getelementptr i8, ptr %v2167, i64 %v747
-  %v2189 = load double, ptr %v2188, align 8, !noalias !214
-  %v2190 = fadd double %v2189, %v2187
-  %v2191 = fmul double %v2162, %v2190
-  %v2192 = getelementptr i8, ptr %v2167, i64 %v748
-  %v2193 = load double, ptr %v2192, align 8, !noalias !214
-  %v2194 = fadd double %v2193, %v2191
-  %v2195 = fmul double %v2158, %v2194
-  %v2165 = add nsw i64 %v2164, 1
-  %v2196 = load double, ptr %v2167, align 8, !noalias !214
-  %v2197 = fadd double %v2196, %v2195
-  %v2198 = getelementptr double, ptr %v736, i64 %v2166
-  store double %v2197, ptr %v2198, align 8, !noalias !204
-  %v2199 = icmp eq i64 %v10, %v2165
-  br i1 %v2199, label %v2161, label %v2163
+v2135:
+  %v2136 = fcmp olt double %v2137, 0.000000e+00
+  %v2138 = select i1 %v2136, double 0.000000e+00, double %v2137
+  %v2139 = fmul double %v2140, %v2138
+  %v2141 = fsub double %v2142, %v2139
+  br label %v2143
 
-v2161:
-  %v2200 = load i64, ptr %v738, align 8, !noalias !218
-  %v2201 = inttoptr i64 %v2200 to ptr
-  tail call void %v2201(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !218
-  br i1 %v739, label %v2202, label %v2203
+v2134:
+  %v2144 = fadd double %v2145, %v2146
+  %v2142 = fmul double %v2144, 5.000000e-01
+  %v2147 = fmul double %v2125, 1.000000e-13
+  %v2148 = fsub double %v2147, %v2149
+  %v2137 = fmul double %v2148, 5.000000e-01
+  %v2150 = fmul double %v2151, %v2146
+  %v2152 = fmul double %v2153, %v2145
+  %v2154 = fsub double %v2150, %v2152
+  %v2155 = fsub double %v2151, %v2153
+  %v2156 = fdiv double %v2154, %v2155
+  %v2157 = fcmp olt double %v2146, %v2156
+  %v2158 = fcmp olt double %v2156, %v2145
+  %v2159 = and i1 %v2157, %v2158
+  %v2160 = select i1 %v2159, double %v2156, double %v2142
+  %v2161 = fsub double %v2142, %v2160
+  %v2140 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2161)
+  %v2162 = fmul double %v2149, %v2149
+  %v2163 = tail call double @llvm.fabs.f64(double %v2161)
+  %v2164 = fcmp olt double %v2163, %v2162
+  %v2165 = select i1 %v2164, double %v2163, double %v2162
+  %v2166 = fmul double %v2140, %v2165
+  %v2167 = fadd double %v2160, %v2166
+  %v2168 = fsub double %v2167, %v2142
+  %v2169 = tail call double @llvm.fabs.f64(double %v2168)
+  %v2170 = fcmp ugt double %v2169, %v2137
+  br i1 %v2170, label %v2135, label %v2143
 
-v2204:
-  store double 0.000000e+00, ptr %v2205, align 8, !noalias !218
-  br label %v2206
+v2171:
+  br label %v2172
 
-v2206:
-  %v2207 = fcmp uno double %v2208, 0.000000e+00
-  br i1 %v2207, label %v2209, label %v2210
+v2172:
+  %v2173 = phi double [ %v2174, %v2171 ], [ %v2146, %v2175 ]
+  %v2176 = phi double [ %v2177, %v2171 ], [ %v2153, %v2175 ]
+  %v2178 = phi double [ %v2151, %v2171 ], [ %v2177, %v2175 ]
+  %v2179 = phi double [ %v2145, %v2171 ], [ %v2174, %v2175 ]
+  %v2180 = icmp eq i64 %v2181, 45
+  br i1 %v2180, label %v2182, label %v2119
 
-v2209:
-  %v2211 = icmp slt i64 %v2212, %v18
-  br i1 %v2211, label %v2213, label %v2214
+v2119:
+  %v2151 = phi double [ %v2100, %v2109 ], [ %v2178, %v2172 ]
+  %v2153 = phi double [ %v2101, %v2109 ], [ %v2176, %v2172 ]
+  %v2145 = phi double [ %v2102, %v2109 ], [ %v2179, %v2172 ]
+  %v2146 = phi double [ %v2103, %v2109 ], [ %v2173, %v2172 ]
+  %v2122 = phi i64 [ 0, %v2109 ], [ %v2181, %v2172 ]
+  %v2181 = add nsw i64 %v2122, 1
+  %v2149 = fsub double %v2145, %v2146
+  %v2183 = fcmp ugt double %v2149, 1.000000e-13
+  br i1 %v2183, label %v2120, label %v2182
 
-v2213:
-  %v2215 = add nsw i64 %v2212, %v17
-  %v2216 = icmp slt i64 %v2215, 0
-  %v2217 = select i1 %v2216, i64 %v166, i64 0
-  %v2218 = getelementptr double, ptr %v165, i64 %v2215
-  %v2219 = getelementptr double, ptr %v2218, i64 %v2217
-  %v2220 = load double, ptr %v2219, align 8, !noalias !218
-  br label %v2214
+v2143:
+  %v2174 = phi double [ %v2167, %v2134 ], [ %v2141, %v2135 ]
+  %v2184 = load double, ptr %v133, align 8, !noalias !182
+  %v2185 = load double, ptr %v731, align 8, !noalias !182
+  %v2186 = fmul double %v2174, %v2185
+  %v2187 = fadd double %v2184, %v2186
+  store double %v2187, ptr %v733, align 8, !noalias !182
+  br i1 %v735, label %v2188, label %v2189
 
-v2214:
-  %v2221 = phi double [ %v2220, %v2213 ], [ 0.000000e+00, %v2209 ]
-  %v2222 = getelementptr double, ptr %v774, i64 %v2212
-  %v2223 = load double, ptr %v2222, align 8, !noalias !218
-  %v2224 = fcmp une double %v2223, %v2221
-  br i1 %v2224, label %v2225, label %v2226
+v2188:
+  %v2190 = fsub double 1.000000e+00, %v2174
+  br label %v2191
 
-v2225:
-  %v2227 = fcmp ord double %v2223, 0.000000e+00
-  br i1 %v2227, label %v2226, label %v2228
+v2191:
+  %v2192 = phi i64 [ 0, %v2188 ], [ %v2193, %v2191 ]
+  %v2194 = mul i64 %v2192, %v196
+  %v2195 = getelementptr double, ptr %v193, i64 %v2194
+  %v2196 = getelementptr i8, ptr %v2195, i64 %v742
+  %v2197 = load double, ptr %v2196, align 8, !noalias !191
+  %v2198 = fadd double %v2197, 0.000000e+00
+  %v2199 = fmul double %v2174, %v2198
+  %v2200 = getelementptr i8, ptr %v2195, i64 %v743
+  %v2201 = load double, ptr %v2200, align 8, !noalias !191
+  %v2202 = fadd double %v2201, %v2199
+  %v2203 = fmul double %v2190, %v2202
+  %v2204 = getelementptr i8, ptr %v2195, i64 %v744
+  %v2205 = load double, ptr %v2204, align 8, !noalias !191
+  %v2206 = fadd double %v2205, %v2203
+  %v2207 = fmul double %v2174, %v2206
+  %v2208 = getelementptr i8, ptr %v2195, i64 %v745
+  %v2209 = load double, ptr %v2208, align 8, !noalias !191
+  %v2210 = fadd double %v2209, %v2207
+  %v2211 = fmul double %v2190, %v2210
+  %v2212 = getelementptr i8, ptr %v2195, i64 %v746
+  %v2213 = load double, ptr %v2212, align 8, !noalias !191
+  %v2214 = fadd double %v2213, %v2211
+  %v2215 = fmul double %v2174, %v2214
+  %v2216 = getelementptr i8, ptr %v2195, i64 %v747
+  %v2217 = load double, ptr %v2216, align 8, !noalias !191
+  %v2218 = fadd double %v2217, %v2215
+  %v2219 = fmul double %v2190, %v2218
+  %v2220 = getelementptr i8, ptr %v2195, i64 %v748
+  %v2221 = load double, ptr %v2220, align 8, !noalias !191
+  %v2222 = fadd double %v2221, %v2219
+  %v2223 = fmul double %v2174, %v2222
+  %v2193 = add nsw i64 %v2192, 1
+  %v2224 = load double, ptr %v2195, align 8, !noalias !191
+  %v2225 = fadd double %v2224, %v2223
+  %v2226 = getelementptr double, ptr %v736, i64 %v2194
+  store double %v2225, ptr %v2226, align 8, !noalias !182
+  %v2227 = icmp eq i64 %v10, %v2193
+  br i1 %v2227, label %v2189, label %v2191
 
 v2228:
-  %v2229 = fcmp uno double %v2221, 0.000000e+00
-  %v2230 = select i1 %v2229, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2226
+  br i1 %v739, label %v2229, label %v2175
 
-v2226:
-  %v2231 = phi double [ 0xFFF0000000000000, %v2225 ], [ %v2230, %v2228 ], [ 0x7FF0000000000000, %v2214 ]
-  store double %v2231, ptr %v2232, align 8, !noalias !218
-  br label %v2210
+v2189:
+  %v2230 = load i64, ptr %v738, align 8, !noalias !195
+  %v2231 = inttoptr i64 %v2230 to ptr
+  tail call void %v2231(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !195
+  br i1 %v739, label %v2232, label %v2233
 
-v2210:
-  %v2233 = icmp eq i64 %v207, %v2234
-  br i1 %v2233, label %v2203, label %v2202
+v2234:
+  store double 0.000000e+00, ptr %v2235, align 8, !noalias !195
+  br label %v2236
 
-v2202:
-  %v2212 = phi i64 [ %v2234, %v2210 ], [ 0, %v2161 ]
-  %v2234 = add nsw i64 %v2212, 1
-  %v2232 = getelementptr double, ptr %v775, i64 %v2212
-  %v2208 = load double, ptr %v2232, align 8, !noalias !218
-  %v2235 = tail call double @llvm.fabs.f64(double %v2208)
-  %v2205 = getelementptr double, ptr %v776, i64 %v2212
-  %v2236 = load double, ptr %v2205, align 8, !noalias !218
-  %v2237 = fadd double %v2235, %v2236
-  %v2238 = fcmp ueq double %v2237, 0x7FF0000000000000
-  br i1 %v2238, label %v2204, label %v2206
-
-v2203:
-  br i1 %v779, label %v2239, label %v2240
-
-v2240:
-  br label %v2241
+v2236:
+  %v2237 = icmp slt i64 %v2238, %v18
+  br i1 %v2237, label %v2239, label %v2240
 
 v2239:
-  %v2242 = phi i64 [ %v2243, %v2239 ], [ %v778, %v2203 ]
-  %v2244 = phi i64 [ %v2245, %v2239 ], [ %v18, %v2203 ]
-  %v2243 = add nsw i64 %v2242, -1
-  %v2245 = add i64 %v2244, 1
-  %v2246 = icmp slt i64 %v2244, 0
-  %v2247 = select i1 %v2246, i64 %v207, i64 0
-  %v2248 = add i64 %v2247, %v2244
-  %v2249 = getelementptr double, ptr %v782, i64 %v2248
-  %v2250 = load double, ptr %v2249, align 8, !noalias !222
-  %v2251 = getelementptr double, ptr %v776, i64 %v2248
-  store double %v2250, ptr %v2251, align 8, !noalias !222
-  %v2252 = icmp sgt i64 %v2242, 1
-  br i1 %v2252, label %v2239, label %v2240
+  %v2241 = getelementptr double, ptr %v798, i64 %v2238
+  %v2242 = load double, ptr %v2241, align 8, !noalias !195
+  %v2243 = add nsw i64 %v2238, %v17
+  %v2244 = icmp slt i64 %v2243, 0
+  %v2245 = select i1 %v2244, i64 %v166, i64 0
+  %v2246 = getelementptr double, ptr %v165, i64 %v2243
+  %v2247 = getelementptr double, ptr %v2246, i64 %v2245
+  %v2248 = load double, ptr %v2247, align 8, !noalias !195
+  %v2249 = fcmp une double %v2242, %v2248
+  br i1 %v2249, label %v2250, label %v2240
 
-v2253:
-  %v2254 = icmp slt i64 %v2255, 0
-  %v2256 = select i1 %v2254, i64 %v207, i64 0
-  %v2257 = add i64 %v2256, %v2255
-  %v2258 = getelementptr double, ptr %v775, i64 %v2257
-  %v2259 = load double, ptr %v2258, align 8, !noalias !223
-  br label %v2260
+v2250:
+  %v2251 = fcmp ord double %v2242, 0.000000e+00
+  br i1 %v2251, label %v2240, label %v2252
+
+v2252:
+  %v2253 = fcmp ord double %v2248, 0.000000e+00
+  br label %v2240
+
+v2240:
+  %v2254 = phi i1 [ false, %v2236 ], [ true, %v2250 ], [ %v2253, %v2252 ], [ false, %v2239 ]
+  %v2255 = fcmp uno double %v2256, 0.000000e+00
+  %v2257 = fcmp oeq double %v2256, 0.000000e+00
+  %v2258 = and i1 %v2257, %v2254
+  %v2259 = or i1 %v2255, %v2258
+  br i1 %v2259, label %v2260, label %v2261
+
+v2260:
+  %v2262 = icmp sge i64 %v2238, %v18
+  %v2263 = select i1 %v2254, i1 true, i1 %v2262
+  %v2264 = select i1 %v2263, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v2264, ptr %v2265, align 8, !noalias !195
+  br label %v2261
 
 v2261:
-  %v2262 = phi i64 [ 0, %v2263 ], [ %v2264, %v2261 ]
-  %v2265 = mul i64 %v2262, %v196
-  %v2266 = getelementptr double, ptr %v193, i64 %v2265
-  %v2267 = getelementptr i8, ptr %v2266, i64 %v742
-  %v2268 = load double, ptr %v2267, align 8, !noalias !224
-  %v2269 = fadd double %v2268, 0.000000e+00
-  %v2270 = fmul double %v2271, %v2269
-  %v2272 = getelementptr i8, ptr %v2266, i64 %v743
-  %v2273 = load double, ptr %v2272, align 8, !noalias !224
-  %v2274 = fadd double %v2273, %v2270
-  %v2275 = fmul double %v2276, %v2274
-  %v2277 = getelementptr i8, ptr %v2266, i64 %v744
-  %v2278 = load double, ptr %v2277, align 8, !noalias !224
-  %v2279 = fadd double %v2278, %v2275
-  %v2280 = fmul double %v2271, %v2279
-  %v2281 = getelementptr i8, ptr %v2266, i64 %v745
-  %v2282 = load double, ptr %v2281, align 8, !noalias !224
-  %v2283 = fadd double %v2282, %v2280
-  %v2284 = fmul double %v2276, %v2283
-  %v2285 = getelementptr i8, ptr %v2266, i64 %v746
-  %v2286 = load double, ptr %v2285, align 8, !noalias !224
-  %v2287 = fadd double %v2286, %v2284
-  %v2288 = fmul double %v2271, %v2287
-  %v2289 = getelementptr i8, ptr %v2266, i64 %v747
-  %v2290 = load double, ptr %v2289, align 8, !noalias !224
-  %v2291 = fadd double %v2290, %v2288
-  %v2292 = fmul double %v2276, %v2291
-  %v2293 = getelementptr i8, ptr %v2266, i64 %v748
-  %v2294 = load double, ptr %v2293, align 8, !noalias !224
-  %v2295 = fadd double %v2294, %v2292
-  %v2296 = fmul double %v2271, %v2295
-  %v2264 = add nsw i64 %v2262, 1
-  %v2297 = load double, ptr %v2266, align 8, !noalias !224
-  %v2298 = fadd double %v2297, %v2296
-  %v2299 = getelementptr double, ptr %v736, i64 %v2265
-  store double %v2298, ptr %v2299, align 8, !noalias !234
-  %v2300 = icmp eq i64 %v10, %v2264
-  br i1 %v2300, label %v2301, label %v2261
+  %v2266 = icmp eq i64 %v207, %v2267
+  br i1 %v2266, label %v2233, label %v2232
 
-v2301:
-  %v2302 = load i64, ptr %v738, align 8, !noalias !235
-  %v2303 = inttoptr i64 %v2302 to ptr
-  tail call void %v2303(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !235
-  br i1 %v817, label %v2304, label %v2305
+v2232:
+  %v2238 = phi i64 [ %v2267, %v2261 ], [ 0, %v2189 ]
+  %v2267 = add nsw i64 %v2238, 1
+  %v2265 = getelementptr double, ptr %v799, i64 %v2238
+  %v2256 = load double, ptr %v2265, align 8, !noalias !195
+  %v2268 = tail call double @llvm.fabs.f64(double %v2256)
+  %v2235 = getelementptr double, ptr %v800, i64 %v2238
+  %v2269 = load double, ptr %v2235, align 8, !noalias !195
+  %v2270 = fadd double %v2268, %v2269
+  %v2271 = fcmp ueq double %v2270, 0x7FF0000000000000
+  br i1 %v2271, label %v2234, label %v2236
 
-v2304:
-  br i1 %v818, label %v2306, label %v2307
+v2233:
+  br i1 %v803, label %v2272, label %v2228
 
-v2308:
-  store double 0.000000e+00, ptr %v2309, align 8, !noalias !235
-  br label %v2310
+v2272:
+  %v2273 = phi i64 [ %v2274, %v2272 ], [ %v802, %v2233 ]
+  %v2275 = phi i64 [ %v2276, %v2272 ], [ %v18, %v2233 ]
+  %v2274 = add nsw i64 %v2273, -1
+  %v2276 = add i64 %v2275, 1
+  %v2277 = icmp slt i64 %v2275, 0
+  %v2278 = select i1 %v2277, i64 %v207, i64 0
+  %v2279 = add i64 %v2278, %v2275
+  %v2280 = getelementptr double, ptr %v806, i64 %v2279
+  %v2281 = load double, ptr %v2280, align 8, !noalias !199
+  %v2282 = getelementptr double, ptr %v800, i64 %v2279
+  store double %v2281, ptr %v2282, align 8, !noalias !199
+  %v2283 = icmp sgt i64 %v2273, 1
+  br i1 %v2283, label %v2272, label %v2228
 
-v2310:
-  %v2311 = fcmp uno double %v2312, 0.000000e+00
-  br i1 %v2311, label %v2313, label %v2314
+v2229:
+  %v2284 = phi double [ %v2285, %v2229 ], [ 0x7FF0000000000000, %v2228 ]
+  %v2286 = phi i64 [ %v2287, %v2229 ], [ 0, %v2228 ]
+  %v2287 = add nsw i64 %v2286, 1
+  %v2288 = getelementptr double, ptr %v799, i64 %v2286
+  %v2289 = load double, ptr %v2288, align 8, !noalias !200
+  %v2290 = getelementptr double, ptr %v800, i64 %v2286
+  %v2291 = load double, ptr %v2290, align 8, !noalias !200
+  %v2292 = fadd double %v2289, %v2291
+  %v2293 = fcmp olt double %v2292, %v2284
+  %v2285 = select i1 %v2293, double %v2292, double %v2284
+  %v2294 = icmp eq i64 %v207, %v2287
+  br i1 %v2294, label %v2175, label %v2229
 
-v2313:
-  %v2315 = icmp slt i64 %v2316, %v18
-  br i1 %v2315, label %v2317, label %v2318
+v2175:
+  %v2177 = phi double [ 0x7FF0000000000000, %v2228 ], [ %v2285, %v2229 ]
+  %v2295 = fcmp olt double %v2177, 0.000000e+00
+  br i1 %v2295, label %v2172, label %v2171
 
-v2317:
-  %v2319 = add nsw i64 %v2316, %v17
-  %v2320 = icmp slt i64 %v2319, 0
-  %v2321 = select i1 %v2320, i64 %v166, i64 0
-  %v2322 = getelementptr double, ptr %v165, i64 %v2319
-  %v2323 = getelementptr double, ptr %v2322, i64 %v2321
-  %v2324 = load double, ptr %v2323, align 8, !noalias !235
-  br label %v2318
+v2296:
+  %v2297 = load double, ptr %v133, align 8, !noalias !204
+  %v2298 = load double, ptr %v731, align 8, !noalias !204
+  %v2299 = fmul double %v2300, %v2298
+  %v2301 = fadd double %v2297, %v2299
+  store double %v2301, ptr %v733, align 8, !noalias !204
+  br i1 %v735, label %v2302, label %v2303
 
-v2318:
-  %v2325 = phi double [ %v2324, %v2317 ], [ 0.000000e+00, %v2313 ]
-  %v2326 = getelementptr double, ptr %v774, i64 %v2316
-  %v2327 = load double, ptr %v2326, align 8, !noalias !235
-  %v2328 = fcmp une double %v2327, %v2325
-  br i1 %v2328, label %v2329, label %v2330
-
-v2329:
-  %v2331 = fcmp ord double %v2327, 0.000000e+00
-  br i1 %v2331, label %v2330, label %v2332
-
-v2332:
-  %v2333 = fcmp uno double %v2325, 0.000000e+00
-  %v2334 = select i1 %v2333, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2330
-
-v2330:
-  %v2335 = phi double [ 0xFFF0000000000000, %v2329 ], [ %v2334, %v2332 ], [ 0x7FF0000000000000, %v2318 ]
-  store double %v2335, ptr %v2336, align 8, !noalias !235
-  br label %v2314
-
-v2314:
-  %v2337 = icmp eq i64 %v207, %v2338
-  br i1 %v2337, label %v2304, label %v2305
+v2302:
+  %v2304 = fsub double 1.000000e+00, %v2300
+  br label %v2305
 
 v2305:
-  %v2316 = phi i64 [ %v2338, %v2314 ], [ 0, %v2301 ]
-  %v2338 = add nsw i64 %v2316, 1
-  %v2336 = getelementptr double, ptr %v775, i64 %v2316
-  %v2312 = load double, ptr %v2336, align 8, !noalias !235
-  %v2339 = tail call double @llvm.fabs.f64(double %v2312)
-  %v2309 = getelementptr double, ptr %v776, i64 %v2316
-  %v2340 = load double, ptr %v2309, align 8, !noalias !235
-  %v2341 = fadd double %v2339, %v2340
-  %v2342 = fcmp ueq double %v2341, 0x7FF0000000000000
-  br i1 %v2342, label %v2308, label %v2310
+  %v2306 = phi i64 [ 0, %v2302 ], [ %v2307, %v2305 ]
+  %v2308 = mul i64 %v2306, %v196
+  %v2309 = getelementptr double, ptr %v193, i64 %v2308
+  %v2310 = getelementptr i8, ptr %v2309, i64 %v742
+  %v2311 = load double, ptr %v2310, align 8, !noalias !214
+  %v2312 = fadd double %v2311, 0.000000e+00
+  %v2313 = fmul double %v2300, %v2312
+  %v2314 = getelementptr i8, ptr %v2309, i64 %v743
+  %v2315 = load double, ptr %v2314, align 8, !noalias !214
+  %v2316 = fadd double %v2315, %v2313
+  %v2317 = fmul double %v2304, %v2316
+  %v2318 = getelementptr i8, ptr %v2309, i64 %v744
+  %v2319 = load double, ptr %v2318, align 8, !noalias !214
+  %v2320 = fadd double %v2319, %v2317
+  %v2321 = fmul double %v2300, %v2320
+  %v2322 = getelementptr i8, ptr %v2309, i64 %v745
+  %v2323 = load double, ptr %v2322, align 8, !noalias !214
+  %v2324 = fadd double %v2323, %v2321
+  %v2325 = fmul double %v2304, %v2324
+  %v2326 = getelementptr i8, ptr %v2309, i64 %v746
+  %v2327 = load double, ptr %v2326, align 8, !noalias !214
+  %v2328 = fadd double %v2327, %v2325
+  %v2329 = fmul double %v2300, %v2328
+  %v2330 = getelementptr i8, ptr %v2309, i64 %v747
+  %v2331 = load double, ptr %v2330, align 8, !noalias !214
+  %v2332 = fadd double %v2331, %v2329
+  %v2333 = fmul double %v2304, %v2332
+  %v2334 = getelementptr i8, ptr %v2309, i64 %v748
+  %v2335 = load double, ptr %v2334, align 8, !noalias !214
+  %v2336 = fadd double %v2335, %v2333
+  %v2337 = fmul double %v2300, %v2336
+  %v2307 = add nsw i64 %v2306, 1
+  %v2338 = load double, ptr %v2309, align 8, !noalias !214
+  %v2339 = fadd double %v2338, %v2337
+  %v2340 = getelementptr double, ptr %v736, i64 %v2308
+  store double %v2339, ptr %v2340, align 8, !noalias !204
+  %v2341 = icmp eq i64 %v10, %v2307
+  br i1 %v2341, label %v2303, label %v2305
 
-v2307:
-  %v2343 = phi i64 [ %v2344, %v2307 ], [ %v778, %v2304 ]
-  %v2345 = phi i64 [ %v2346, %v2307 ], [ %v18, %v2304 ]
-  %v2344 = add nsw i64 %v2343, -1
-  %v2346 = add i64 %v2345, 1
-  %v2347 = icmp slt i64 %v2345, 0
-  %v2348 = select i1 %v2347, i64 %v207, i64 0
-  %v2349 = add i64 %v2348, %v2345
-  %v2350 = getelementptr double, ptr %v782, i64 %v2349
-  %v2351 = load double, ptr %v2350, align 8, !noalias !239
-  %v2352 = getelementptr double, ptr %v776, i64 %v2349
-  store double %v2351, ptr %v2352, align 8, !noalias !239
-  %v2353 = icmp sgt i64 %v2343, 1
-  br i1 %v2353, label %v2307, label %v2306
+v2303:
+  %v2342 = load i64, ptr %v738, align 8, !noalias !218
+  %v2343 = inttoptr i64 %v2342 to ptr
+  tail call void %v2343(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !218
+  br i1 %v739, label %v2344, label %v2345
 
-v2354:
-  %v2355 = select i1 %v2356, double %v2158, double %v2271
-  %v2357 = fmul double %v2355, 5.000000e-01
-  %v2358 = icmp eq i64 %v2359, 45
-  br i1 %v2358, label %v2360, label %v2260
+v2346:
+  store double 0.000000e+00, ptr %v2347, align 8, !noalias !218
+  br label %v2348
 
-v2361:
-  %v2362 = getelementptr double, ptr %v782, i64 %v2257
-  store double 0.000000e+00, ptr %v2362, align 8, !noalias !223
-  br label %v2363
+v2348:
+  %v2349 = icmp slt i64 %v2350, %v18
+  br i1 %v2349, label %v2351, label %v2352
+
+v2351:
+  %v2353 = getelementptr double, ptr %v798, i64 %v2350
+  %v2354 = load double, ptr %v2353, align 8, !noalias !218
+  %v2355 = add nsw i64 %v2350, %v17
+  %v2356 = icmp slt i64 %v2355, 0
+  %v2357 = select i1 %v2356, i64 %v166, i64 0
+  %v2358 = getelementptr double, ptr %v165, i64 %v2355
+  %v2359 = getelementptr double, ptr %v2358, i64 %v2357
+  %v2360 = load double, ptr %v2359, align 8, !noalias !218
+  %v2361 = fcmp une double %v2354, %v2360
+  br i1 %v2361, label %v2362, label %v2352
+
+v2362:
+  %v2363 = fcmp ord double %v2354, 0.000000e+00
+  br i1 %v2363, label %v2352, label %v2364
 
 v2364:
-  %v2365 = sub nsw i64 45, %v2366
-  br label %v2367
+  %v2365 = fcmp ord double %v2360, 0.000000e+00
+  br label %v2352
 
-v2367:
-  %v2368 = phi double [ %v2369, %v2367 ], [ 1.000000e+00, %v2364 ]
-  %v2370 = phi double [ %v2371, %v2367 ], [ 2.000000e+00, %v2364 ]
-  %v2372 = phi i64 [ %v2373, %v2367 ], [ %v2365, %v2364 ]
-  %v2374 = and i64 %v2372, 1
-  %v2375 = icmp eq i64 %v2374, 0
-  %v2376 = fmul double %v2368, %v2370
-  %v2369 = select i1 %v2375, double %v2368, double %v2376
-  %v2373 = lshr i64 %v2372, 1
-  %v2371 = fmul double %v2370, %v2370
-  %v2377 = icmp eq i64 %v2373, 0
-  br i1 %v2377, label %v2378, label %v2367
+v2352:
+  %v2366 = phi i1 [ false, %v2348 ], [ true, %v2362 ], [ %v2365, %v2364 ], [ false, %v2351 ]
+  %v2367 = fcmp uno double %v2368, 0.000000e+00
+  %v2369 = fcmp oeq double %v2368, 0.000000e+00
+  %v2370 = and i1 %v2369, %v2366
+  %v2371 = or i1 %v2367, %v2370
+  br i1 %v2371, label %v2372, label %v2373
 
-v2379:
-  %v2380 = fcmp olt double %v2381, 0.000000e+00
-  %v2382 = select i1 %v2380, double 0.000000e+00, double %v2381
-  %v2383 = fmul double %v2384, %v2382
-  %v2385 = fsub double %v2386, %v2383
-  br label %v2387
+v2372:
+  %v2374 = icmp sge i64 %v2350, %v18
+  %v2375 = select i1 %v2366, i1 true, i1 %v2374
+  %v2376 = select i1 %v2375, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v2376, ptr %v2377, align 8, !noalias !218
+  br label %v2373
 
-v2378:
-  %v2388 = fadd double %v2389, %v2390
-  %v2386 = fmul double %v2388, 5.000000e-01
-  %v2391 = fmul double %v2369, 0x3D06849B86A12B9B
-  %v2392 = fsub double %v2391, %v2393
-  %v2381 = fmul double %v2392, 5.000000e-01
-  %v2394 = fmul double %v2395, %v2390
-  %v2396 = fmul double %v2397, %v2389
-  %v2398 = fsub double %v2394, %v2396
-  %v2399 = fsub double %v2395, %v2397
-  %v2400 = fdiv double %v2398, %v2399
-  %v2401 = fcmp olt double %v2390, %v2400
-  %v2402 = fcmp olt double %v2400, %v2389
-  %v2403 = and i1 %v2401, %v2402
-  %v2404 = select i1 %v2403, double %v2400, double %v2386
-  %v2405 = fsub double %v2386, %v2404
-  %v2384 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2405)
-  %v2406 = fmul double %v2393, %v2393
-  %v2407 = tail call double @llvm.fabs.f64(double %v2405)
-  %v2408 = fcmp olt double %v2407, %v2406
-  %v2409 = select i1 %v2408, double %v2407, double %v2406
-  %v2410 = fmul double %v2384, %v2409
-  %v2411 = fadd double %v2404, %v2410
-  %v2412 = fsub double %v2411, %v2386
-  %v2413 = tail call double @llvm.fabs.f64(double %v2412)
-  %v2414 = fcmp ugt double %v2413, %v2381
-  br i1 %v2414, label %v2379, label %v2387
+v2373:
+  %v2378 = icmp eq i64 %v207, %v2379
+  br i1 %v2378, label %v2345, label %v2344
 
-v2415:
-  br label %v2416
+v2344:
+  %v2350 = phi i64 [ %v2379, %v2373 ], [ 0, %v2303 ]
+  %v2379 = add nsw i64 %v2350, 1
+  %v2377 = getelementptr double, ptr %v799, i64 %v2350
+  %v2368 = load double, ptr %v2377, align 8, !noalias !218
+  %v2380 = tail call double @llvm.fabs.f64(double %v2368)
+  %v2347 = getelementptr double, ptr %v800, i64 %v2350
+  %v2381 = load double, ptr %v2347, align 8, !noalias !218
+  %v2382 = fadd double %v2380, %v2381
+  %v2383 = fcmp ueq double %v2382, 0x7FF0000000000000
+  br i1 %v2383, label %v2346, label %v2348
 
-v2416:
-  %v2417 = phi double [ %v2418, %v2415 ], [ %v2390, %v2419 ]
-  %v2420 = phi double [ %v2421, %v2415 ], [ %v2397, %v2419 ]
-  %v2422 = phi double [ %v2395, %v2415 ], [ %v2421, %v2419 ]
-  %v2423 = phi double [ %v2389, %v2415 ], [ %v2418, %v2419 ]
-  %v2424 = icmp eq i64 %v2425, 45
-  br i1 %v2424, label %v2360, label %v2363
+v2345:
+  br i1 %v803, label %v2384, label %v2385
 
-v2363:
-  %v2395 = phi double [ %v2259, %v2361 ], [ %v2422, %v2416 ]
-  %v2397 = phi double [ %v2426, %v2361 ], [ %v2420, %v2416 ]
-  %v2389 = phi double [ %v2158, %v2361 ], [ %v2423, %v2416 ]
-  %v2390 = phi double [ %v2271, %v2361 ], [ %v2417, %v2416 ]
-  %v2366 = phi i64 [ 0, %v2361 ], [ %v2425, %v2416 ]
-  %v2425 = add nsw i64 %v2366, 1
-  %v2393 = fsub double %v2389, %v2390
-  %v2427 = fcmp ugt double %v2393, 0x3D06849B86A12B9B
-  br i1 %v2427, label %v2364, label %v2360
+v2385:
+  br label %v2386
 
-v2387:
-  %v2418 = phi double [ %v2411, %v2378 ], [ %v2385, %v2379 ]
-  %v2428 = load double, ptr %v133, align 8, !noalias !240
-  %v2429 = load double, ptr %v731, align 8, !noalias !240
-  %v2430 = fmul double %v2418, %v2429
-  %v2431 = fadd double %v2428, %v2430
-  store double %v2431, ptr %v733, align 8, !noalias !240
-  br i1 %v735, label %v2432, label %v2433
+v2384:
+  %v2387 = phi i64 [ %v2388, %v2384 ], [ %v802, %v2345 ]
+  %v2389 = phi i64 [ %v2390, %v2384 ], [ %v18, %v2345 ]
+  %v2388 = add nsw i64 %v2387, -1
+  %v2390 = add i64 %v2389, 1
+  %v2391 = icmp slt i64 %v2389, 0
+  %v2392 = select i1 %v2391, i64 %v207, i64 0
+  %v2393 = add i64 %v2392, %v2389
+  %v2394 = getelementptr double, ptr %v806, i64 %v2393
+  %v2395 = load double, ptr %v2394, align 8, !noalias !222
+  %v2396 = getelementptr double, ptr %v800, i64 %v2393
+  store double %v2395, ptr %v2396, align 8, !noalias !222
+  %v2397 = icmp sgt i64 %v2387, 1
+  br i1 %v2397, label %v2384, label %v2385
 
-v2432:
-  %v2434 = fsub double 1.000000e+00, %v2418
-  br label %v2435
+v2398:
+  %v2399 = icmp slt i64 %v2400, 0
+  %v2401 = select i1 %v2399, i64 %v207, i64 0
+  %v2402 = add i64 %v2401, %v2400
+  %v2403 = getelementptr double, ptr %v799, i64 %v2402
+  %v2404 = load double, ptr %v2403, align 8, !noalias !223
+  br label %v2405
 
-v2435:
-  %v2436 = phi i64 [ 0, %v2432 ], [ %v2437, %v2435 ]
-  %v2438 = mul i64 %v2436, %v196
-  %v2439 = getelementptr double, ptr %v193, i64 %v2438
-  %v2440 = getelementptr i8, ptr %v2439, i64 %v742
-  %v2441 = load double, ptr %v2440, align 8, !noalias !249
-  %v2442 = fadd double %v2441, 0.000000e+00
-  %v2443 = fmul double %v2418, %v2442
-  %v2444 = getelementptr i8, ptr %v2439, i64 %v743
-  %v2445 = load double, ptr %v2444, align 8, !noalias !249
-  %v2446 = fadd double %v2445, %v2443
-  %v2447 = fmul double %v2434, %v2446
-  %v2448 = getelementptr i8, ptr %v2439, i64 %v744
-  %v2449 = load double, ptr %v2448, align 8, !noalias !249
-  %v2450 = fadd double %v2449, %v2447
-  %v2451 = fmul double %v2418, %v2450
-  %v2452 = getelementptr i8, ptr %v2439, i64 %v745
-  %v2453 = load double, ptr %v2452, align 8, !noalias !249
-  %v2454 = fadd double %v2453, %v2451
-  %v2455 = fmul double %v2434, %v2454
-  %v2456 = getelementptr i8, ptr %v2439, i64 %v746
-  %v2457 = load double, ptr %v2456, align 8, !noalias !249
-  %v2458 = fadd double %v2457, %v2455
-  %v2459 = fmul double %v2418, %v2458
-  %v2460 = getelementptr i8, ptr %v2439, i64 %v747
-  %v2461 = load double, ptr %v2460, align 8, !noalias !249
-  %v2462 = fadd double %v2461, %v2459
-  %v2463 = fmul double %v2434, %v2462
-  %v2464 = getelementptr i8, ptr %v2439, i64 %v748
-  %v2465 = load double, ptr %v2464, align 8, !noalias !249
-  %v2466 = fadd double %v2465, %v2463
-  %v2467 = fmul double %v2418, %v2466
-  %v2437 = add nsw i64 %v2436, 1
-  %v2468 = load double, ptr %v2439, align 8, !noalias !249
-  %v2469 = fadd double %v2468, %v2467
-  %v2470 = getelementptr double, ptr %v736, i64 %v2438
-  store double %v2469, ptr %v2470, align 8, !noalias !240
-  %v2471 = icmp eq i64 %v10, %v2437
-  br i1 %v2471, label %v2433, label %v2435
+v2406:
+  %v2407 = phi i64 [ 0, %v2408 ], [ %v2409, %v2406 ]
+  %v2410 = mul i64 %v2407, %v196
+  %v2411 = getelementptr double, ptr %v193, i64 %v2410
+  %v2412 = getelementptr i8, ptr %v2411, i64 %v742
+  %v2413 = load double, ptr %v2412, align 8, !noalias !224
+  %v2414 = fadd double %v2413, 0.000000e+00
+  %v2415 = fmul double %v2416, %v2414
+  %v2417 = getelementptr i8, ptr %v2411, i64 %v743
+  %v2418 = load double, ptr %v2417, align 8, !noalias !224
+  %v2419 = fadd double %v2418, %v2415
+  %v2420 = fmul double %v2421, %v2419
+  %v2422 = getelementptr i8, ptr %v2411, i64 %v744
+  %v2423 = load double, ptr %v2422, align 8, !noalias !224
+  %v2424 = fadd double %v2423, %v2420
+  %v2425 = fmul double %v2416, %v2424
+  %v2426 = getelementptr i8, ptr %v2411, i64 %v745
+  %v2427 = load double, ptr %v2426, align 8, !noalias !224
+  %v2428 = fadd double %v2427, %v2425
+  %v2429 = fmul double %v2421, %v2428
+  %v2430 = getelementptr i8, ptr %v2411, i64 %v746
+  %v2431 = load double, ptr %v2430, align 8, !noalias !224
+  %v2432 = fadd double %v2431, %v2429
+  %v2433 = fmul double %v2416, %v2432
+  %v2434 = getelementptr i8, ptr %v2411, i64 %v747
+  %v2435 = load double, ptr %v2434, align 8, !noalias !224
+  %v2436 = fadd double %v2435, %v2433
+  %v2437 = fmul double %v2421, %v2436
+  %v2438 = getelementptr i8, ptr %v2411, i64 %v748
+  %v2439 = load double, ptr %v2438, align 8, !noalias !224
+  %v2440 = fadd double %v2439, %v2437
+  %v2441 = fmul double %v2416, %v2440
+  %v2409 = add nsw i64 %v2407, 1
+  %v2442 = load double, ptr %v2411, align 8, !noalias !224
+  %v2443 = fadd double %v2442, %v2441
+  %v2444 = getelementptr double, ptr %v736, i64 %v2410
+  store double %v2443, ptr %v2444, align 8, !noalias !234
+  %v2445 = icmp eq i64 %v10, %v2409
+  br i1 %v2445, label %v2446, label %v2406
 
-v2472:
-  br i1 %v739, label %v2473, label %v2419
+v2446:
+  %v2447 = load i64, ptr %v738, align 8, !noalias !235
+  %v2448 = inttoptr i64 %v2447 to ptr
+  tail call void %v2448(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !235
+  br i1 %v841, label %v2449, label %v2450
 
-v2433:
-  %v2474 = load i64, ptr %v738, align 8, !noalias !253
-  %v2475 = inttoptr i64 %v2474 to ptr
-  tail call void %v2475(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !253
-  br i1 %v739, label %v2476, label %v2477
+v2449:
+  br i1 %v842, label %v2451, label %v2452
 
-v2478:
-  store double 0.000000e+00, ptr %v2479, align 8, !noalias !253
+v2453:
+  store double 0.000000e+00, ptr %v2454, align 8, !noalias !235
+  br label %v2455
+
+v2455:
+  %v2456 = icmp slt i64 %v2457, %v18
+  br i1 %v2456, label %v2458, label %v2459
+
+v2458:
+  %v2460 = getelementptr double, ptr %v798, i64 %v2457
+  %v2461 = load double, ptr %v2460, align 8, !noalias !235
+  %v2462 = add nsw i64 %v2457, %v17
+  %v2463 = icmp slt i64 %v2462, 0
+  %v2464 = select i1 %v2463, i64 %v166, i64 0
+  %v2465 = getelementptr double, ptr %v165, i64 %v2462
+  %v2466 = getelementptr double, ptr %v2465, i64 %v2464
+  %v2467 = load double, ptr %v2466, align 8, !noalias !235
+  %v2468 = fcmp une double %v2461, %v2467
+  br i1 %v2468, label %v2469, label %v2459
+
+v2469:
+  %v2470 = fcmp ord double %v2461, 0.000000e+00
+  br i1 %v2470, label %v2459, label %v2471
+
+v2471:
+  %v2472 = fcmp ord double %v2467, 0.000000e+00
+  br label %v2459
+
+v2459:
+  %v2473 = phi i1 [ false, %v2455 ], [ true, %v2469 ], [ %v2472, %v2471 ], [ false, %v2458 ]
+  %v2474 = fcmp uno double %v2475, 0.000000e+00
+  %v2476 = fcmp oeq double %v2475, 0.000000e+00
+  %v2477 = and i1 %v2476, %v2473
+  %v2478 = or i1 %v2474, %v2477
+  br i1 %v2478, label %v2479, label %v2480
+
+v2479:
+  %v2481 = icmp sge i64 %v2457, %v18
+  %v2482 = select i1 %v2473, i1 true, i1 %v2481
+  %v2483 = select i1 %v2482, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v2483, ptr %v2484, align 8, !noalias !235
   br label %v2480
 
 v2480:
-  %v2481 = fcmp uno double %v2482, 0.000000e+00
-  br i1 %v2481, label %v2483, label %v2484
+  %v2485 = icmp eq i64 %v207, %v2486
+  br i1 %v2485, label %v2449, label %v2450
 
-v2483:
-  %v2485 = icmp slt i64 %v2486, %v18
-  br i1 %v2485, label %v2487, label %v2488
+v2450:
+  %v2457 = phi i64 [ %v2486, %v2480 ], [ 0, %v2446 ]
+  %v2486 = add nsw i64 %v2457, 1
+  %v2484 = getelementptr double, ptr %v799, i64 %v2457
+  %v2475 = load double, ptr %v2484, align 8, !noalias !235
+  %v2487 = tail call double @llvm.fabs.f64(double %v2475)
+  %v2454 = getelementptr double, ptr %v800, i64 %v2457
+  %v2488 = load double, ptr %v2454, align 8, !noalias !235
+  %v2489 = fadd double %v2487, %v2488
+  %v2490 = fcmp ueq double %v2489, 0x7FF0000000000000
+  br i1 %v2490, label %v2453, label %v2455
 
-v2487:
-  %v2489 = add nsw i64 %v2486, %v17
-  %v2490 = icmp slt i64 %v2489, 0
-  %v2491 = select i1 %v2490, i64 %v166, i64 0
-  %v2492 = getelementptr double, ptr %v165, i64 %v2489
-  %v2493 = getelementptr double, ptr %v2492, i64 %v2491
-  %v2494 = load double, ptr %v2493, align 8, !noalias !253
-  br label %v2488
-
-v2488:
-  %v2495 = phi double [ %v2494, %v2487 ], [ 0.000000e+00, %v2483 ]
-  %v2496 = getelementptr double, ptr %v774, i64 %v2486
-  %v2497 = load double, ptr %v2496, align 8, !noalias !253
-  %v2498 = fcmp une double %v2497, %v2495
-  br i1 %v2498, label %v2499, label %v2500
-
-v2499:
-  %v2501 = fcmp ord double %v2497, 0.000000e+00
-  br i1 %v2501, label %v2500, label %v2502
+v2452:
+  %v2491 = phi i64 [ %v2492, %v2452 ], [ %v802, %v2449 ]
+  %v2493 = phi i64 [ %v2494, %v2452 ], [ %v18, %v2449 ]
+  %v2492 = add nsw i64 %v2491, -1
+  %v2494 = add i64 %v2493, 1
+  %v2495 = icmp slt i64 %v2493, 0
+  %v2496 = select i1 %v2495, i64 %v207, i64 0
+  %v2497 = add i64 %v2496, %v2493
+  %v2498 = getelementptr double, ptr %v806, i64 %v2497
+  %v2499 = load double, ptr %v2498, align 8, !noalias !239
+  %v2500 = getelementptr double, ptr %v800, i64 %v2497
+  store double %v2499, ptr %v2500, align 8, !noalias !239
+  %v2501 = icmp sgt i64 %v2491, 1
+  br i1 %v2501, label %v2452, label %v2451
 
 v2502:
-  %v2503 = fcmp uno double %v2495, 0.000000e+00
-  %v2504 = select i1 %v2503, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2500
+  %v2503 = select i1 %v2504, double %v2300, double %v2416
+  %v2505 = fmul double %v2503, 5.000000e-01
+  %v2506 = icmp eq i64 %v2507, 45
+  br i1 %v2506, label %v2508, label %v2405
 
-v2500:
-  %v2505 = phi double [ 0xFFF0000000000000, %v2499 ], [ %v2504, %v2502 ], [ 0x7FF0000000000000, %v2488 ]
-  store double %v2505, ptr %v2506, align 8, !noalias !253
-  br label %v2484
+v2509:
+  %v2510 = getelementptr double, ptr %v806, i64 %v2402
+  store double 0.000000e+00, ptr %v2510, align 8, !noalias !223
+  br label %v2511
 
-v2484:
-  %v2507 = icmp eq i64 %v207, %v2508
-  br i1 %v2507, label %v2477, label %v2476
+v2512:
+  %v2513 = sub nsw i64 45, %v2514
+  br label %v2515
 
-v2476:
-  %v2486 = phi i64 [ %v2508, %v2484 ], [ 0, %v2433 ]
-  %v2508 = add nsw i64 %v2486, 1
-  %v2506 = getelementptr double, ptr %v775, i64 %v2486
-  %v2482 = load double, ptr %v2506, align 8, !noalias !253
-  %v2509 = tail call double @llvm.fabs.f64(double %v2482)
-  %v2479 = getelementptr double, ptr %v776, i64 %v2486
-  %v2510 = load double, ptr %v2479, align 8, !noalias !253
-  %v2511 = fadd double %v2509, %v2510
-  %v2512 = fcmp ueq double %v2511, 0x7FF0000000000000
-  br i1 %v2512, label %v2478, label %v2480
+v2515:
+  %v2516 = phi double [ %v2517, %v2515 ], [ 1.000000e+00, %v2512 ]
+  %v2518 = phi double [ %v2519, %v2515 ], [ 2.000000e+00, %v2512 ]
+  %v2520 = phi i64 [ %v2521, %v2515 ], [ %v2513, %v2512 ]
+  %v2522 = and i64 %v2520, 1
+  %v2523 = icmp eq i64 %v2522, 0
+  %v2524 = fmul double %v2516, %v2518
+  %v2517 = select i1 %v2523, double %v2516, double %v2524
+  %v2521 = lshr i64 %v2520, 1
+  %v2519 = fmul double %v2518, %v2518
+  %v2525 = icmp eq i64 %v2521, 0
+  br i1 %v2525, label %v2526, label %v2515
 
-v2477:
-  br i1 %v779, label %v2513, label %v2472
+v2527:
+  %v2528 = fcmp olt double %v2529, 0.000000e+00
+  %v2530 = select i1 %v2528, double 0.000000e+00, double %v2529
+  %v2531 = fmul double %v2532, %v2530
+  %v2533 = fsub double %v2534, %v2531
+  br label %v2535
 
-v2513:
-  %v2514 = phi i64 [ %v2515, %v2513 ], [ %v778, %v2477 ]
-  %v2516 = phi i64 [ %v2517, %v2513 ], [ %v18, %v2477 ]
-  %v2515 = add nsw i64 %v2514, -1
-  %v2517 = add i64 %v2516, 1
-  %v2518 = icmp slt i64 %v2516, 0
-  %v2519 = select i1 %v2518, i64 %v207, i64 0
-  %v2520 = add i64 %v2519, %v2516
-  %v2521 = getelementptr double, ptr %v782, i64 %v2520
-  %v2522 = load double, ptr %v2521, align 8, !noalias !257
-  %v2523 = getelementptr double, ptr %v776, i64 %v2520
-  store double %v2522, ptr %v2523, align 8, !noalias !257
-  %v2524 = icmp sgt i64 %v2514, 1
-  br i1 %v2524, label %v2513, label %v2472
-
-v2473:
-  %v2525 = phi double [ %v2526, %v2473 ], [ 0x7FF0000000000000, %v2472 ]
-  %v2527 = phi i64 [ %v2528, %v2473 ], [ 0, %v2472 ]
-  %v2528 = add nsw i64 %v2527, 1
-  %v2529 = getelementptr double, ptr %v775, i64 %v2527
-  %v2530 = load double, ptr %v2529, align 8, !noalias !258
-  %v2531 = getelementptr double, ptr %v776, i64 %v2527
-  %v2532 = load double, ptr %v2531, align 8, !noalias !258
-  %v2533 = fadd double %v2530, %v2532
-  %v2534 = fcmp olt double %v2533, %v2525
-  %v2526 = select i1 %v2534, double %v2533, double %v2525
-  %v2535 = icmp eq i64 %v207, %v2528
-  br i1 %v2535, label %v2419, label %v2473
-
-v2419:
-  %v2421 = phi double [ 0x7FF0000000000000, %v2472 ], [ %v2526, %v2473 ]
-  %v2536 = fcmp olt double %v2421, 0.000000e+00
-  br i1 %v2536, label %v2416, label %v2415
-
-v2360:
-  %v2537 = phi double [ %v2389, %v2363 ], [ %v2423, %v2416 ], [ 0.000000e+00, %v2354 ]
-  %v2538 = phi double [ %v2390, %v2363 ], [ %v2417, %v2416 ], [ %v2271, %v2354 ]
-  store double %v2538, ptr %v820, align 8, !noalias !223
-  store double %v2537, ptr %v822, align 8, !noalias !223
-  %v2539 = load double, ptr %v133, align 8, !noalias !223
-  %v2540 = load double, ptr %v731, align 8, !noalias !223
-  %v2541 = fmul double %v2537, %v2540
-  %v2542 = fadd double %v2539, %v2541
-  %v2543 = load i64, ptr %v142, align 8, !noalias !262
-  %v2544 = load i64, ptr %v824, align 8, !noalias !262
-  %v2545 = icmp slt i64 %v2544, %v93
-  br i1 %v2545, label %v2546, label %v2547
-
-v2546:
-  %v2548 = icmp slt i64 %v2544, 0
-  %v2549 = select i1 %v2548, i64 %v93, i64 0
-  %v2550 = getelementptr double, ptr %v92, i64 %v2544
-  %v2551 = getelementptr double, ptr %v2550, i64 %v2549
-  %v2552 = load double, ptr %v2551, align 8, !noalias !262
-  %v2553 = fcmp ugt double %v2552, %v2542
-  br i1 %v2553, label %v2547, label %v2554
-
-v2554:
-  %v2555 = icmp slt i64 %v2543, 0
-  %v2556 = select i1 %v2555, i64 %v100, i64 0
-  %v2557 = add i64 %v2556, %v2543
-  %v2558 = mul i64 %v827, %v2557
-  %v2559 = getelementptr double, ptr %v99, i64 %v2558
-  br label %v2560
-
-v2560:
-  %v2561 = phi i64 [ %v2562, %v2563 ], [ %v2544, %v2554 ]
-  %v2564 = icmp slt i64 %v2561, 0
-  %v2565 = select i1 %v2564, i64 %v93, i64 0
-  %v2566 = getelementptr double, ptr %v92, i64 %v2561
-  %v2567 = getelementptr double, ptr %v2566, i64 %v2565
-  %v2568 = load double, ptr %v2567, align 8, !noalias !262
-  %v2569 = load double, ptr %v133, align 8, !noalias !262
-  %v2570 = fsub double %v2568, %v2569
-  %v2571 = load double, ptr %v731, align 8, !noalias !262
-  %v2572 = fdiv double %v2570, %v2571
-  br i1 %v816, label %v2573, label %v2574
-
-v2574:
-  %v2575 = fsub double 1.000000e+00, %v2572
-  %v2576 = select i1 %v2564, i64 %v101, i64 0
-  %v2577 = add i64 %v2576, %v2561
-  %v2578 = mul i64 %v2577, %v102
-  %v2579 = getelementptr double, ptr %v2559, i64 %v2578
-  br label %v2580
-
-v2581:
-  %v2582 = getelementptr double, ptr %v829, i64 %v2583
-  %v2584 = load double, ptr %v2582, align 8, !noalias !262
-  br label %v2585
-
-v2573:
-  store double 0x7FF0000000000000, ptr %v826, align 8, !noalias !262
-  %v2586 = icmp eq i64 %v2561, %v830
-  br i1 %v2586, label %v2547, label %v2563
+v2526:
+  %v2536 = fadd double %v2537, %v2538
+  %v2534 = fmul double %v2536, 5.000000e-01
+  %v2539 = fmul double %v2517, 0x3D06849B86A12B9B
+  %v2540 = fsub double %v2539, %v2541
+  %v2529 = fmul double %v2540, 5.000000e-01
+  %v2542 = fmul double %v2543, %v2538
+  %v2544 = fmul double %v2545, %v2537
+  %v2546 = fsub double %v2542, %v2544
+  %v2547 = fsub double %v2543, %v2545
+  %v2548 = fdiv double %v2546, %v2547
+  %v2549 = fcmp olt double %v2538, %v2548
+  %v2550 = fcmp olt double %v2548, %v2537
+  %v2551 = and i1 %v2549, %v2550
+  %v2552 = select i1 %v2551, double %v2548, double %v2534
+  %v2553 = fsub double %v2534, %v2552
+  %v2532 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2553)
+  %v2554 = fmul double %v2541, %v2541
+  %v2555 = tail call double @llvm.fabs.f64(double %v2553)
+  %v2556 = fcmp olt double %v2555, %v2554
+  %v2557 = select i1 %v2556, double %v2555, double %v2554
+  %v2558 = fmul double %v2532, %v2557
+  %v2559 = fadd double %v2552, %v2558
+  %v2560 = fsub double %v2559, %v2534
+  %v2561 = tail call double @llvm.fabs.f64(double %v2560)
+  %v2562 = fcmp ugt double %v2561, %v2529
+  br i1 %v2562, label %v2527, label %v2535
 
 v2563:
-  %v2562 = add i64 %v2561, 1
-  %v2587 = icmp slt i64 %v2561, -1
-  %v2588 = select i1 %v2587, i64 %v93, i64 0
-  %v2589 = getelementptr double, ptr %v92, i64 %v2562
-  %v2590 = getelementptr double, ptr %v2589, i64 %v2588
-  %v2591 = load double, ptr %v2590, align 8, !noalias !262
-  %v2592 = fcmp ugt double %v2591, %v2542
-  br i1 %v2592, label %v2547, label %v2560
+  br label %v2564
 
-v2547:
-  %v2593 = phi i64 [ %v2544, %v2546 ], [ %v2544, %v2360 ], [ %v93, %v2573 ], [ %v2562, %v2563 ]
-  store i64 %v2593, ptr %v824, align 8, !noalias !262
-  store i64 %v2255, ptr %v762, align 8, !noalias !223
-  %v2594 = load i64, ptr %v142, align 8, !noalias !266
-  %v2595 = icmp sgt i64 %v2594, -1
-  br i1 %v2595, label %v2596, label %v2597
+v2564:
+  %v2565 = phi double [ %v2566, %v2563 ], [ %v2538, %v2567 ]
+  %v2568 = phi double [ %v2569, %v2563 ], [ %v2545, %v2567 ]
+  %v2570 = phi double [ %v2543, %v2563 ], [ %v2569, %v2567 ]
+  %v2571 = phi double [ %v2537, %v2563 ], [ %v2566, %v2567 ]
+  %v2572 = icmp eq i64 %v2573, 45
+  br i1 %v2572, label %v2508, label %v2511
 
-v2585:
-  %v2598 = phi double [ %v2599, %v2600 ], [ %v2584, %v2581 ]
-  %v2601 = getelementptr double, ptr %v2579, i64 %v2602
-  store double %v2598, ptr %v2601, align 8, !noalias !262
-  %v2603 = icmp eq i64 %v10, %v2604
-  br i1 %v2603, label %v2573, label %v2580
+v2511:
+  %v2543 = phi double [ %v2404, %v2509 ], [ %v2570, %v2564 ]
+  %v2545 = phi double [ %v2574, %v2509 ], [ %v2568, %v2564 ]
+  %v2537 = phi double [ %v2300, %v2509 ], [ %v2571, %v2564 ]
+  %v2538 = phi double [ %v2416, %v2509 ], [ %v2565, %v2564 ]
+  %v2514 = phi i64 [ 0, %v2509 ], [ %v2573, %v2564 ]
+  %v2573 = add nsw i64 %v2514, 1
+  %v2541 = fsub double %v2537, %v2538
+  %v2575 = fcmp ugt double %v2541, 0x3D06849B86A12B9B
+  br i1 %v2575, label %v2512, label %v2508
+
+v2535:
+  %v2566 = phi double [ %v2559, %v2526 ], [ %v2533, %v2527 ]
+  %v2576 = load double, ptr %v133, align 8, !noalias !240
+  %v2577 = load double, ptr %v731, align 8, !noalias !240
+  %v2578 = fmul double %v2566, %v2577
+  %v2579 = fadd double %v2576, %v2578
+  store double %v2579, ptr %v733, align 8, !noalias !240
+  br i1 %v735, label %v2580, label %v2581
 
 v2580:
-  %v2602 = phi i64 [ 0, %v2574 ], [ %v2604, %v2585 ]
-  %v2604 = add nsw i64 %v2602, 1
-  %v2605 = load double, ptr %v2567, align 8, !noalias !262
-  %v2606 = load double, ptr %v766, align 8, !noalias !262
-  %v2607 = fcmp oeq double %v2605, %v2606
-  %v2583 = mul i64 %v2602, %v196
-  br i1 %v2607, label %v2581, label %v2600
+  %v2582 = fsub double 1.000000e+00, %v2566
+  br label %v2583
 
-v2600:
-  %v2608 = getelementptr double, ptr %v193, i64 %v2583
-  %v2609 = getelementptr i8, ptr %v2608, i64 %v742
-  %v2610 = load double, ptr %v2609, align 8, !noalias !269
-  %v2611 = fadd double %v2610, 0.000000e+00
-  %v2612 = fmul double %v2572, %v2611
-  %v2613 = getelementptr i8, ptr %v2608, i64 %v743
-  %v2614 = load double, ptr %v2613, align 8, !noalias !269
-  %v2615 = fadd double %v2614, %v2612
-  %v2616 = fmul double %v2575, %v2615
-  %v2617 = getelementptr i8, ptr %v2608, i64 %v744
-  %v2618 = load double, ptr %v2617, align 8, !noalias !269
-  %v2619 = fadd double %v2618, %v2616
-  %v2620 = fmul double %v2572, %v2619
-  %v2621 = getelementptr i8, ptr %v2608, i64 %v745
-  %v2622 = load double, ptr %v2621, align 8, !noalias !269
-  %v2623 = fadd double %v2622, %v2620
-  %v2624 = fmul double %v2575, %v2623
-  %v2625 = getelementptr i8, ptr %v2608, i64 %v746
-  %v2626 = load double, ptr %v2625, align 8, !noalias !269
-  %v2627 = fadd double %v2626, %v2624
-  %v2628 = fmul double %v2572, %v2627
-  %v2629 = getelementptr i8, ptr %v2608, i64 %v747
-  %v2630 = load double, ptr %v2629, align 8, !noalias !269
-  %v2631 = fadd double %v2630, %v2628
-  %v2632 = fmul double %v2575, %v2631
-  %v2633 = getelementptr i8, ptr %v2608, i64 %v748
-  %v2634 = load double, ptr %v2633, align 8, !noalias !269
-  %v2635 = fadd double %v2634, %v2632
-  %v2636 = fmul double %v2572, %v2635
-  %v2637 = load double, ptr %v2608, align 8, !noalias !269
-  %v2599 = fadd double %v2637, %v2636
-  br label %v2585
+v2583:
+  %v2584 = phi i64 [ 0, %v2580 ], [ %v2585, %v2583 ]
+  %v2586 = mul i64 %v2584, %v196
+  %v2587 = getelementptr double, ptr %v193, i64 %v2586
+  %v2588 = getelementptr i8, ptr %v2587, i64 %v742
+  %v2589 = load double, ptr %v2588, align 8, !noalias !249
+  %v2590 = fadd double %v2589, 0.000000e+00
+  %v2591 = fmul double %v2566, %v2590
+  %v2592 = getelementptr i8, ptr %v2587, i64 %v743
+  %v2593 = load double, ptr %v2592, align 8, !noalias !249
+  %v2594 = fadd double %v2593, %v2591
+  %v2595 = fmul double %v2582, %v2594
+  %v2596 = getelementptr i8, ptr %v2587, i64 %v744
+  %v2597 = load double, ptr %v2596, align 8, !noalias !249
+  %v2598 = fadd double %v2597, %v2595
+  %v2599 = fmul double %v2566, %v2598
+  %v2600 = getelementptr i8, ptr %v2587, i64 %v745
+  %v2601 = load double, ptr %v2600, align 8, !noalias !249
+  %v2602 = fadd double %v2601, %v2599
+  %v2603 = fmul double %v2582, %v2602
+  %v2604 = getelementptr i8, ptr %v2587, i64 %v746
+  %v2605 = load double, ptr %v2604, align 8, !noalias !249
+  %v2606 = fadd double %v2605, %v2603
+  %v2607 = fmul double %v2566, %v2606
+  %v2608 = getelementptr i8, ptr %v2587, i64 %v747
+  %v2609 = load double, ptr %v2608, align 8, !noalias !249
+  %v2610 = fadd double %v2609, %v2607
+  %v2611 = fmul double %v2582, %v2610
+  %v2612 = getelementptr i8, ptr %v2587, i64 %v748
+  %v2613 = load double, ptr %v2612, align 8, !noalias !249
+  %v2614 = fadd double %v2613, %v2611
+  %v2615 = fmul double %v2566, %v2614
+  %v2585 = add nsw i64 %v2584, 1
+  %v2616 = load double, ptr %v2587, align 8, !noalias !249
+  %v2617 = fadd double %v2616, %v2615
+  %v2618 = getelementptr double, ptr %v736, i64 %v2586
+  store double %v2617, ptr %v2618, align 8, !noalias !240
+  %v2619 = icmp eq i64 %v10, %v2585
+  br i1 %v2619, label %v2581, label %v2583
 
-v2241:
-  %v2638 = phi i64 [ %v2639, %v2640 ], [ 0, %v2240 ]
-  %v2641 = icmp eq i64 %v2638, %v815
-  br i1 %v2641, label %v2642, label %v2640
+v2620:
+  br i1 %v739, label %v2621, label %v2567
 
-v2640:
-  %v2639 = add i64 %v2638, 1
-  %v2643 = getelementptr double, ptr %v775, i64 %v2638
-  %v2644 = load double, ptr %v2643, align 8, !noalias !273
-  %v2645 = getelementptr double, ptr %v776, i64 %v2638
-  %v2646 = load double, ptr %v2645, align 8, !noalias !273
-  %v2647 = fneg double %v2646
-  %v2648 = fcmp olt double %v2644, %v2647
-  br i1 %v2648, label %v2642, label %v2241
+v2581:
+  %v2622 = load i64, ptr %v738, align 8, !noalias !253
+  %v2623 = inttoptr i64 %v2622 to ptr
+  tail call void %v2623(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !253
+  br i1 %v739, label %v2624, label %v2625
+
+v2626:
+  store double 0.000000e+00, ptr %v2627, align 8, !noalias !253
+  br label %v2628
+
+v2628:
+  %v2629 = icmp slt i64 %v2630, %v18
+  br i1 %v2629, label %v2631, label %v2632
+
+v2631:
+  %v2633 = getelementptr double, ptr %v798, i64 %v2630
+  %v2634 = load double, ptr %v2633, align 8, !noalias !253
+  %v2635 = add nsw i64 %v2630, %v17
+  %v2636 = icmp slt i64 %v2635, 0
+  %v2637 = select i1 %v2636, i64 %v166, i64 0
+  %v2638 = getelementptr double, ptr %v165, i64 %v2635
+  %v2639 = getelementptr double, ptr %v2638, i64 %v2637
+  %v2640 = load double, ptr %v2639, align 8, !noalias !253
+  %v2641 = fcmp une double %v2634, %v2640
+  br i1 %v2641, label %v2642, label %v2632
 
 v2642:
-  %v2255 = phi i64 [ %v2638, %v2640 ], [ -1, %v2241 ]
-  %v2649 = icmp slt i64 %v2255, %v18
-  br i1 %v2649, label %v2650, label %v2253
+  %v2643 = fcmp ord double %v2634, 0.000000e+00
+  br i1 %v2643, label %v2632, label %v2644
 
-v2260:
-  %v2271 = phi double [ %v1964, %v2253 ], [ %v2357, %v2354 ]
-  %v2651 = phi i64 [ 0, %v2253 ], [ %v2359, %v2354 ]
-  %v2359 = add nsw i64 %v2651, 1
-  %v2356 = icmp eq i64 %v2651, 0
-  %v2652 = load double, ptr %v133, align 8, !noalias !234
-  %v2653 = load double, ptr %v731, align 8, !noalias !234
-  %v2654 = fmul double %v2271, %v2653
-  %v2655 = fadd double %v2652, %v2654
-  store double %v2655, ptr %v733, align 8, !noalias !234
-  br i1 %v816, label %v2301, label %v2263
+v2644:
+  %v2645 = fcmp ord double %v2640, 0.000000e+00
+  br label %v2632
 
-v2263:
-  %v2276 = fsub double 1.000000e+00, %v2271
-  br label %v2261
+v2632:
+  %v2646 = phi i1 [ false, %v2628 ], [ true, %v2642 ], [ %v2645, %v2644 ], [ false, %v2631 ]
+  %v2647 = fcmp uno double %v2648, 0.000000e+00
+  %v2649 = fcmp oeq double %v2648, 0.000000e+00
+  %v2650 = and i1 %v2649, %v2646
+  %v2651 = or i1 %v2647, %v2650
+  br i1 %v2651, label %v2652, label %v2653
 
-v2306:
-  %v2426 = load double, ptr %v2258, align 8, !noalias !223
-  %v2656 = fcmp ogt double %v2426, 0.000000e+00
-  br i1 %v2656, label %v2361, label %v2354
+v2652:
+  %v2654 = icmp sge i64 %v2630, %v18
+  %v2655 = select i1 %v2646, i1 true, i1 %v2654
+  %v2656 = select i1 %v2655, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v2656, ptr %v2657, align 8, !noalias !253
+  br label %v2653
 
-v2596:
-  %v2657 = getelementptr i64, ptr %v110, i64 %v2594
-  %v2658 = load i64, ptr %v2657, align 8, !noalias !266
-  %v2659 = icmp eq i64 %v2658, 0
-  br i1 %v2659, label %v2660, label %v2597
+v2653:
+  %v2658 = icmp eq i64 %v207, %v2659
+  br i1 %v2658, label %v2625, label %v2624
 
-v2660:
-  store i64 4, ptr %v2657, align 8, !noalias !266
-  br label %v2597
+v2624:
+  %v2630 = phi i64 [ %v2659, %v2653 ], [ 0, %v2581 ]
+  %v2659 = add nsw i64 %v2630, 1
+  %v2657 = getelementptr double, ptr %v799, i64 %v2630
+  %v2648 = load double, ptr %v2657, align 8, !noalias !253
+  %v2660 = tail call double @llvm.fabs.f64(double %v2648)
+  %v2627 = getelementptr double, ptr %v800, i64 %v2630
+  %v2661 = load double, ptr %v2627, align 8, !noalias !253
+  %v2662 = fadd double %v2660, %v2661
+  %v2663 = fcmp ueq double %v2662, 0x7FF0000000000000
+  br i1 %v2663, label %v2626, label %v2628
 
-v2597:
-  store double 0.000000e+00, ptr %v832, align 8, !noalias !223
-  br label %v1969
+v2625:
+  br i1 %v803, label %v2664, label %v2620
 
-v2661:
-  br i1 %v1979, label %v2650, label %v2662
+v2664:
+  %v2665 = phi i64 [ %v2666, %v2664 ], [ %v802, %v2625 ]
+  %v2667 = phi i64 [ %v2668, %v2664 ], [ %v18, %v2625 ]
+  %v2666 = add nsw i64 %v2665, -1
+  %v2668 = add i64 %v2667, 1
+  %v2669 = icmp slt i64 %v2667, 0
+  %v2670 = select i1 %v2669, i64 %v207, i64 0
+  %v2671 = add i64 %v2670, %v2667
+  %v2672 = getelementptr double, ptr %v806, i64 %v2671
+  %v2673 = load double, ptr %v2672, align 8, !noalias !257
+  %v2674 = getelementptr double, ptr %v800, i64 %v2671
+  store double %v2673, ptr %v2674, align 8, !noalias !257
+  %v2675 = icmp sgt i64 %v2665, 1
+  br i1 %v2675, label %v2664, label %v2620
 
-v2662:
+v2621:
+  %v2676 = phi double [ %v2677, %v2621 ], [ 0x7FF0000000000000, %v2620 ]
+  %v2678 = phi i64 [ %v2679, %v2621 ], [ 0, %v2620 ]
+  %v2679 = add nsw i64 %v2678, 1
+  %v2680 = getelementptr double, ptr %v799, i64 %v2678
+  %v2681 = load double, ptr %v2680, align 8, !noalias !258
+  %v2682 = getelementptr double, ptr %v800, i64 %v2678
+  %v2683 = load double, ptr %v2682, align 8, !noalias !258
+  %v2684 = fadd double %v2681, %v2683
+  %v2685 = fcmp olt double %v2684, %v2676
+  %v2677 = select i1 %v2685, double %v2684, double %v2676
+  %v2686 = icmp eq i64 %v207, %v2679
+  br i1 %v2686, label %v2567, label %v2621
+
+v2567:
+  %v2569 = phi double [ 0x7FF0000000000000, %v2620 ], [ %v2677, %v2621 ]
+  %v2687 = fcmp olt double %v2569, 0.000000e+00
+  br i1 %v2687, label %v2564, label %v2563
+
+v2508:
+  %v2688 = phi double [ %v2537, %v2511 ], [ %v2571, %v2564 ], [ 0.000000e+00, %v2502 ]
+  %v2689 = phi double [ %v2538, %v2511 ], [ %v2565, %v2564 ], [ %v2416, %v2502 ]
+  store double %v2689, ptr %v844, align 8, !noalias !223
+  store double %v2688, ptr %v846, align 8, !noalias !223
+  %v2690 = load double, ptr %v133, align 8, !noalias !223
+  %v2691 = load double, ptr %v731, align 8, !noalias !223
+  %v2692 = fmul double %v2688, %v2691
+  %v2693 = fadd double %v2690, %v2692
+  %v2694 = load i64, ptr %v142, align 8, !noalias !262
+  %v2695 = load i64, ptr %v848, align 8, !noalias !262
+  %v2696 = icmp slt i64 %v2695, %v93
+  br i1 %v2696, label %v2697, label %v2698
+
+v2697:
+  %v2699 = icmp slt i64 %v2695, 0
+  %v2700 = select i1 %v2699, i64 %v93, i64 0
+  %v2701 = getelementptr double, ptr %v92, i64 %v2695
+  %v2702 = getelementptr double, ptr %v2701, i64 %v2700
+  %v2703 = load double, ptr %v2702, align 8, !noalias !262
+  %v2704 = fcmp ugt double %v2703, %v2693
+  br i1 %v2704, label %v2698, label %v2705
+
+v2705:
+  %v2706 = icmp slt i64 %v2694, 0
+  %v2707 = select i1 %v2706, i64 %v100, i64 0
+  %v2708 = add i64 %v2707, %v2694
+  %v2709 = mul i64 %v851, %v2708
+  %v2710 = getelementptr double, ptr %v99, i64 %v2709
+  br label %v2711
+
+v2711:
+  %v2712 = phi i64 [ %v2713, %v2714 ], [ %v2695, %v2705 ]
+  %v2715 = icmp slt i64 %v2712, 0
+  %v2716 = select i1 %v2715, i64 %v93, i64 0
+  %v2717 = getelementptr double, ptr %v92, i64 %v2712
+  %v2718 = getelementptr double, ptr %v2717, i64 %v2716
+  %v2719 = load double, ptr %v2718, align 8, !noalias !262
+  %v2720 = load double, ptr %v133, align 8, !noalias !262
+  %v2721 = fsub double %v2719, %v2720
+  %v2722 = load double, ptr %v731, align 8, !noalias !262
+  %v2723 = fdiv double %v2721, %v2722
+  br i1 %v840, label %v2724, label %v2725
+
+v2725:
+  %v2726 = fsub double 1.000000e+00, %v2723
+  %v2727 = select i1 %v2715, i64 %v101, i64 0
+  %v2728 = add i64 %v2727, %v2712
+  %v2729 = mul i64 %v2728, %v102
+  %v2730 = getelementptr double, ptr %v2710, i64 %v2729
+  br label %v2731
+
+v2732:
+  %v2733 = getelementptr double, ptr %v853, i64 %v2734
+  %v2735 = load double, ptr %v2733, align 8, !noalias !262
+  br label %v2736
+
+v2724:
+  store double 0x7FF0000000000000, ptr %v850, align 8, !noalias !262
+  %v2737 = icmp eq i64 %v2712, %v854
+  br i1 %v2737, label %v2698, label %v2714
+
+v2714:
+  %v2713 = add i64 %v2712, 1
+  %v2738 = icmp slt i64 %v2712, -1
+  %v2739 = select i1 %v2738, i64 %v93, i64 0
+  %v2740 = getelementptr double, ptr %v92, i64 %v2713
+  %v2741 = getelementptr double, ptr %v2740, i64 %v2739
+  %v2742 = load double, ptr %v2741, align 8, !noalias !262
+  %v2743 = fcmp ugt double %v2742, %v2693
+  br i1 %v2743, label %v2698, label %v2711
+
+v2698:
+  %v2744 = phi i64 [ %v2695, %v2697 ], [ %v2695, %v2508 ], [ %v93, %v2724 ], [ %v2713, %v2714 ]
+  store i64 %v2744, ptr %v848, align 8, !noalias !262
+  store i64 %v2400, ptr %v786, align 8, !noalias !223
+  %v2745 = load i64, ptr %v142, align 8, !noalias !266
+  %v2746 = icmp sgt i64 %v2745, -1
+  br i1 %v2746, label %v2747, label %v2748
+
+v2736:
+  %v2749 = phi double [ %v2750, %v2751 ], [ %v2735, %v2732 ]
+  %v2752 = getelementptr double, ptr %v2730, i64 %v2753
+  store double %v2749, ptr %v2752, align 8, !noalias !262
+  %v2754 = icmp eq i64 %v10, %v2755
+  br i1 %v2754, label %v2724, label %v2731
+
+v2731:
+  %v2753 = phi i64 [ 0, %v2725 ], [ %v2755, %v2736 ]
+  %v2755 = add nsw i64 %v2753, 1
+  %v2756 = load double, ptr %v2718, align 8, !noalias !262
+  %v2757 = load double, ptr %v790, align 8, !noalias !262
+  %v2758 = fcmp oeq double %v2756, %v2757
+  %v2734 = mul i64 %v2753, %v196
+  br i1 %v2758, label %v2732, label %v2751
+
+v2751:
+  %v2759 = getelementptr double, ptr %v193, i64 %v2734
+  %v2760 = getelementptr i8, ptr %v2759, i64 %v742
+  %v2761 = load double, ptr %v2760, align 8, !noalias !269
+  %v2762 = fadd double %v2761, 0.000000e+00
+  %v2763 = fmul double %v2723, %v2762
+  %v2764 = getelementptr i8, ptr %v2759, i64 %v743
+  %v2765 = load double, ptr %v2764, align 8, !noalias !269
+  %v2766 = fadd double %v2765, %v2763
+  %v2767 = fmul double %v2726, %v2766
+  %v2768 = getelementptr i8, ptr %v2759, i64 %v744
+  %v2769 = load double, ptr %v2768, align 8, !noalias !269
+  %v2770 = fadd double %v2769, %v2767
+  %v2771 = fmul double %v2723, %v2770
+  %v2772 = getelementptr i8, ptr %v2759, i64 %v745
+  %v2773 = load double, ptr %v2772, align 8, !noalias !269
+  %v2774 = fadd double %v2773, %v2771
+  %v2775 = fmul double %v2726, %v2774
+  %v2776 = getelementptr i8, ptr %v2759, i64 %v746
+  %v2777 = load double, ptr %v2776, align 8, !noalias !269
+  %v2778 = fadd double %v2777, %v2775
+  %v2779 = fmul double %v2723, %v2778
+  %v2780 = getelementptr i8, ptr %v2759, i64 %v747
+  %v2781 = load double, ptr %v2780, align 8, !noalias !269
+  %v2782 = fadd double %v2781, %v2779
+  %v2783 = fmul double %v2726, %v2782
+  %v2784 = getelementptr i8, ptr %v2759, i64 %v748
+  %v2785 = load double, ptr %v2784, align 8, !noalias !269
+  %v2786 = fadd double %v2785, %v2783
+  %v2787 = fmul double %v2723, %v2786
+  %v2788 = load double, ptr %v2759, align 8, !noalias !269
+  %v2750 = fadd double %v2788, %v2787
+  br label %v2736
+
+v2386:
+  %v2789 = phi i64 [ %v2790, %v2791 ], [ 0, %v2385 ]
+  %v2792 = icmp eq i64 %v2789, %v839
+  br i1 %v2792, label %v2793, label %v2791
+
+v2791:
+  %v2790 = add i64 %v2789, 1
+  %v2794 = getelementptr double, ptr %v799, i64 %v2789
+  %v2795 = load double, ptr %v2794, align 8, !noalias !273
+  %v2796 = getelementptr double, ptr %v800, i64 %v2789
+  %v2797 = load double, ptr %v2796, align 8, !noalias !273
+  %v2798 = fneg double %v2797
+  %v2799 = fcmp olt double %v2795, %v2798
+  br i1 %v2799, label %v2793, label %v2386
+
+v2793:
+  %v2400 = phi i64 [ %v2789, %v2791 ], [ -1, %v2386 ]
+  %v2800 = icmp slt i64 %v2400, %v18
+  br i1 %v2800, label %v2801, label %v2398
+
+v2405:
+  %v2416 = phi double [ %v2103, %v2398 ], [ %v2505, %v2502 ]
+  %v2802 = phi i64 [ 0, %v2398 ], [ %v2507, %v2502 ]
+  %v2507 = add nsw i64 %v2802, 1
+  %v2504 = icmp eq i64 %v2802, 0
+  %v2803 = load double, ptr %v133, align 8, !noalias !234
+  %v2804 = load double, ptr %v731, align 8, !noalias !234
+  %v2805 = fmul double %v2416, %v2804
+  %v2806 = fadd double %v2803, %v2805
+  store double %v2806, ptr %v733, align 8, !noalias !234
+  br i1 %v840, label %v2446, label %v2408
+
+v2408:
+  %v2421 = fsub double 1.000000e+00, %v2416
+  br label %v2406
+
+v2451:
+  %v2574 = load double, ptr %v2403, align 8, !noalias !223
+  %v2807 = fcmp ogt double %v2574, 0.000000e+00
+  br i1 %v2807, label %v2509, label %v2502
+
+v2747:
+  %v2808 = getelementptr i64, ptr %v110, i64 %v2745
+  %v2809 = load i64, ptr %v2808, align 8, !noalias !266
+  %v2810 = icmp eq i64 %v2809, 0
+  br i1 %v2810, label %v2811, label %v2748
+
+v2811:
+  store i64 4, ptr %v2808, align 8, !noalias !266
+  br label %v2748
+
+v2748:
+  store double 0.000000e+00, ptr %v856, align 8, !noalias !223
+  br label %v2108
+
+v2812:
+  br i1 %v2118, label %v2801, label %v2813
+
+v2813:
   call void @llvm.lifetime.start.p0(ptr nonnull %v300), !noalias !151
   call void @llvm.lifetime.start.p0(ptr nonnull %v301), !noalias !151
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v300, i8 0, i64 32, i1 false), !noalias !277
   store ptr null, ptr %v301, align 8, !noalias !277
-  br i1 %v305, label %v2663, label %v2664
-
-v2665:
-  %v2666 = icmp ne i64 %v2667, 0
-  %v2668 = zext i1 %v2666 to i64
-  %v2669 = add i64 %v2670, %v2668
-  %v2671 = sext i1 %v2666 to i64
-  %v2672 = add nsw i64 %v2667, %v2671
-  %v2673 = select i1 %v2666, i64 %v2670, i64 0
-  br i1 %v2666, label %v2674, label %v2675
-
-v2674:
-  %v2676 = phi i64 [ %v2673, %v2665 ], [ 0, %v2677 ]
-  %v2667 = phi i64 [ %v2672, %v2665 ], [ 8, %v2677 ]
-  %v2670 = phi i64 [ %v2669, %v2665 ], [ 1, %v2677 ]
-  %v2678 = add i64 %v2676, 9
-  %v2679 = icmp ult i64 %v2678, 18
-  br i1 %v2679, label %v2680, label %v2675
-
-v2680:
-  %v2681 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v2678
-  %v2682 = load double, ptr %v2681, align 8
-  %v2683 = load double, ptr %v133, align 8, !noalias !281
-  %v2684 = load double, ptr %v731, align 8, !noalias !281
-  %v2685 = fmul double %v2682, %v2684
-  %v2686 = fadd double %v2683, %v2685
-  store double %v2686, ptr %v733, align 8, !noalias !281
-  br i1 %v735, label %v2687, label %v2688
-
-v2687:
-  %v2689 = fsub double 1.000000e+00, %v2682
-  br label %v2690
-
-v2690:
-  %v2691 = phi i64 [ 0, %v2687 ], [ %v2692, %v2690 ]
-  %v2693 = mul i64 %v2691, %v196
-  %v2694 = getelementptr double, ptr %v193, i64 %v2693
-  %v2695 = getelementptr i8, ptr %v2694, i64 %v742
-  %v2696 = load double, ptr %v2695, align 8, !noalias !288
-  %v2697 = fadd double %v2696, 0.000000e+00
-  %v2698 = fmul double %v2682, %v2697
-  %v2699 = getelementptr i8, ptr %v2694, i64 %v743
-  %v2700 = load double, ptr %v2699, align 8, !noalias !288
-  %v2701 = fadd double %v2700, %v2698
-  %v2702 = fmul double %v2689, %v2701
-  %v2703 = getelementptr i8, ptr %v2694, i64 %v744
-  %v2704 = load double, ptr %v2703, align 8, !noalias !288
-  %v2705 = fadd double %v2704, %v2702
-  %v2706 = fmul double %v2682, %v2705
-  %v2707 = getelementptr i8, ptr %v2694, i64 %v745
-  %v2708 = load double, ptr %v2707, align 8, !noalias !288
-  %v2709 = fadd double %v2708, %v2706
-  %v2710 = fmul double %v2689, %v2709
-  %v2711 = getelementptr i8, ptr %v2694, i64 %v746
-  %v2712 = load double, ptr %v2711, align 8, !noalias !288
-  %v2713 = fadd double %v2712, %v2710
-  %v2714 = fmul double %v2682, %v2713
-  %v2715 = getelementptr i8, ptr %v2694, i64 %v747
-  %v2716 = load double, ptr %v2715, align 8, !noalias !288
-  %v2717 = fadd double %v2716, %v2714
-  %v2718 = fmul double %v2689, %v2717
-  %v2719 = getelementptr i8, ptr %v2694, i64 %v748
-  %v2720 = load double, ptr %v2719, align 8, !noalias !288
-  %v2721 = fadd double %v2720, %v2718
-  %v2722 = fmul double %v2682, %v2721
-  %v2692 = add nsw i64 %v2691, 1
-  %v2723 = load double, ptr %v2694, align 8, !noalias !288
-  %v2724 = fadd double %v2723, %v2722
-  %v2725 = getelementptr double, ptr %v736, i64 %v2693
-  store double %v2724, ptr %v2725, align 8, !noalias !281
-  %v2726 = icmp eq i64 %v10, %v2692
-  br i1 %v2726, label %v2688, label %v2690
-
-v2688:
-  %v2727 = icmp slt i64 %v2676, 8
-  %v2728 = select i1 %v2727, i64 16, i64 17
-  %v2729 = mul i64 %v2676, %v737
-  %v2730 = load i64, ptr %v738, align 8, !noalias !292
-  %v2731 = mul nsw i64 %v2728, %v10
-  %v2732 = getelementptr double, ptr %v158, i64 %v2731
-  %v2733 = getelementptr double, ptr %v186, i64 %v2729
-  %v2734 = inttoptr i64 %v2730 to ptr
-  tail call void %v2734(ptr nonnull %v733, ptr %v2732, ptr %v165, ptr %v172, ptr %v179, ptr %v2733), !noalias !292
-  br i1 %v739, label %v2735, label %v2665
-
-v2735:
-  %v2736 = icmp slt i64 %v2676, 0
-  %v2737 = select i1 %v2736, i64 %v205, i64 0
-  %v2738 = add i64 %v2737, %v2676
-  %v2739 = mul i64 %v2738, %v740
-  %v2740 = getelementptr double, ptr %v204, i64 %v2739
-  %v2741 = getelementptr double, ptr %v2740, i64 %v207
-  %v2742 = getelementptr i8, ptr %v2740, i64 %v741
-  br label %v2743
-
-v2744:
-  store double 0.000000e+00, ptr %v2745, align 8, !noalias !292
-  br label %v2746
-
-v2746:
-  %v2747 = fcmp uno double %v2748, 0.000000e+00
-  br i1 %v2747, label %v2749, label %v2750
-
-v2749:
-  %v2751 = icmp slt i64 %v2752, %v18
-  br i1 %v2751, label %v2753, label %v2754
-
-v2753:
-  %v2755 = add nsw i64 %v2752, %v17
-  %v2756 = icmp slt i64 %v2755, 0
-  %v2757 = select i1 %v2756, i64 %v166, i64 0
-  %v2758 = getelementptr double, ptr %v165, i64 %v2755
-  %v2759 = getelementptr double, ptr %v2758, i64 %v2757
-  %v2760 = load double, ptr %v2759, align 8, !noalias !292
-  br label %v2754
-
-v2754:
-  %v2761 = phi double [ %v2760, %v2753 ], [ 0.000000e+00, %v2749 ]
-  %v2762 = getelementptr double, ptr %v2740, i64 %v2752
-  %v2763 = load double, ptr %v2762, align 8, !noalias !292
-  %v2764 = fcmp une double %v2763, %v2761
-  br i1 %v2764, label %v2765, label %v2766
-
-v2765:
-  %v2767 = fcmp ord double %v2763, 0.000000e+00
-  br i1 %v2767, label %v2766, label %v2768
-
-v2768:
-  %v2769 = fcmp uno double %v2761, 0.000000e+00
-  %v2770 = select i1 %v2769, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2766
-
-v2766:
-  %v2771 = phi double [ 0xFFF0000000000000, %v2765 ], [ %v2770, %v2768 ], [ 0x7FF0000000000000, %v2754 ]
-  store double %v2771, ptr %v2772, align 8, !noalias !292
-  br label %v2750
-
-v2750:
-  %v2773 = icmp eq i64 %v207, %v2774
-  br i1 %v2773, label %v2665, label %v2743
-
-v2743:
-  %v2752 = phi i64 [ 0, %v2735 ], [ %v2774, %v2750 ]
-  %v2774 = add nsw i64 %v2752, 1
-  %v2772 = getelementptr double, ptr %v2741, i64 %v2752
-  %v2748 = load double, ptr %v2772, align 8, !noalias !292
-  %v2775 = tail call double @llvm.fabs.f64(double %v2748)
-  %v2745 = getelementptr double, ptr %v2742, i64 %v2752
-  %v2776 = load double, ptr %v2745, align 8, !noalias !292
-  %v2777 = fadd double %v2775, %v2776
-  %v2778 = fcmp ueq double %v2777, 0x7FF0000000000000
-  br i1 %v2778, label %v2744, label %v2746
-
-v2675:
-  %v2779 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2674 ], [ %v2780, %v2665 ]
-  %v2781 = phi i32 [ 1, %v2674 ], [ 0, %v2665 ]
-  br i1 %v2679, label %v2782, label %v2783, !prof !128
-
-v2784:
-  %v2785 = load double, ptr %v805, align 8, !noalias !277
-  %v2786 = fcmp ogt double %v2785, 5.000000e-01
-  br i1 %v2786, label %v2787, label %v2788
-
-v2787:
-  %v2789 = load i64, ptr %v6, align 8, !noalias !296
-  %v2790 = inttoptr i64 %v2789 to ptr
-  tail call void %v2790(ptr nonnull %v766, ptr %v810, ptr %v165, ptr %v172, ptr %v179, ptr %v812), !noalias !296
-  %v2791 = load double, ptr %v766, align 8, !noalias !277
-  store double %v2791, ptr %v768, align 8, !noalias !277
-  br label %v2792
-
-v2793:
-  %v2794 = sub nsw i64 45, %v2795
-  br label %v2796
-
-v2796:
-  %v2797 = phi double [ %v2798, %v2796 ], [ 1.000000e+00, %v2793 ]
-  %v2799 = phi double [ %v2800, %v2796 ], [ 2.000000e+00, %v2793 ]
-  %v2801 = phi i64 [ %v2802, %v2796 ], [ %v2794, %v2793 ]
-  %v2803 = and i64 %v2801, 1
-  %v2804 = icmp eq i64 %v2803, 0
-  %v2805 = fmul double %v2797, %v2799
-  %v2798 = select i1 %v2804, double %v2797, double %v2805
-  %v2802 = lshr i64 %v2801, 1
-  %v2800 = fmul double %v2799, %v2799
-  %v2806 = icmp eq i64 %v2802, 0
-  br i1 %v2806, label %v2807, label %v2796
-
-v2808:
-  %v2809 = fcmp olt double %v2810, 0.000000e+00
-  %v2811 = select i1 %v2809, double 0.000000e+00, double %v2810
-  %v2812 = fmul double %v2813, %v2811
-  %v2814 = fsub double %v2815, %v2812
-  br label %v2816
-
-v2807:
-  %v2817 = fadd double %v2818, %v2819
-  %v2815 = fmul double %v2817, 5.000000e-01
-  %v2820 = fmul double %v2798, 1.000000e-13
-  %v2821 = fsub double %v2820, %v2822
-  %v2810 = fmul double %v2821, 5.000000e-01
-  %v2823 = fmul double %v2824, %v2819
-  %v2825 = fmul double %v2826, %v2818
-  %v2827 = fsub double %v2823, %v2825
-  %v2828 = fsub double %v2824, %v2826
-  %v2829 = fdiv double %v2827, %v2828
-  %v2830 = fcmp olt double %v2819, %v2829
-  %v2831 = fcmp olt double %v2829, %v2818
-  %v2832 = and i1 %v2830, %v2831
-  %v2833 = select i1 %v2832, double %v2829, double %v2815
-  %v2834 = fsub double %v2815, %v2833
-  %v2813 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2834)
-  %v2835 = fmul double %v2822, %v2822
-  %v2836 = tail call double @llvm.fabs.f64(double %v2834)
-  %v2837 = fcmp olt double %v2836, %v2835
-  %v2838 = select i1 %v2837, double %v2836, double %v2835
-  %v2839 = fmul double %v2813, %v2838
-  %v2840 = fadd double %v2833, %v2839
-  %v2841 = fsub double %v2840, %v2815
-  %v2842 = tail call double @llvm.fabs.f64(double %v2841)
-  %v2843 = fcmp ugt double %v2842, %v2810
-  br i1 %v2843, label %v2808, label %v2816
-
-v2844:
-  br label %v2845
-
-v2845:
-  %v2846 = phi double [ %v2847, %v2844 ], [ %v2819, %v2848 ]
-  %v2849 = phi double [ %v2850, %v2844 ], [ %v2826, %v2848 ]
-  %v2851 = phi double [ %v2824, %v2844 ], [ %v2850, %v2848 ]
-  %v2852 = phi double [ %v2818, %v2844 ], [ %v2847, %v2848 ]
-  %v2853 = icmp eq i64 %v2854, 45
-  br i1 %v2853, label %v2855, label %v2856
-
-v2856:
-  %v2824 = phi double [ %v2851, %v2845 ], [ %v2857, %v2858 ]
-  %v2826 = phi double [ %v2849, %v2845 ], [ %v2859, %v2858 ]
-  %v2818 = phi double [ %v2852, %v2845 ], [ %v2860, %v2858 ]
-  %v2819 = phi double [ %v2846, %v2845 ], [ %v2861, %v2858 ]
-  %v2795 = phi i64 [ %v2854, %v2845 ], [ 0, %v2858 ]
-  %v2854 = add nsw i64 %v2795, 1
-  %v2822 = fsub double %v2818, %v2819
-  %v2862 = fcmp ugt double %v2822, 1.000000e-13
-  br i1 %v2862, label %v2793, label %v2855
+  br i1 %v305, label %v2814, label %v2815
 
 v2816:
-  %v2847 = phi double [ %v2840, %v2807 ], [ %v2814, %v2808 ]
-  %v2863 = load double, ptr %v133, align 8, !noalias !299
-  %v2864 = load double, ptr %v731, align 8, !noalias !299
-  %v2865 = fmul double %v2847, %v2864
-  %v2866 = fadd double %v2863, %v2865
-  store double %v2866, ptr %v733, align 8, !noalias !299
-  br i1 %v735, label %v2867, label %v2868
+  %v2817 = icmp ne i64 %v2818, 0
+  %v2819 = zext i1 %v2817 to i64
+  %v2820 = add i64 %v2821, %v2819
+  %v2822 = sext i1 %v2817 to i64
+  %v2823 = add nsw i64 %v2818, %v2822
+  %v2824 = select i1 %v2817, i64 %v2821, i64 0
+  br i1 %v2817, label %v2825, label %v2826
 
-v2867:
-  %v2869 = fsub double 1.000000e+00, %v2847
-  br label %v2870
+v2825:
+  %v2827 = phi i64 [ %v2824, %v2816 ], [ 0, %v2828 ]
+  %v2818 = phi i64 [ %v2823, %v2816 ], [ 8, %v2828 ]
+  %v2821 = phi i64 [ %v2820, %v2816 ], [ 1, %v2828 ]
+  %v2829 = add i64 %v2827, 9
+  %v2830 = icmp ult i64 %v2829, 18
+  br i1 %v2830, label %v2831, label %v2826
 
-v2870:
-  %v2871 = phi i64 [ 0, %v2867 ], [ %v2872, %v2870 ]
-  %v2873 = mul i64 %v2871, %v196
-  %v2874 = getelementptr double, ptr %v193, i64 %v2873
-  %v2875 = getelementptr i8, ptr %v2874, i64 %v742
-  %v2876 = load double, ptr %v2875, align 8, !noalias !308
-  %v2877 = fadd double %v2876, 0.000000e+00
-  %v2878 = fmul double %v2847, %v2877
-  %v2879 = getelementptr i8, ptr %v2874, i64 %v743
-  %v2880 = load double, ptr %v2879, align 8, !noalias !308
-  %v2881 = fadd double %v2880, %v2878
-  %v2882 = fmul double %v2869, %v2881
-  %v2883 = getelementptr i8, ptr %v2874, i64 %v744
-  %v2884 = load double, ptr %v2883, align 8, !noalias !308
-  %v2885 = fadd double %v2884, %v2882
-  %v2886 = fmul double %v2847, %v2885
-  %v2887 = getelementptr i8, ptr %v2874, i64 %v745
-  %v2888 = load double, ptr %v2887, align 8, !noalias !308
-  %v2889 = fadd double %v2888, %v2886
-  %v2890 = fmul double %v2869, %v2889
-  %v2891 = getelementptr i8, ptr %v2874, i64 %v746
-  %v2892 = load double, ptr %v2891, align 8, !noalias !308
-  %v2893 = fadd double %v2892, %v2890
-  %v2894 = fmul double %v2847, %v2893
-  %v2895 = getelementptr i8, ptr %v2874, i64 %v747
-  %v2896 = load double, ptr %v2895, align 8, !noalias !308
-  %v2897 = fadd double %v2896, %v2894
-  %v2898 = fmul double %v2869, %v2897
-  %v2899 = getelementptr i8, ptr %v2874, i64 %v748
-  %v2900 = load double, ptr %v2899, align 8, !noalias !308
-  %v2901 = fadd double %v2900, %v2898
-  %v2902 = fmul double %v2847, %v2901
-  %v2872 = add nsw i64 %v2871, 1
-  %v2903 = load double, ptr %v2874, align 8, !noalias !308
-  %v2904 = fadd double %v2903, %v2902
-  %v2905 = getelementptr double, ptr %v736, i64 %v2873
-  store double %v2904, ptr %v2905, align 8, !noalias !299
-  %v2906 = icmp eq i64 %v10, %v2872
-  br i1 %v2906, label %v2868, label %v2870
+v2831:
+  %v2832 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v2829
+  %v2833 = load double, ptr %v2832, align 8
+  %v2834 = load double, ptr %v133, align 8, !noalias !281
+  %v2835 = load double, ptr %v731, align 8, !noalias !281
+  %v2836 = fmul double %v2833, %v2835
+  %v2837 = fadd double %v2834, %v2836
+  store double %v2837, ptr %v733, align 8, !noalias !281
+  br i1 %v735, label %v2838, label %v2839
 
-v2907:
-  br i1 %v739, label %v2908, label %v2848
+v2838:
+  %v2840 = fsub double 1.000000e+00, %v2833
+  br label %v2841
 
-v2868:
-  %v2909 = load i64, ptr %v738, align 8, !noalias !312
-  %v2910 = inttoptr i64 %v2909 to ptr
-  tail call void %v2910(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !312
-  br i1 %v739, label %v2911, label %v2912
+v2841:
+  %v2842 = phi i64 [ 0, %v2838 ], [ %v2843, %v2841 ]
+  %v2844 = mul i64 %v2842, %v196
+  %v2845 = getelementptr double, ptr %v193, i64 %v2844
+  %v2846 = getelementptr i8, ptr %v2845, i64 %v742
+  %v2847 = load double, ptr %v2846, align 8, !noalias !288
+  %v2848 = fadd double %v2847, 0.000000e+00
+  %v2849 = fmul double %v2833, %v2848
+  %v2850 = getelementptr i8, ptr %v2845, i64 %v743
+  %v2851 = load double, ptr %v2850, align 8, !noalias !288
+  %v2852 = fadd double %v2851, %v2849
+  %v2853 = fmul double %v2840, %v2852
+  %v2854 = getelementptr i8, ptr %v2845, i64 %v744
+  %v2855 = load double, ptr %v2854, align 8, !noalias !288
+  %v2856 = fadd double %v2855, %v2853
+  %v2857 = fmul double %v2833, %v2856
+  %v2858 = getelementptr i8, ptr %v2845, i64 %v745
+  %v2859 = load double, ptr %v2858, align 8, !noalias !288
+  %v2860 = fadd double %v2859, %v2857
+  %v2861 = fmul double %v2840, %v2860
+  %v2862 = getelementptr i8, ptr %v2845, i64 %v746
+  %v2863 = load double, ptr %v2862, align 8, !noalias !288
+  %v2864 = fadd double %v2863, %v2861
+  %v2865 = fmul double %v2833, %v2864
+  %v2866 = getelementptr i8, ptr %v2845, i64 %v747
+  %v2867 = load double, ptr %v2866, align 8, !noalias !288
+  %v2868 = fadd double %v2867, %v2865
+  %v2869 = fmul double %v2840, %v2868
+  %v2870 = getelementptr i8, ptr %v2845, i64 %v748
+  %v2871 = load double, ptr %v2870, align 8, !noalias !288
+  %v2872 = fadd double %v2871, %v2869
+  %v2873 = fmul double %v2833, %v2872
+  %v2843 = add nsw i64 %v2842, 1
+  %v2874 = load double, ptr %v2845, align 8, !noalias !288
+  %v2875 = fadd double %v2874, %v2873
+  %v2876 = getelementptr double, ptr %v736, i64 %v2844
+  store double %v2875, ptr %v2876, align 8, !noalias !281
+  %v2877 = icmp eq i64 %v10, %v2843
+  br i1 %v2877, label %v2839, label %v2841
 
-v2913:
-  store double 0.000000e+00, ptr %v2914, align 8, !noalias !312
-  br label %v2915
+v2839:
+  %v2878 = icmp slt i64 %v2827, 8
+  %v2879 = select i1 %v2878, i64 16, i64 17
+  %v2880 = mul i64 %v2827, %v737
+  %v2881 = load i64, ptr %v738, align 8, !noalias !292
+  %v2882 = mul nsw i64 %v2879, %v10
+  %v2883 = getelementptr double, ptr %v158, i64 %v2882
+  %v2884 = getelementptr double, ptr %v186, i64 %v2880
+  %v2885 = inttoptr i64 %v2881 to ptr
+  tail call void %v2885(ptr nonnull %v733, ptr %v2883, ptr %v165, ptr %v172, ptr %v179, ptr %v2884), !noalias !292
+  br i1 %v739, label %v2886, label %v2816
 
-v2915:
-  %v2916 = fcmp uno double %v2917, 0.000000e+00
-  br i1 %v2916, label %v2918, label %v2919
+v2886:
+  %v2887 = icmp slt i64 %v2827, 0
+  %v2888 = select i1 %v2887, i64 %v205, i64 0
+  %v2889 = add i64 %v2888, %v2827
+  %v2890 = mul i64 %v2889, %v740
+  %v2891 = getelementptr double, ptr %v204, i64 %v2890
+  %v2892 = getelementptr double, ptr %v2891, i64 %v207
+  %v2893 = getelementptr i8, ptr %v2891, i64 %v741
+  br label %v2894
 
-v2918:
-  %v2920 = icmp slt i64 %v2921, %v18
-  br i1 %v2920, label %v2922, label %v2923
+v2895:
+  store double 0.000000e+00, ptr %v2896, align 8, !noalias !292
+  br label %v2897
 
-v2922:
-  %v2924 = add nsw i64 %v2921, %v17
-  %v2925 = icmp slt i64 %v2924, 0
-  %v2926 = select i1 %v2925, i64 %v166, i64 0
-  %v2927 = getelementptr double, ptr %v165, i64 %v2924
-  %v2928 = getelementptr double, ptr %v2927, i64 %v2926
-  %v2929 = load double, ptr %v2928, align 8, !noalias !312
-  br label %v2923
+v2897:
+  %v2898 = icmp slt i64 %v2899, %v18
+  br i1 %v2898, label %v2900, label %v2901
 
-v2923:
-  %v2930 = phi double [ %v2929, %v2922 ], [ 0.000000e+00, %v2918 ]
-  %v2931 = getelementptr double, ptr %v774, i64 %v2921
-  %v2932 = load double, ptr %v2931, align 8, !noalias !312
-  %v2933 = fcmp une double %v2932, %v2930
-  br i1 %v2933, label %v2934, label %v2935
-
-v2934:
-  %v2936 = fcmp ord double %v2932, 0.000000e+00
-  br i1 %v2936, label %v2935, label %v2937
-
-v2937:
-  %v2938 = fcmp uno double %v2930, 0.000000e+00
-  %v2939 = select i1 %v2938, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v2935
-
-v2935:
-  %v2940 = phi double [ 0xFFF0000000000000, %v2934 ], [ %v2939, %v2937 ], [ 0x7FF0000000000000, %v2923 ]
-  store double %v2940, ptr %v2941, align 8, !noalias !312
-  br label %v2919
-
-v2919:
-  %v2942 = icmp eq i64 %v207, %v2943
-  br i1 %v2942, label %v2912, label %v2911
+v2900:
+  %v2902 = getelementptr double, ptr %v2891, i64 %v2899
+  %v2903 = load double, ptr %v2902, align 8, !noalias !292
+  %v2904 = add nsw i64 %v2899, %v17
+  %v2905 = icmp slt i64 %v2904, 0
+  %v2906 = select i1 %v2905, i64 %v166, i64 0
+  %v2907 = getelementptr double, ptr %v165, i64 %v2904
+  %v2908 = getelementptr double, ptr %v2907, i64 %v2906
+  %v2909 = load double, ptr %v2908, align 8, !noalias !292
+  %v2910 = fcmp une double %v2903, %v2909
+  br i1 %v2910, label %v2911, label %v2901
 
 v2911:
-  %v2921 = phi i64 [ %v2943, %v2919 ], [ 0, %v2868 ]
-  %v2943 = add nsw i64 %v2921, 1
-  %v2941 = getelementptr double, ptr %v775, i64 %v2921
-  %v2917 = load double, ptr %v2941, align 8, !noalias !312
-  %v2944 = tail call double @llvm.fabs.f64(double %v2917)
-  %v2914 = getelementptr double, ptr %v776, i64 %v2921
-  %v2945 = load double, ptr %v2914, align 8, !noalias !312
-  %v2946 = fadd double %v2944, %v2945
-  %v2947 = fcmp ueq double %v2946, 0x7FF0000000000000
-  br i1 %v2947, label %v2913, label %v2915
+  %v2912 = fcmp ord double %v2903, 0.000000e+00
+  br i1 %v2912, label %v2901, label %v2913
 
-v2912:
-  br i1 %v779, label %v2948, label %v2907
+v2913:
+  %v2914 = fcmp ord double %v2909, 0.000000e+00
+  br label %v2901
 
-v2948:
-  %v2949 = phi i64 [ %v2950, %v2948 ], [ %v778, %v2912 ]
-  %v2951 = phi i64 [ %v2952, %v2948 ], [ %v18, %v2912 ]
-  %v2950 = add nsw i64 %v2949, -1
-  %v2952 = add i64 %v2951, 1
-  %v2953 = icmp slt i64 %v2951, 0
-  %v2954 = select i1 %v2953, i64 %v207, i64 0
-  %v2955 = add i64 %v2954, %v2951
-  %v2956 = getelementptr double, ptr %v782, i64 %v2955
-  %v2957 = load double, ptr %v2956, align 8, !noalias !316
-  %v2958 = getelementptr double, ptr %v776, i64 %v2955
-  store double %v2957, ptr %v2958, align 8, !noalias !316
-  %v2959 = icmp sgt i64 %v2949, 1
-  br i1 %v2959, label %v2948, label %v2907
+v2901:
+  %v2915 = phi i1 [ false, %v2897 ], [ true, %v2911 ], [ %v2914, %v2913 ], [ false, %v2900 ]
+  %v2916 = fcmp uno double %v2917, 0.000000e+00
+  %v2918 = fcmp oeq double %v2917, 0.000000e+00
+  %v2919 = and i1 %v2918, %v2915
+  %v2920 = or i1 %v2916, %v2919
+  br i1 %v2920, label %v2921, label %v2922
 
-v2908:
-  %v2960 = phi double [ %v2961, %v2908 ], [ 0x7FF0000000000000, %v2907 ]
-  %v2962 = phi i64 [ %v2963, %v2908 ], [ 0, %v2907 ]
-  %v2963 = add nsw i64 %v2962, 1
-  %v2964 = getelementptr double, ptr %v775, i64 %v2962
-  %v2965 = load double, ptr %v2964, align 8, !noalias !317
-  %v2966 = getelementptr double, ptr %v776, i64 %v2962
-  %v2967 = load double, ptr %v2966, align 8, !noalias !317
-  %v2968 = fadd double %v2965, %v2967
-  %v2969 = fcmp olt double %v2968, %v2960
-  %v2961 = select i1 %v2969, double %v2968, double %v2960
-  %v2970 = icmp eq i64 %v207, %v2963
-  br i1 %v2970, label %v2848, label %v2908
+v2921:
+  %v2923 = icmp sge i64 %v2899, %v18
+  %v2924 = or i1 %v2923, %v2915
+  %v2925 = select i1 %v2924, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v2925, ptr %v2926, align 8, !noalias !292
+  br label %v2922
 
-v2848:
-  %v2850 = phi double [ 0x7FF0000000000000, %v2907 ], [ %v2961, %v2908 ]
-  %v2971 = fcmp olt double %v2850, 0.000000e+00
-  br i1 %v2971, label %v2845, label %v2844
+v2922:
+  %v2927 = icmp eq i64 %v207, %v2928
+  br i1 %v2927, label %v2816, label %v2894
 
-v2788:
-  br i1 %v806, label %v2972, label %v2973
+v2894:
+  %v2899 = phi i64 [ 0, %v2886 ], [ %v2928, %v2922 ]
+  %v2928 = add nsw i64 %v2899, 1
+  %v2926 = getelementptr double, ptr %v2892, i64 %v2899
+  %v2917 = load double, ptr %v2926, align 8, !noalias !292
+  %v2929 = tail call double @llvm.fabs.f64(double %v2917)
+  %v2896 = getelementptr double, ptr %v2893, i64 %v2899
+  %v2930 = load double, ptr %v2896, align 8, !noalias !292
+  %v2931 = fadd double %v2929, %v2930
+  %v2932 = fcmp ueq double %v2931, 0x7FF0000000000000
+  br i1 %v2932, label %v2895, label %v2897
 
-v2972:
-  %v2974 = load i64, ptr %v796, align 8, !noalias !321
-  %v2975 = inttoptr i64 %v2974 to ptr
-  tail call void %v2975(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !321
-  br label %v2792
+v2826:
+  %v2933 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2825 ], [ %v2934, %v2816 ]
+  %v2935 = phi i32 [ 1, %v2825 ], [ 0, %v2816 ]
+  br i1 %v2830, label %v2936, label %v2937, !prof !128
 
-v2973:
-  %v2976 = phi i64 [ %v2977, %v2973 ], [ 0, %v2788 ]
-  %v2977 = add nsw i64 %v2976, 1
-  %v2978 = add nsw i64 %v2976, %v17
-  %v2979 = icmp slt i64 %v2978, 0
-  %v2980 = select i1 %v2979, i64 %v166, i64 0
-  %v2981 = getelementptr double, ptr %v165, i64 %v2978
-  %v2982 = getelementptr double, ptr %v2981, i64 %v2980
-  %v2983 = load double, ptr %v2982, align 8, !noalias !327
-  %v2984 = getelementptr double, ptr %v808, i64 %v2976
-  %v2985 = load double, ptr %v2984, align 8, !noalias !327
-  store double %v2985, ptr %v2982, align 8, !noalias !327
-  store double %v2983, ptr %v2984, align 8, !noalias !327
-  %v2986 = icmp eq i64 %v18, %v2977
-  br i1 %v2986, label %v2972, label %v2973
+v2938:
+  %v2939 = load double, ptr %v829, align 8, !noalias !277
+  %v2940 = fcmp ogt double %v2939, 5.000000e-01
+  br i1 %v2940, label %v2941, label %v2942
 
-v2663:
-  %v2987 = phi i64 [ %v2988, %v2663 ], [ 0, %v2662 ]
-  %v2988 = add nsw i64 %v2987, 1
-  %v2989 = add nsw i64 %v2987, %v17
-  %v2990 = icmp slt i64 %v2989, 0
-  %v2991 = select i1 %v2990, i64 %v166, i64 0
-  %v2992 = getelementptr double, ptr %v165, i64 %v2989
-  %v2993 = getelementptr double, ptr %v2992, i64 %v2991
-  %v2994 = load double, ptr %v2993, align 8, !noalias !277
-  %v2995 = getelementptr double, ptr %v787, i64 %v2987
-  store double %v2994, ptr %v2995, align 8, !noalias !277
-  %v2996 = icmp eq i64 %v18, %v2988
-  br i1 %v2996, label %v2664, label %v2663
+v2941:
+  %v2943 = load i64, ptr %v6, align 8, !noalias !296
+  %v2944 = inttoptr i64 %v2943 to ptr
+  tail call void %v2944(ptr nonnull %v790, ptr %v834, ptr %v165, ptr %v172, ptr %v179, ptr %v836), !noalias !296
+  %v2945 = load double, ptr %v790, align 8, !noalias !277
+  store double %v2945, ptr %v792, align 8, !noalias !277
+  br label %v2946
 
-v2664:
-  br label %v2997
+v2947:
+  %v2948 = sub nsw i64 45, %v2949
+  br label %v2950
 
-v2997:
-  %v2998 = phi double [ %v2999, %v2855 ], [ %v2158, %v2664 ]
-  %v2780 = phi ptr [ %v2779, %v2855 ], [ null, %v2664 ]
-  %v3000 = phi ptr [ %v3001, %v2855 ], [ null, %v2664 ]
-  %v3002 = phi i64 [ %v3003, %v2855 ], [ 32, %v2664 ]
-  %v3003 = add nsw i64 %v3002, -1
-  %v3004 = load double, ptr %v133, align 8, !noalias !328
-  %v3005 = load double, ptr %v731, align 8, !noalias !328
-  %v3006 = fmul double %v2998, %v3005
-  %v3007 = fadd double %v3004, %v3006
-  store double %v3007, ptr %v733, align 8, !noalias !328
-  br i1 %v735, label %v3008, label %v3009
+v2950:
+  %v2951 = phi double [ %v2952, %v2950 ], [ 1.000000e+00, %v2947 ]
+  %v2953 = phi double [ %v2954, %v2950 ], [ 2.000000e+00, %v2947 ]
+  %v2955 = phi i64 [ %v2956, %v2950 ], [ %v2948, %v2947 ]
+  %v2957 = and i64 %v2955, 1
+  %v2958 = icmp eq i64 %v2957, 0
+  %v2959 = fmul double %v2951, %v2953
+  %v2952 = select i1 %v2958, double %v2951, double %v2959
+  %v2956 = lshr i64 %v2955, 1
+  %v2954 = fmul double %v2953, %v2953
+  %v2960 = icmp eq i64 %v2956, 0
+  br i1 %v2960, label %v2961, label %v2950
 
-v3008:
-  %v3010 = fsub double 1.000000e+00, %v2998
-  br label %v3011
+v2962:
+  %v2963 = fcmp olt double %v2964, 0.000000e+00
+  %v2965 = select i1 %v2963, double 0.000000e+00, double %v2964
+  %v2966 = fmul double %v2967, %v2965
+  %v2968 = fsub double %v2969, %v2966
+  br label %v2970
 
-v3011:
-  %v3012 = phi i64 [ 0, %v3008 ], [ %v3013, %v3011 ]
-  %v3014 = mul i64 %v3012, %v196
-  %v3015 = getelementptr double, ptr %v193, i64 %v3014
-  %v3016 = getelementptr i8, ptr %v3015, i64 %v742
-  %v3017 = load double, ptr %v3016, align 8, !noalias !338
-  %v3018 = fadd double %v3017, 0.000000e+00
-  %v3019 = fmul double %v2998, %v3018
-  %v3020 = getelementptr i8, ptr %v3015, i64 %v743
-  %v3021 = load double, ptr %v3020, align 8, !noalias !338
-  %v3022 = fadd double %v3021, %v3019
-  %v3023 = fmul double %v3010, %v3022
-  %v3024 = getelementptr i8, ptr %v3015, i64 %v744
-  %v3025 = load double, ptr %v3024, align 8, !noalias !338
-  %v3026 = fadd double %v3025, %v3023
-  %v3027 = fmul double %v2998, %v3026
-  %v3028 = getelementptr i8, ptr %v3015, i64 %v745
-  %v3029 = load double, ptr %v3028, align 8, !noalias !338
-  %v3030 = fadd double %v3029, %v3027
-  %v3031 = fmul double %v3010, %v3030
-  %v3032 = getelementptr i8, ptr %v3015, i64 %v746
-  %v3033 = load double, ptr %v3032, align 8, !noalias !338
-  %v3034 = fadd double %v3033, %v3031
-  %v3035 = fmul double %v2998, %v3034
-  %v3036 = getelementptr i8, ptr %v3015, i64 %v747
-  %v3037 = load double, ptr %v3036, align 8, !noalias !338
-  %v3038 = fadd double %v3037, %v3035
-  %v3039 = fmul double %v3010, %v3038
-  %v3040 = getelementptr i8, ptr %v3015, i64 %v748
-  %v3041 = load double, ptr %v3040, align 8, !noalias !338
-  %v3042 = fadd double %v3041, %v3039
-  %v3043 = fmul double %v2998, %v3042
-  %v3013 = add nsw i64 %v3012, 1
-  %v3044 = load double, ptr %v3015, align 8, !noalias !338
-  %v3045 = fadd double %v3044, %v3043
-  %v3046 = getelementptr double, ptr %v790, i64 %v3014
-  store double %v3045, ptr %v3046, align 8, !noalias !328
-  %v3047 = icmp eq i64 %v10, %v3013
-  br i1 %v3047, label %v3009, label %v3011
+v2961:
+  %v2971 = fadd double %v2972, %v2973
+  %v2969 = fmul double %v2971, 5.000000e-01
+  %v2974 = fmul double %v2952, 1.000000e-13
+  %v2975 = fsub double %v2974, %v2976
+  %v2964 = fmul double %v2975, 5.000000e-01
+  %v2977 = fmul double %v2978, %v2973
+  %v2979 = fmul double %v2980, %v2972
+  %v2981 = fsub double %v2977, %v2979
+  %v2982 = fsub double %v2978, %v2980
+  %v2983 = fdiv double %v2981, %v2982
+  %v2984 = fcmp olt double %v2973, %v2983
+  %v2985 = fcmp olt double %v2983, %v2972
+  %v2986 = and i1 %v2984, %v2985
+  %v2987 = select i1 %v2986, double %v2983, double %v2969
+  %v2988 = fsub double %v2969, %v2987
+  %v2967 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2988)
+  %v2989 = fmul double %v2976, %v2976
+  %v2990 = tail call double @llvm.fabs.f64(double %v2988)
+  %v2991 = fcmp olt double %v2990, %v2989
+  %v2992 = select i1 %v2991, double %v2990, double %v2989
+  %v2993 = fmul double %v2967, %v2992
+  %v2994 = fadd double %v2987, %v2993
+  %v2995 = fsub double %v2994, %v2969
+  %v2996 = tail call double @llvm.fabs.f64(double %v2995)
+  %v2997 = fcmp ugt double %v2996, %v2964
+  br i1 %v2997, label %v2962, label %v2970
 
-v3009:
-  %v3048 = load i64, ptr %v738, align 8, !noalias !342
-  %v3049 = inttoptr i64 %v3048 to ptr
-  tail call void %v3049(ptr nonnull %v733, ptr %v770, ptr %v165, ptr %v172, ptr %v179, ptr %v772), !noalias !342
-  br i1 %v739, label %v3050, label %v3051
+v2998:
+  br label %v2999
 
-v3052:
-  store double 0.000000e+00, ptr %v3053, align 8, !noalias !342
-  br label %v3054
+v2999:
+  %v3000 = phi double [ %v3001, %v2998 ], [ %v2973, %v3002 ]
+  %v3003 = phi double [ %v3004, %v2998 ], [ %v2980, %v3002 ]
+  %v3005 = phi double [ %v2978, %v2998 ], [ %v3004, %v3002 ]
+  %v3006 = phi double [ %v2972, %v2998 ], [ %v3001, %v3002 ]
+  %v3007 = icmp eq i64 %v3008, 45
+  br i1 %v3007, label %v3009, label %v3010
 
-v3054:
-  %v3055 = fcmp uno double %v3056, 0.000000e+00
-  br i1 %v3055, label %v3057, label %v3058
+v3010:
+  %v2978 = phi double [ %v3005, %v2999 ], [ %v3011, %v3012 ]
+  %v2980 = phi double [ %v3003, %v2999 ], [ %v3013, %v3012 ]
+  %v2972 = phi double [ %v3006, %v2999 ], [ %v3014, %v3012 ]
+  %v2973 = phi double [ %v3000, %v2999 ], [ %v3015, %v3012 ]
+  %v2949 = phi i64 [ %v3008, %v2999 ], [ 0, %v3012 ]
+  %v3008 = add nsw i64 %v2949, 1
+  %v2976 = fsub double %v2972, %v2973
+  %v3016 = fcmp ugt double %v2976, 1.000000e-13
+  br i1 %v3016, label %v2947, label %v3009
 
-v3057:
-  %v3059 = icmp slt i64 %v3060, %v18
-  br i1 %v3059, label %v3061, label %v3062
+v2970:
+  %v3001 = phi double [ %v2994, %v2961 ], [ %v2968, %v2962 ]
+  %v3017 = load double, ptr %v133, align 8, !noalias !299
+  %v3018 = load double, ptr %v731, align 8, !noalias !299
+  %v3019 = fmul double %v3001, %v3018
+  %v3020 = fadd double %v3017, %v3019
+  store double %v3020, ptr %v733, align 8, !noalias !299
+  br i1 %v735, label %v3021, label %v3022
+
+v3021:
+  %v3023 = fsub double 1.000000e+00, %v3001
+  br label %v3024
+
+v3024:
+  %v3025 = phi i64 [ 0, %v3021 ], [ %v3026, %v3024 ]
+  %v3027 = mul i64 %v3025, %v196
+  %v3028 = getelementptr double, ptr %v193, i64 %v3027
+  %v3029 = getelementptr i8, ptr %v3028, i64 %v742
+  %v3030 = load double, ptr %v3029, align 8, !noalias !308
+  %v3031 = fadd double %v3030, 0.000000e+00
+  %v3032 = fmul double %v3001, %v3031
+  %v3033 = getelementptr i8, ptr %v3028, i64 %v743
+  %v3034 = load double, ptr %v3033, align 8, !noalias !308
+  %v3035 = fadd double %v3034, %v3032
+  %v3036 = fmul double %v3023, %v3035
+  %v3037 = getelementptr i8, ptr %v3028, i64 %v744
+  %v3038 = load double, ptr %v3037, align 8, !noalias !308
+  %v3039 = fadd double %v3038, %v3036
+  %v3040 = fmul double %v3001, %v3039
+  %v3041 = getelementptr i8, ptr %v3028, i64 %v745
+  %v3042 = load double, ptr %v3041, align 8, !noalias !308
+  %v3043 = fadd double %v3042, %v3040
+  %v3044 = fmul double %v3023, %v3043
+  %v3045 = getelementptr i8, ptr %v3028, i64 %v746
+  %v3046 = load double, ptr %v3045, align 8, !noalias !308
+  %v3047 = fadd double %v3046, %v3044
+  %v3048 = fmul double %v3001, %v3047
+  %v3049 = getelementptr i8, ptr %v3028, i64 %v747
+  %v3050 = load double, ptr %v3049, align 8, !noalias !308
+  %v3051 = fadd double %v3050, %v3048
+  %v3052 = fmul double %v3023, %v3051
+  %v3053 = getelementptr i8, ptr %v3028, i64 %v748
+  %v3054 = load double, ptr %v3053, align 8, !noalias !308
+  %v3055 = fadd double %v3054, %v3052
+  %v3056 = fmul double %v3001, %v3055
+  %v3026 = add nsw i64 %v3025, 1
+  %v3057 = load double, ptr %v3028, align 8, !noalias !308
+  %v3058 = fadd double %v3057, %v3056
+  %v3059 = getelementptr double, ptr %v736, i64 %v3027
+  store double %v3058, ptr %v3059, align 8, !noalias !299
+  %v3060 = icmp eq i64 %v10, %v3026
+  br i1 %v3060, label %v3022, label %v3024
 
 v3061:
-  %v3063 = add nsw i64 %v3060, %v17
-  %v3064 = icmp slt i64 %v3063, 0
-  %v3065 = select i1 %v3064, i64 %v166, i64 0
-  %v3066 = getelementptr double, ptr %v165, i64 %v3063
-  %v3067 = getelementptr double, ptr %v3066, i64 %v3065
-  %v3068 = load double, ptr %v3067, align 8, !noalias !342
-  br label %v3062
+  br i1 %v739, label %v3062, label %v3002
 
-v3062:
-  %v3069 = phi double [ %v3068, %v3061 ], [ 0.000000e+00, %v3057 ]
-  %v3070 = getelementptr double, ptr %v774, i64 %v3060
-  %v3071 = load double, ptr %v3070, align 8, !noalias !342
-  %v3072 = fcmp une double %v3071, %v3069
-  br i1 %v3072, label %v3073, label %v3074
+v3022:
+  %v3063 = load i64, ptr %v738, align 8, !noalias !312
+  %v3064 = inttoptr i64 %v3063 to ptr
+  tail call void %v3064(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !312
+  br i1 %v739, label %v3065, label %v3066
+
+v3067:
+  store double 0.000000e+00, ptr %v3068, align 8, !noalias !312
+  br label %v3069
+
+v3069:
+  %v3070 = icmp slt i64 %v3071, %v18
+  br i1 %v3070, label %v3072, label %v3073
+
+v3072:
+  %v3074 = getelementptr double, ptr %v798, i64 %v3071
+  %v3075 = load double, ptr %v3074, align 8, !noalias !312
+  %v3076 = add nsw i64 %v3071, %v17
+  %v3077 = icmp slt i64 %v3076, 0
+  %v3078 = select i1 %v3077, i64 %v166, i64 0
+  %v3079 = getelementptr double, ptr %v165, i64 %v3076
+  %v3080 = getelementptr double, ptr %v3079, i64 %v3078
+  %v3081 = load double, ptr %v3080, align 8, !noalias !312
+  %v3082 = fcmp une double %v3075, %v3081
+  br i1 %v3082, label %v3083, label %v3073
+
+v3083:
+  %v3084 = fcmp ord double %v3075, 0.000000e+00
+  br i1 %v3084, label %v3073, label %v3085
+
+v3085:
+  %v3086 = fcmp ord double %v3081, 0.000000e+00
+  br label %v3073
 
 v3073:
-  %v3075 = fcmp ord double %v3071, 0.000000e+00
-  br i1 %v3075, label %v3074, label %v3076
+  %v3087 = phi i1 [ false, %v3069 ], [ true, %v3083 ], [ %v3086, %v3085 ], [ false, %v3072 ]
+  %v3088 = fcmp uno double %v3089, 0.000000e+00
+  %v3090 = fcmp oeq double %v3089, 0.000000e+00
+  %v3091 = and i1 %v3090, %v3087
+  %v3092 = or i1 %v3088, %v3091
+  br i1 %v3092, label %v3093, label %v3094
 
-v3076:
-  %v3077 = fcmp uno double %v3069, 0.000000e+00
-  %v3078 = select i1 %v3077, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v3074
+v3093:
+  %v3095 = icmp sge i64 %v3071, %v18
+  %v3096 = or i1 %v3095, %v3087
+  %v3097 = select i1 %v3096, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v3097, ptr %v3098, align 8, !noalias !312
+  br label %v3094
 
-v3074:
-  %v3079 = phi double [ 0xFFF0000000000000, %v3073 ], [ %v3078, %v3076 ], [ 0x7FF0000000000000, %v3062 ]
-  store double %v3079, ptr %v3080, align 8, !noalias !342
-  br label %v3058
+v3094:
+  %v3099 = icmp eq i64 %v207, %v3100
+  br i1 %v3099, label %v3066, label %v3065
 
-v3058:
-  %v3081 = icmp eq i64 %v3082, %v207
-  br i1 %v3081, label %v3051, label %v3050
+v3065:
+  %v3071 = phi i64 [ %v3100, %v3094 ], [ 0, %v3022 ]
+  %v3100 = add nsw i64 %v3071, 1
+  %v3098 = getelementptr double, ptr %v799, i64 %v3071
+  %v3089 = load double, ptr %v3098, align 8, !noalias !312
+  %v3101 = tail call double @llvm.fabs.f64(double %v3089)
+  %v3068 = getelementptr double, ptr %v800, i64 %v3071
+  %v3102 = load double, ptr %v3068, align 8, !noalias !312
+  %v3103 = fadd double %v3101, %v3102
+  %v3104 = fcmp ueq double %v3103, 0x7FF0000000000000
+  br i1 %v3104, label %v3067, label %v3069
 
-v3050:
-  %v3060 = phi i64 [ %v3082, %v3058 ], [ 0, %v3009 ]
-  %v3082 = add nsw i64 %v3060, 1
-  %v3080 = getelementptr double, ptr %v775, i64 %v3060
-  %v3056 = load double, ptr %v3080, align 8, !noalias !342
-  %v3083 = tail call double @llvm.fabs.f64(double %v3056)
-  %v3053 = getelementptr double, ptr %v776, i64 %v3060
-  %v3084 = load double, ptr %v3053, align 8, !noalias !342
-  %v3085 = fadd double %v3083, %v3084
-  %v3086 = fcmp ueq double %v3085, 0x7FF0000000000000
-  br i1 %v3086, label %v3052, label %v3054
-
-v3051:
-  br i1 %v779, label %v3087, label %v3088
-
-v3087:
-  %v3089 = phi i64 [ %v3090, %v3087 ], [ %v777, %v3051 ]
-  %v3091 = phi i64 [ %v3092, %v3087 ], [ %v18, %v3051 ]
-  %v3090 = add nsw i64 %v3089, -1
-  %v3092 = add i64 %v3091, 1
-  %v3093 = icmp slt i64 %v3091, 0
-  %v3094 = select i1 %v3093, i64 %v207, i64 0
-  %v3095 = add i64 %v3094, %v3091
-  %v3096 = getelementptr double, ptr %v782, i64 %v3095
-  %v3097 = load double, ptr %v3096, align 8, !noalias !346
-  %v3098 = getelementptr double, ptr %v776, i64 %v3095
-  store double %v3097, ptr %v3098, align 8, !noalias !346
-  %v3099 = icmp sgt i64 %v3089, 1
-  br i1 %v3099, label %v3087, label %v3088
-
-v3088:
-  br label %v3100
-
-v3101:
-  br label %v3102
-
-v3102:
-  %v3103 = phi double [ %v2998, %v3100 ], [ 1.000000e+00, %v3104 ], [ 8.889000e-01, %v3105 ], [ 2.500000e-01, %v3106 ], [ 3.333000e-01, %v3107 ], [ 5.000000e-01, %v3108 ], [ 0x3FE50A3D70A3D70A, %v3109 ], [ 7.500000e-01, %v3110 ], [ 0x3FB48E8A71DE69AD, %v3101 ]
-  %v3111 = fcmp ult double %v3103, %v2998
-  br i1 %v3111, label %v3112, label %v3113
-
-v3113:
-  %v3114 = load double, ptr %v133, align 8, !noalias !347
-  %v3115 = load double, ptr %v731, align 8, !noalias !347
-  %v3116 = fmul double %v3103, %v3115
-  %v3117 = fadd double %v3114, %v3116
-  store double %v3117, ptr %v733, align 8, !noalias !347
-  br i1 %v735, label %v3118, label %v3119
-
-v3118:
-  %v3120 = fsub double 1.000000e+00, %v3103
-  br label %v3121
-
-v3121:
-  %v3122 = phi i64 [ 0, %v3118 ], [ %v3123, %v3121 ]
-  %v3124 = mul i64 %v3122, %v196
-  %v3125 = getelementptr double, ptr %v193, i64 %v3124
-  %v3126 = getelementptr i8, ptr %v3125, i64 %v742
-  %v3127 = load double, ptr %v3126, align 8, !noalias !351
-  %v3128 = fadd double %v3127, 0.000000e+00
-  %v3129 = fmul double %v3103, %v3128
-  %v3130 = getelementptr i8, ptr %v3125, i64 %v743
-  %v3131 = load double, ptr %v3130, align 8, !noalias !351
-  %v3132 = fadd double %v3131, %v3129
-  %v3133 = fmul double %v3120, %v3132
-  %v3134 = getelementptr i8, ptr %v3125, i64 %v744
-  %v3135 = load double, ptr %v3134, align 8, !noalias !351
-  %v3136 = fadd double %v3135, %v3133
-  %v3137 = fmul double %v3103, %v3136
-  %v3138 = getelementptr i8, ptr %v3125, i64 %v745
-  %v3139 = load double, ptr %v3138, align 8, !noalias !351
-  %v3140 = fadd double %v3139, %v3137
-  %v3141 = fmul double %v3120, %v3140
-  %v3142 = getelementptr i8, ptr %v3125, i64 %v746
-  %v3143 = load double, ptr %v3142, align 8, !noalias !351
-  %v3144 = fadd double %v3143, %v3141
-  %v3145 = fmul double %v3103, %v3144
-  %v3146 = getelementptr i8, ptr %v3125, i64 %v747
-  %v3147 = load double, ptr %v3146, align 8, !noalias !351
-  %v3148 = fadd double %v3147, %v3145
-  %v3149 = fmul double %v3120, %v3148
-  %v3150 = getelementptr i8, ptr %v3125, i64 %v748
-  %v3151 = load double, ptr %v3150, align 8, !noalias !351
-  %v3152 = fadd double %v3151, %v3149
-  %v3153 = fmul double %v3103, %v3152
-  %v3123 = add nsw i64 %v3122, 1
-  %v3154 = load double, ptr %v3125, align 8, !noalias !351
-  %v3155 = fadd double %v3154, %v3153
-  %v3156 = getelementptr double, ptr %v736, i64 %v3124
-  store double %v3155, ptr %v3156, align 8, !noalias !347
-  %v3157 = icmp eq i64 %v10, %v3123
-  br i1 %v3157, label %v3119, label %v3121
-
-v3112:
-  %v3158 = icmp ugt i64 %v3159, 1
-  br i1 %v3158, label %v3100, label %v3160
-
-v3160:
-  br i1 %v305, label %v3161, label %v3162
-
-v3162:
-  %v3163 = load i64, ptr %v796, align 8, !noalias !355
-  %v3164 = inttoptr i64 %v3163 to ptr
-  tail call void %v3164(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !355
-  br label %v3165
-
-v3161:
-  %v3166 = phi i64 [ %v3167, %v3161 ], [ 0, %v3160 ]
-  %v3167 = add nsw i64 %v3166, 1
-  %v3168 = add nsw i64 %v3166, %v17
-  %v3169 = icmp slt i64 %v3168, 0
-  %v3170 = select i1 %v3169, i64 %v166, i64 0
-  %v3171 = getelementptr double, ptr %v165, i64 %v3168
-  %v3172 = getelementptr double, ptr %v3171, i64 %v3170
-  %v3173 = load double, ptr %v3172, align 8, !noalias !361
-  %v3174 = getelementptr double, ptr %v774, i64 %v3166
-  %v3175 = load double, ptr %v3174, align 8, !noalias !361
-  store double %v3175, ptr %v3172, align 8, !noalias !361
-  store double %v3173, ptr %v3174, align 8, !noalias !361
-  %v3176 = icmp eq i64 %v3167, %v18
-  br i1 %v3176, label %v3162, label %v3161
-
-v3100:
-  %v3159 = phi i64 [ %v3177, %v3112 ], [ 9, %v3088 ]
-  %v3178 = phi i64 [ %v3179, %v3112 ], [ 8, %v3088 ]
-  %v3177 = add nsw i64 %v3159, -1
-  %v3179 = add nsw i64 %v3178, -1
-  switch i64 %v3178, label %v3165 [
-    i64 0, label %v3102
-    i64 -1, label %v3104
-    i64 8, label %v3104
-    i64 1, label %v3101
-    i64 -8, label %v3101
-    i64 2, label %v3106
-    i64 -7, label %v3106
-    i64 3, label %v3107
-    i64 -6, label %v3107
-    i64 4, label %v3108
-    i64 -5, label %v3108
-    i64 5, label %v3109
-    i64 -4, label %v3109
-    i64 6, label %v3110
-    i64 -3, label %v3110
-    i64 7, label %v3105
-    i64 -2, label %v3105
-  ]
-
-v3106:
-  br label %v3102
-
-v3107:
-  br label %v3102
-
-v3108:
-  br label %v3102
-
-v3109:
-  br label %v3102
-
-v3110:
-  br label %v3102
+v3066:
+  br i1 %v803, label %v3105, label %v3061
 
 v3105:
-  br label %v3102
+  %v3106 = phi i64 [ %v3107, %v3105 ], [ %v802, %v3066 ]
+  %v3108 = phi i64 [ %v3109, %v3105 ], [ %v18, %v3066 ]
+  %v3107 = add nsw i64 %v3106, -1
+  %v3109 = add i64 %v3108, 1
+  %v3110 = icmp slt i64 %v3108, 0
+  %v3111 = select i1 %v3110, i64 %v207, i64 0
+  %v3112 = add i64 %v3111, %v3108
+  %v3113 = getelementptr double, ptr %v806, i64 %v3112
+  %v3114 = load double, ptr %v3113, align 8, !noalias !316
+  %v3115 = getelementptr double, ptr %v800, i64 %v3112
+  store double %v3114, ptr %v3115, align 8, !noalias !316
+  %v3116 = icmp sgt i64 %v3106, 1
+  br i1 %v3116, label %v3105, label %v3061
 
-v3104:
-  br label %v3102
+v3062:
+  %v3117 = phi double [ %v3118, %v3062 ], [ 0x7FF0000000000000, %v3061 ]
+  %v3119 = phi i64 [ %v3120, %v3062 ], [ 0, %v3061 ]
+  %v3120 = add nsw i64 %v3119, 1
+  %v3121 = getelementptr double, ptr %v799, i64 %v3119
+  %v3122 = load double, ptr %v3121, align 8, !noalias !317
+  %v3123 = getelementptr double, ptr %v800, i64 %v3119
+  %v3124 = load double, ptr %v3123, align 8, !noalias !317
+  %v3125 = fadd double %v3122, %v3124
+  %v3126 = fcmp olt double %v3125, %v3117
+  %v3118 = select i1 %v3126, double %v3125, double %v3117
+  %v3127 = icmp eq i64 %v207, %v3120
+  br i1 %v3127, label %v3002, label %v3062
 
-v3119:
-  %v3180 = load i64, ptr %v6, align 8, !noalias !362
-  %v3181 = inttoptr i64 %v3180 to ptr
-  tail call void %v3181(ptr nonnull %v733, ptr %v793, ptr %v165, ptr %v172, ptr %v179, ptr %v795), !noalias !362
-  br i1 %v305, label %v3182, label %v3183
+v3002:
+  %v3004 = phi double [ 0x7FF0000000000000, %v3061 ], [ %v3118, %v3062 ]
+  %v3128 = fcmp olt double %v3004, 0.000000e+00
+  br i1 %v3128, label %v2999, label %v2998
 
-v3184:
-  %v3185 = phi i64 [ 0, %v3186 ], [ %v3187, %v3188 ]
-  %v3189 = icmp eq i64 %v3185, %v788
-  br i1 %v3189, label %v3112, label %v3188
+v2942:
+  br i1 %v830, label %v3129, label %v3130
 
-v3190:
-  %v3191 = load i64, ptr %v796, align 8, !noalias !368
-  %v3192 = inttoptr i64 %v3191 to ptr
-  tail call void %v3192(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
-  %v3193 = load i64, ptr %v6, align 8, !noalias !374
-  %v3194 = inttoptr i64 %v3193 to ptr
-  tail call void %v3194(ptr nonnull %v733, ptr %v793, ptr %v165, ptr %v172, ptr %v179, ptr %v798), !noalias !374
-  br label %v3195
+v3129:
+  %v3131 = load i64, ptr %v820, align 8, !noalias !321
+  %v3132 = inttoptr i64 %v3131 to ptr
+  tail call void %v3132(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !321
+  br label %v2946
 
-v3182:
-  %v3196 = phi i64 [ %v3197, %v3182 ], [ 0, %v3119 ]
-  %v3197 = add nsw i64 %v3196, 1
-  %v3198 = add nsw i64 %v3196, %v17
-  %v3199 = icmp slt i64 %v3198, 0
-  %v3200 = select i1 %v3199, i64 %v166, i64 0
-  %v3201 = getelementptr double, ptr %v165, i64 %v3198
-  %v3202 = getelementptr double, ptr %v3201, i64 %v3200
-  %v3203 = load double, ptr %v3202, align 8, !noalias !377
-  %v3204 = getelementptr double, ptr %v774, i64 %v3196
-  %v3205 = load double, ptr %v3204, align 8, !noalias !377
-  store double %v3205, ptr %v3202, align 8, !noalias !377
-  store double %v3203, ptr %v3204, align 8, !noalias !377
-  %v3206 = icmp eq i64 %v18, %v3197
-  br i1 %v3206, label %v3190, label %v3182
+v3130:
+  %v3133 = phi i64 [ %v3134, %v3130 ], [ 0, %v2942 ]
+  %v3134 = add nsw i64 %v3133, 1
+  %v3135 = add nsw i64 %v3133, %v17
+  %v3136 = icmp slt i64 %v3135, 0
+  %v3137 = select i1 %v3136, i64 %v166, i64 0
+  %v3138 = getelementptr double, ptr %v165, i64 %v3135
+  %v3139 = getelementptr double, ptr %v3138, i64 %v3137
+  %v3140 = load double, ptr %v3139, align 8, !noalias !327
+  %v3141 = getelementptr double, ptr %v832, i64 %v3133
+  %v3142 = load double, ptr %v3141, align 8, !noalias !327
+  store double %v3142, ptr %v3139, align 8, !noalias !327
+  store double %v3140, ptr %v3141, align 8, !noalias !327
+  %v3143 = icmp eq i64 %v18, %v3134
+  br i1 %v3143, label %v3129, label %v3130
 
-v3183:
-  %v3207 = load i64, ptr %v796, align 8, !noalias !368
-  %v3208 = inttoptr i64 %v3207 to ptr
-  tail call void %v3208(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
-  %v3209 = load i64, ptr %v6, align 8, !noalias !374
-  %v3210 = inttoptr i64 %v3209 to ptr
-  tail call void %v3210(ptr nonnull %v733, ptr %v793, ptr %v165, ptr %v172, ptr %v179, ptr %v798), !noalias !374
-  br label %v3186
+v2814:
+  %v3144 = phi i64 [ %v3145, %v2814 ], [ 0, %v2813 ]
+  %v3145 = add nsw i64 %v3144, 1
+  %v3146 = add nsw i64 %v3144, %v17
+  %v3147 = icmp slt i64 %v3146, 0
+  %v3148 = select i1 %v3147, i64 %v166, i64 0
+  %v3149 = getelementptr double, ptr %v165, i64 %v3146
+  %v3150 = getelementptr double, ptr %v3149, i64 %v3148
+  %v3151 = load double, ptr %v3150, align 8, !noalias !277
+  %v3152 = getelementptr double, ptr %v811, i64 %v3144
+  store double %v3151, ptr %v3152, align 8, !noalias !277
+  %v3153 = icmp eq i64 %v18, %v3145
+  br i1 %v3153, label %v2815, label %v2814
 
-v3186:
-  %v3211 = load i64, ptr %v796, align 8, !noalias !378
-  %v3212 = inttoptr i64 %v3211 to ptr
-  tail call void %v3212(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !378
-  %v3213 = load double, ptr %v23, align 8, !noalias !384
-  %v3214 = load double, ptr %v799, align 8, !noalias !384
-  br label %v3184
+v2815:
+  br label %v3154
 
-v3195:
-  %v3215 = phi i64 [ %v3216, %v3195 ], [ 0, %v3190 ]
-  %v3216 = add nsw i64 %v3215, 1
-  %v3217 = add nsw i64 %v3215, %v17
-  %v3218 = icmp slt i64 %v3217, 0
-  %v3219 = select i1 %v3218, i64 %v166, i64 0
-  %v3220 = getelementptr double, ptr %v165, i64 %v3217
-  %v3221 = getelementptr double, ptr %v3220, i64 %v3219
-  %v3222 = load double, ptr %v3221, align 8, !noalias !385
-  %v3223 = getelementptr double, ptr %v774, i64 %v3215
-  %v3224 = load double, ptr %v3223, align 8, !noalias !385
-  store double %v3224, ptr %v3221, align 8, !noalias !385
-  store double %v3222, ptr %v3223, align 8, !noalias !385
-  %v3225 = icmp eq i64 %v18, %v3216
-  br i1 %v3225, label %v3186, label %v3195
-
-v3188:
-  %v3187 = add i64 %v3185, 1
-  %v3226 = mul i64 %v3185, %v196
-  %v3227 = getelementptr double, ptr %v801, i64 %v3226
-  %v3228 = load double, ptr %v3227, align 8, !noalias !384
-  %v3229 = getelementptr double, ptr %v803, i64 %v3226
-  %v3230 = load double, ptr %v3229, align 8, !noalias !384
-  %v3231 = fsub double %v3228, %v3230
-  %v3232 = tail call double @llvm.fabs.f64(double %v3231)
-  %v3233 = getelementptr double, ptr %v193, i64 %v3226
-  %v3234 = load double, ptr %v3233, align 8, !noalias !384
-  %v3235 = tail call double @llvm.fabs.f64(double %v3234)
-  %v3236 = fmul double %v3213, %v3235
-  %v3237 = fadd double %v3214, %v3236
-  %v3238 = load double, ptr %v731, align 8, !noalias !384
-  %v3239 = fmul double %v3238, %v3232
-  %v3240 = fmul double %v3237, 1.000000e-01
-  %v3241 = fcmp ugt double %v3239, %v3240
-  br i1 %v3241, label %v3165, label %v3184
+v3154:
+  %v3155 = phi double [ %v3156, %v3009 ], [ %v2300, %v2815 ]
+  %v2934 = phi ptr [ %v2933, %v3009 ], [ null, %v2815 ]
+  %v3157 = phi ptr [ %v3158, %v3009 ], [ null, %v2815 ]
+  %v3159 = phi i64 [ %v3160, %v3009 ], [ 32, %v2815 ]
+  %v3160 = add nsw i64 %v3159, -1
+  %v3161 = load double, ptr %v133, align 8, !noalias !328
+  %v3162 = load double, ptr %v731, align 8, !noalias !328
+  %v3163 = fmul double %v3155, %v3162
+  %v3164 = fadd double %v3161, %v3163
+  store double %v3164, ptr %v733, align 8, !noalias !328
+  br i1 %v735, label %v3165, label %v3166
 
 v3165:
-  %v3242 = phi i1 [ false, %v3188 ], [ true, %v3162 ], [ true, %v3100 ]
-  %v3001 = phi ptr [ %v3000, %v3188 ], [ %v3000, %v3162 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.54, %v3100 ]
-  %v3243 = phi i1 [ true, %v3188 ], [ true, %v3162 ], [ false, %v3100 ]
-  %v3244 = phi i32 [ 0, %v3188 ], [ 0, %v3162 ], [ 1, %v3100 ]
-  br i1 %v3243, label %v2677, label %v2783, !prof !128
+  %v3167 = fsub double 1.000000e+00, %v3155
+  br label %v3168
 
-v2677:
-  br i1 %v3242, label %v2674, label %v2788
+v3168:
+  %v3169 = phi i64 [ 0, %v3165 ], [ %v3170, %v3168 ]
+  %v3171 = mul i64 %v3169, %v196
+  %v3172 = getelementptr double, ptr %v193, i64 %v3171
+  %v3173 = getelementptr i8, ptr %v3172, i64 %v742
+  %v3174 = load double, ptr %v3173, align 8, !noalias !338
+  %v3175 = fadd double %v3174, 0.000000e+00
+  %v3176 = fmul double %v3155, %v3175
+  %v3177 = getelementptr i8, ptr %v3172, i64 %v743
+  %v3178 = load double, ptr %v3177, align 8, !noalias !338
+  %v3179 = fadd double %v3178, %v3176
+  %v3180 = fmul double %v3167, %v3179
+  %v3181 = getelementptr i8, ptr %v3172, i64 %v744
+  %v3182 = load double, ptr %v3181, align 8, !noalias !338
+  %v3183 = fadd double %v3182, %v3180
+  %v3184 = fmul double %v3155, %v3183
+  %v3185 = getelementptr i8, ptr %v3172, i64 %v745
+  %v3186 = load double, ptr %v3185, align 8, !noalias !338
+  %v3187 = fadd double %v3186, %v3184
+  %v3188 = fmul double %v3167, %v3187
+  %v3189 = getelementptr i8, ptr %v3172, i64 %v746
+  %v3190 = load double, ptr %v3189, align 8, !noalias !338
+  %v3191 = fadd double %v3190, %v3188
+  %v3192 = fmul double %v3155, %v3191
+  %v3193 = getelementptr i8, ptr %v3172, i64 %v747
+  %v3194 = load double, ptr %v3193, align 8, !noalias !338
+  %v3195 = fadd double %v3194, %v3192
+  %v3196 = fmul double %v3167, %v3195
+  %v3197 = getelementptr i8, ptr %v3172, i64 %v748
+  %v3198 = load double, ptr %v3197, align 8, !noalias !338
+  %v3199 = fadd double %v3198, %v3196
+  %v3200 = fmul double %v3155, %v3199
+  %v3170 = add nsw i64 %v3169, 1
+  %v3201 = load double, ptr %v3172, align 8, !noalias !338
+  %v3202 = fadd double %v3201, %v3200
+  %v3203 = getelementptr double, ptr %v814, i64 %v3171
+  store double %v3202, ptr %v3203, align 8, !noalias !328
+  %v3204 = icmp eq i64 %v10, %v3170
+  br i1 %v3204, label %v3166, label %v3168
 
-v2782:
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v300, i8 0, i64 32, i1 false), !noalias !277
-  %v3245 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v2998)
-  %v3246 = icmp eq i32 %v3245, 0
-  br i1 %v3246, label %v3247, label %v3248, !prof !128
+v3166:
+  %v3205 = load i64, ptr %v738, align 8, !noalias !342
+  %v3206 = inttoptr i64 %v3205 to ptr
+  tail call void %v3206(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !342
+  br i1 %v739, label %v3207, label %v3208
 
-v3248:
-  %v3249 = load ptr, ptr %v301, align 8, !noalias !277
-  br label %v2792
+v3209:
+  store double 0.000000e+00, ptr %v3210, align 8, !noalias !342
+  br label %v3211
+
+v3211:
+  %v3212 = icmp slt i64 %v3213, %v18
+  br i1 %v3212, label %v3214, label %v3215
+
+v3214:
+  %v3216 = getelementptr double, ptr %v798, i64 %v3213
+  %v3217 = load double, ptr %v3216, align 8, !noalias !342
+  %v3218 = add nsw i64 %v3213, %v17
+  %v3219 = icmp slt i64 %v3218, 0
+  %v3220 = select i1 %v3219, i64 %v166, i64 0
+  %v3221 = getelementptr double, ptr %v165, i64 %v3218
+  %v3222 = getelementptr double, ptr %v3221, i64 %v3220
+  %v3223 = load double, ptr %v3222, align 8, !noalias !342
+  %v3224 = fcmp une double %v3217, %v3223
+  br i1 %v3224, label %v3225, label %v3215
+
+v3225:
+  %v3226 = fcmp ord double %v3217, 0.000000e+00
+  br i1 %v3226, label %v3215, label %v3227
+
+v3227:
+  %v3228 = fcmp ord double %v3223, 0.000000e+00
+  br label %v3215
+
+v3215:
+  %v3229 = phi i1 [ false, %v3211 ], [ true, %v3225 ], [ %v3228, %v3227 ], [ false, %v3214 ]
+  %v3230 = fcmp uno double %v3231, 0.000000e+00
+  %v3232 = fcmp oeq double %v3231, 0.000000e+00
+  %v3233 = and i1 %v3232, %v3229
+  %v3234 = or i1 %v3230, %v3233
+  br i1 %v3234, label %v3235, label %v3236
+
+v3235:
+  %v3237 = icmp sge i64 %v3213, %v18
+  %v3238 = or i1 %v3237, %v3229
+  %v3239 = select i1 %v3238, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v3239, ptr %v3240, align 8, !noalias !342
+  br label %v3236
+
+v3236:
+  %v3241 = icmp eq i64 %v3242, %v207
+  br i1 %v3241, label %v3208, label %v3207
+
+v3207:
+  %v3213 = phi i64 [ %v3242, %v3236 ], [ 0, %v3166 ]
+  %v3242 = add nsw i64 %v3213, 1
+  %v3240 = getelementptr double, ptr %v799, i64 %v3213
+  %v3231 = load double, ptr %v3240, align 8, !noalias !342
+  %v3243 = tail call double @llvm.fabs.f64(double %v3231)
+  %v3210 = getelementptr double, ptr %v800, i64 %v3213
+  %v3244 = load double, ptr %v3210, align 8, !noalias !342
+  %v3245 = fadd double %v3243, %v3244
+  %v3246 = fcmp ueq double %v3245, 0x7FF0000000000000
+  br i1 %v3246, label %v3209, label %v3211
+
+v3208:
+  br i1 %v803, label %v3247, label %v3248
 
 v3247:
-  %v3250 = load i64, ptr %v762, align 8, !noalias !277
-  %v3251 = icmp slt i64 %v3250, 0
-  br i1 %v3251, label %v2784, label %v2858
+  %v3249 = phi i64 [ %v3250, %v3247 ], [ %v801, %v3208 ]
+  %v3251 = phi i64 [ %v3252, %v3247 ], [ %v18, %v3208 ]
+  %v3250 = add nsw i64 %v3249, -1
+  %v3252 = add i64 %v3251, 1
+  %v3253 = icmp slt i64 %v3251, 0
+  %v3254 = select i1 %v3253, i64 %v207, i64 0
+  %v3255 = add i64 %v3254, %v3251
+  %v3256 = getelementptr double, ptr %v806, i64 %v3255
+  %v3257 = load double, ptr %v3256, align 8, !noalias !346
+  %v3258 = getelementptr double, ptr %v800, i64 %v3255
+  store double %v3257, ptr %v3258, align 8, !noalias !346
+  %v3259 = icmp sgt i64 %v3249, 1
+  br i1 %v3259, label %v3247, label %v3248
 
-v2858:
-  %v2861 = load double, ptr %v300, align 8, !noalias !277
-  %v2860 = load double, ptr %v783, align 8, !noalias !277
-  %v2859 = load double, ptr %v784, align 8, !noalias !277
-  %v2857 = load double, ptr %v785, align 8, !noalias !277
-  br label %v2856
-
-v2855:
-  %v2999 = phi double [ %v2852, %v2845 ], [ %v2818, %v2856 ]
-  %v3252 = icmp ugt i64 %v3002, 1
-  br i1 %v3252, label %v2997, label %v2788
-
-v2783:
-  %v3253 = phi ptr [ %v2779, %v2675 ], [ %v3001, %v3165 ]
-  %v3254 = phi i32 [ %v2781, %v2675 ], [ %v3244, %v3165 ]
-  %v3255 = icmp ne i32 %v3254, 0
-  br label %v2792
-
-v2792:
-  %v3256 = phi i1 [ true, %v2787 ], [ false, %v2972 ], [ true, %v3248 ], [ %v3255, %v2783 ]
-  %v3257 = phi ptr [ null, %v2787 ], [ null, %v2972 ], [ %v3249, %v3248 ], [ %v3253, %v2783 ]
-  %v3258 = phi i1 [ false, %v2787 ], [ false, %v2972 ], [ true, %v3248 ], [ %v3255, %v2783 ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %v300), !noalias !151
-  call void @llvm.lifetime.end.p0(ptr nonnull %v301), !noalias !151
-  %v3259 = select i1 %v3258, ptr %v3257, ptr null, !prof !386
-  %v3260 = xor i1 %v3258, true
-  br i1 %v3256, label %v1969, label %v3261, !prof !387
+v3248:
+  br label %v3260
 
 v3261:
-  %v3262 = load double, ptr %v814, align 8, !noalias !151
-  %v3263 = fcmp olt double %v3262, 5.000000e-01
-  br i1 %v3263, label %v1969, label %v2650
+  br label %v3262
 
-v2650:
-  store double 1.000000e+00, ptr %v834, align 8, !noalias !151
-  %v3264 = load double, ptr %v764, align 8, !noalias !388
-  %v3265 = load double, ptr %v92, align 8, !noalias !388
-  %v3266 = fsub double %v3264, %v3265
-  %v3267 = fmul double %v3266, 1.000000e-13
-  %v3268 = load double, ptr %v133, align 8, !noalias !388
-  %v3269 = tail call double @llvm.fabs.f64(double %v3268)
-  %v3270 = fmul double %v3269, 4.000000e-15
-  %v3271 = fcmp ogt double %v3270, %v3267
-  %v3272 = select i1 %v3271, double %v3270, double %v3267
-  %v3273 = fdiv double %v3272, %v1971
-  %v3274 = fcmp ogt double %v3273, %v2158
-  %v3275 = select i1 %v3274, double %v3273, double %v2158
-  %v3276 = fcmp ult double %v3275, 1.000000e+00
-  br i1 %v3276, label %v3277, label %v1969
+v3262:
+  %v3263 = phi double [ %v3155, %v3260 ], [ 1.000000e+00, %v3264 ], [ 8.889000e-01, %v3265 ], [ 2.500000e-01, %v3266 ], [ 3.333000e-01, %v3267 ], [ 5.000000e-01, %v3268 ], [ 0x3FE50A3D70A3D70A, %v3269 ], [ 7.500000e-01, %v3270 ], [ 0x3FB48E8A71DE69AD, %v3261 ]
+  %v3271 = fcmp ult double %v3263, %v3155
+  br i1 %v3271, label %v3272, label %v3273
 
-v3277:
-  %v3278 = fsub double 1.000000e+00, %v3275
-  br i1 %v698, label %v3279, label %v3280
+v3273:
+  %v3274 = load double, ptr %v133, align 8, !noalias !347
+  %v3275 = load double, ptr %v731, align 8, !noalias !347
+  %v3276 = fmul double %v3263, %v3275
+  %v3277 = fadd double %v3274, %v3276
+  store double %v3277, ptr %v733, align 8, !noalias !347
+  br i1 %v735, label %v3278, label %v3279
+
+v3278:
+  %v3280 = fsub double 1.000000e+00, %v3263
+  br label %v3281
+
+v3281:
+  %v3282 = phi i64 [ 0, %v3278 ], [ %v3283, %v3281 ]
+  %v3284 = mul i64 %v3282, %v196
+  %v3285 = getelementptr double, ptr %v193, i64 %v3284
+  %v3286 = getelementptr i8, ptr %v3285, i64 %v742
+  %v3287 = load double, ptr %v3286, align 8, !noalias !351
+  %v3288 = fadd double %v3287, 0.000000e+00
+  %v3289 = fmul double %v3263, %v3288
+  %v3290 = getelementptr i8, ptr %v3285, i64 %v743
+  %v3291 = load double, ptr %v3290, align 8, !noalias !351
+  %v3292 = fadd double %v3291, %v3289
+  %v3293 = fmul double %v3280, %v3292
+  %v3294 = getelementptr i8, ptr %v3285, i64 %v744
+  %v3295 = load double, ptr %v3294, align 8, !noalias !351
+  %v3296 = fadd double %v3295, %v3293
+  %v3297 = fmul double %v3263, %v3296
+  %v3298 = getelementptr i8, ptr %v3285, i64 %v745
+  %v3299 = load double, ptr %v3298, align 8, !noalias !351
+  %v3300 = fadd double %v3299, %v3297
+  %v3301 = fmul double %v3280, %v3300
+  %v3302 = getelementptr i8, ptr %v3285, i64 %v746
+  %v3303 = load double, ptr %v3302, align 8, !noalias !351
+  %v3304 = fadd double %v3303, %v3301
+  %v3305 = fmul double %v3263, %v3304
+  %v3306 = getelementptr i8, ptr %v3285, i64 %v747
+  %v3307 = load double, ptr %v3306, align 8, !noalias !351
+  %v3308 = fadd double %v3307, %v3305
+  %v3309 = fmul double %v3280, %v3308
+  %v3310 = getelementptr i8, ptr %v3285, i64 %v748
+  %v3311 = load double, ptr %v3310, align 8, !noalias !351
+  %v3312 = fadd double %v3311, %v3309
+  %v3313 = fmul double %v3263, %v3312
+  %v3283 = add nsw i64 %v3282, 1
+  %v3314 = load double, ptr %v3285, align 8, !noalias !351
+  %v3315 = fadd double %v3314, %v3313
+  %v3316 = getelementptr double, ptr %v736, i64 %v3284
+  store double %v3315, ptr %v3316, align 8, !noalias !347
+  %v3317 = icmp eq i64 %v10, %v3283
+  br i1 %v3317, label %v3279, label %v3281
+
+v3272:
+  %v3318 = icmp ugt i64 %v3319, 1
+  br i1 %v3318, label %v3260, label %v3320
+
+v3320:
+  br i1 %v305, label %v3321, label %v3322
+
+v3322:
+  %v3323 = load i64, ptr %v820, align 8, !noalias !355
+  %v3324 = inttoptr i64 %v3323 to ptr
+  tail call void %v3324(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !355
+  br label %v3325
+
+v3321:
+  %v3326 = phi i64 [ %v3327, %v3321 ], [ 0, %v3320 ]
+  %v3327 = add nsw i64 %v3326, 1
+  %v3328 = add nsw i64 %v3326, %v17
+  %v3329 = icmp slt i64 %v3328, 0
+  %v3330 = select i1 %v3329, i64 %v166, i64 0
+  %v3331 = getelementptr double, ptr %v165, i64 %v3328
+  %v3332 = getelementptr double, ptr %v3331, i64 %v3330
+  %v3333 = load double, ptr %v3332, align 8, !noalias !361
+  %v3334 = getelementptr double, ptr %v798, i64 %v3326
+  %v3335 = load double, ptr %v3334, align 8, !noalias !361
+  store double %v3335, ptr %v3332, align 8, !noalias !361
+  store double %v3333, ptr %v3334, align 8, !noalias !361
+  %v3336 = icmp eq i64 %v3327, %v18
+  br i1 %v3336, label %v3322, label %v3321
+
+v3260:
+  %v3319 = phi i64 [ %v3337, %v3272 ], [ 9, %v3248 ]
+  %v3338 = phi i64 [ %v3339, %v3272 ], [ 8, %v3248 ]
+  %v3337 = add nsw i64 %v3319, -1
+  %v3339 = add nsw i64 %v3338, -1
+  switch i64 %v3338, label %v3325 [
+    i64 0, label %v3262
+    i64 -1, label %v3264
+    i64 8, label %v3264
+    i64 1, label %v3261
+    i64 -8, label %v3261
+    i64 2, label %v3266
+    i64 -7, label %v3266
+    i64 3, label %v3267
+    i64 -6, label %v3267
+    i64 4, label %v3268
+    i64 -5, label %v3268
+    i64 5, label %v3269
+    i64 -4, label %v3269
+    i64 6, label %v3270
+    i64 -3, label %v3270
+    i64 7, label %v3265
+    i64 -2, label %v3265
+  ]
+
+v3266:
+  br label %v3262
+
+v3267:
+  br label %v3262
+
+v3268:
+  br label %v3262
+
+v3269:
+  br label %v3262
+
+v3270:
+  br label %v3262
+
+v3265:
+  br label %v3262
+
+v3264:
+  br label %v3262
 
 v3279:
-  %v3281 = load double, ptr %v836, align 8, !noalias !151
-  %v3282 = fmul double %v3275, 4.000000e+00
-  %v3283 = fmul double %v3282, %v3278
-  %v3284 = fmul double %v3283, %v3281
-  %v3285 = fmul double %v3283, %v3284
-  %v3286 = fcmp olt double %v3285, 5.000000e-04
-  br i1 %v3286, label %v3287, label %v3280
+  %v3340 = load i64, ptr %v6, align 8, !noalias !362
+  %v3341 = inttoptr i64 %v3340 to ptr
+  tail call void %v3341(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !362
+  br i1 %v305, label %v3342, label %v3343
 
-v3287:
-  %v3288 = load double, ptr %v731, align 8, !noalias !392
-  %v3289 = fmul double %v3275, %v3288
-  %v3290 = fadd double %v3268, %v3289
-  store double %v3290, ptr %v733, align 8, !noalias !392
-  br i1 %v842, label %v3291, label %v3292
+v3344:
+  %v3345 = phi i64 [ 0, %v3346 ], [ %v3347, %v3348 ]
+  %v3349 = icmp eq i64 %v3345, %v812
+  br i1 %v3349, label %v3272, label %v3348
 
-v3292:
-  %v3293 = phi i64 [ %v3294, %v3292 ], [ 0, %v3287 ]
-  %v3295 = mul i64 %v3293, %v196
-  %v3296 = getelementptr double, ptr %v193, i64 %v3295
-  %v3297 = getelementptr i8, ptr %v3296, i64 %v742
-  %v3298 = load double, ptr %v3297, align 8, !noalias !399
-  %v3299 = fadd double %v3298, 0.000000e+00
-  %v3300 = fmul double %v3275, %v3299
-  %v3301 = getelementptr i8, ptr %v3296, i64 %v743
-  %v3302 = load double, ptr %v3301, align 8, !noalias !399
-  %v3303 = fadd double %v3302, %v3300
-  %v3304 = fmul double %v3278, %v3303
-  %v3305 = getelementptr i8, ptr %v3296, i64 %v744
-  %v3306 = load double, ptr %v3305, align 8, !noalias !399
-  %v3307 = fadd double %v3306, %v3304
-  %v3308 = fmul double %v3275, %v3307
-  %v3309 = getelementptr i8, ptr %v3296, i64 %v745
-  %v3310 = load double, ptr %v3309, align 8, !noalias !399
-  %v3311 = fadd double %v3310, %v3308
-  %v3312 = fmul double %v3278, %v3311
-  %v3313 = getelementptr i8, ptr %v3296, i64 %v746
-  %v3314 = load double, ptr %v3313, align 8, !noalias !399
-  %v3315 = fadd double %v3314, %v3312
-  %v3316 = fmul double %v3275, %v3315
-  %v3317 = getelementptr i8, ptr %v3296, i64 %v747
-  %v3318 = load double, ptr %v3317, align 8, !noalias !399
-  %v3319 = fadd double %v3318, %v3316
-  %v3320 = fmul double %v3278, %v3319
-  %v3321 = getelementptr i8, ptr %v3296, i64 %v748
-  %v3322 = load double, ptr %v3321, align 8, !noalias !399
-  %v3323 = fadd double %v3322, %v3320
-  %v3324 = fmul double %v3275, %v3323
-  %v3294 = add nsw i64 %v3293, 1
-  %v3325 = load double, ptr %v3296, align 8, !noalias !399
-  %v3326 = fadd double %v3325, %v3324
-  %v3327 = getelementptr double, ptr %v736, i64 %v3295
-  store double %v3326, ptr %v3327, align 8, !noalias !392
-  %v3328 = icmp eq i64 %v10, %v3294
-  br i1 %v3328, label %v3329, label %v3292
+v3350:
+  %v3351 = load i64, ptr %v820, align 8, !noalias !368
+  %v3352 = inttoptr i64 %v3351 to ptr
+  tail call void %v3352(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
+  %v3353 = load i64, ptr %v6, align 8, !noalias !374
+  %v3354 = inttoptr i64 %v3353 to ptr
+  tail call void %v3354(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v822), !noalias !374
+  br label %v3355
 
-v3291:
-  %v3330 = load double, ptr %v733, align 8, !noalias !403
-  store double %v3330, ptr %v766, align 8, !noalias !403
-  br label %v3331
+v3342:
+  %v3356 = phi i64 [ %v3357, %v3342 ], [ 0, %v3279 ]
+  %v3357 = add nsw i64 %v3356, 1
+  %v3358 = add nsw i64 %v3356, %v17
+  %v3359 = icmp slt i64 %v3358, 0
+  %v3360 = select i1 %v3359, i64 %v166, i64 0
+  %v3361 = getelementptr double, ptr %v165, i64 %v3358
+  %v3362 = getelementptr double, ptr %v3361, i64 %v3360
+  %v3363 = load double, ptr %v3362, align 8, !noalias !377
+  %v3364 = getelementptr double, ptr %v798, i64 %v3356
+  %v3365 = load double, ptr %v3364, align 8, !noalias !377
+  store double %v3365, ptr %v3362, align 8, !noalias !377
+  store double %v3363, ptr %v3364, align 8, !noalias !377
+  %v3366 = icmp eq i64 %v18, %v3357
+  br i1 %v3366, label %v3350, label %v3342
 
-v3331:
-  %v3332 = load i64, ptr %v6, align 8, !noalias !404
-  %v3333 = inttoptr i64 %v3332 to ptr
-  tail call void %v3333(ptr nonnull %v733, ptr %v847, ptr %v165, ptr %v172, ptr %v179, ptr %v849), !noalias !404
-  %v3334 = load i64, ptr %v738, align 8, !noalias !407
-  %v3335 = inttoptr i64 %v3334 to ptr
-  tail call void %v3335(ptr nonnull %v733, ptr %v851, ptr %v165, ptr %v172, ptr %v179, ptr %v853), !noalias !407
-  br i1 %v854, label %v1969, label %v3336
-
-v3329:
-  %v3337 = load double, ptr %v733, align 8, !noalias !403
-  store double %v3337, ptr %v766, align 8, !noalias !403
-  br label %v3338
-
-v3338:
-  %v3339 = phi i64 [ 0, %v3329 ], [ %v3340, %v3338 ]
-  %v3340 = add nsw i64 %v3339, 1
-  %v3341 = mul i64 %v3339, %v196
-  %v3342 = getelementptr double, ptr %v736, i64 %v3341
-  %v3343 = load double, ptr %v3342, align 8, !noalias !403
-  %v3344 = getelementptr double, ptr %v844, i64 %v3341
-  store double %v3343, ptr %v3344, align 8, !noalias !403
-  %v3345 = icmp eq i64 %v10, %v3340
-  br i1 %v3345, label %v3331, label %v3338
+v3343:
+  %v3367 = load i64, ptr %v820, align 8, !noalias !368
+  %v3368 = inttoptr i64 %v3367 to ptr
+  tail call void %v3368(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
+  %v3369 = load i64, ptr %v6, align 8, !noalias !374
+  %v3370 = inttoptr i64 %v3369 to ptr
+  tail call void %v3370(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v822), !noalias !374
+  br label %v3346
 
 v3346:
-  store double 0.000000e+00, ptr %v3347, align 8, !noalias !407
-  br label %v3348
-
-v3348:
-  %v3349 = fcmp uno double %v3350, 0.000000e+00
-  br i1 %v3349, label %v3351, label %v3352
-
-v3351:
-  %v3353 = icmp slt i64 %v3354, %v18
-  br i1 %v3353, label %v3355, label %v3356
+  %v3371 = load i64, ptr %v820, align 8, !noalias !378
+  %v3372 = inttoptr i64 %v3371 to ptr
+  tail call void %v3372(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !378
+  %v3373 = load double, ptr %v23, align 8, !noalias !384
+  %v3374 = load double, ptr %v823, align 8, !noalias !384
+  br label %v3344
 
 v3355:
-  %v3357 = add nsw i64 %v3354, %v17
-  %v3358 = icmp slt i64 %v3357, 0
-  %v3359 = select i1 %v3358, i64 %v166, i64 0
-  %v3360 = getelementptr double, ptr %v165, i64 %v3357
-  %v3361 = getelementptr double, ptr %v3360, i64 %v3359
-  %v3362 = load double, ptr %v3361, align 8, !noalias !407
-  br label %v3356
+  %v3375 = phi i64 [ %v3376, %v3355 ], [ 0, %v3350 ]
+  %v3376 = add nsw i64 %v3375, 1
+  %v3377 = add nsw i64 %v3375, %v17
+  %v3378 = icmp slt i64 %v3377, 0
+  %v3379 = select i1 %v3378, i64 %v166, i64 0
+  %v3380 = getelementptr double, ptr %v165, i64 %v3377
+  %v3381 = getelementptr double, ptr %v3380, i64 %v3379
+  %v3382 = load double, ptr %v3381, align 8, !noalias !385
+  %v3383 = getelementptr double, ptr %v798, i64 %v3375
+  %v3384 = load double, ptr %v3383, align 8, !noalias !385
+  store double %v3384, ptr %v3381, align 8, !noalias !385
+  store double %v3382, ptr %v3383, align 8, !noalias !385
+  %v3385 = icmp eq i64 %v18, %v3376
+  br i1 %v3385, label %v3346, label %v3355
 
-v3356:
-  %v3363 = phi double [ %v3362, %v3355 ], [ 0.000000e+00, %v3351 ]
-  %v3364 = getelementptr double, ptr %v781, i64 %v3354
-  %v3365 = load double, ptr %v3364, align 8, !noalias !407
-  %v3366 = fcmp une double %v3365, %v3363
-  br i1 %v3366, label %v3367, label %v3368
+v3348:
+  %v3347 = add i64 %v3345, 1
+  %v3386 = mul i64 %v3345, %v196
+  %v3387 = getelementptr double, ptr %v825, i64 %v3386
+  %v3388 = load double, ptr %v3387, align 8, !noalias !384
+  %v3389 = getelementptr double, ptr %v827, i64 %v3386
+  %v3390 = load double, ptr %v3389, align 8, !noalias !384
+  %v3391 = fsub double %v3388, %v3390
+  %v3392 = tail call double @llvm.fabs.f64(double %v3391)
+  %v3393 = getelementptr double, ptr %v193, i64 %v3386
+  %v3394 = load double, ptr %v3393, align 8, !noalias !384
+  %v3395 = tail call double @llvm.fabs.f64(double %v3394)
+  %v3396 = fmul double %v3373, %v3395
+  %v3397 = fadd double %v3374, %v3396
+  %v3398 = load double, ptr %v731, align 8, !noalias !384
+  %v3399 = fmul double %v3398, %v3392
+  %v3400 = fmul double %v3397, 1.000000e-01
+  %v3401 = fcmp ugt double %v3399, %v3400
+  br i1 %v3401, label %v3325, label %v3344
 
-v3367:
-  %v3369 = fcmp ord double %v3365, 0.000000e+00
-  br i1 %v3369, label %v3368, label %v3370
+v3325:
+  %v3402 = phi i1 [ false, %v3348 ], [ true, %v3322 ], [ true, %v3260 ]
+  %v3158 = phi ptr [ %v3157, %v3348 ], [ %v3157, %v3322 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.54, %v3260 ]
+  %v3403 = phi i1 [ true, %v3348 ], [ true, %v3322 ], [ false, %v3260 ]
+  %v3404 = phi i32 [ 0, %v3348 ], [ 0, %v3322 ], [ 1, %v3260 ]
+  br i1 %v3403, label %v2828, label %v2937, !prof !128
 
-v3370:
-  %v3371 = fcmp uno double %v3363, 0.000000e+00
-  %v3372 = select i1 %v3371, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v3368
+v2828:
+  br i1 %v3402, label %v2825, label %v2942
 
-v3368:
-  %v3373 = phi double [ 0xFFF0000000000000, %v3367 ], [ %v3372, %v3370 ], [ 0x7FF0000000000000, %v3356 ]
-  store double %v3373, ptr %v3374, align 8, !noalias !407
-  br label %v3352
+v2936:
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v300, i8 0, i64 32, i1 false), !noalias !277
+  %v3405 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v65B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v3155)
+  %v3406 = icmp eq i32 %v3405, 0
+  br i1 %v3406, label %v3407, label %v3408, !prof !128
 
-v3352:
-  %v3375 = icmp eq i64 %v3376, %v207
-  br i1 %v3375, label %v1969, label %v3336
+v3408:
+  %v3409 = load ptr, ptr %v301, align 8, !noalias !277
+  br label %v2946
 
-v3336:
-  %v3354 = phi i64 [ %v3376, %v3352 ], [ 0, %v3331 ]
-  %v3376 = add nsw i64 %v3354, 1
-  %v3374 = getelementptr double, ptr %v855, i64 %v3354
-  %v3350 = load double, ptr %v3374, align 8, !noalias !407
-  %v3377 = tail call double @llvm.fabs.f64(double %v3350)
-  %v3347 = getelementptr double, ptr %v782, i64 %v3354
-  %v3378 = load double, ptr %v3347, align 8, !noalias !407
-  %v3379 = fadd double %v3377, %v3378
-  %v3380 = fcmp ueq double %v3379, 0x7FF0000000000000
-  br i1 %v3380, label %v3346, label %v3348
+v3407:
+  %v3410 = load i64, ptr %v786, align 8, !noalias !277
+  %v3411 = icmp slt i64 %v3410, 0
+  br i1 %v3411, label %v2938, label %v3012
 
-v3280:
-  %v3381 = fmul double %v3272, 2.000000e+00
-  %v3382 = fcmp ogt double %v1971, %v3381
-  br i1 %v3382, label %v3383, label %v1969
+v3012:
+  %v3015 = load double, ptr %v300, align 8, !noalias !277
+  %v3014 = load double, ptr %v807, align 8, !noalias !277
+  %v3013 = load double, ptr %v808, align 8, !noalias !277
+  %v3011 = load double, ptr %v809, align 8, !noalias !277
+  br label %v3010
 
-v3383:
-  %v3384 = load double, ptr %v766, align 8, !noalias !151
-  %v3385 = tail call double @llvm.fabs.f64(double %v3384)
-  %v3386 = fmul double %v3385, 4.000000e-15
-  %v3387 = fmul double %v1971, 0x3D719799812DEA11
-  %v3388 = fcmp ogt double %v3386, %v3387
-  %v3389 = select i1 %v3388, double %v3386, double %v3387
-  %v3390 = fsub double 1.000000e+00, %v3391
-  %v3392 = fmul double %v1971, %v3390
-  %v3393 = fcmp ogt double %v3392, %v3389
-  br i1 %v3393, label %v3394, label %v1969
+v3009:
+  %v3156 = phi double [ %v3006, %v2999 ], [ %v2972, %v3010 ]
+  %v3412 = icmp ugt i64 %v3159, 1
+  br i1 %v3412, label %v3154, label %v2942
 
-v3394:
-  %v3395 = fmul double %v1971, %v3275
-  store double 0.000000e+00, ptr %v838, align 8, !noalias !411
-  store double 0.000000e+00, ptr %v840, align 8, !noalias !411
-  store double %v3395, ptr %v841, align 8, !noalias !411
-  %v3396 = load i64, ptr %v142, align 8, !noalias !411
-  %v3397 = icmp slt i64 %v3396, 0
-  %v3398 = select i1 %v3397, i64 %v125, i64 0
-  %v3399 = add i64 %v3398, %v3396
-  %v3400 = mul i64 %v3399, %v126
-  %v3401 = getelementptr i64, ptr %v124, i64 %v3400
-  %v3402 = load i64, ptr %v3401, align 8, !noalias !411
-  %v3403 = add nsw i64 %v3402, -1
-  store i64 %v3403, ptr %v3401, align 8, !noalias !411
-  %v3404 = load i64, ptr %v142, align 8, !noalias !411
-  %v3405 = icmp slt i64 %v3404, 0
-  %v3406 = select i1 %v3405, i64 %v125, i64 0
-  %v3407 = add i64 %v3406, %v3404
-  %v3408 = mul i64 %v3407, %v126
-  %v3409 = getelementptr i64, ptr %v124, i64 %v3408
-  %v3410 = getelementptr i8, ptr %v3409, i64 24
-  %v3411 = load i64, ptr %v3410, align 8, !noalias !411
-  %v3412 = add nsw i64 %v3411, 1
-  store i64 %v3412, ptr %v3410, align 8, !noalias !411
-  br label %v1969
+v2937:
+  %v3413 = phi ptr [ %v2933, %v2826 ], [ %v3158, %v3325 ]
+  %v3414 = phi i32 [ %v2935, %v2826 ], [ %v3404, %v3325 ]
+  %v3415 = icmp ne i32 %v3414, 0
+  br label %v2946
 
-v1968:
-  %v3413 = load i64, ptr %v762, align 8, !noalias !151
-  %v3414 = icmp slt i64 %v3413, 0
-  br i1 %v3414, label %v1969, label %v1970
+v2946:
+  %v3416 = phi i1 [ true, %v2941 ], [ false, %v3129 ], [ true, %v3408 ], [ %v3415, %v2937 ]
+  %v3417 = phi ptr [ null, %v2941 ], [ null, %v3129 ], [ %v3409, %v3408 ], [ %v3413, %v2937 ]
+  %v3418 = phi i1 [ false, %v2941 ], [ false, %v3129 ], [ true, %v3408 ], [ %v3415, %v2937 ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %v300), !noalias !151
+  call void @llvm.lifetime.end.p0(ptr nonnull %v301), !noalias !151
+  %v3419 = select i1 %v3418, ptr %v3417, ptr null, !prof !386
+  %v3420 = xor i1 %v3418, true
+  br i1 %v3416, label %v2108, label %v3421, !prof !387
 
-v2043:
-  %v3391 = phi double [ %v2034, %v2033 ], [ %v2007, %v1980 ]
-  %v2158 = phi double [ %v2040, %v2033 ], [ %v2006, %v1980 ]
-  br i1 %v304, label %v2154, label %v2661
+v3421:
+  %v3422 = load double, ptr %v838, align 8, !noalias !151
+  %v3423 = fcmp olt double %v3422, 5.000000e-01
+  br i1 %v3423, label %v2108, label %v2801
 
-v1969:
-  %v3415 = phi ptr [ null, %v3383 ], [ %v3259, %v2792 ], [ null, %v3394 ], [ null, %v3280 ], [ null, %v2650 ], [ null, %v3261 ], [ null, %v2597 ], [ null, %v1968 ], [ %v1965, %v1872 ], [ null, %v3331 ], [ null, %v3352 ]
-  %v3416 = phi i1 [ true, %v3383 ], [ %v3260, %v2792 ], [ true, %v3394 ], [ true, %v3280 ], [ true, %v2650 ], [ true, %v3261 ], [ true, %v2597 ], [ true, %v1968 ], [ false, %v1872 ], [ true, %v3331 ], [ true, %v3352 ]
-  br i1 %v3416, label %v1755, label %v1668, !prof !128
+v2801:
+  store double 1.000000e+00, ptr %v858, align 8, !noalias !151
+  %v3424 = load double, ptr %v788, align 8, !noalias !388
+  %v3425 = load double, ptr %v92, align 8, !noalias !388
+  %v3426 = fsub double %v3424, %v3425
+  %v3427 = fmul double %v3426, 1.000000e-13
+  %v3428 = load double, ptr %v133, align 8, !noalias !388
+  %v3429 = tail call double @llvm.fabs.f64(double %v3428)
+  %v3430 = fmul double %v3429, 4.000000e-15
+  %v3431 = fcmp ogt double %v3430, %v3427
+  %v3432 = select i1 %v3431, double %v3430, double %v3427
+  %v3433 = fdiv double %v3432, %v2110
+  %v3434 = fcmp ogt double %v3433, %v2300
+  %v3435 = select i1 %v3434, double %v3433, double %v2300
+  %v3436 = fcmp ult double %v3435, 1.000000e+00
+  br i1 %v3436, label %v3437, label %v2108
 
-v1755:
-  %v3417 = select i1 %v1523, i1 true, i1 %v661
-  %v3418 = select i1 %v3417, i64 0, i64 %v12
-  br label %v1668
+v3437:
+  %v3438 = fsub double 1.000000e+00, %v3435
+  br i1 %v698, label %v3439, label %v3440
 
-v3419:
-  %v3420 = phi i64 [ 0, %v1661 ], [ %v3421, %v3422 ]
-  %v3423 = phi i64 [ %v693, %v1661 ], [ %v3424, %v3422 ]
-  %v3425 = icmp sgt i64 %v3423, 0
-  br i1 %v3425, label %v3422, label %v1662
+v3439:
+  %v3441 = load double, ptr %v860, align 8, !noalias !151
+  %v3442 = fmul double %v3435, 4.000000e+00
+  %v3443 = fmul double %v3442, %v3438
+  %v3444 = fmul double %v3443, %v3441
+  %v3445 = fmul double %v3443, %v3444
+  %v3446 = fcmp olt double %v3445, 5.000000e-04
+  br i1 %v3446, label %v3447, label %v3440
 
-v1661:
-  %v3426 = load double, ptr %v692, align 8, !noalias !414
-  store double %v3426, ptr %v675, align 8, !noalias !414
-  br label %v3419
+v3447:
+  %v3448 = load double, ptr %v731, align 8, !noalias !392
+  %v3449 = fmul double %v3435, %v3448
+  %v3450 = fadd double %v3428, %v3449
+  store double %v3450, ptr %v733, align 8, !noalias !392
+  br i1 %v866, label %v3451, label %v3452
 
-v3422:
-  %v3424 = add nsw i64 %v3423, -1
-  %v3421 = add i64 %v3420, 1
-  %v3427 = getelementptr double, ptr %v694, i64 %v3420
-  %v3428 = icmp slt i64 %v3420, 0
-  %v3429 = select i1 %v3428, i64 %v207, i64 0
-  %v3430 = getelementptr double, ptr %v3427, i64 %v3429
-  %v3431 = load double, ptr %v3430, align 8, !noalias !414
-  %v3432 = fcmp olt double %v3431, 0x7FF0000000000000
-  %v3433 = select i1 %v3432, double %v3431, double 0x7FF0000000000000
-  %v3434 = fcmp ogt double %v3431, 0xFFF0000000000000
-  %v3435 = select i1 %v3434, double %v3431, double 0xFFF0000000000000
-  %v3436 = getelementptr double, ptr %v3430, i64 %v682
-  %v3437 = load double, ptr %v3436, align 8, !noalias !414
-  %v3438 = fcmp olt double %v3437, %v3433
-  %v3439 = select i1 %v3438, double %v3437, double %v3433
-  %v3440 = fcmp ogt double %v3437, %v3435
-  %v3441 = select i1 %v3440, double %v3437, double %v3435
-  %v3442 = getelementptr i8, ptr %v3430, i64 %v1054
-  %v3443 = load double, ptr %v3442, align 8, !noalias !414
-  %v3444 = fcmp olt double %v3443, %v3439
-  %v3445 = select i1 %v3444, double %v3443, double %v3439
-  %v3446 = fcmp ogt double %v3443, %v3441
-  %v3447 = select i1 %v3446, double %v3443, double %v3441
-  %v3448 = getelementptr i8, ptr %v3430, i64 %v1055
-  %v3449 = load double, ptr %v3448, align 8, !noalias !414
-  %v3450 = fcmp olt double %v3449, %v3445
-  %v3451 = select i1 %v3450, double %v3449, double %v3445
-  %v3452 = fcmp ogt double %v3449, %v3447
-  %v3453 = select i1 %v3452, double %v3449, double %v3447
-  %v3454 = getelementptr i8, ptr %v3430, i64 %v1056
-  %v3455 = load double, ptr %v3454, align 8, !noalias !414
-  %v3456 = fcmp olt double %v3455, %v3451
-  %v3457 = select i1 %v3456, double %v3455, double %v3451
-  %v3458 = fcmp ogt double %v3455, %v3453
-  %v3459 = select i1 %v3458, double %v3455, double %v3453
-  %v3460 = getelementptr i8, ptr %v3430, i64 %v1057
-  %v3461 = load double, ptr %v3460, align 8, !noalias !414
-  %v3462 = fcmp olt double %v3461, %v3457
-  %v3463 = select i1 %v3462, double %v3461, double %v3457
-  %v3464 = fcmp ogt double %v3461, %v3459
-  %v3465 = select i1 %v3464, double %v3461, double %v3459
-  %v3466 = getelementptr i8, ptr %v3430, i64 %v1058
-  %v3467 = load double, ptr %v3466, align 8, !noalias !414
-  %v3468 = fcmp olt double %v3467, %v3463
-  %v3469 = select i1 %v3468, double %v3467, double %v3463
-  %v3470 = fcmp ogt double %v3467, %v3465
-  %v3471 = select i1 %v3470, double %v3467, double %v3465
-  %v3472 = getelementptr i8, ptr %v3430, i64 %v1059
-  %v3473 = load double, ptr %v3472, align 8, !noalias !414
-  %v3474 = fcmp olt double %v3473, %v3469
-  %v3475 = select i1 %v3474, double %v3473, double %v3469
-  %v3476 = fcmp ogt double %v3473, %v3471
-  %v3477 = select i1 %v3476, double %v3473, double %v3471
-  %v3478 = getelementptr i8, ptr %v3430, i64 %v1060
-  %v3479 = load double, ptr %v3478, align 8, !noalias !414
-  %v3480 = fcmp olt double %v3479, %v3475
-  %v3481 = select i1 %v3480, double %v3479, double %v3475
-  %v3482 = fcmp ogt double %v3479, %v3477
-  %v3483 = select i1 %v3482, double %v3479, double %v3477
-  %v3484 = fsub double %v3483, %v3481
-  %v3485 = fmul double %v3484, 2.500000e-01
-  %v3486 = icmp slt i64 %v3420, 0
-  %v3487 = select i1 %v3486, i64 %v207, i64 0
-  %v3488 = add i64 %v3487, %v3420
-  %v3489 = getelementptr double, ptr %v695, i64 %v3488
-  %v3490 = getelementptr double, ptr %v696, i64 %v3488
-  %v3491 = getelementptr double, ptr %v3489, i64 %v682
-  %v3492 = load double, ptr %v3491, align 8, !noalias !415
-  %v3493 = load double, ptr %v3490, align 8, !noalias !415
-  %v3494 = fmul double %v3493, 0x3FDDF27AAAADCB3A
-  %v3495 = fsub double %v3492, %v3494
-  %v3496 = getelementptr i8, ptr %v3490, i64 %v1061
-  %v3497 = load double, ptr %v3496, align 8, !noalias !415
-  %v3498 = fmul double %v3497, 0x3FEC575F1EBC4F2F
-  %v3499 = fsub double %v3495, %v3498
-  %v3500 = getelementptr i8, ptr %v3490, i64 %v1062
-  %v3501 = load double, ptr %v3500, align 8, !noalias !415
-  %v3502 = fmul double %v3501, 0xBFE1306AA3D795F4
-  %v3503 = fsub double %v3499, %v3502
-  %v3504 = getelementptr i8, ptr %v3490, i64 %v1063
-  %v3505 = load double, ptr %v3504, align 8, !noalias !415
-  %v3506 = fmul double %v3505, 0x3FCCB9F574BDCC3A
-  %v3507 = fsub double %v3503, %v3506
-  %v3508 = getelementptr i8, ptr %v3490, i64 %v1064
-  %v3509 = load double, ptr %v3508, align 8, !noalias !415
-  %v3510 = fmul double %v3509, 0xBFA4EAF2D6B11E79
-  %v3511 = fsub double %v3507, %v3510
-  %v3512 = tail call double @llvm.fabs.f64(double %v3511)
-  %v3513 = fcmp ogt double %v3512, 0.000000e+00
-  %v3514 = select i1 %v3513, double %v3512, double 0.000000e+00
-  %v3515 = getelementptr i8, ptr %v3489, i64 %v1065
-  %v3516 = load double, ptr %v3515, align 8, !noalias !415
-  %v3517 = load double, ptr %v3490, align 8, !noalias !415
-  %v3518 = fmul double %v3517, 0xBFA5118805F8B876
-  %v3519 = fsub double %v3516, %v3518
-  %v3520 = getelementptr i8, ptr %v3490, i64 %v1066
-  %v3521 = load double, ptr %v3520, align 8, !noalias !415
-  %v3522 = fmul double %v3521, 0x3FE51326698BC5BD
-  %v3523 = fsub double %v3519, %v3522
-  %v3524 = getelementptr i8, ptr %v3490, i64 %v1067
-  %v3525 = load double, ptr %v3524, align 8, !noalias !415
-  %v3526 = fmul double %v3525, 0x3FDF97DED30D4572
-  %v3527 = fsub double %v3523, %v3526
-  %v3528 = getelementptr i8, ptr %v3490, i64 %v1068
-  %v3529 = load double, ptr %v3528, align 8, !noalias !415
-  %v3530 = fmul double %v3529, 0xBFC0DA0C684D1D67
-  %v3531 = fsub double %v3527, %v3530
-  %v3532 = getelementptr i8, ptr %v3490, i64 %v1069
-  %v3533 = load double, ptr %v3532, align 8, !noalias !415
-  %v3534 = fmul double %v3533, 0x3F9510B8EC0D4D92
-  %v3535 = fsub double %v3531, %v3534
-  %v3536 = tail call double @llvm.fabs.f64(double %v3535)
-  %v3537 = fcmp ogt double %v3536, %v3514
-  %v3538 = select i1 %v3537, double %v3536, double %v3514
-  %v3539 = getelementptr i8, ptr %v3489, i64 %v1070
-  %v3540 = load double, ptr %v3539, align 8, !noalias !415
-  %v3541 = load double, ptr %v3490, align 8, !noalias !415
-  %v3542 = fmul double %v3541, 0x3F9635A30F8F142F
-  %v3543 = fsub double %v3540, %v3542
-  %v3544 = getelementptr i8, ptr %v3490, i64 %v1071
-  %v3545 = load double, ptr %v3544, align 8, !noalias !415
-  %v3546 = fmul double %v3545, 0xBFC1EAE0FF33D241
-  %v3547 = fsub double %v3543, %v3546
-  %v3548 = getelementptr i8, ptr %v3490, i64 %v1072
-  %v3549 = load double, ptr %v3548, align 8, !noalias !415
-  %v3550 = fmul double %v3549, 0x3FE1625D59218460
-  %v3551 = fsub double %v3547, %v3550
-  %v3552 = getelementptr i8, ptr %v3490, i64 %v1073
-  %v3553 = load double, ptr %v3552, align 8, !noalias !415
-  %v3554 = fmul double %v3553, 0x3FE3BBC3E8A29641
-  %v3555 = fsub double %v3551, %v3554
-  %v3556 = getelementptr i8, ptr %v3490, i64 %v1074
-  %v3557 = load double, ptr %v3556, align 8, !noalias !415
-  %v3558 = fmul double %v3557, 0xBFA55161A739EB34
-  %v3559 = fsub double %v3555, %v3558
-  %v3560 = tail call double @llvm.fabs.f64(double %v3559)
-  %v3561 = fcmp ogt double %v3560, %v3538
-  %v3562 = select i1 %v3561, double %v3560, double %v3538
-  %v3563 = getelementptr i8, ptr %v3489, i64 %v1075
-  %v3564 = load double, ptr %v3563, align 8, !noalias !415
-  %v3565 = load double, ptr %v3490, align 8, !noalias !415
-  %v3566 = fmul double %v3565, 0xBFA4F0C0BB579409
-  %v3567 = fsub double %v3564, %v3566
-  %v3568 = getelementptr i8, ptr %v3490, i64 %v1076
-  %v3569 = load double, ptr %v3568, align 8, !noalias !415
-  %v3570 = fmul double %v3569, 0x3FCD2266FBC0D976
-  %v3571 = fsub double %v3567, %v3570
-  %v3572 = getelementptr i8, ptr %v3490, i64 %v1077
-  %v3573 = load double, ptr %v3572, align 8, !noalias !415
-  %v3574 = fmul double %v3573, 0xBFE1F2DB6FEE3151
-  %v3575 = fsub double %v3571, %v3574
-  %v3576 = getelementptr i8, ptr %v3490, i64 %v1078
-  %v3577 = load double, ptr %v3576, align 8, !noalias !415
-  %v3578 = fmul double %v3577, 0x3FF0C05015964CBE
-  %v3579 = fsub double %v3575, %v3578
-  %v3580 = getelementptr i8, ptr %v3490, i64 %v1079
-  %v3581 = load double, ptr %v3580, align 8, !noalias !415
-  %v3582 = fmul double %v3581, 0x3FD4F15B230DB570
-  %v3583 = fsub double %v3579, %v3582
-  %v3584 = tail call double @llvm.fabs.f64(double %v3583)
-  %v3585 = fcmp ogt double %v3584, %v3562
-  %v3586 = select i1 %v3585, double %v3584, double %v3562
-  %v3587 = fmul double %v3586, 1.000000e+01
-  %v3588 = fadd double %v3485, %v3587
-  %v3589 = icmp slt i64 %v3420, 0
-  %v3590 = select i1 %v3589, i64 %v207, i64 0
-  %v3591 = getelementptr double, ptr %v697, i64 %v3420
-  %v3592 = getelementptr double, ptr %v3591, i64 %v3590
-  %v3593 = load double, ptr %v3592, align 8, !noalias !414
-  %v3594 = fcmp ogt double %v3588, %v3593
-  %v3595 = fneg double %v3593
-  %v3596 = select i1 %v3594, double %v3588, double %v3595
-  %v3597 = fcmp olt double %v3481, %v3596
-  br i1 %v3597, label %v1662, label %v3419
+v3452:
+  %v3453 = phi i64 [ %v3454, %v3452 ], [ 0, %v3447 ]
+  %v3455 = mul i64 %v3453, %v196
+  %v3456 = getelementptr double, ptr %v193, i64 %v3455
+  %v3457 = getelementptr i8, ptr %v3456, i64 %v742
+  %v3458 = load double, ptr %v3457, align 8, !noalias !399
+  %v3459 = fadd double %v3458, 0.000000e+00
+  %v3460 = fmul double %v3435, %v3459
+  %v3461 = getelementptr i8, ptr %v3456, i64 %v743
+  %v3462 = load double, ptr %v3461, align 8, !noalias !399
+  %v3463 = fadd double %v3462, %v3460
+  %v3464 = fmul double %v3438, %v3463
+  %v3465 = getelementptr i8, ptr %v3456, i64 %v744
+  %v3466 = load double, ptr %v3465, align 8, !noalias !399
+  %v3467 = fadd double %v3466, %v3464
+  %v3468 = fmul double %v3435, %v3467
+  %v3469 = getelementptr i8, ptr %v3456, i64 %v745
+  %v3470 = load double, ptr %v3469, align 8, !noalias !399
+  %v3471 = fadd double %v3470, %v3468
+  %v3472 = fmul double %v3438, %v3471
+  %v3473 = getelementptr i8, ptr %v3456, i64 %v746
+  %v3474 = load double, ptr %v3473, align 8, !noalias !399
+  %v3475 = fadd double %v3474, %v3472
+  %v3476 = fmul double %v3435, %v3475
+  %v3477 = getelementptr i8, ptr %v3456, i64 %v747
+  %v3478 = load double, ptr %v3477, align 8, !noalias !399
+  %v3479 = fadd double %v3478, %v3476
+  %v3480 = fmul double %v3438, %v3479
+  %v3481 = getelementptr i8, ptr %v3456, i64 %v748
+  %v3482 = load double, ptr %v3481, align 8, !noalias !399
+  %v3483 = fadd double %v3482, %v3480
+  %v3484 = fmul double %v3435, %v3483
+  %v3454 = add nsw i64 %v3453, 1
+  %v3485 = load double, ptr %v3456, align 8, !noalias !399
+  %v3486 = fadd double %v3485, %v3484
+  %v3487 = getelementptr double, ptr %v736, i64 %v3455
+  store double %v3486, ptr %v3487, align 8, !noalias !392
+  %v3488 = icmp eq i64 %v10, %v3454
+  br i1 %v3488, label %v3489, label %v3452
 
-v1662:
-  %v1664 = phi i1 [ false, %v1556 ], [ %v3425, %v3422 ], [ %v3425, %v3419 ]
-  %v3598 = phi ptr [ %v1659, %v1556 ], [ null, %v3422 ], [ null, %v3419 ]
-  %v3599 = phi i32 [ %v1660, %v1556 ], [ 0, %v3422 ], [ 0, %v3419 ]
-  %v3600 = icmp eq i32 %v3599, 0
-  br i1 %v3600, label %v1542, label %v1668, !prof !128
+v3451:
+  %v3490 = load double, ptr %v733, align 8, !noalias !403
+  store double %v3490, ptr %v790, align 8, !noalias !403
+  br label %v3491
 
-v1668:
-  %v3601 = phi i64 [ 0, %v1542 ], [ %v3418, %v1755 ], [ 0, %v1662 ], [ 0, %v1969 ]
-  %v3602 = phi i1 [ true, %v1542 ], [ true, %v1755 ], [ false, %v1662 ], [ false, %v1969 ]
-  %v3603 = phi ptr [ undef, %v1542 ], [ undef, %v1755 ], [ %v3598, %v1662 ], [ %v3415, %v1969 ]
-  %v3604 = phi i32 [ 0, %v1542 ], [ 0, %v1755 ], [ 1, %v1662 ], [ 1, %v1969 ]
-  br i1 %v3602, label %v3605, label %v3606, !prof !128
+v3491:
+  %v3492 = load i64, ptr %v6, align 8, !noalias !404
+  %v3493 = inttoptr i64 %v3492 to ptr
+  tail call void %v3493(ptr nonnull %v733, ptr %v871, ptr %v165, ptr %v172, ptr %v179, ptr %v873), !noalias !404
+  %v3494 = load i64, ptr %v738, align 8, !noalias !407
+  %v3495 = inttoptr i64 %v3494 to ptr
+  tail call void %v3495(ptr nonnull %v733, ptr %v875, ptr %v165, ptr %v172, ptr %v179, ptr %v877), !noalias !407
+  br i1 %v878, label %v2108, label %v3496
 
-v3607:
-  %v3608 = getelementptr double, ptr %v858, i64 %v3609
-  %v3610 = load double, ptr %v3608, align 8, !noalias !419
-  %v3611 = fcmp olt double %v3610, 5.000000e-01
-  br i1 %v3611, label %v3612, label %v3613
+v3489:
+  %v3497 = load double, ptr %v733, align 8, !noalias !403
+  store double %v3497, ptr %v790, align 8, !noalias !403
+  br label %v3498
 
-v3613:
-  %v3614 = getelementptr i64, ptr %v110, i64 %v3615
-  %v3616 = load i64, ptr %v3614, align 8, !noalias !419
-  %v3617 = icmp eq i64 %v3616, 0
-  br i1 %v3617, label %v3618, label %v3612
+v3498:
+  %v3499 = phi i64 [ 0, %v3489 ], [ %v3500, %v3498 ]
+  %v3500 = add nsw i64 %v3499, 1
+  %v3501 = mul i64 %v3499, %v196
+  %v3502 = getelementptr double, ptr %v736, i64 %v3501
+  %v3503 = load double, ptr %v3502, align 8, !noalias !403
+  %v3504 = getelementptr double, ptr %v868, i64 %v3501
+  store double %v3503, ptr %v3504, align 8, !noalias !403
+  %v3505 = icmp eq i64 %v10, %v3500
+  br i1 %v3505, label %v3491, label %v3498
 
-v3618:
-  %v3619 = mul i64 %v3615, %v126
-  %v3620 = getelementptr i64, ptr %v124, i64 %v3619
-  %v3621 = getelementptr i8, ptr %v3620, i64 8
-  %v3622 = load i64, ptr %v3621, align 8, !noalias !419
-  %v3623 = add nsw i64 %v3622, %v3601
-  store i64 %v3623, ptr %v3621, align 8, !noalias !419
-  %v3624 = getelementptr double, ptr %v860, i64 %v3609
-  %v3625 = load double, ptr %v3624, align 8, !noalias !419
-  %v3626 = load i64, ptr %v3627, align 8, !noalias !422
-  %v3628 = getelementptr i64, ptr %v862, i64 %v3609
-  %v3629 = load i64, ptr %v3628, align 8, !noalias !422
-  %v3630 = icmp slt i64 %v3629, %v93
-  br i1 %v3630, label %v3631, label %v3632
+v3506:
+  store double 0.000000e+00, ptr %v3507, align 8, !noalias !407
+  br label %v3508
 
-v3631:
-  %v3633 = icmp slt i64 %v3629, 0
-  %v3634 = select i1 %v3633, i64 %v93, i64 0
-  %v3635 = getelementptr double, ptr %v92, i64 %v3629
-  %v3636 = getelementptr double, ptr %v3635, i64 %v3634
-  %v3637 = load double, ptr %v3636, align 8, !noalias !422
-  %v3638 = fcmp ugt double %v3637, %v3625
-  br i1 %v3638, label %v3632, label %v3639
+v3508:
+  %v3509 = icmp slt i64 %v3510, %v18
+  br i1 %v3509, label %v3511, label %v3512
 
-v3639:
-  %v3640 = getelementptr double, ptr %v133, i64 %v3609
-  %v3641 = getelementptr double, ptr %v864, i64 %v3609
-  %v3642 = getelementptr double, ptr %v193, i64 %v3609
-  %v3643 = getelementptr double, ptr %v868, i64 %v3609
-  %v3644 = icmp slt i64 %v3626, 0
-  %v3645 = select i1 %v3644, i64 %v100, i64 0
-  %v3646 = add i64 %v3645, %v3626
-  %v3647 = mul i64 %v869, %v3646
-  %v3648 = getelementptr double, ptr %v99, i64 %v3647
-  %v3649 = getelementptr double, ptr %v870, i64 %v3609
-  br label %v3650
+v3511:
+  %v3513 = getelementptr double, ptr %v805, i64 %v3510
+  %v3514 = load double, ptr %v3513, align 8, !noalias !407
+  %v3515 = add nsw i64 %v3510, %v17
+  %v3516 = icmp slt i64 %v3515, 0
+  %v3517 = select i1 %v3516, i64 %v166, i64 0
+  %v3518 = getelementptr double, ptr %v165, i64 %v3515
+  %v3519 = getelementptr double, ptr %v3518, i64 %v3517
+  %v3520 = load double, ptr %v3519, align 8, !noalias !407
+  %v3521 = fcmp une double %v3514, %v3520
+  br i1 %v3521, label %v3522, label %v3512
 
-v3650:
-  %v3651 = phi i64 [ %v3652, %v3653 ], [ %v3629, %v3639 ]
-  %v3654 = icmp slt i64 %v3651, 0
-  %v3655 = select i1 %v3654, i64 %v93, i64 0
-  %v3656 = getelementptr double, ptr %v92, i64 %v3651
-  %v3657 = getelementptr double, ptr %v3656, i64 %v3655
-  %v3658 = load double, ptr %v3657, align 8, !noalias !422
-  %v3659 = load double, ptr %v3640, align 8, !noalias !422
-  %v3660 = fsub double %v3658, %v3659
-  %v3661 = load double, ptr %v3641, align 8, !noalias !422
-  %v3662 = fdiv double %v3660, %v3661
-  br i1 %v866, label %v3663, label %v3664
+v3522:
+  %v3523 = fcmp ord double %v3514, 0.000000e+00
+  br i1 %v3523, label %v3512, label %v3524
 
-v3664:
-  %v3665 = fsub double 1.000000e+00, %v3662
-  %v3666 = select i1 %v3654, i64 %v101, i64 0
-  %v3667 = add i64 %v3666, %v3651
-  %v3668 = mul i64 %v3667, %v102
-  %v3669 = getelementptr double, ptr %v3648, i64 %v3668
-  br label %v3670
+v3524:
+  %v3525 = fcmp ord double %v3520, 0.000000e+00
+  br label %v3512
 
-v3671:
-  %v3672 = getelementptr double, ptr %v3649, i64 %v3673
-  %v3674 = load double, ptr %v3672, align 8, !noalias !422
-  br label %v3675
+v3512:
+  %v3526 = phi i1 [ false, %v3508 ], [ true, %v3522 ], [ %v3525, %v3524 ], [ false, %v3511 ]
+  %v3527 = fcmp uno double %v3528, 0.000000e+00
+  %v3529 = fcmp oeq double %v3528, 0.000000e+00
+  %v3530 = and i1 %v3529, %v3526
+  %v3531 = or i1 %v3527, %v3530
+  br i1 %v3531, label %v3532, label %v3533
 
-v3663:
-  store double 0x7FF0000000000000, ptr %v3643, align 8, !noalias !422
-  %v3676 = icmp eq i64 %v3651, %v871
-  br i1 %v3676, label %v3632, label %v3653
+v3532:
+  %v3534 = icmp sge i64 %v3510, %v18
+  %v3535 = select i1 %v3526, i1 true, i1 %v3534
+  %v3536 = select i1 %v3535, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v3536, ptr %v3537, align 8, !noalias !407
+  br label %v3533
 
-v3653:
-  %v3652 = add i64 %v3651, 1
-  %v3677 = icmp slt i64 %v3651, -1
-  %v3678 = select i1 %v3677, i64 %v93, i64 0
-  %v3679 = getelementptr double, ptr %v92, i64 %v3652
-  %v3680 = getelementptr double, ptr %v3679, i64 %v3678
-  %v3681 = load double, ptr %v3680, align 8, !noalias !422
-  %v3682 = fcmp ugt double %v3681, %v3625
-  br i1 %v3682, label %v3632, label %v3650
+v3533:
+  %v3538 = icmp eq i64 %v3539, %v207
+  br i1 %v3538, label %v2108, label %v3496
 
-v3632:
-  %v3683 = phi i64 [ %v3629, %v3631 ], [ %v3629, %v3618 ], [ %v93, %v3663 ], [ %v3652, %v3653 ]
-  store i64 %v3683, ptr %v3628, align 8, !noalias !422
-  br label %v3612
+v3496:
+  %v3510 = phi i64 [ %v3539, %v3533 ], [ 0, %v3491 ]
+  %v3539 = add nsw i64 %v3510, 1
+  %v3537 = getelementptr double, ptr %v879, i64 %v3510
+  %v3528 = load double, ptr %v3537, align 8, !noalias !407
+  %v3540 = tail call double @llvm.fabs.f64(double %v3528)
+  %v3507 = getelementptr double, ptr %v806, i64 %v3510
+  %v3541 = load double, ptr %v3507, align 8, !noalias !407
+  %v3542 = fadd double %v3540, %v3541
+  %v3543 = fcmp ueq double %v3542, 0x7FF0000000000000
+  br i1 %v3543, label %v3506, label %v3508
 
-v3675:
-  %v3684 = phi double [ %v3685, %v3686 ], [ %v3674, %v3671 ]
-  %v3687 = getelementptr double, ptr %v3669, i64 %v3688
-  store double %v3684, ptr %v3687, align 8, !noalias !422
-  %v3689 = icmp eq i64 %v10, %v3690
-  br i1 %v3689, label %v3663, label %v3670
+v3440:
+  %v3544 = fmul double %v3432, 2.000000e+00
+  %v3545 = fcmp ogt double %v2110, %v3544
+  br i1 %v3545, label %v3546, label %v2108
 
-v3670:
-  %v3688 = phi i64 [ 0, %v3664 ], [ %v3690, %v3675 ]
-  %v3690 = add nsw i64 %v3688, 1
-  %v3691 = load double, ptr %v3657, align 8, !noalias !422
-  %v3692 = load double, ptr %v3624, align 8, !noalias !422
-  %v3693 = fcmp oeq double %v3691, %v3692
-  %v3673 = mul i64 %v3688, %v196
-  br i1 %v3693, label %v3671, label %v3686
+v3546:
+  %v3547 = load double, ptr %v790, align 8, !noalias !151
+  %v3548 = tail call double @llvm.fabs.f64(double %v3547)
+  %v3549 = fmul double %v3548, 4.000000e-15
+  %v3550 = fmul double %v2110, 0x3D719799812DEA11
+  %v3551 = fcmp ogt double %v3549, %v3550
+  %v3552 = select i1 %v3551, double %v3549, double %v3550
+  %v3553 = fsub double 1.000000e+00, %v3554
+  %v3555 = fmul double %v2110, %v3553
+  %v3556 = fcmp ogt double %v3555, %v3552
+  br i1 %v3556, label %v3557, label %v2108
 
-v3686:
-  %v3694 = getelementptr double, ptr %v3642, i64 %v3673
-  %v3695 = getelementptr i8, ptr %v3694, i64 %v872
-  %v3696 = load double, ptr %v3695, align 8, !noalias !426
-  %v3697 = fadd double %v3696, 0.000000e+00
-  %v3698 = fmul double %v3662, %v3697
-  %v3699 = getelementptr i8, ptr %v3694, i64 %v873
-  %v3700 = load double, ptr %v3699, align 8, !noalias !426
-  %v3701 = fadd double %v3700, %v3698
-  %v3702 = fmul double %v3665, %v3701
-  %v3703 = getelementptr i8, ptr %v3694, i64 %v874
-  %v3704 = load double, ptr %v3703, align 8, !noalias !426
-  %v3705 = fadd double %v3704, %v3702
-  %v3706 = fmul double %v3662, %v3705
-  %v3707 = getelementptr i8, ptr %v3694, i64 %v875
-  %v3708 = load double, ptr %v3707, align 8, !noalias !426
-  %v3709 = fadd double %v3708, %v3706
-  %v3710 = fmul double %v3665, %v3709
-  %v3711 = getelementptr i8, ptr %v3694, i64 %v876
-  %v3712 = load double, ptr %v3711, align 8, !noalias !426
-  %v3713 = fadd double %v3712, %v3710
-  %v3714 = fmul double %v3662, %v3713
-  %v3715 = getelementptr i8, ptr %v3694, i64 %v877
-  %v3716 = load double, ptr %v3715, align 8, !noalias !426
-  %v3717 = fadd double %v3716, %v3714
-  %v3718 = fmul double %v3665, %v3717
-  %v3719 = getelementptr i8, ptr %v3694, i64 %v878
-  %v3720 = load double, ptr %v3719, align 8, !noalias !426
-  %v3721 = fadd double %v3720, %v3718
-  %v3722 = fmul double %v3662, %v3721
-  %v3723 = load double, ptr %v3694, align 8, !noalias !426
-  %v3685 = fadd double %v3723, %v3722
-  br label %v3675
+v3557:
+  %v3558 = fmul double %v2110, %v3435
+  store double 0.000000e+00, ptr %v862, align 8, !noalias !411
+  store double 0.000000e+00, ptr %v864, align 8, !noalias !411
+  store double %v3558, ptr %v865, align 8, !noalias !411
+  %v3559 = load i64, ptr %v142, align 8, !noalias !411
+  %v3560 = icmp slt i64 %v3559, 0
+  %v3561 = select i1 %v3560, i64 %v125, i64 0
+  %v3562 = add i64 %v3561, %v3559
+  %v3563 = mul i64 %v3562, %v126
+  %v3564 = getelementptr i64, ptr %v124, i64 %v3563
+  %v3565 = load i64, ptr %v3564, align 8, !noalias !411
+  %v3566 = add nsw i64 %v3565, -1
+  store i64 %v3566, ptr %v3564, align 8, !noalias !411
+  %v3567 = load i64, ptr %v142, align 8, !noalias !411
+  %v3568 = icmp slt i64 %v3567, 0
+  %v3569 = select i1 %v3568, i64 %v125, i64 0
+  %v3570 = add i64 %v3569, %v3567
+  %v3571 = mul i64 %v3570, %v126
+  %v3572 = getelementptr i64, ptr %v124, i64 %v3571
+  %v3573 = getelementptr i8, ptr %v3572, i64 24
+  %v3574 = load i64, ptr %v3573, align 8, !noalias !411
+  %v3575 = add nsw i64 %v3574, 1
+  store i64 %v3575, ptr %v3573, align 8, !noalias !411
+  br label %v2108
 
-v3612:
-  %v3724 = icmp eq i64 %v3725, %v9
-  br i1 %v3724, label %v3726, label %v3727
+v2107:
+  %v3576 = load i64, ptr %v786, align 8, !noalias !151
+  %v3577 = icmp slt i64 %v3576, 0
+  br i1 %v3577, label %v2108, label %v2109
 
-v3727:
-  %v3609 = phi i64 [ %v3725, %v3612 ], [ 0, %v3605 ]
-  %v3725 = add nsw i64 %v3609, 1
-  %v3627 = getelementptr i64, ptr %v142, i64 %v3609
-  %v3615 = load i64, ptr %v3627, align 8, !noalias !419
-  %v3728 = icmp slt i64 %v3615, 0
-  br i1 %v3728, label %v3612, label %v3607
+v2182:
+  %v3554 = phi double [ %v2173, %v2172 ], [ %v2146, %v2119 ]
+  %v2300 = phi double [ %v2179, %v2172 ], [ %v2145, %v2119 ]
+  br i1 %v304, label %v2296, label %v2812
 
-v3726:
-  br i1 %v879, label %v3729, label %v3730
+v2108:
+  %v3578 = phi ptr [ null, %v3546 ], [ %v3419, %v2946 ], [ null, %v3557 ], [ null, %v3440 ], [ null, %v2801 ], [ null, %v3421 ], [ null, %v2748 ], [ null, %v2107 ], [ %v2104, %v1909 ], [ null, %v3491 ], [ null, %v3533 ]
+  %v3579 = phi i1 [ true, %v3546 ], [ %v3420, %v2946 ], [ true, %v3557 ], [ true, %v3440 ], [ true, %v2801 ], [ true, %v3421 ], [ true, %v2748 ], [ true, %v2107 ], [ false, %v1909 ], [ true, %v3491 ], [ true, %v3533 ]
+  br i1 %v3579, label %v1789, label %v1702, !prof !128
 
-v3730:
-  %v3731 = load double, ptr %v881, align 8
-  %v3732 = fcmp ogt double %v3731, 5.000000e-01
-  br i1 %v3732, label %v3729, label %v3733
+v1789:
+  %v3580 = select i1 %v1554, i1 true, i1 %v661
+  %v3581 = select i1 %v3580, i64 0, i64 %v12
+  br label %v1702
 
-v3729:
-  %v3734 = load i64, ptr %v882, align 8, !noalias !430
-  %v3735 = inttoptr i64 %v3734 to ptr
-  tail call void %v3735(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !430
-  br label %v3733
+v3582:
+  %v3583 = phi i64 [ 0, %v1695 ], [ %v3584, %v3585 ]
+  %v3586 = phi i64 [ %v693, %v1695 ], [ %v3587, %v3585 ]
+  %v3588 = icmp sgt i64 %v3586, 0
+  br i1 %v3588, label %v3585, label %v1696
 
-v3733:
-  br i1 %v1538, label %v3736, label %v3737
+v1695:
+  %v3589 = load double, ptr %v692, align 8, !noalias !414
+  store double %v3589, ptr %v675, align 8, !noalias !414
+  br label %v3582
 
-v3736:
-  %v3738 = load double, ptr %v884, align 8, !noalias !433
-  %v3739 = fcmp olt double %v3738, 5.000000e-01
-  br i1 %v3739, label %v3737, label %v3740
+v3585:
+  %v3587 = add nsw i64 %v3586, -1
+  %v3584 = add i64 %v3583, 1
+  %v3590 = getelementptr double, ptr %v694, i64 %v3583
+  %v3591 = icmp slt i64 %v3583, 0
+  %v3592 = select i1 %v3591, i64 %v207, i64 0
+  %v3593 = getelementptr double, ptr %v3590, i64 %v3592
+  %v3594 = load double, ptr %v3593, align 8, !noalias !414
+  %v3595 = fcmp olt double %v3594, 0x7FF0000000000000
+  %v3596 = select i1 %v3595, double %v3594, double 0x7FF0000000000000
+  %v3597 = fcmp ogt double %v3594, 0xFFF0000000000000
+  %v3598 = select i1 %v3597, double %v3594, double 0xFFF0000000000000
+  %v3599 = getelementptr double, ptr %v3593, i64 %v682
+  %v3600 = load double, ptr %v3599, align 8, !noalias !414
+  %v3601 = fcmp olt double %v3600, %v3596
+  %v3602 = select i1 %v3601, double %v3600, double %v3596
+  %v3603 = fcmp ogt double %v3600, %v3598
+  %v3604 = select i1 %v3603, double %v3600, double %v3598
+  %v3605 = getelementptr i8, ptr %v3593, i64 %v1078
+  %v3606 = load double, ptr %v3605, align 8, !noalias !414
+  %v3607 = fcmp olt double %v3606, %v3602
+  %v3608 = select i1 %v3607, double %v3606, double %v3602
+  %v3609 = fcmp ogt double %v3606, %v3604
+  %v3610 = select i1 %v3609, double %v3606, double %v3604
+  %v3611 = getelementptr i8, ptr %v3593, i64 %v1079
+  %v3612 = load double, ptr %v3611, align 8, !noalias !414
+  %v3613 = fcmp olt double %v3612, %v3608
+  %v3614 = select i1 %v3613, double %v3612, double %v3608
+  %v3615 = fcmp ogt double %v3612, %v3610
+  %v3616 = select i1 %v3615, double %v3612, double %v3610
+  %v3617 = getelementptr i8, ptr %v3593, i64 %v1080
+  %v3618 = load double, ptr %v3617, align 8, !noalias !414
+  %v3619 = fcmp olt double %v3618, %v3614
+  %v3620 = select i1 %v3619, double %v3618, double %v3614
+  %v3621 = fcmp ogt double %v3618, %v3616
+  %v3622 = select i1 %v3621, double %v3618, double %v3616
+  %v3623 = getelementptr i8, ptr %v3593, i64 %v1081
+  %v3624 = load double, ptr %v3623, align 8, !noalias !414
+  %v3625 = fcmp olt double %v3624, %v3620
+  %v3626 = select i1 %v3625, double %v3624, double %v3620
+  %v3627 = fcmp ogt double %v3624, %v3622
+  %v3628 = select i1 %v3627, double %v3624, double %v3622
+  %v3629 = getelementptr i8, ptr %v3593, i64 %v1082
+  %v3630 = load double, ptr %v3629, align 8, !noalias !414
+  %v3631 = fcmp olt double %v3630, %v3626
+  %v3632 = select i1 %v3631, double %v3630, double %v3626
+  %v3633 = fcmp ogt double %v3630, %v3628
+  %v3634 = select i1 %v3633, double %v3630, double %v3628
+  %v3635 = getelementptr i8, ptr %v3593, i64 %v1083
+  %v3636 = load double, ptr %v3635, align 8, !noalias !414
+  %v3637 = fcmp olt double %v3636, %v3632
+  %v3638 = select i1 %v3637, double %v3636, double %v3632
+  %v3639 = fcmp ogt double %v3636, %v3634
+  %v3640 = select i1 %v3639, double %v3636, double %v3634
+  %v3641 = getelementptr i8, ptr %v3593, i64 %v1084
+  %v3642 = load double, ptr %v3641, align 8, !noalias !414
+  %v3643 = fcmp olt double %v3642, %v3638
+  %v3644 = select i1 %v3643, double %v3642, double %v3638
+  %v3645 = fcmp ogt double %v3642, %v3640
+  %v3646 = select i1 %v3645, double %v3642, double %v3640
+  %v3647 = fsub double %v3646, %v3644
+  %v3648 = fmul double %v3647, 2.500000e-01
+  %v3649 = icmp slt i64 %v3583, 0
+  %v3650 = select i1 %v3649, i64 %v207, i64 0
+  %v3651 = add i64 %v3650, %v3583
+  %v3652 = getelementptr double, ptr %v695, i64 %v3651
+  %v3653 = getelementptr double, ptr %v696, i64 %v3651
+  %v3654 = getelementptr double, ptr %v3652, i64 %v682
+  %v3655 = load double, ptr %v3654, align 8, !noalias !415
+  %v3656 = load double, ptr %v3653, align 8, !noalias !415
+  %v3657 = fmul double %v3656, 0x3FDDF27AAAADCB3A
+  %v3658 = fsub double %v3655, %v3657
+  %v3659 = getelementptr i8, ptr %v3653, i64 %v1085
+  %v3660 = load double, ptr %v3659, align 8, !noalias !415
+  %v3661 = fmul double %v3660, 0x3FEC575F1EBC4F2F
+  %v3662 = fsub double %v3658, %v3661
+  %v3663 = getelementptr i8, ptr %v3653, i64 %v1086
+  %v3664 = load double, ptr %v3663, align 8, !noalias !415
+  %v3665 = fmul double %v3664, 0xBFE1306AA3D795F4
+  %v3666 = fsub double %v3662, %v3665
+  %v3667 = getelementptr i8, ptr %v3653, i64 %v1087
+  %v3668 = load double, ptr %v3667, align 8, !noalias !415
+  %v3669 = fmul double %v3668, 0x3FCCB9F574BDCC3A
+  %v3670 = fsub double %v3666, %v3669
+  %v3671 = getelementptr i8, ptr %v3653, i64 %v1088
+  %v3672 = load double, ptr %v3671, align 8, !noalias !415
+  %v3673 = fmul double %v3672, 0xBFA4EAF2D6B11E79
+  %v3674 = fsub double %v3670, %v3673
+  %v3675 = tail call double @llvm.fabs.f64(double %v3674)
+  %v3676 = fcmp ogt double %v3675, 0.000000e+00
+  %v3677 = select i1 %v3676, double %v3675, double 0.000000e+00
+  %v3678 = getelementptr i8, ptr %v3652, i64 %v1089
+  %v3679 = load double, ptr %v3678, align 8, !noalias !415
+  %v3680 = load double, ptr %v3653, align 8, !noalias !415
+  %v3681 = fmul double %v3680, 0xBFA5118805F8B876
+  %v3682 = fsub double %v3679, %v3681
+  %v3683 = getelementptr i8, ptr %v3653, i64 %v1090
+  %v3684 = load double, ptr %v3683, align 8, !noalias !415
+  %v3685 = fmul double %v3684, 0x3FE51326698BC5BD
+  %v3686 = fsub double %v3682, %v3685
+  %v3687 = getelementptr i8, ptr %v3653, i64 %v1091
+  %v3688 = load double, ptr %v3687, align 8, !noalias !415
+  %v3689 = fmul double %v3688, 0x3FDF97DED30D4572
+  %v3690 = fsub double %v3686, %v3689
+  %v3691 = getelementptr i8, ptr %v3653, i64 %v1092
+  %v3692 = load double, ptr %v3691, align 8, !noalias !415
+  %v3693 = fmul double %v3692, 0xBFC0DA0C684D1D67
+  %v3694 = fsub double %v3690, %v3693
+  %v3695 = getelementptr i8, ptr %v3653, i64 %v1093
+  %v3696 = load double, ptr %v3695, align 8, !noalias !415
+  %v3697 = fmul double %v3696, 0x3F9510B8EC0D4D92
+  %v3698 = fsub double %v3694, %v3697
+  %v3699 = tail call double @llvm.fabs.f64(double %v3698)
+  %v3700 = fcmp ogt double %v3699, %v3677
+  %v3701 = select i1 %v3700, double %v3699, double %v3677
+  %v3702 = getelementptr i8, ptr %v3652, i64 %v1094
+  %v3703 = load double, ptr %v3702, align 8, !noalias !415
+  %v3704 = load double, ptr %v3653, align 8, !noalias !415
+  %v3705 = fmul double %v3704, 0x3F9635A30F8F142F
+  %v3706 = fsub double %v3703, %v3705
+  %v3707 = getelementptr i8, ptr %v3653, i64 %v1095
+  %v3708 = load double, ptr %v3707, align 8, !noalias !415
+  %v3709 = fmul double %v3708, 0xBFC1EAE0FF33D241
+  %v3710 = fsub double %v3706, %v3709
+  %v3711 = getelementptr i8, ptr %v3653, i64 %v1096
+  %v3712 = load double, ptr %v3711, align 8, !noalias !415
+  %v3713 = fmul double %v3712, 0x3FE1625D59218460
+  %v3714 = fsub double %v3710, %v3713
+  %v3715 = getelementptr i8, ptr %v3653, i64 %v1097
+  %v3716 = load double, ptr %v3715, align 8, !noalias !415
+  %v3717 = fmul double %v3716, 0x3FE3BBC3E8A29641
+  %v3718 = fsub double %v3714, %v3717
+  %v3719 = getelementptr i8, ptr %v3653, i64 %v1098
+  %v3720 = load double, ptr %v3719, align 8, !noalias !415
+  %v3721 = fmul double %v3720, 0xBFA55161A739EB34
+  %v3722 = fsub double %v3718, %v3721
+  %v3723 = tail call double @llvm.fabs.f64(double %v3722)
+  %v3724 = fcmp ogt double %v3723, %v3701
+  %v3725 = select i1 %v3724, double %v3723, double %v3701
+  %v3726 = getelementptr i8, ptr %v3652, i64 %v1099
+  %v3727 = load double, ptr %v3726, align 8, !noalias !415
+  %v3728 = load double, ptr %v3653, align 8, !noalias !415
+  %v3729 = fmul double %v3728, 0xBFA4F0C0BB579409
+  %v3730 = fsub double %v3727, %v3729
+  %v3731 = getelementptr i8, ptr %v3653, i64 %v1100
+  %v3732 = load double, ptr %v3731, align 8, !noalias !415
+  %v3733 = fmul double %v3732, 0x3FCD2266FBC0D976
+  %v3734 = fsub double %v3730, %v3733
+  %v3735 = getelementptr i8, ptr %v3653, i64 %v1101
+  %v3736 = load double, ptr %v3735, align 8, !noalias !415
+  %v3737 = fmul double %v3736, 0xBFE1F2DB6FEE3151
+  %v3738 = fsub double %v3734, %v3737
+  %v3739 = getelementptr i8, ptr %v3653, i64 %v1102
+  %v3740 = load double, ptr %v3739, align 8, !noalias !415
+  %v3741 = fmul double %v3740, 0x3FF0C05015964CBE
+  %v3742 = fsub double %v3738, %v3741
+  %v3743 = getelementptr i8, ptr %v3653, i64 %v1103
+  %v3744 = load double, ptr %v3743, align 8, !noalias !415
+  %v3745 = fmul double %v3744, 0x3FD4F15B230DB570
+  %v3746 = fsub double %v3742, %v3745
+  %v3747 = tail call double @llvm.fabs.f64(double %v3746)
+  %v3748 = fcmp ogt double %v3747, %v3725
+  %v3749 = select i1 %v3748, double %v3747, double %v3725
+  %v3750 = fmul double %v3749, 1.000000e+01
+  %v3751 = fadd double %v3648, %v3750
+  %v3752 = icmp slt i64 %v3583, 0
+  %v3753 = select i1 %v3752, i64 %v207, i64 0
+  %v3754 = getelementptr double, ptr %v697, i64 %v3583
+  %v3755 = getelementptr double, ptr %v3754, i64 %v3753
+  %v3756 = load double, ptr %v3755, align 8, !noalias !414
+  %v3757 = fcmp ogt double %v3751, %v3756
+  %v3758 = fneg double %v3756
+  %v3759 = select i1 %v3757, double %v3751, double %v3758
+  %v3760 = fcmp olt double %v3644, %v3759
+  br i1 %v3760, label %v1696, label %v3582
 
-v3740:
-  %v3741 = load double, ptr %v886, align 8, !noalias !433
-  %v3742 = fcmp oeq double %v3741, 1.000000e+00
-  br i1 %v3742, label %v3743, label %v3744
+v1696:
+  %v1698 = phi i1 [ false, %v1587 ], [ %v3588, %v3585 ], [ %v3588, %v3582 ]
+  %v3761 = phi ptr [ %v1693, %v1587 ], [ null, %v3585 ], [ null, %v3582 ]
+  %v3762 = phi i32 [ %v1694, %v1587 ], [ 0, %v3585 ], [ 0, %v3582 ]
+  %v3763 = icmp eq i32 %v3762, 0
+  br i1 %v3763, label %v1573, label %v1702, !prof !128
 
-v3744:
-  br i1 %v888, label %v3745, label %v3746
+v1702:
+  %v3764 = phi i64 [ 0, %v1573 ], [ %v3581, %v1789 ], [ 0, %v1696 ], [ 0, %v2108 ]
+  %v3765 = phi i1 [ true, %v1573 ], [ true, %v1789 ], [ false, %v1696 ], [ false, %v2108 ]
+  %v3766 = phi ptr [ undef, %v1573 ], [ undef, %v1789 ], [ %v3761, %v1696 ], [ %v3578, %v2108 ]
+  %v3767 = phi i32 [ 0, %v1573 ], [ 0, %v1789 ], [ 1, %v1696 ], [ 1, %v2108 ]
+  br i1 %v3765, label %v3768, label %v3769, !prof !128
 
-v3743:
-  br i1 %v912, label %v3747, label %v3748
+v3770:
+  %v3771 = getelementptr double, ptr %v882, i64 %v3772
+  %v3773 = load double, ptr %v3771, align 8, !noalias !419
+  %v3774 = fcmp olt double %v3773, 5.000000e-01
+  br i1 %v3774, label %v3775, label %v3776
 
-v3749:
-  %v3750 = fcmp uno double %v3751, 0.000000e+00
-  %v3752 = fcmp uno double %v3753, 0.000000e+00
-  %v3754 = and i1 %v3750, %v3752
-  br i1 %v3754, label %v3755, label %v3756
+v3776:
+  %v3777 = getelementptr i64, ptr %v110, i64 %v3778
+  %v3779 = load i64, ptr %v3777, align 8, !noalias !419
+  %v3780 = icmp eq i64 %v3779, 0
+  br i1 %v3780, label %v3781, label %v3775
 
-v3747:
-  %v3757 = phi i64 [ %v3758, %v3755 ], [ 0, %v3743 ]
-  %v3758 = add nsw i64 %v3757, 1
-  %v3759 = getelementptr double, ptr %v913, i64 %v3757
-  %v3751 = load double, ptr %v3759, align 8, !noalias !437
-  %v3760 = add nsw i64 %v3757, %v17
-  %v3761 = icmp slt i64 %v3760, 0
-  %v3762 = select i1 %v3761, i64 %v166, i64 0
-  %v3763 = getelementptr double, ptr %v165, i64 %v3760
-  %v3764 = getelementptr double, ptr %v3763, i64 %v3762
-  %v3753 = load double, ptr %v3764, align 8, !noalias !437
-  %v3765 = fcmp une double %v3751, %v3753
-  br i1 %v3765, label %v3749, label %v3755
+v3781:
+  %v3782 = mul i64 %v3778, %v126
+  %v3783 = getelementptr i64, ptr %v124, i64 %v3782
+  %v3784 = getelementptr i8, ptr %v3783, i64 8
+  %v3785 = load i64, ptr %v3784, align 8, !noalias !419
+  %v3786 = add nsw i64 %v3785, %v3764
+  store i64 %v3786, ptr %v3784, align 8, !noalias !419
+  %v3787 = getelementptr double, ptr %v884, i64 %v3772
+  %v3788 = load double, ptr %v3787, align 8, !noalias !419
+  %v3789 = load i64, ptr %v3790, align 8, !noalias !422
+  %v3791 = getelementptr i64, ptr %v886, i64 %v3772
+  %v3792 = load i64, ptr %v3791, align 8, !noalias !422
+  %v3793 = icmp slt i64 %v3792, %v93
+  br i1 %v3793, label %v3794, label %v3795
 
-v3755:
-  %v3766 = icmp eq i64 %v3758, %v18
-  br i1 %v3766, label %v3748, label %v3747
+v3794:
+  %v3796 = icmp slt i64 %v3792, 0
+  %v3797 = select i1 %v3796, i64 %v93, i64 0
+  %v3798 = getelementptr double, ptr %v92, i64 %v3792
+  %v3799 = getelementptr double, ptr %v3798, i64 %v3797
+  %v3800 = load double, ptr %v3799, align 8, !noalias !422
+  %v3801 = fcmp ugt double %v3800, %v3788
+  br i1 %v3801, label %v3795, label %v3802
 
-v3767:
-  %v3768 = load double, ptr %v917, align 8, !noalias !433
-  %v3769 = load double, ptr %v23, align 8, !noalias !433
-  %v3770 = mul i64 %v3771, %v196
-  %v3772 = getelementptr double, ptr %v193, i64 %v3770
-  %v3773 = load double, ptr %v3772, align 8, !noalias !433
-  %v3774 = tail call double @llvm.fabs.f64(double %v3773)
-  %v3775 = fmul double %v3769, %v3774
-  %v3776 = fadd double %v3768, %v3775
-  %v3777 = add i64 %v3771, %v195
-  %v3778 = mul i64 %v3777, %v196
-  %v3779 = getelementptr double, ptr %v193, i64 %v3778
-  %v3780 = load double, ptr %v3779, align 8, !noalias !433
-  %v3781 = tail call double @llvm.fabs.f64(double %v3780)
-  %v3782 = fmul double %v3783, %v3781
-  %v3784 = fcmp ogt double %v3782, %v3776
-  br label %v3785
+v3802:
+  %v3803 = getelementptr double, ptr %v133, i64 %v3772
+  %v3804 = getelementptr double, ptr %v888, i64 %v3772
+  %v3805 = getelementptr double, ptr %v193, i64 %v3772
+  %v3806 = getelementptr double, ptr %v892, i64 %v3772
+  %v3807 = icmp slt i64 %v3789, 0
+  %v3808 = select i1 %v3807, i64 %v100, i64 0
+  %v3809 = add i64 %v3808, %v3789
+  %v3810 = mul i64 %v893, %v3809
+  %v3811 = getelementptr double, ptr %v99, i64 %v3810
+  %v3812 = getelementptr double, ptr %v894, i64 %v3772
+  br label %v3813
 
-v3785:
-  %v3786 = phi i1 [ true, %v3787 ], [ %v3784, %v3767 ]
-  %v3788 = icmp eq i64 %v10, %v3789
-  br i1 %v3788, label %v3790, label %v3787
+v3813:
+  %v3814 = phi i64 [ %v3815, %v3816 ], [ %v3792, %v3802 ]
+  %v3817 = icmp slt i64 %v3814, 0
+  %v3818 = select i1 %v3817, i64 %v93, i64 0
+  %v3819 = getelementptr double, ptr %v92, i64 %v3814
+  %v3820 = getelementptr double, ptr %v3819, i64 %v3818
+  %v3821 = load double, ptr %v3820, align 8, !noalias !422
+  %v3822 = load double, ptr %v3803, align 8, !noalias !422
+  %v3823 = fsub double %v3821, %v3822
+  %v3824 = load double, ptr %v3804, align 8, !noalias !422
+  %v3825 = fdiv double %v3823, %v3824
+  br i1 %v890, label %v3826, label %v3827
 
-v3790:
-  %v3791 = select i1 %v3786, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v3792
+v3827:
+  %v3828 = fsub double 1.000000e+00, %v3825
+  %v3829 = select i1 %v3817, i64 %v101, i64 0
+  %v3830 = add i64 %v3829, %v3814
+  %v3831 = mul i64 %v3830, %v102
+  %v3832 = getelementptr double, ptr %v3811, i64 %v3831
+  br label %v3833
 
-v3792:
-  %v3793 = phi double [ 5.000000e-06, %v3756 ], [ %v3791, %v3790 ]
-  %v3794 = load double, ptr %v919, align 8, !noalias !433
-  %v3795 = load double, ptr %v92, align 8, !noalias !433
-  %v3796 = fsub double %v3794, %v3795
-  %v3797 = fmul double %v3793, %v3796
-  %v3798 = fcmp olt double %v3783, %v3797
-  br i1 %v3798, label %v3799, label %v3800
+v3834:
+  %v3835 = getelementptr double, ptr %v3812, i64 %v3836
+  %v3837 = load double, ptr %v3835, align 8, !noalias !422
+  br label %v3838
 
-v3799:
-  %v3801 = load i64, ptr %v921, align 8, !noalias !433
-  %v3802 = add nsw i64 %v3801, 1
-  br label %v3800
-
-v3800:
-  %v3803 = phi i64 [ %v3802, %v3799 ], [ 0, %v3792 ]
-  store i64 %v3803, ptr %v923, align 8, !noalias !433
-  %v3804 = load double, ptr %v133, align 8, !noalias !433
-  store double %v3804, ptr %v915, align 8, !noalias !433
-  store double 1.000000e+00, ptr %v925, align 8, !noalias !433
-  store i64 2, ptr %v452, align 8, !noalias !433
-  %v3805 = load i64, ptr %v923, align 8, !noalias !433
-  %v3806 = icmp sgt i64 %v3805, 1000
-  br i1 %v3806, label %v3807, label %v3748
-
-v3807:
-  %v3808 = load i64, ptr %v142, align 8, !noalias !441
-  %v3809 = icmp sgt i64 %v3808, -1
-  br i1 %v3809, label %v3810, label %v3748
-
-v3810:
-  %v3811 = getelementptr i64, ptr %v110, i64 %v3808
-  %v3812 = load i64, ptr %v3811, align 8, !noalias !441
-  %v3813 = icmp eq i64 %v3812, 0
-  br i1 %v3813, label %v3814, label %v3748
-
-v3814:
-  store i64 6, ptr %v3811, align 8, !noalias !441
-  br label %v3748
-
-v3746:
-  br i1 %v893, label %v3815, label %v3748
+v3826:
+  store double 0x7FF0000000000000, ptr %v3806, align 8, !noalias !422
+  %v3839 = icmp eq i64 %v3814, %v895
+  br i1 %v3839, label %v3795, label %v3816
 
 v3816:
-  store i64 %v3817, ptr %v890, align 8, !noalias !444
-  br label %v3818
+  %v3815 = add i64 %v3814, 1
+  %v3840 = icmp slt i64 %v3814, -1
+  %v3841 = select i1 %v3840, i64 %v93, i64 0
+  %v3842 = getelementptr double, ptr %v92, i64 %v3815
+  %v3843 = getelementptr double, ptr %v3842, i64 %v3841
+  %v3844 = load double, ptr %v3843, align 8, !noalias !422
+  %v3845 = fcmp ugt double %v3844, %v3788
+  br i1 %v3845, label %v3795, label %v3813
 
-v3818:
-  %v3819 = fcmp ord double %v3820, 0.000000e+00
-  %v3821 = select i1 %v3819, double %v3820, double 1.000000e+00
-  %v3822 = getelementptr double, ptr %v891, i64 %v3817
-  store double %v3821, ptr %v3822, align 8, !noalias !444
-  %v3823 = icmp eq i64 %v3824, %v18
-  br i1 %v3823, label %v3746, label %v3745
+v3795:
+  %v3846 = phi i64 [ %v3792, %v3794 ], [ %v3792, %v3781 ], [ %v93, %v3826 ], [ %v3815, %v3816 ]
+  store i64 %v3846, ptr %v3791, align 8, !noalias !422
+  br label %v3775
 
-v3825:
-  %v3826 = fcmp uno double %v3827, 0.000000e+00
-  %v3828 = fcmp uno double %v3829, 0.000000e+00
-  %v3830 = and i1 %v3826, %v3828
-  br i1 %v3830, label %v3831, label %v3832
+v3838:
+  %v3847 = phi double [ %v3848, %v3849 ], [ %v3837, %v3834 ]
+  %v3850 = getelementptr double, ptr %v3832, i64 %v3851
+  store double %v3847, ptr %v3850, align 8, !noalias !422
+  %v3852 = icmp eq i64 %v10, %v3853
+  br i1 %v3852, label %v3826, label %v3833
 
-v3815:
-  %v3833 = phi i64 [ %v3834, %v3831 ], [ 0, %v3746 ]
-  %v3834 = add nsw i64 %v3833, 1
-  %v3835 = getelementptr double, ptr %v894, i64 %v3833
-  %v3827 = load double, ptr %v3835, align 8, !noalias !448
-  %v3836 = add nsw i64 %v3833, %v17
-  %v3837 = icmp slt i64 %v3836, 0
-  %v3838 = select i1 %v3837, i64 %v166, i64 0
-  %v3839 = getelementptr double, ptr %v165, i64 %v3836
-  %v3840 = getelementptr double, ptr %v3839, i64 %v3838
-  %v3829 = load double, ptr %v3840, align 8, !noalias !448
-  %v3841 = fcmp une double %v3827, %v3829
-  br i1 %v3841, label %v3825, label %v3831
-
-v3831:
-  %v3842 = icmp eq i64 %v3834, %v18
-  br i1 %v3842, label %v3748, label %v3815
-
-v3843:
-  %v3844 = phi i64 [ 0, %v3845 ], [ %v3846, %v3847 ]
-  %v3848 = icmp eq i64 %v3844, %v504
-  br i1 %v3848, label %v3748, label %v3847
+v3833:
+  %v3851 = phi i64 [ 0, %v3827 ], [ %v3853, %v3838 ]
+  %v3853 = add nsw i64 %v3851, 1
+  %v3854 = load double, ptr %v3820, align 8, !noalias !422
+  %v3855 = load double, ptr %v3787, align 8, !noalias !422
+  %v3856 = fcmp oeq double %v3854, %v3855
+  %v3836 = mul i64 %v3851, %v196
+  br i1 %v3856, label %v3834, label %v3849
 
 v3849:
-  %v3850 = load i64, ptr %v899, align 8, !noalias !452
-  %v3851 = inttoptr i64 %v3850 to ptr
-  tail call void %v3851(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !452
-  %v3852 = load i64, ptr %v6, align 8, !noalias !461
-  %v3853 = inttoptr i64 %v3852 to ptr
-  tail call void %v3853(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v901), !noalias !461
-  br i1 %v902, label %v3854, label %v3845
+  %v3857 = getelementptr double, ptr %v3805, i64 %v3836
+  %v3858 = getelementptr i8, ptr %v3857, i64 %v896
+  %v3859 = load double, ptr %v3858, align 8, !noalias !426
+  %v3860 = fadd double %v3859, 0.000000e+00
+  %v3861 = fmul double %v3825, %v3860
+  %v3862 = getelementptr i8, ptr %v3857, i64 %v897
+  %v3863 = load double, ptr %v3862, align 8, !noalias !426
+  %v3864 = fadd double %v3863, %v3861
+  %v3865 = fmul double %v3828, %v3864
+  %v3866 = getelementptr i8, ptr %v3857, i64 %v898
+  %v3867 = load double, ptr %v3866, align 8, !noalias !426
+  %v3868 = fadd double %v3867, %v3865
+  %v3869 = fmul double %v3825, %v3868
+  %v3870 = getelementptr i8, ptr %v3857, i64 %v899
+  %v3871 = load double, ptr %v3870, align 8, !noalias !426
+  %v3872 = fadd double %v3871, %v3869
+  %v3873 = fmul double %v3828, %v3872
+  %v3874 = getelementptr i8, ptr %v3857, i64 %v900
+  %v3875 = load double, ptr %v3874, align 8, !noalias !426
+  %v3876 = fadd double %v3875, %v3873
+  %v3877 = fmul double %v3825, %v3876
+  %v3878 = getelementptr i8, ptr %v3857, i64 %v901
+  %v3879 = load double, ptr %v3878, align 8, !noalias !426
+  %v3880 = fadd double %v3879, %v3877
+  %v3881 = fmul double %v3828, %v3880
+  %v3882 = getelementptr i8, ptr %v3857, i64 %v902
+  %v3883 = load double, ptr %v3882, align 8, !noalias !426
+  %v3884 = fadd double %v3883, %v3881
+  %v3885 = fmul double %v3825, %v3884
+  %v3886 = load double, ptr %v3857, align 8, !noalias !426
+  %v3848 = fadd double %v3886, %v3885
+  br label %v3838
 
-v3855:
-  %v3856 = phi i64 [ %v3857, %v3855 ], [ 0, %v3832 ]
-  %v3857 = add nsw i64 %v3856, 1
-  %v3858 = add nsw i64 %v3856, %v17
-  %v3859 = icmp slt i64 %v3858, 0
-  %v3860 = select i1 %v3859, i64 %v166, i64 0
-  %v3861 = getelementptr double, ptr %v165, i64 %v3858
-  %v3862 = getelementptr double, ptr %v3861, i64 %v3860
-  %v3863 = load double, ptr %v3862, align 8, !noalias !464
-  %v3864 = getelementptr double, ptr %v894, i64 %v3856
-  %v3865 = load double, ptr %v3864, align 8, !noalias !464
-  store double %v3865, ptr %v3862, align 8, !noalias !464
-  store double %v3863, ptr %v3864, align 8, !noalias !464
-  %v3866 = icmp eq i64 %v3857, %v18
-  br i1 %v3866, label %v3849, label %v3855
+v3775:
+  %v3887 = icmp eq i64 %v3888, %v9
+  br i1 %v3887, label %v3889, label %v3890
 
-v3845:
-  %v3867 = load i64, ptr %v899, align 8, !noalias !465
-  %v3868 = inttoptr i64 %v3867 to ptr
-  tail call void %v3868(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !465
-  %v3869 = load double, ptr %v23, align 8, !noalias !471
-  %v3870 = load double, ptr %v903, align 8, !noalias !471
-  br label %v3843
+v3890:
+  %v3772 = phi i64 [ %v3888, %v3775 ], [ 0, %v3768 ]
+  %v3888 = add nsw i64 %v3772, 1
+  %v3790 = getelementptr i64, ptr %v142, i64 %v3772
+  %v3778 = load i64, ptr %v3790, align 8, !noalias !419
+  %v3891 = icmp slt i64 %v3778, 0
+  br i1 %v3891, label %v3775, label %v3770
 
-v3854:
-  %v3871 = phi i64 [ %v3872, %v3854 ], [ 0, %v3849 ]
-  %v3872 = add nsw i64 %v3871, 1
-  %v3873 = add nsw i64 %v3871, %v17
-  %v3874 = icmp slt i64 %v3873, 0
-  %v3875 = select i1 %v3874, i64 %v166, i64 0
-  %v3876 = getelementptr double, ptr %v165, i64 %v3873
-  %v3877 = getelementptr double, ptr %v3876, i64 %v3875
-  %v3878 = load double, ptr %v3877, align 8, !noalias !472
-  %v3879 = getelementptr double, ptr %v894, i64 %v3871
-  %v3880 = load double, ptr %v3879, align 8, !noalias !472
-  store double %v3880, ptr %v3877, align 8, !noalias !472
-  store double %v3878, ptr %v3879, align 8, !noalias !472
-  %v3881 = icmp eq i64 %v3872, %v18
-  br i1 %v3881, label %v3845, label %v3854
+v3889:
+  br i1 %v903, label %v3892, label %v3893
 
-v3847:
-  %v3846 = add i64 %v3844, 1
-  %v3882 = mul i64 %v3844, %v196
-  %v3883 = getelementptr double, ptr %v906, i64 %v3882
-  %v3884 = load double, ptr %v3883, align 8, !noalias !471
-  %v3885 = getelementptr double, ptr %v908, i64 %v3882
-  %v3886 = load double, ptr %v3885, align 8, !noalias !471
-  %v3887 = fsub double %v3884, %v3886
-  %v3888 = tail call double @llvm.fabs.f64(double %v3887)
-  %v3889 = getelementptr double, ptr %v193, i64 %v3882
-  %v3890 = load double, ptr %v3889, align 8, !noalias !471
-  %v3891 = tail call double @llvm.fabs.f64(double %v3890)
-  %v3892 = fmul double %v3869, %v3891
-  %v3893 = fadd double %v3870, %v3892
-  %v3894 = load double, ptr %v910, align 8, !noalias !471
-  %v3895 = fmul double %v3894, %v3888
-  %v3896 = fmul double %v3893, 1.000000e-01
-  %v3897 = fcmp ugt double %v3895, %v3896
-  br i1 %v3897, label %v3898, label %v3843
+v3893:
+  %v3894 = load double, ptr %v905, align 8
+  %v3895 = fcmp ogt double %v3894, 5.000000e-01
+  br i1 %v3895, label %v3892, label %v3896
 
-v3745:
-  %v3817 = phi i64 [ %v3824, %v3818 ], [ 0, %v3744 ]
-  %v3824 = add nsw i64 %v3817, 1
-  %v3899 = add nsw i64 %v3817, %v17
-  %v3900 = icmp slt i64 %v3899, 0
-  %v3901 = select i1 %v3900, i64 %v166, i64 0
-  %v3902 = getelementptr double, ptr %v165, i64 %v3899
-  %v3903 = getelementptr double, ptr %v3902, i64 %v3901
-  %v3820 = load double, ptr %v3903, align 8, !noalias !444
-  %v3904 = fcmp uno double %v3820, 0.000000e+00
-  br i1 %v3904, label %v3816, label %v3818
+v3892:
+  %v3897 = load i64, ptr %v906, align 8, !noalias !430
+  %v3898 = inttoptr i64 %v3897 to ptr
+  tail call void %v3898(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !430
+  br label %v3896
 
-v3832:
-  %v3905 = load i64, ptr %v6, align 8, !noalias !473
-  %v3906 = inttoptr i64 %v3905 to ptr
-  tail call void %v3906(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v897), !noalias !473
-  br i1 %v898, label %v3855, label %v3849
+v3896:
+  br i1 %v1569, label %v3899, label %v3900
 
-v3898:
-  %v3907 = load i64, ptr %v142, align 8, !noalias !476
-  %v3908 = icmp sgt i64 %v3907, -1
-  br i1 %v3908, label %v3909, label %v3748
+v3899:
+  %v3901 = load double, ptr %v908, align 8, !noalias !433
+  %v3902 = fcmp olt double %v3901, 5.000000e-01
+  br i1 %v3902, label %v3900, label %v3903
 
-v3909:
-  %v3910 = getelementptr i64, ptr %v110, i64 %v3907
-  %v3911 = load i64, ptr %v3910, align 8, !noalias !476
-  %v3912 = icmp eq i64 %v3911, 0
-  br i1 %v3912, label %v3913, label %v3748
+v3903:
+  %v3904 = load double, ptr %v910, align 8, !noalias !433
+  %v3905 = fcmp oeq double %v3904, 1.000000e+00
+  br i1 %v3905, label %v3906, label %v3907
 
-v3913:
-  store i64 12, ptr %v3910, align 8, !noalias !476
-  br label %v3748
+v3907:
+  br i1 %v912, label %v3908, label %v3909
 
-v3748:
-  store double 0.000000e+00, ptr %v886, align 8, !noalias !433
-  br label %v3737
+v3906:
+  br i1 %v936, label %v3910, label %v3911
 
-v3756:
-  %v3914 = load double, ptr %v133, align 8, !noalias !433
-  %v3915 = load double, ptr %v915, align 8, !noalias !433
-  %v3783 = fsub double %v3914, %v3915
-  br i1 %v916, label %v3792, label %v3787
+v3912:
+  %v3913 = fcmp uno double %v3914, 0.000000e+00
+  %v3915 = fcmp uno double %v3916, 0.000000e+00
+  %v3917 = and i1 %v3913, %v3915
+  br i1 %v3917, label %v3918, label %v3919
 
-v3787:
-  %v3916 = phi i1 [ %v3786, %v3785 ], [ false, %v3756 ]
-  %v3771 = phi i64 [ %v3789, %v3785 ], [ 0, %v3756 ]
-  %v3789 = add nsw i64 %v3771, 1
-  br i1 %v3916, label %v3785, label %v3767
+v3910:
+  %v3920 = phi i64 [ %v3921, %v3918 ], [ 0, %v3906 ]
+  %v3921 = add nsw i64 %v3920, 1
+  %v3922 = getelementptr double, ptr %v937, i64 %v3920
+  %v3914 = load double, ptr %v3922, align 8, !noalias !437
+  %v3923 = add nsw i64 %v3920, %v17
+  %v3924 = icmp slt i64 %v3923, 0
+  %v3925 = select i1 %v3924, i64 %v166, i64 0
+  %v3926 = getelementptr double, ptr %v165, i64 %v3923
+  %v3927 = getelementptr double, ptr %v3926, i64 %v3925
+  %v3916 = load double, ptr %v3927, align 8, !noalias !437
+  %v3928 = fcmp une double %v3914, %v3916
+  br i1 %v3928, label %v3912, label %v3918
 
-v3737:
-  %v3917 = and i1 %v926, %v1424
-  %v3918 = xor i1 %v3917, true
-  %v3919 = or i1 %v307, %v3918
-  br i1 %v3919, label %v3920, label %v3921
+v3918:
+  %v3929 = icmp eq i64 %v3921, %v18
+  br i1 %v3929, label %v3911, label %v3910
 
-v3922:
-  %v3923 = getelementptr i64, ptr %v110, i64 %v3924
-  %v3925 = load i64, ptr %v3923, align 8, !noalias !479
-  %v3926 = icmp eq i64 %v3925, 0
-  br i1 %v3926, label %v3927, label %v3928
+v3930:
+  %v3931 = load double, ptr %v941, align 8, !noalias !433
+  %v3932 = load double, ptr %v23, align 8, !noalias !433
+  %v3933 = mul i64 %v3934, %v196
+  %v3935 = getelementptr double, ptr %v193, i64 %v3933
+  %v3936 = load double, ptr %v3935, align 8, !noalias !433
+  %v3937 = tail call double @llvm.fabs.f64(double %v3936)
+  %v3938 = fmul double %v3932, %v3937
+  %v3939 = fadd double %v3931, %v3938
+  %v3940 = add i64 %v3934, %v195
+  %v3941 = mul i64 %v3940, %v196
+  %v3942 = getelementptr double, ptr %v193, i64 %v3941
+  %v3943 = load double, ptr %v3942, align 8, !noalias !433
+  %v3944 = tail call double @llvm.fabs.f64(double %v3943)
+  %v3945 = fmul double %v3946, %v3944
+  %v3947 = fcmp ogt double %v3945, %v3939
+  br label %v3948
 
-v3927:
-  %v3929 = getelementptr double, ptr %v929, i64 %v3930
-  %v3931 = load double, ptr %v3929, align 8, !noalias !479
-  %v3932 = fcmp olt double %v3931, 5.000000e-01
-  br i1 %v3932, label %v3928, label %v3933
+v3948:
+  %v3949 = phi i1 [ true, %v3950 ], [ %v3947, %v3930 ]
+  %v3951 = icmp eq i64 %v10, %v3952
+  br i1 %v3951, label %v3953, label %v3950
 
-v3933:
-  %v3934 = getelementptr double, ptr %v133, i64 %v3930
-  %v3935 = load double, ptr %v3934, align 8, !noalias !479
-  %v3936 = getelementptr double, ptr %v931, i64 %v3930
-  %v3937 = load double, ptr %v3936, align 8, !noalias !479
-  %v3938 = fcmp une double %v3935, %v3937
-  %v3939 = select i1 %v3938, i1 true, i1 %v933
-  %v3940 = xor i1 %v3938, true
-  %v3941 = select i1 %v3940, i1 true, i1 %v3942
-  br i1 %v3939, label %v3928, label %v3943
+v3953:
+  %v3954 = select i1 %v3949, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3955
 
-v3943:
-  %v3944 = getelementptr i64, ptr %v932, i64 %v3930
-  %v3945 = load i64, ptr %v3944, align 8, !noalias !484
-  %v3946 = add nsw i64 %v3945, 1
-  %v3947 = icmp slt i64 %v3945, -1
-  %v3948 = select i1 %v3947, i64 %v77, i64 0
-  %v3949 = add i64 %v3946, %v3948
-  %v3950 = mul i64 %v3949, %v78
-  %v3951 = getelementptr double, ptr %v76, i64 %v3950
-  br label %v3952
+v3955:
+  %v3956 = phi double [ 5.000000e-06, %v3919 ], [ %v3954, %v3953 ]
+  %v3957 = load double, ptr %v943, align 8, !noalias !433
+  %v3958 = load double, ptr %v92, align 8, !noalias !433
+  %v3959 = fsub double %v3957, %v3958
+  %v3960 = fmul double %v3956, %v3959
+  %v3961 = fcmp olt double %v3946, %v3960
+  br i1 %v3961, label %v3962, label %v3963
 
-v3952:
-  %v3953 = phi i64 [ 0, %v3943 ], [ %v3954, %v3952 ]
-  %v3954 = add nsw i64 %v3953, 1
-  %v3955 = getelementptr double, ptr %v3951, i64 %v3953
-  %v3956 = load double, ptr %v3955, align 8, !noalias !485
-  %v3957 = getelementptr i64, ptr %v62, i64 %v3953
-  %v3958 = load i64, ptr %v3957, align 8, !noalias !485
-  %v3959 = mul nsw i64 %v3958, %v9
-  %v3960 = add nsw i64 %v3959, %v3930
-  %v3961 = icmp slt i64 %v3960, 0
-  %v3962 = select i1 %v3961, i64 %v166, i64 0
-  %v3963 = getelementptr double, ptr %v165, i64 %v3960
-  %v3964 = getelementptr double, ptr %v3963, i64 %v3962
-  store double %v3956, ptr %v3964, align 8, !noalias !485
-  %v3965 = icmp eq i64 %v63, %v3954
-  br i1 %v3965, label %v3928, label %v3952
+v3962:
+  %v3964 = load i64, ptr %v945, align 8, !noalias !433
+  %v3965 = add nsw i64 %v3964, 1
+  br label %v3963
 
-v3928:
-  %v3966 = phi i1 [ %v3941, %v3933 ], [ %v3942, %v3927 ], [ %v3942, %v3921 ], [ %v3942, %v3922 ], [ true, %v3952 ]
-  %v3967 = icmp eq i64 %v9, %v3968
-  br i1 %v3967, label %v3969, label %v3921
-
-v3969:
-  br i1 %v3966, label %v3970, label %v3920
+v3963:
+  %v3966 = phi i64 [ %v3965, %v3962 ], [ 0, %v3955 ]
+  store i64 %v3966, ptr %v947, align 8, !noalias !433
+  %v3967 = load double, ptr %v133, align 8, !noalias !433
+  store double %v3967, ptr %v939, align 8, !noalias !433
+  store double 1.000000e+00, ptr %v949, align 8, !noalias !433
+  store i64 2, ptr %v452, align 8, !noalias !433
+  %v3968 = load i64, ptr %v947, align 8, !noalias !433
+  %v3969 = icmp sgt i64 %v3968, 1000
+  br i1 %v3969, label %v3970, label %v3911
 
 v3970:
-  %v3971 = load i64, ptr %v934, align 8, !noalias !489
-  %v3972 = inttoptr i64 %v3971 to ptr
-  tail call void %v3972(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !489
-  %v3973 = load i64, ptr %v936, align 8, !noalias !484
-  %v3974 = inttoptr i64 %v3973 to ptr
-  tail call void %v3974(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v938), !noalias !484
-  br label %v3975
+  %v3971 = load i64, ptr %v142, align 8, !noalias !441
+  %v3972 = icmp sgt i64 %v3971, -1
+  br i1 %v3972, label %v3973, label %v3911
 
-v3975:
-  %v3976 = phi i64 [ 0, %v3970 ], [ %v3977, %v3978 ]
-  %v3979 = phi i64 [ %v940, %v3970 ], [ %v3980, %v3978 ]
-  %v3981 = phi i64 [ 1, %v3970 ], [ %v3982, %v3978 ]
-  %v3983 = icmp slt i64 %v3976, 0
-  %v3984 = select i1 %v3983, i64 %v144, i64 0
-  %v3985 = add i64 %v3984, %v3976
-  %v3986 = getelementptr i64, ptr %v142, i64 %v3985
-  %v3987 = load i64, ptr %v3986, align 8, !noalias !492
-  %v3988 = icmp slt i64 %v3987, 0
-  br i1 %v3988, label %v3978, label %v3989
+v3973:
+  %v3974 = getelementptr i64, ptr %v110, i64 %v3971
+  %v3975 = load i64, ptr %v3974, align 8, !noalias !441
+  %v3976 = icmp eq i64 %v3975, 0
+  br i1 %v3976, label %v3977, label %v3911
 
-v3989:
-  %v3990 = getelementptr i64, ptr %v110, i64 %v3987
-  %v3991 = load i64, ptr %v3990, align 8, !noalias !492
-  %v3992 = icmp eq i64 %v3991, 0
-  br i1 %v3992, label %v3993, label %v3978
+v3977:
+  store i64 6, ptr %v3974, align 8, !noalias !441
+  br label %v3911
 
-v3993:
-  %v3994 = select i1 %v3983, i64 %v135, i64 0
-  %v3995 = add i64 %v3994, %v3976
-  %v3996 = getelementptr double, ptr %v929, i64 %v3995
-  %v3997 = load double, ptr %v3996, align 8, !noalias !492
-  %v3998 = fcmp olt double %v3997, 5.000000e-01
-  br i1 %v3998, label %v3978, label %v3999
+v3909:
+  br i1 %v917, label %v3978, label %v3911
 
-v3999:
-  %v4000 = getelementptr double, ptr %v133, i64 %v3995
-  %v4001 = load double, ptr %v4000, align 8, !noalias !492
-  %v4002 = getelementptr double, ptr %v931, i64 %v3995
-  %v4003 = load double, ptr %v4002, align 8, !noalias !492
-  %v4004 = fcmp une double %v4001, %v4003
-  br i1 %v4004, label %v3978, label %v4005
+v3979:
+  store double 1.000000e+00, ptr %v3980, align 8, !noalias !444
+  store i64 %v3981, ptr %v915, align 8, !noalias !444
+  br label %v3982
 
-v4005:
-  %v4006 = getelementptr i64, ptr %v944, i64 %v3985
-  %v4007 = load i64, ptr %v4006, align 8, !noalias !495
-  %v4008 = icmp sgt i64 %v4007, 0
-  br i1 %v4008, label %v4009, label %v4010
+v3982:
+  %v3983 = icmp eq i64 %v3984, %v18
+  br i1 %v3983, label %v3909, label %v3908
 
-v4009:
-  %v4011 = getelementptr double, ptr %v92, i64 %v4007
-  %v4012 = getelementptr i8, ptr %v4011, i64 -8
-  %v4013 = load double, ptr %v4012, align 8, !noalias !495
-  %v4014 = getelementptr double, ptr %v133, i64 %v3976
-  %v4015 = getelementptr double, ptr %v4014, i64 %v3994
-  %v4016 = load double, ptr %v4015, align 8, !noalias !495
-  %v4017 = fcmp oeq double %v4013, %v4016
-  br label %v4010
-
-v4010:
-  %v4018 = phi i1 [ %v4017, %v4009 ], [ false, %v4005 ]
-  br i1 %v946, label %v4019, label %v4020
-
-v4020:
-  %v4021 = mul i64 %v939, %v3987
-  %v4022 = select i1 %v3983, i64 %v196, i64 0
-  %v4023 = add i64 %v4022, %v3976
-  %v4024 = getelementptr double, ptr %v947, i64 %v4023
-  %v4025 = getelementptr double, ptr %v193, i64 %v4023
-  %v4026 = add nsw i64 %v4007, -1
-  %v4027 = select i1 %v4008, i64 0, i64 %v101
-  %v4028 = add i64 %v4026, %v4027
-  %v4029 = mul i64 %v4028, %v102
-  %v4030 = getelementptr double, ptr %v99, i64 %v4021
-  %v4031 = getelementptr double, ptr %v4030, i64 %v4029
-  br label %v4032
-
-v4033:
-  %v4034 = getelementptr double, ptr %v4031, i64 %v4035
-  store double %v4036, ptr %v4034, align 8, !noalias !495
-  br label %v4037
-
-v4037:
-  %v4038 = icmp eq i64 %v10, %v4039
-  br i1 %v4038, label %v4040, label %v4032
-
-v4040:
-  %v4041 = fcmp une double %v4042, 0.000000e+00
-  br i1 %v4041, label %v4043, label %v4019
-
-v4043:
-  %v4044 = load i64, ptr %v3986, align 8, !noalias !499
-  %v4045 = icmp sgt i64 %v4044, -1
-  br i1 %v4045, label %v4046, label %v4019
-
-v4046:
-  %v4047 = getelementptr i64, ptr %v110, i64 %v4044
-  %v4048 = load i64, ptr %v4047, align 8, !noalias !499
-  %v4049 = icmp eq i64 %v4048, 0
-  br i1 %v4049, label %v4050, label %v4019
-
-v4050:
-  store i64 3, ptr %v4047, align 8, !noalias !499
-  br label %v4019
-
-v4019:
-  br i1 %v948, label %v3978, label %v4051
-
-v4051:
-  %v4052 = load double, ptr %v950, align 8, !noalias !502
-  %v4053 = load double, ptr %v92, align 8, !noalias !502
-  %v4054 = fsub double %v4052, %v4053
-  %v4055 = fmul double %v4054, 1.000000e-13
-  %v4056 = load double, ptr %v133, align 8, !noalias !502
-  %v4057 = tail call double @llvm.fabs.f64(double %v4056)
-  %v4058 = fmul double %v4057, 4.000000e-15
-  %v4059 = fcmp ogt double %v4058, %v4055
-  %v4060 = select i1 %v4059, double %v4058, double %v4055
-  %v4061 = fadd double %v4056, %v4060
-  store double %v4061, ptr %v952, align 8, !noalias !509
-  %v4062 = load i64, ptr %v6, align 8, !noalias !510
-  %v4063 = inttoptr i64 %v4062 to ptr
-  tail call void %v4063(ptr nonnull %v133, ptr %v938, ptr %v165, ptr %v172, ptr %v179, ptr %v954), !noalias !510
-  br i1 %v946, label %v4064, label %v4065
-
-v4064:
-  %v4066 = load i64, ptr %v959, align 8, !noalias !513
-  %v4067 = inttoptr i64 %v4066 to ptr
-  tail call void %v4067(ptr nonnull %v133, ptr %v961, ptr %v165, ptr %v172, ptr %v179, ptr %v963), !noalias !513
-  br i1 %v965, label %v4068, label %v4069
-
-v4070:
-  store double 0.000000e+00, ptr %v4071, align 8, !noalias !513
-  br label %v4072
-
-v4072:
-  %v4073 = fcmp uno double %v4074, 0.000000e+00
-  br i1 %v4073, label %v4075, label %v4076
-
-v4075:
-  %v4077 = icmp slt i64 %v4078, %v18
-  br i1 %v4077, label %v4079, label %v4080
-
-v4079:
-  %v4081 = add nsw i64 %v4078, %v17
-  %v4082 = icmp slt i64 %v4081, 0
-  %v4083 = select i1 %v4082, i64 %v166, i64 0
-  %v4084 = getelementptr double, ptr %v165, i64 %v4081
-  %v4085 = getelementptr double, ptr %v4084, i64 %v4083
-  %v4086 = load double, ptr %v4085, align 8, !noalias !513
-  br label %v4080
-
-v4080:
-  %v4087 = phi double [ %v4086, %v4079 ], [ 0.000000e+00, %v4075 ]
-  %v4088 = getelementptr double, ptr %v966, i64 %v4078
-  %v4089 = load double, ptr %v4088, align 8, !noalias !513
-  %v4090 = fcmp une double %v4089, %v4087
-  br i1 %v4090, label %v4091, label %v4092
-
-v4091:
-  %v4093 = fcmp ord double %v4089, 0.000000e+00
-  br i1 %v4093, label %v4092, label %v4094
-
-v4094:
-  %v4095 = fcmp uno double %v4087, 0.000000e+00
-  %v4096 = select i1 %v4095, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v4092
-
-v4092:
-  %v4097 = phi double [ 0xFFF0000000000000, %v4091 ], [ %v4096, %v4094 ], [ 0x7FF0000000000000, %v4080 ]
-  store double %v4097, ptr %v4098, align 8, !noalias !513
-  br label %v4076
-
-v4076:
-  %v4099 = icmp eq i64 %v207, %v4100
-  br i1 %v4099, label %v4101, label %v4069
-
-v4069:
-  %v4078 = phi i64 [ %v4100, %v4076 ], [ 0, %v4064 ]
-  %v4100 = add nsw i64 %v4078, 1
-  %v4098 = getelementptr double, ptr %v967, i64 %v4078
-  %v4074 = load double, ptr %v4098, align 8, !noalias !513
-  %v4102 = tail call double @llvm.fabs.f64(double %v4074)
-  %v4071 = getelementptr double, ptr %v969, i64 %v4078
-  %v4103 = load double, ptr %v4071, align 8, !noalias !513
-  %v4104 = fadd double %v4102, %v4103
-  %v4105 = fcmp ueq double %v4104, 0x7FF0000000000000
-  br i1 %v4105, label %v4070, label %v4072
-
-v4106:
-  %v4107 = phi i64 [ %v4108, %v4109 ], [ %v18, %v4110 ]
-  %v4111 = phi i64 [ %v4112, %v4109 ], [ %v979, %v4110 ]
-  %v4113 = icmp sgt i64 %v4111, 0
-  br i1 %v4113, label %v4109, label %v3978
-
-v4114:
-  %v4115 = getelementptr i64, ptr %v983, i64 %v3985
-  store i64 %v4107, ptr %v4115, align 8, !noalias !509
-  %v4116 = load i64, ptr %v3986, align 8, !noalias !517
-  %v4117 = icmp sgt i64 %v4116, -1
-  br i1 %v4117, label %v4118, label %v4119
-
-v4118:
-  %v4120 = getelementptr i64, ptr %v110, i64 %v4116
-  %v4121 = load i64, ptr %v4120, align 8, !noalias !517
-  %v4122 = icmp eq i64 %v4121, 0
-  br i1 %v4122, label %v4123, label %v4119
-
-v4123:
-  store i64 4, ptr %v4120, align 8, !noalias !517
-  br label %v4119
-
-v4119:
-  %v4124 = load double, ptr %v4000, align 8, !noalias !509
-  store double %v4124, ptr %v4002, align 8, !noalias !509
-  %v4125 = getelementptr double, ptr %v985, i64 %v3995
-  store double 0.000000e+00, ptr %v4125, align 8, !noalias !509
-  br label %v3978
-
-v4065:
-  %v4126 = phi i64 [ %v4127, %v4065 ], [ 0, %v4051 ]
-  %v4127 = add nsw i64 %v4126, 1
-  %v4128 = mul i64 %v4126, %v196
-  %v4129 = getelementptr double, ptr %v947, i64 %v4128
-  %v4130 = load double, ptr %v4129, align 8, !noalias !509
-  %v4131 = getelementptr double, ptr %v956, i64 %v4128
-  %v4132 = load double, ptr %v4131, align 8, !noalias !509
-  %v4133 = fmul double %v4060, %v4132
-  %v4134 = fadd double %v4130, %v4133
-  %v4135 = getelementptr double, ptr %v958, i64 %v4128
-  store double %v4134, ptr %v4135, align 8, !noalias !509
-  %v4136 = icmp eq i64 %v10, %v4127
-  br i1 %v4136, label %v4064, label %v4065
-
-v4101:
-  %v4137 = load i64, ptr %v959, align 8, !noalias !520
-  %v4138 = inttoptr i64 %v4137 to ptr
-  tail call void %v4138(ptr nonnull %v952, ptr %v971, ptr %v165, ptr %v172, ptr %v179, ptr %v973), !noalias !520
-  br label %v4139
-
-v4140:
-  store double 0.000000e+00, ptr %v4141, align 8, !noalias !520
-  br label %v4142
-
-v4142:
-  %v4143 = fcmp uno double %v4144, 0.000000e+00
-  br i1 %v4143, label %v4145, label %v4146
-
-v4145:
-  %v4147 = icmp slt i64 %v4148, %v18
-  br i1 %v4147, label %v4149, label %v4150
-
-v4149:
-  %v4151 = add nsw i64 %v4148, %v17
-  %v4152 = icmp slt i64 %v4151, 0
-  %v4153 = select i1 %v4152, i64 %v166, i64 0
-  %v4154 = getelementptr double, ptr %v165, i64 %v4151
-  %v4155 = getelementptr double, ptr %v4154, i64 %v4153
-  %v4156 = load double, ptr %v4155, align 8, !noalias !520
-  br label %v4150
-
-v4150:
-  %v4157 = phi double [ %v4156, %v4149 ], [ 0.000000e+00, %v4145 ]
-  %v4158 = getelementptr double, ptr %v975, i64 %v4148
-  %v4159 = load double, ptr %v4158, align 8, !noalias !520
-  %v4160 = fcmp une double %v4159, %v4157
-  br i1 %v4160, label %v4161, label %v4162
-
-v4161:
-  %v4163 = fcmp ord double %v4159, 0.000000e+00
-  br i1 %v4163, label %v4162, label %v4164
-
-v4164:
-  %v4165 = fcmp uno double %v4157, 0.000000e+00
-  %v4166 = select i1 %v4165, double 0x7FF0000000000000, double 0xFFF0000000000000
-  br label %v4162
-
-v4162:
-  %v4167 = phi double [ 0xFFF0000000000000, %v4161 ], [ %v4166, %v4164 ], [ 0x7FF0000000000000, %v4150 ]
-  store double %v4167, ptr %v4168, align 8, !noalias !520
-  br label %v4146
-
-v4146:
-  %v4169 = icmp eq i64 %v207, %v4170
-  br i1 %v4169, label %v4110, label %v4139
-
-v4139:
-  %v4148 = phi i64 [ %v4170, %v4146 ], [ 0, %v4101 ]
-  %v4170 = add nsw i64 %v4148, 1
-  %v4168 = getelementptr double, ptr %v976, i64 %v4148
-  %v4144 = load double, ptr %v4168, align 8, !noalias !520
-  %v4171 = tail call double @llvm.fabs.f64(double %v4144)
-  %v4141 = getelementptr double, ptr %v977, i64 %v4148
-  %v4172 = load double, ptr %v4141, align 8, !noalias !520
-  %v4173 = fadd double %v4171, %v4172
-  %v4174 = fcmp ueq double %v4173, 0x7FF0000000000000
-  br i1 %v4174, label %v4140, label %v4142
-
-v4068:
-  %v4175 = load i64, ptr %v959, align 8, !noalias !520
-  %v4176 = inttoptr i64 %v4175 to ptr
-  tail call void %v4176(ptr nonnull %v952, ptr %v971, ptr %v165, ptr %v172, ptr %v179, ptr %v973), !noalias !520
-  br label %v4110
-
-v4110:
-  br label %v4106
-
-v4109:
-  %v4112 = add nsw i64 %v4111, -1
-  %v4108 = add i64 %v4107, 1
-  %v4177 = icmp slt i64 %v4107, 0
-  %v4178 = select i1 %v4177, i64 %v207, i64 0
-  %v4179 = add i64 %v4178, %v4107
-  %v4180 = getelementptr double, ptr %v981, i64 %v4179
-  %v4181 = load double, ptr %v4180, align 8, !noalias !509
-  %v4182 = getelementptr double, ptr %v967, i64 %v4179
-  %v4183 = load double, ptr %v4182, align 8, !noalias !509
-  %v4184 = fsub double %v4181, %v4183
-  %v4185 = tail call double @llvm.fabs.f64(double %v4184)
-  %v4186 = getelementptr double, ptr %v969, i64 %v4179
-  %v4187 = load double, ptr %v4186, align 8, !noalias !509
-  %v4188 = tail call i1 @llvm.is.fpclass.f64(double %v4187, i32 543)
-  %v4189 = select i1 %v4188, double 0.000000e+00, double %v4187
-  %v4190 = fcmp ueq double %v4185, 0x7FF0000000000000
-  %v4191 = select i1 %v4190, double -0.000000e+00, double %v4185
-  %v4192 = fadd double %v4189, %v4191
-  %v4193 = getelementptr double, ptr %v966, i64 %v4179
-  %v4194 = load double, ptr %v4193, align 8, !noalias !509
-  %v4195 = fneg double %v4192
-  %v4196 = fcmp ult double %v4194, %v4195
-  br i1 %v4196, label %v4114, label %v4106
-
-v4032:
-  %v4197 = phi double [ 0.000000e+00, %v4020 ], [ %v4042, %v4037 ]
-  %v4035 = phi i64 [ 0, %v4020 ], [ %v4039, %v4037 ]
-  %v4039 = add nsw i64 %v4035, 1
-  %v4198 = mul i64 %v4035, %v196
-  %v4199 = getelementptr double, ptr %v4024, i64 %v4198
-  %v4036 = load double, ptr %v4199, align 8, !noalias !495
-  %v4200 = fmul double %v4036, 0.000000e+00
-  %v4042 = fadd double %v4197, %v4200
-  %v4201 = getelementptr double, ptr %v4025, i64 %v4198
-  store double %v4036, ptr %v4201, align 8, !noalias !495
-  br i1 %v4018, label %v4033, label %v4037
+v3985:
+  %v3986 = fcmp uno double %v3987, 0.000000e+00
+  %v3988 = fcmp uno double %v3989, 0.000000e+00
+  %v3990 = and i1 %v3986, %v3988
+  br i1 %v3990, label %v3991, label %v3992
 
 v3978:
-  %v4202 = icmp sgt i64 %v3979, 0
-  %v4203 = zext i1 %v4202 to i64
-  %v3982 = add i64 %v3981, %v4203
-  %v4204 = sext i1 %v4202 to i64
-  %v3980 = add nsw i64 %v3979, %v4204
-  %v3977 = select i1 %v4202, i64 %v3981, i64 0
-  br i1 %v4202, label %v3975, label %v3920
+  %v3993 = phi i64 [ %v3994, %v3991 ], [ 0, %v3909 ]
+  %v3994 = add nsw i64 %v3993, 1
+  %v3995 = getelementptr double, ptr %v918, i64 %v3993
+  %v3987 = load double, ptr %v3995, align 8, !noalias !448
+  %v3996 = add nsw i64 %v3993, %v17
+  %v3997 = icmp slt i64 %v3996, 0
+  %v3998 = select i1 %v3997, i64 %v166, i64 0
+  %v3999 = getelementptr double, ptr %v165, i64 %v3996
+  %v4000 = getelementptr double, ptr %v3999, i64 %v3998
+  %v3989 = load double, ptr %v4000, align 8, !noalias !448
+  %v4001 = fcmp une double %v3987, %v3989
+  br i1 %v4001, label %v3985, label %v3991
 
-v3921:
-  %v3942 = phi i1 [ %v3966, %v3928 ], [ false, %v3737 ]
-  %v3930 = phi i64 [ %v3968, %v3928 ], [ 0, %v3737 ]
-  %v3968 = add nsw i64 %v3930, 1
-  %v4205 = getelementptr i64, ptr %v142, i64 %v3930
-  %v3924 = load i64, ptr %v4205, align 8, !noalias !479
-  %v4206 = icmp slt i64 %v3924, 0
-  br i1 %v4206, label %v3928, label %v3922
+v3991:
+  %v4002 = icmp eq i64 %v3994, %v18
+  br i1 %v4002, label %v3911, label %v3978
 
-v3920:
-  %v4207 = xor i1 %v1424, true
-  %v4208 = or i1 %v307, %v4207
-  %v4209 = select i1 %v1424, i64 0, i64 %v1084
-  br i1 %v4208, label %v1083, label %v4210
+v4003:
+  %v4004 = phi i64 [ 0, %v4005 ], [ %v4006, %v4007 ]
+  %v4008 = icmp eq i64 %v4004, %v504
+  br i1 %v4008, label %v3911, label %v4007
 
-v4210:
-  %v4211 = phi i64 [ %v4212, %v4213 ], [ 0, %v3920 ]
-  %v4214 = phi i64 [ %v4215, %v4213 ], [ %v989, %v3920 ]
-  %v4216 = phi i64 [ %v4217, %v4213 ], [ %v988, %v3920 ]
-  %v4218 = phi i1 [ %v4219, %v4213 ], [ false, %v3920 ]
-  %v4220 = phi i64 [ %v4221, %v4213 ], [ 0, %v3920 ]
-  %v4222 = icmp slt i64 %v4211, 0
-  %v4223 = select i1 %v4222, i64 %v144, i64 0
-  %v4224 = add i64 %v4223, %v4211
-  %v4225 = getelementptr i64, ptr %v142, i64 %v4224
-  %v4226 = load i64, ptr %v4225, align 8, !noalias !524
-  %v4227 = icmp slt i64 %v4226, 0
-  br i1 %v4227, label %v4213, label %v4228
+v4009:
+  %v4010 = load i64, ptr %v923, align 8, !noalias !452
+  %v4011 = inttoptr i64 %v4010 to ptr
+  tail call void %v4011(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !452
+  %v4012 = load i64, ptr %v6, align 8, !noalias !461
+  %v4013 = inttoptr i64 %v4012 to ptr
+  tail call void %v4013(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v925), !noalias !461
+  br i1 %v926, label %v4014, label %v4005
 
-v4228:
-  %v4229 = mul i64 %v4226, %v126
-  %v4230 = getelementptr i64, ptr %v124, i64 %v4229
-  %v4231 = load i64, ptr %v4230, align 8, !noalias !524
-  %v4232 = getelementptr i8, ptr %v4230, i64 24
-  %v4233 = load i64, ptr %v4232, align 8, !noalias !524
-  %v4234 = add nsw i64 %v4233, %v4231
-  %v4235 = icmp slt i64 %v4234, %v298
-  br i1 %v4235, label %v4236, label %v4237
+v4015:
+  %v4016 = phi i64 [ %v4017, %v4015 ], [ 0, %v3992 ]
+  %v4017 = add nsw i64 %v4016, 1
+  %v4018 = add nsw i64 %v4016, %v17
+  %v4019 = icmp slt i64 %v4018, 0
+  %v4020 = select i1 %v4019, i64 %v166, i64 0
+  %v4021 = getelementptr double, ptr %v165, i64 %v4018
+  %v4022 = getelementptr double, ptr %v4021, i64 %v4020
+  %v4023 = load double, ptr %v4022, align 8, !noalias !464
+  %v4024 = getelementptr double, ptr %v918, i64 %v4016
+  %v4025 = load double, ptr %v4024, align 8, !noalias !464
+  store double %v4025, ptr %v4022, align 8, !noalias !464
+  store double %v4023, ptr %v4024, align 8, !noalias !464
+  %v4026 = icmp eq i64 %v4017, %v18
+  br i1 %v4026, label %v4009, label %v4015
 
-v4237:
-  %v4238 = getelementptr i64, ptr %v110, i64 %v4226
-  %v4239 = load i64, ptr %v4238, align 8, !noalias !528
-  %v4240 = icmp eq i64 %v4239, 0
-  br i1 %v4240, label %v4241, label %v4242
+v4005:
+  %v4027 = load i64, ptr %v923, align 8, !noalias !465
+  %v4028 = inttoptr i64 %v4027 to ptr
+  tail call void %v4028(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !465
+  %v4029 = load double, ptr %v23, align 8, !noalias !471
+  %v4030 = load double, ptr %v927, align 8, !noalias !471
+  br label %v4003
 
-v4241:
-  store i64 5, ptr %v4238, align 8, !noalias !528
-  br label %v4242
+v4014:
+  %v4031 = phi i64 [ %v4032, %v4014 ], [ 0, %v4009 ]
+  %v4032 = add nsw i64 %v4031, 1
+  %v4033 = add nsw i64 %v4031, %v17
+  %v4034 = icmp slt i64 %v4033, 0
+  %v4035 = select i1 %v4034, i64 %v166, i64 0
+  %v4036 = getelementptr double, ptr %v165, i64 %v4033
+  %v4037 = getelementptr double, ptr %v4036, i64 %v4035
+  %v4038 = load double, ptr %v4037, align 8, !noalias !472
+  %v4039 = getelementptr double, ptr %v918, i64 %v4031
+  %v4040 = load double, ptr %v4039, align 8, !noalias !472
+  store double %v4040, ptr %v4037, align 8, !noalias !472
+  store double %v4038, ptr %v4039, align 8, !noalias !472
+  %v4041 = icmp eq i64 %v4032, %v18
+  br i1 %v4041, label %v4005, label %v4014
+
+v4007:
+  %v4006 = add i64 %v4004, 1
+  %v4042 = mul i64 %v4004, %v196
+  %v4043 = getelementptr double, ptr %v930, i64 %v4042
+  %v4044 = load double, ptr %v4043, align 8, !noalias !471
+  %v4045 = getelementptr double, ptr %v932, i64 %v4042
+  %v4046 = load double, ptr %v4045, align 8, !noalias !471
+  %v4047 = fsub double %v4044, %v4046
+  %v4048 = tail call double @llvm.fabs.f64(double %v4047)
+  %v4049 = getelementptr double, ptr %v193, i64 %v4042
+  %v4050 = load double, ptr %v4049, align 8, !noalias !471
+  %v4051 = tail call double @llvm.fabs.f64(double %v4050)
+  %v4052 = fmul double %v4029, %v4051
+  %v4053 = fadd double %v4030, %v4052
+  %v4054 = load double, ptr %v934, align 8, !noalias !471
+  %v4055 = fmul double %v4054, %v4048
+  %v4056 = fmul double %v4053, 1.000000e-01
+  %v4057 = fcmp ugt double %v4055, %v4056
+  br i1 %v4057, label %v4058, label %v4003
+
+v3908:
+  %v3981 = phi i64 [ %v3984, %v3982 ], [ 0, %v3907 ]
+  %v3984 = add nsw i64 %v3981, 1
+  %v4059 = add nsw i64 %v3981, %v17
+  %v4060 = icmp slt i64 %v4059, 0
+  %v4061 = select i1 %v4060, i64 %v166, i64 0
+  %v4062 = getelementptr double, ptr %v165, i64 %v4059
+  %v4063 = getelementptr double, ptr %v4062, i64 %v4061
+  %v4064 = load double, ptr %v4063, align 8, !noalias !444
+  %v3980 = getelementptr double, ptr %v913, i64 %v3981
+  store double %v4064, ptr %v3980, align 8, !noalias !444
+  %v4065 = fcmp uno double %v4064, 0.000000e+00
+  br i1 %v4065, label %v3979, label %v3982
+
+v3992:
+  %v4066 = load i64, ptr %v6, align 8, !noalias !473
+  %v4067 = inttoptr i64 %v4066 to ptr
+  tail call void %v4067(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v921), !noalias !473
+  br i1 %v922, label %v4015, label %v4009
+
+v4058:
+  %v4068 = load i64, ptr %v142, align 8, !noalias !476
+  %v4069 = icmp sgt i64 %v4068, -1
+  br i1 %v4069, label %v4070, label %v3911
+
+v4070:
+  %v4071 = getelementptr i64, ptr %v110, i64 %v4068
+  %v4072 = load i64, ptr %v4071, align 8, !noalias !476
+  %v4073 = icmp eq i64 %v4072, 0
+  br i1 %v4073, label %v4074, label %v3911
+
+v4074:
+  store i64 12, ptr %v4071, align 8, !noalias !476
+  br label %v3911
+
+v3911:
+  store double 0.000000e+00, ptr %v910, align 8, !noalias !433
+  br label %v3900
+
+v3919:
+  %v4075 = load double, ptr %v133, align 8, !noalias !433
+  %v4076 = load double, ptr %v939, align 8, !noalias !433
+  %v3946 = fsub double %v4075, %v4076
+  br i1 %v940, label %v3955, label %v3950
+
+v3950:
+  %v4077 = phi i1 [ %v3949, %v3948 ], [ false, %v3919 ]
+  %v3934 = phi i64 [ %v3952, %v3948 ], [ 0, %v3919 ]
+  %v3952 = add nsw i64 %v3934, 1
+  br i1 %v4077, label %v3948, label %v3930
+
+v3900:
+  %v4078 = and i1 %v950, %v1455
+  %v4079 = xor i1 %v4078, true
+  %v4080 = or i1 %v307, %v4079
+  br i1 %v4080, label %v4081, label %v4082
+
+v4083:
+  %v4084 = getelementptr i64, ptr %v110, i64 %v4085
+  %v4086 = load i64, ptr %v4084, align 8, !noalias !479
+  %v4087 = icmp eq i64 %v4086, 0
+  br i1 %v4087, label %v4088, label %v4089
+
+v4088:
+  %v4090 = getelementptr double, ptr %v953, i64 %v4091
+  %v4092 = load double, ptr %v4090, align 8, !noalias !479
+  %v4093 = fcmp olt double %v4092, 5.000000e-01
+  br i1 %v4093, label %v4089, label %v4094
+
+v4094:
+  %v4095 = getelementptr double, ptr %v133, i64 %v4091
+  %v4096 = load double, ptr %v4095, align 8, !noalias !479
+  %v4097 = getelementptr double, ptr %v955, i64 %v4091
+  %v4098 = load double, ptr %v4097, align 8, !noalias !479
+  %v4099 = fcmp une double %v4096, %v4098
+  %v4100 = select i1 %v4099, i1 true, i1 %v957
+  %v4101 = xor i1 %v4099, true
+  %v4102 = select i1 %v4101, i1 true, i1 %v4103
+  br i1 %v4100, label %v4089, label %v4104
+
+v4104:
+  %v4105 = getelementptr i64, ptr %v956, i64 %v4091
+  %v4106 = load i64, ptr %v4105, align 8, !noalias !484
+  %v4107 = add nsw i64 %v4106, 1
+  %v4108 = icmp slt i64 %v4106, -1
+  %v4109 = select i1 %v4108, i64 %v77, i64 0
+  %v4110 = add i64 %v4107, %v4109
+  %v4111 = mul i64 %v4110, %v78
+  %v4112 = getelementptr double, ptr %v76, i64 %v4111
+  br label %v4113
+
+v4113:
+  %v4114 = phi i64 [ 0, %v4104 ], [ %v4115, %v4113 ]
+  %v4115 = add nsw i64 %v4114, 1
+  %v4116 = getelementptr double, ptr %v4112, i64 %v4114
+  %v4117 = load double, ptr %v4116, align 8, !noalias !485
+  %v4118 = getelementptr i64, ptr %v62, i64 %v4114
+  %v4119 = load i64, ptr %v4118, align 8, !noalias !485
+  %v4120 = mul nsw i64 %v4119, %v9
+  %v4121 = add nsw i64 %v4120, %v4091
+  %v4122 = icmp slt i64 %v4121, 0
+  %v4123 = select i1 %v4122, i64 %v166, i64 0
+  %v4124 = getelementptr double, ptr %v165, i64 %v4121
+  %v4125 = getelementptr double, ptr %v4124, i64 %v4123
+  store double %v4117, ptr %v4125, align 8, !noalias !485
+  %v4126 = icmp eq i64 %v63, %v4115
+  br i1 %v4126, label %v4089, label %v4113
+
+v4089:
+  %v4127 = phi i1 [ %v4102, %v4094 ], [ %v4103, %v4088 ], [ %v4103, %v4082 ], [ %v4103, %v4083 ], [ true, %v4113 ]
+  %v4128 = icmp eq i64 %v9, %v4129
+  br i1 %v4128, label %v4130, label %v4082
+
+v4130:
+  br i1 %v4127, label %v4131, label %v4081
+
+v4131:
+  %v4132 = load i64, ptr %v958, align 8, !noalias !489
+  %v4133 = inttoptr i64 %v4132 to ptr
+  tail call void %v4133(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !489
+  %v4134 = load i64, ptr %v960, align 8, !noalias !484
+  %v4135 = inttoptr i64 %v4134 to ptr
+  tail call void %v4135(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v962), !noalias !484
+  br label %v4136
+
+v4136:
+  %v4137 = phi i64 [ 0, %v4131 ], [ %v4138, %v4139 ]
+  %v4140 = phi i64 [ %v964, %v4131 ], [ %v4141, %v4139 ]
+  %v4142 = phi i64 [ 1, %v4131 ], [ %v4143, %v4139 ]
+  %v4144 = icmp slt i64 %v4137, 0
+  %v4145 = select i1 %v4144, i64 %v144, i64 0
+  %v4146 = add i64 %v4145, %v4137
+  %v4147 = getelementptr i64, ptr %v142, i64 %v4146
+  %v4148 = load i64, ptr %v4147, align 8, !noalias !492
+  %v4149 = icmp slt i64 %v4148, 0
+  br i1 %v4149, label %v4139, label %v4150
+
+v4150:
+  %v4151 = getelementptr i64, ptr %v110, i64 %v4148
+  %v4152 = load i64, ptr %v4151, align 8, !noalias !492
+  %v4153 = icmp eq i64 %v4152, 0
+  br i1 %v4153, label %v4154, label %v4139
+
+v4154:
+  %v4155 = select i1 %v4144, i64 %v135, i64 0
+  %v4156 = add i64 %v4155, %v4137
+  %v4157 = getelementptr double, ptr %v953, i64 %v4156
+  %v4158 = load double, ptr %v4157, align 8, !noalias !492
+  %v4159 = fcmp olt double %v4158, 5.000000e-01
+  br i1 %v4159, label %v4139, label %v4160
+
+v4160:
+  %v4161 = getelementptr double, ptr %v133, i64 %v4156
+  %v4162 = load double, ptr %v4161, align 8, !noalias !492
+  %v4163 = getelementptr double, ptr %v955, i64 %v4156
+  %v4164 = load double, ptr %v4163, align 8, !noalias !492
+  %v4165 = fcmp une double %v4162, %v4164
+  br i1 %v4165, label %v4139, label %v4166
+
+v4166:
+  %v4167 = getelementptr i64, ptr %v968, i64 %v4146
+  %v4168 = load i64, ptr %v4167, align 8, !noalias !495
+  %v4169 = icmp sgt i64 %v4168, 0
+  br i1 %v4169, label %v4170, label %v4171
+
+v4170:
+  %v4172 = getelementptr double, ptr %v92, i64 %v4168
+  %v4173 = getelementptr i8, ptr %v4172, i64 -8
+  %v4174 = load double, ptr %v4173, align 8, !noalias !495
+  %v4175 = getelementptr double, ptr %v133, i64 %v4137
+  %v4176 = getelementptr double, ptr %v4175, i64 %v4155
+  %v4177 = load double, ptr %v4176, align 8, !noalias !495
+  %v4178 = fcmp oeq double %v4174, %v4177
+  br label %v4171
+
+v4171:
+  %v4179 = phi i1 [ %v4178, %v4170 ], [ false, %v4166 ]
+  br i1 %v970, label %v4180, label %v4181
+
+v4181:
+  %v4182 = mul i64 %v963, %v4148
+  %v4183 = select i1 %v4144, i64 %v196, i64 0
+  %v4184 = add i64 %v4183, %v4137
+  %v4185 = getelementptr double, ptr %v971, i64 %v4184
+  %v4186 = getelementptr double, ptr %v193, i64 %v4184
+  %v4187 = add nsw i64 %v4168, -1
+  %v4188 = select i1 %v4169, i64 0, i64 %v101
+  %v4189 = add i64 %v4187, %v4188
+  %v4190 = mul i64 %v4189, %v102
+  %v4191 = getelementptr double, ptr %v99, i64 %v4182
+  %v4192 = getelementptr double, ptr %v4191, i64 %v4190
+  br label %v4193
+
+v4194:
+  %v4195 = getelementptr double, ptr %v4192, i64 %v4196
+  store double %v4197, ptr %v4195, align 8, !noalias !495
+  br label %v4198
+
+v4198:
+  %v4199 = icmp eq i64 %v10, %v4200
+  br i1 %v4199, label %v4201, label %v4193
+
+v4201:
+  %v4202 = fcmp une double %v4203, 0.000000e+00
+  br i1 %v4202, label %v4204, label %v4180
+
+v4204:
+  %v4205 = load i64, ptr %v4147, align 8, !noalias !499
+  %v4206 = icmp sgt i64 %v4205, -1
+  br i1 %v4206, label %v4207, label %v4180
+
+v4207:
+  %v4208 = getelementptr i64, ptr %v110, i64 %v4205
+  %v4209 = load i64, ptr %v4208, align 8, !noalias !499
+  %v4210 = icmp eq i64 %v4209, 0
+  br i1 %v4210, label %v4211, label %v4180
+
+v4211:
+  store i64 3, ptr %v4208, align 8, !noalias !499
+  br label %v4180
+
+v4180:
+  br i1 %v972, label %v4139, label %v4212
+
+v4212:
+  %v4213 = load double, ptr %v974, align 8, !noalias !502
+  %v4214 = load double, ptr %v92, align 8, !noalias !502
+  %v4215 = fsub double %v4213, %v4214
+  %v4216 = fmul double %v4215, 1.000000e-13
+  %v4217 = load double, ptr %v133, align 8, !noalias !502
+  %v4218 = tail call double @llvm.fabs.f64(double %v4217)
+  %v4219 = fmul double %v4218, 4.000000e-15
+  %v4220 = fcmp ogt double %v4219, %v4216
+  %v4221 = select i1 %v4220, double %v4219, double %v4216
+  %v4222 = fadd double %v4217, %v4221
+  store double %v4222, ptr %v976, align 8, !noalias !509
+  %v4223 = load i64, ptr %v6, align 8, !noalias !510
+  %v4224 = inttoptr i64 %v4223 to ptr
+  tail call void %v4224(ptr nonnull %v133, ptr %v962, ptr %v165, ptr %v172, ptr %v179, ptr %v978), !noalias !510
+  br i1 %v970, label %v4225, label %v4226
+
+v4225:
+  %v4227 = load i64, ptr %v983, align 8, !noalias !513
+  %v4228 = inttoptr i64 %v4227 to ptr
+  tail call void %v4228(ptr nonnull %v133, ptr %v985, ptr %v165, ptr %v172, ptr %v179, ptr %v987), !noalias !513
+  br i1 %v989, label %v4229, label %v4230
+
+v4231:
+  store double 0.000000e+00, ptr %v4232, align 8, !noalias !513
+  br label %v4233
+
+v4233:
+  %v4234 = icmp slt i64 %v4235, %v18
+  br i1 %v4234, label %v4236, label %v4237
 
 v4236:
-  %v4243 = select i1 %v4222, i64 %v135, i64 0
-  %v4244 = add i64 %v4243, %v4211
-  %v4245 = getelementptr double, ptr %v991, i64 %v4244
-  %v4246 = load double, ptr %v4245, align 8, !noalias !524
-  %v4247 = sitofp i64 %v4234 to double
-  %v4248 = fcmp ugt double %v4246, %v4247
-  br i1 %v4248, label %v4242, label %v4249
+  %v4238 = getelementptr double, ptr %v990, i64 %v4235
+  %v4239 = load double, ptr %v4238, align 8, !noalias !513
+  %v4240 = add nsw i64 %v4235, %v17
+  %v4241 = icmp slt i64 %v4240, 0
+  %v4242 = select i1 %v4241, i64 %v166, i64 0
+  %v4243 = getelementptr double, ptr %v165, i64 %v4240
+  %v4244 = getelementptr double, ptr %v4243, i64 %v4242
+  %v4245 = load double, ptr %v4244, align 8, !noalias !513
+  %v4246 = fcmp une double %v4239, %v4245
+  br i1 %v4246, label %v4247, label %v4237
+
+v4247:
+  %v4248 = fcmp ord double %v4239, 0.000000e+00
+  br i1 %v4248, label %v4237, label %v4249
 
 v4249:
-  br i1 %v992, label %v4250, label %v4251
+  %v4250 = fcmp ord double %v4245, 0.000000e+00
+  br label %v4237
 
-v4251:
-  %v4252 = getelementptr double, ptr %v193, i64 %v4211
-  %v4253 = select i1 %v4222, i64 %v196, i64 0
-  %v4254 = getelementptr double, ptr %v4252, i64 %v4253
-  br label %v4255
+v4237:
+  %v4251 = phi i1 [ false, %v4233 ], [ true, %v4247 ], [ %v4250, %v4249 ], [ false, %v4236 ]
+  %v4252 = fcmp uno double %v4253, 0.000000e+00
+  %v4254 = fcmp oeq double %v4253, 0.000000e+00
+  %v4255 = and i1 %v4254, %v4251
+  %v4256 = or i1 %v4252, %v4255
+  br i1 %v4256, label %v4257, label %v4258
 
-v4250:
-  %v4256 = phi double [ 0.000000e+00, %v4249 ], [ %v4257, %v4255 ]
-  %v4258 = getelementptr double, ptr %v133, i64 %v4244
-  %v4259 = load double, ptr %v4258, align 8, !noalias !531
-  %v4260 = getelementptr double, ptr %v994, i64 %v4244
-  %v4261 = load double, ptr %v4260, align 8, !noalias !531
-  %v4262 = fsub double %v4259, %v4261
-  %v4263 = getelementptr double, ptr %v996, i64 %v4244
-  %v4264 = load double, ptr %v4263, align 8, !noalias !531
-  %v4265 = fadd double %v4264, 1.000000e+00
-  store double %v4265, ptr %v4263, align 8, !noalias !531
-  %v4266 = getelementptr double, ptr %v998, i64 %v4244
-  %v4267 = load double, ptr %v4266, align 8, !noalias !531
-  %v4268 = fmul double %v4267, 1.050000e+00
-  %v4269 = fcmp ogt double %v4262, %v4268
-  br i1 %v4269, label %v4270, label %v4271
+v4257:
+  %v4259 = icmp sge i64 %v4235, %v18
+  %v4260 = select i1 %v4251, i1 true, i1 %v4259
+  %v4261 = select i1 %v4260, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v4261, ptr %v4262, align 8, !noalias !513
+  br label %v4258
+
+v4258:
+  %v4263 = icmp eq i64 %v207, %v4264
+  br i1 %v4263, label %v4265, label %v4230
+
+v4230:
+  %v4235 = phi i64 [ %v4264, %v4258 ], [ 0, %v4225 ]
+  %v4264 = add nsw i64 %v4235, 1
+  %v4262 = getelementptr double, ptr %v991, i64 %v4235
+  %v4253 = load double, ptr %v4262, align 8, !noalias !513
+  %v4266 = tail call double @llvm.fabs.f64(double %v4253)
+  %v4232 = getelementptr double, ptr %v993, i64 %v4235
+  %v4267 = load double, ptr %v4232, align 8, !noalias !513
+  %v4268 = fadd double %v4266, %v4267
+  %v4269 = fcmp ueq double %v4268, 0x7FF0000000000000
+  br i1 %v4269, label %v4231, label %v4233
 
 v4270:
-  %v4272 = fcmp ogt double %v4265, 0.000000e+00
-  %v4273 = select i1 %v4272, double 0.000000e+00, double %v4265
-  store double %v4273, ptr %v4263, align 8, !noalias !531
-  %v4274 = getelementptr double, ptr %v1000, i64 %v4244
-  store double %v4256, ptr %v4274, align 8, !noalias !531
-  br label %v4271
+  %v4271 = phi i64 [ %v4272, %v4273 ], [ %v18, %v4274 ]
+  %v4275 = phi i64 [ %v4276, %v4273 ], [ %v1003, %v4274 ]
+  %v4277 = icmp sgt i64 %v4275, 0
+  br i1 %v4277, label %v4273, label %v4139
 
-v4271:
-  %v4275 = load double, ptr %v4258, align 8, !noalias !531
-  store double %v4275, ptr %v4260, align 8, !noalias !531
-  store double %v4262, ptr %v4266, align 8, !noalias !531
-  %v4276 = fmul double %v4247, 2.000000e+00
-  store double %v4276, ptr %v4245, align 8, !noalias !531
-  %v4277 = getelementptr double, ptr %v1002, i64 %v4244
-  %v4278 = load double, ptr %v4277, align 8, !noalias !531
-  %v4279 = load double, ptr %v4258, align 8, !noalias !531
-  %v4280 = fsub double %v4278, %v4279
-  %v4281 = fmul double %v4247, 5.000000e-01
-  %v4282 = fmul double %v4281, %v4280
-  %v4283 = fdiv double %v4282, %v4262
-  %v4284 = load double, ptr %v4263, align 8, !noalias !531
-  %v4285 = fcmp olt double %v4284, 0.000000e+00
-  %v4286 = select i1 %v4285, double 1.000000e+15, double 1.000000e+11
-  %v4287 = icmp sgt i64 %v4234, 499999
-  %v4288 = fcmp ogt double %v4283, %v4286
-  %v4289 = select i1 %v4287, i1 %v4288, i1 false
-  br i1 %v4289, label %v4290, label %v4291
+v4278:
+  %v4279 = getelementptr i64, ptr %v1007, i64 %v4146
+  store i64 %v4271, ptr %v4279, align 8, !noalias !509
+  %v4280 = load i64, ptr %v4147, align 8, !noalias !517
+  %v4281 = icmp sgt i64 %v4280, -1
+  br i1 %v4281, label %v4282, label %v4283
 
-v4290:
-  %v4292 = load i64, ptr %v4225, align 8, !noalias !535
-  %v4293 = icmp sgt i64 %v4292, -1
-  br i1 %v4293, label %v4294, label %v4291
+v4282:
+  %v4284 = getelementptr i64, ptr %v110, i64 %v4280
+  %v4285 = load i64, ptr %v4284, align 8, !noalias !517
+  %v4286 = icmp eq i64 %v4285, 0
+  br i1 %v4286, label %v4287, label %v4283
 
-v4294:
-  %v4295 = getelementptr i64, ptr %v110, i64 %v4292
-  %v4296 = load i64, ptr %v4295, align 8, !noalias !535
-  %v4297 = icmp eq i64 %v4296, 0
-  br i1 %v4297, label %v4298, label %v4291
+v4287:
+  store i64 4, ptr %v4284, align 8, !noalias !517
+  br label %v4283
 
-v4298:
-  store i64 5, ptr %v4295, align 8, !noalias !535
-  br label %v4291
+v4283:
+  %v4288 = load double, ptr %v4161, align 8, !noalias !509
+  store double %v4288, ptr %v4163, align 8, !noalias !509
+  %v4289 = getelementptr double, ptr %v1009, i64 %v4156
+  store double 0.000000e+00, ptr %v4289, align 8, !noalias !509
+  br label %v4139
 
-v4291:
-  %v4299 = load double, ptr %v4263, align 8, !noalias !531
-  %v4300 = fcmp ult double %v4299, 5.000000e+00
-  br i1 %v4300, label %v4242, label %v4301
+v4226:
+  %v4290 = phi i64 [ %v4291, %v4226 ], [ 0, %v4212 ]
+  %v4291 = add nsw i64 %v4290, 1
+  %v4292 = mul i64 %v4290, %v196
+  %v4293 = getelementptr double, ptr %v971, i64 %v4292
+  %v4294 = load double, ptr %v4293, align 8, !noalias !509
+  %v4295 = getelementptr double, ptr %v980, i64 %v4292
+  %v4296 = load double, ptr %v4295, align 8, !noalias !509
+  %v4297 = fmul double %v4221, %v4296
+  %v4298 = fadd double %v4294, %v4297
+  %v4299 = getelementptr double, ptr %v982, i64 %v4292
+  store double %v4298, ptr %v4299, align 8, !noalias !509
+  %v4300 = icmp eq i64 %v10, %v4291
+  br i1 %v4300, label %v4225, label %v4226
 
-v4301:
-  %v4302 = getelementptr double, ptr %v1004, i64 %v4244
-  %v4303 = load double, ptr %v4302, align 8, !noalias !531
-  %v4304 = fmul double %v4303, 2.000000e+00
-  %v4305 = fcmp ogt double %v4256, %v4304
-  br i1 %v4305, label %v4306, label %v4242
+v4265:
+  %v4301 = load i64, ptr %v983, align 8, !noalias !520
+  %v4302 = inttoptr i64 %v4301 to ptr
+  tail call void %v4302(ptr nonnull %v976, ptr %v995, ptr %v165, ptr %v172, ptr %v179, ptr %v997), !noalias !520
+  br label %v4303
+
+v4304:
+  store double 0.000000e+00, ptr %v4305, align 8, !noalias !520
+  br label %v4306
 
 v4306:
-  %v4307 = sub nsw i64 %v298, %v4234
-  %v4308 = sitofp i64 %v4307 to double
-  %v4309 = fmul double %v4308, 2.000000e+00
-  %v4310 = fcmp ogt double %v4283, %v4309
-  br i1 %v4310, label %v4311, label %v4242
+  %v4307 = icmp slt i64 %v4308, %v18
+  br i1 %v4307, label %v4309, label %v4310
 
-v4311:
-  %v4312 = load i64, ptr %v4225, align 8, !noalias !538
-  %v4313 = icmp sgt i64 %v4312, -1
-  br i1 %v4313, label %v4314, label %v4242
+v4309:
+  %v4311 = getelementptr double, ptr %v999, i64 %v4308
+  %v4312 = load double, ptr %v4311, align 8, !noalias !520
+  %v4313 = add nsw i64 %v4308, %v17
+  %v4314 = icmp slt i64 %v4313, 0
+  %v4315 = select i1 %v4314, i64 %v166, i64 0
+  %v4316 = getelementptr double, ptr %v165, i64 %v4313
+  %v4317 = getelementptr double, ptr %v4316, i64 %v4315
+  %v4318 = load double, ptr %v4317, align 8, !noalias !520
+  %v4319 = fcmp une double %v4312, %v4318
+  br i1 %v4319, label %v4320, label %v4310
 
-v4314:
-  %v4315 = getelementptr i64, ptr %v110, i64 %v4312
-  %v4316 = load i64, ptr %v4315, align 8, !noalias !538
-  %v4317 = icmp eq i64 %v4316, 0
-  br i1 %v4317, label %v4318, label %v4242
+v4320:
+  %v4321 = fcmp ord double %v4312, 0.000000e+00
+  br i1 %v4321, label %v4310, label %v4322
 
-v4318:
-  store i64 8, ptr %v4315, align 8, !noalias !538
-  br label %v4242
+v4322:
+  %v4323 = fcmp ord double %v4318, 0.000000e+00
+  br label %v4310
 
-v4255:
-  %v4319 = phi double [ 0.000000e+00, %v4251 ], [ %v4257, %v4255 ]
-  %v4320 = phi i64 [ 0, %v4251 ], [ %v4321, %v4255 ]
-  %v4321 = add nsw i64 %v4320, 1
-  %v4322 = mul i64 %v4320, %v196
-  %v4323 = getelementptr double, ptr %v4254, i64 %v4322
-  %v4324 = load double, ptr %v4323, align 8, !noalias !531
-  %v4325 = tail call double @llvm.fabs.f64(double %v4324)
-  %v4326 = fcmp ogt double %v4325, %v4319
-  %v4257 = select i1 %v4326, double %v4325, double %v4319
-  %v4327 = icmp eq i64 %v10, %v4321
-  br i1 %v4327, label %v4250, label %v4255
+v4310:
+  %v4324 = phi i1 [ false, %v4306 ], [ true, %v4320 ], [ %v4323, %v4322 ], [ false, %v4309 ]
+  %v4325 = fcmp uno double %v4326, 0.000000e+00
+  %v4327 = fcmp oeq double %v4326, 0.000000e+00
+  %v4328 = and i1 %v4327, %v4324
+  %v4329 = or i1 %v4325, %v4328
+  br i1 %v4329, label %v4330, label %v4331
 
-v4242:
-  %v4328 = select i1 %v4222, i64 %v135, i64 0
-  %v4329 = add i64 %v4328, %v4211
-  %v4330 = getelementptr double, ptr %v1006, i64 %v4329
-  %v4331 = load double, ptr %v4330, align 8, !noalias !524
-  %v4332 = fcmp ogt double %v4331, 5.000000e-01
-  br i1 %v4332, label %v4333, label %v4334
+v4330:
+  %v4332 = icmp sge i64 %v4308, %v18
+  %v4333 = select i1 %v4324, i1 true, i1 %v4332
+  %v4334 = select i1 %v4333, double 0xFFF0000000000000, double 0x7FF0000000000000
+  store double %v4334, ptr %v4335, align 8, !noalias !520
+  br label %v4331
 
-v4333:
-  %v4335 = getelementptr double, ptr %v133, i64 %v4329
-  %v4336 = load double, ptr %v4335, align 8, !noalias !524
-  %v4337 = getelementptr double, ptr %v1008, i64 %v4329
-  %v4338 = load double, ptr %v4337, align 8, !noalias !524
-  %v4339 = fcmp oeq double %v4336, %v4338
-  br i1 %v4339, label %v4340, label %v4334
+v4331:
+  %v4336 = icmp eq i64 %v207, %v4337
+  br i1 %v4336, label %v4274, label %v4303
 
-v4340:
-  %v4341 = getelementptr i64, ptr %v1009, i64 %v4224
-  %v4342 = load i64, ptr %v4341, align 8, !noalias !541
-  %v4343 = add nsw i64 %v4342, 1
-  store i64 %v4343, ptr %v4341, align 8, !noalias !541
-  %v4344 = icmp slt i64 %v4342, -1
-  %v4345 = select i1 %v4344, i64 %v70, i64 0
-  %v4346 = getelementptr double, ptr %v69, i64 %v4343
-  %v4347 = getelementptr double, ptr %v4346, i64 %v4345
-  %v4348 = load double, ptr %v4347, align 8, !noalias !541
-  %v4349 = fcmp oeq double %v4348, 0x7FF0000000000000
-  br i1 %v4349, label %v4350, label %v4351
+v4303:
+  %v4308 = phi i64 [ %v4337, %v4331 ], [ 0, %v4265 ]
+  %v4337 = add nsw i64 %v4308, 1
+  %v4335 = getelementptr double, ptr %v1000, i64 %v4308
+  %v4326 = load double, ptr %v4335, align 8, !noalias !520
+  %v4338 = tail call double @llvm.fabs.f64(double %v4326)
+  %v4305 = getelementptr double, ptr %v1001, i64 %v4308
+  %v4339 = load double, ptr %v4305, align 8, !noalias !520
+  %v4340 = fadd double %v4338, %v4339
+  %v4341 = fcmp ueq double %v4340, 0x7FF0000000000000
+  br i1 %v4341, label %v4304, label %v4306
 
-v4350:
-  %v4352 = load i64, ptr %v4225, align 8, !noalias !541
-  %v4353 = icmp slt i64 %v4352, 0
-  %v4354 = select i1 %v4353, i64 %v111, i64 0
-  %v4355 = getelementptr i64, ptr %v110, i64 %v4352
-  %v4356 = getelementptr i64, ptr %v4355, i64 %v4354
-  %v4357 = load i64, ptr %v4356, align 8, !noalias !541
-  %v4358 = icmp eq i64 %v4357, 0
-  br i1 %v4358, label %v4359, label %v4334
+v4229:
+  %v4342 = load i64, ptr %v983, align 8, !noalias !520
+  %v4343 = inttoptr i64 %v4342 to ptr
+  tail call void %v4343(ptr nonnull %v976, ptr %v995, ptr %v165, ptr %v172, ptr %v179, ptr %v997), !noalias !520
+  br label %v4274
 
-v4359:
-  store i64 1, ptr %v4356, align 8, !noalias !541
-  br label %v4334
+v4274:
+  br label %v4270
 
-v4351:
-  store double %v4348, ptr %v4337, align 8, !noalias !541
-  %v4360 = select i1 %v4344, i64 %v86, i64 0
-  %v4361 = getelementptr i64, ptr %v85, i64 %v4343
-  %v4362 = getelementptr i64, ptr %v4361, i64 %v4360
-  %v4363 = load i64, ptr %v4362, align 8, !noalias !541
-  %v4364 = icmp eq i64 %v4363, 0
-  br i1 %v4364, label %v4365, label %v4366
+v4273:
+  %v4276 = add nsw i64 %v4275, -1
+  %v4272 = add i64 %v4271, 1
+  %v4344 = icmp slt i64 %v4271, 0
+  %v4345 = select i1 %v4344, i64 %v207, i64 0
+  %v4346 = add i64 %v4345, %v4271
+  %v4347 = getelementptr double, ptr %v1005, i64 %v4346
+  %v4348 = load double, ptr %v4347, align 8, !noalias !509
+  %v4349 = getelementptr double, ptr %v991, i64 %v4346
+  %v4350 = load double, ptr %v4349, align 8, !noalias !509
+  %v4351 = fsub double %v4348, %v4350
+  %v4352 = tail call double @llvm.fabs.f64(double %v4351)
+  %v4353 = getelementptr double, ptr %v993, i64 %v4346
+  %v4354 = load double, ptr %v4353, align 8, !noalias !509
+  %v4355 = fcmp ueq double %v4352, 0x7FF0000000000000
+  %v4356 = fadd double %v4354, %v4352
+  %v4357 = select i1 %v4355, double %v4354, double %v4356
+  %v4358 = getelementptr double, ptr %v990, i64 %v4346
+  %v4359 = load double, ptr %v4358, align 8, !noalias !509
+  %v4360 = fneg double %v4357
+  %v4361 = fcmp ult double %v4359, %v4360
+  br i1 %v4361, label %v4278, label %v4270
 
-v4365:
-  %v4367 = getelementptr double, ptr %v1013, i64 %v4329
-  store double 1.000000e+00, ptr %v4367, align 8, !noalias !541
-  br label %v4368
+v4193:
+  %v4362 = phi double [ 0.000000e+00, %v4181 ], [ %v4203, %v4198 ]
+  %v4196 = phi i64 [ 0, %v4181 ], [ %v4200, %v4198 ]
+  %v4200 = add nsw i64 %v4196, 1
+  %v4363 = mul i64 %v4196, %v196
+  %v4364 = getelementptr double, ptr %v4185, i64 %v4363
+  %v4197 = load double, ptr %v4364, align 8, !noalias !495
+  %v4365 = fmul double %v4197, 0.000000e+00
+  %v4203 = fadd double %v4362, %v4365
+  %v4366 = getelementptr double, ptr %v4186, i64 %v4363
+  store double %v4197, ptr %v4366, align 8, !noalias !495
+  br i1 %v4179, label %v4194, label %v4198
 
-v4366:
-  %v4369 = getelementptr double, ptr %v1011, i64 %v4329
-  %v4370 = load double, ptr %v4369, align 8, !noalias !541
-  %v4371 = fcmp olt double %v4370, 2.500000e-01
-  %v4372 = select i1 %v4371, double 2.500000e-01, double %v4370
-  store double %v4372, ptr %v4369, align 8, !noalias !541
-  %v4373 = load i64, ptr %v452, align 8, !noalias !541
-  %v4374 = tail call i64 @llvm.smax.i64(i64 %v4373, i64 1)
-  br label %v4368
+v4139:
+  %v4367 = icmp sgt i64 %v4140, 0
+  %v4368 = zext i1 %v4367 to i64
+  %v4143 = add i64 %v4142, %v4368
+  %v4369 = sext i1 %v4367 to i64
+  %v4141 = add nsw i64 %v4140, %v4369
+  %v4138 = select i1 %v4367, i64 %v4142, i64 0
+  br i1 %v4367, label %v4136, label %v4081
 
-v4368:
-  %v4375 = phi i64 [ %v4374, %v4366 ], [ 2, %v4365 ]
-  store i64 %v4375, ptr %v452, align 8, !noalias !541
-  br i1 %v1014, label %v4334, label %v4376
+v4082:
+  %v4103 = phi i1 [ %v4127, %v4089 ], [ false, %v3900 ]
+  %v4091 = phi i64 [ %v4129, %v4089 ], [ 0, %v3900 ]
+  %v4129 = add nsw i64 %v4091, 1
+  %v4370 = getelementptr i64, ptr %v142, i64 %v4091
+  %v4085 = load i64, ptr %v4370, align 8, !noalias !479
+  %v4371 = icmp slt i64 %v4085, 0
+  br i1 %v4371, label %v4089, label %v4083
 
-v4376:
-  %v4377 = select i1 %v4344, i64 %v77, i64 0
-  %v4378 = add i64 %v4377, %v4343
-  %v4379 = mul i64 %v4378, %v78
-  %v4380 = getelementptr double, ptr %v76, i64 %v4379
-  br label %v4381
+v4081:
+  %v4372 = xor i1 %v1455, true
+  %v4373 = or i1 %v307, %v4372
+  %v4374 = select i1 %v1455, i64 0, i64 %v1108
+  br i1 %v4373, label %v1107, label %v4375
 
-v4381:
-  %v4382 = phi i64 [ 0, %v4376 ], [ %v4383, %v4381 ]
-  %v4383 = add nsw i64 %v4382, 1
-  %v4384 = getelementptr double, ptr %v4380, i64 %v4382
-  %v4385 = load double, ptr %v4384, align 8, !noalias !545
-  %v4386 = getelementptr i64, ptr %v62, i64 %v4382
-  %v4387 = load i64, ptr %v4386, align 8, !noalias !545
-  %v4388 = mul nsw i64 %v4387, %v9
-  %v4389 = add nsw i64 %v4388, %v4211
-  %v4390 = icmp slt i64 %v4389, 0
-  %v4391 = select i1 %v4390, i64 %v166, i64 0
-  %v4392 = getelementptr double, ptr %v165, i64 %v4389
-  %v4393 = getelementptr double, ptr %v4392, i64 %v4391
-  store double %v4385, ptr %v4393, align 8, !noalias !545
-  %v4394 = icmp eq i64 %v63, %v4383
-  br i1 %v4394, label %v4334, label %v4381
+v4375:
+  %v4376 = phi i64 [ %v4377, %v4378 ], [ 0, %v4081 ]
+  %v4379 = phi i64 [ %v4380, %v4378 ], [ %v1013, %v4081 ]
+  %v4381 = phi i64 [ %v4382, %v4378 ], [ %v1012, %v4081 ]
+  %v4383 = phi i1 [ %v4384, %v4378 ], [ false, %v4081 ]
+  %v4385 = phi i64 [ %v4386, %v4378 ], [ 0, %v4081 ]
+  %v4387 = icmp slt i64 %v4376, 0
+  %v4388 = select i1 %v4387, i64 %v144, i64 0
+  %v4389 = add i64 %v4388, %v4376
+  %v4390 = getelementptr i64, ptr %v142, i64 %v4389
+  %v4391 = load i64, ptr %v4390, align 8, !noalias !524
+  %v4392 = icmp slt i64 %v4391, 0
+  br i1 %v4392, label %v4378, label %v4393
 
-v4334:
-  %v4395 = getelementptr i64, ptr %v110, i64 %v4226
+v4393:
+  %v4394 = mul i64 %v4391, %v126
+  %v4395 = getelementptr i64, ptr %v124, i64 %v4394
   %v4396 = load i64, ptr %v4395, align 8, !noalias !524
-  %v4397 = icmp eq i64 %v4396, 0
-  br i1 %v4397, label %v4398, label %v4399
+  %v4397 = getelementptr i8, ptr %v4395, i64 24
+  %v4398 = load i64, ptr %v4397, align 8, !noalias !524
+  %v4399 = add nsw i64 %v4398, %v4396
+  %v4400 = icmp slt i64 %v4399, %v298
+  br i1 %v4400, label %v4401, label %v4402
 
-v4399:
-  %v4400 = getelementptr i64, ptr %v1016, i64 %v4224
-  %v4401 = load i64, ptr %v4400, align 8, !noalias !524
-  %v4402 = getelementptr i64, ptr %v117, i64 %v4226
-  store i64 %v4401, ptr %v4402, align 8, !noalias !524
-  store i64 -1, ptr %v4225, align 8, !noalias !524
-  %v4403 = getelementptr double, ptr %v1018, i64 %v4329
-  store double 0.000000e+00, ptr %v4403, align 8, !noalias !549
-  %v4404 = load i64, ptr %v151, align 8, !noalias !549
-  %v4405 = load i64, ptr %v1019, align 8, !noalias !549
-  %v4406 = icmp eq i64 %v4404, %v4405
-  br i1 %v4406, label %v4407, label %v4408
+v4402:
+  %v4403 = getelementptr i64, ptr %v110, i64 %v4391
+  %v4404 = load i64, ptr %v4403, align 8, !noalias !528
+  %v4405 = icmp eq i64 %v4404, 0
+  br i1 %v4405, label %v4406, label %v4407
 
-v4408:
-  %v4409 = add nsw i64 %v4404, 1
-  store i64 %v4409, ptr %v151, align 8, !noalias !549
-  store i64 2, ptr %v452, align 8, !noalias !549
-  store i64 %v4404, ptr %v4225, align 8, !noalias !549
-  %v4410 = icmp slt i64 %v4404, 0
-  %v4411 = select i1 %v4410, i64 %v49, i64 0
-  %v4412 = getelementptr i64, ptr %v48, i64 %v4404
-  %v4413 = getelementptr i64, ptr %v4412, i64 %v4411
-  %v4414 = load i64, ptr %v4413, align 8, !noalias !549
-  %v4415 = icmp slt i64 %v4414, 0
-  %v4416 = select i1 %v4415, i64 %v56, i64 0
-  %v4417 = getelementptr i64, ptr %v55, i64 %v4414
-  %v4418 = getelementptr i64, ptr %v4417, i64 %v4416
-  %v4419 = load i64, ptr %v4418, align 8, !noalias !549
-  %v4420 = getelementptr i64, ptr %v1020, i64 %v4224
-  store i64 %v4419, ptr %v4420, align 8, !noalias !549
-  store i64 1, ptr %v4400, align 8, !noalias !549
-  %v4421 = getelementptr i64, ptr %v1022, i64 %v4224
-  store i64 0, ptr %v4421, align 8, !noalias !549
-  br i1 %v1023, label %v4422, label %v4423
+v4406:
+  store i64 5, ptr %v4403, align 8, !noalias !528
+  br label %v4407
 
-v4423:
-  %v4424 = select i1 %v4410, i64 %v40, i64 0
-  %v4425 = add i64 %v4424, %v4404
-  %v4426 = mul i64 %v4425, %v41
-  %v4427 = getelementptr double, ptr %v39, i64 %v4426
-  br label %v4428
+v4401:
+  %v4408 = select i1 %v4387, i64 %v135, i64 0
+  %v4409 = add i64 %v4408, %v4376
+  %v4410 = getelementptr double, ptr %v1015, i64 %v4409
+  %v4411 = load double, ptr %v4410, align 8, !noalias !524
+  %v4412 = sitofp i64 %v4399 to double
+  %v4413 = fcmp ugt double %v4411, %v4412
+  br i1 %v4413, label %v4407, label %v4414
 
-v4422:
-  br i1 %v1024, label %v4429, label %v4430
+v4414:
+  br i1 %v1016, label %v4415, label %v4416
 
-v4430:
-  %v4431 = load i64, ptr %v4420, align 8, !noalias !549
-  %v4432 = icmp slt i64 %v4431, 0
-  %v4433 = select i1 %v4432, i64 %v77, i64 0
-  %v4434 = add i64 %v4433, %v4431
-  %v4435 = mul i64 %v4434, %v78
-  %v4436 = getelementptr double, ptr %v76, i64 %v4435
-  br label %v4437
+v4416:
+  %v4417 = getelementptr double, ptr %v193, i64 %v4376
+  %v4418 = select i1 %v4387, i64 %v196, i64 0
+  %v4419 = getelementptr double, ptr %v4417, i64 %v4418
+  br label %v4420
 
-v4437:
-  %v4438 = phi i64 [ 0, %v4430 ], [ %v4439, %v4437 ]
-  %v4439 = add nsw i64 %v4438, 1
-  %v4440 = getelementptr double, ptr %v4436, i64 %v4438
-  %v4441 = load double, ptr %v4440, align 8, !noalias !552
-  %v4442 = getelementptr i64, ptr %v62, i64 %v4438
-  %v4443 = load i64, ptr %v4442, align 8, !noalias !552
-  %v4444 = mul nsw i64 %v4443, %v9
-  %v4445 = add nsw i64 %v4444, %v4211
-  %v4446 = icmp slt i64 %v4445, 0
-  %v4447 = select i1 %v4446, i64 %v166, i64 0
-  %v4448 = getelementptr double, ptr %v165, i64 %v4445
-  %v4449 = getelementptr double, ptr %v4448, i64 %v4447
-  store double %v4441, ptr %v4449, align 8, !noalias !552
-  %v4450 = icmp eq i64 %v4439, %v63
-  br i1 %v4450, label %v4429, label %v4437
+v4415:
+  %v4421 = phi double [ 0.000000e+00, %v4414 ], [ %v4422, %v4420 ]
+  %v4423 = getelementptr double, ptr %v133, i64 %v4409
+  %v4424 = load double, ptr %v4423, align 8, !noalias !531
+  %v4425 = getelementptr double, ptr %v1018, i64 %v4409
+  %v4426 = load double, ptr %v4425, align 8, !noalias !531
+  %v4427 = fsub double %v4424, %v4426
+  %v4428 = getelementptr double, ptr %v1020, i64 %v4409
+  %v4429 = load double, ptr %v4428, align 8, !noalias !531
+  %v4430 = fadd double %v4429, 1.000000e+00
+  store double %v4430, ptr %v4428, align 8, !noalias !531
+  %v4431 = getelementptr double, ptr %v1022, i64 %v4409
+  %v4432 = load double, ptr %v4431, align 8, !noalias !531
+  %v4433 = fmul double %v4432, 1.050000e+00
+  %v4434 = fcmp ogt double %v4427, %v4433
+  br i1 %v4434, label %v4435, label %v4436
 
-v4451:
-  %v4452 = getelementptr double, ptr %v133, i64 %v4329
-  br label %v4453
+v4435:
+  %v4437 = fcmp ogt double %v4430, 0.000000e+00
+  %v4438 = select i1 %v4437, double 0.000000e+00, double %v4430
+  store double %v4438, ptr %v4428, align 8, !noalias !531
+  %v4439 = getelementptr double, ptr %v1024, i64 %v4409
+  store double %v4421, ptr %v4439, align 8, !noalias !531
+  br label %v4436
 
-v4454:
-  %v4455 = mul i64 %v4456, %v135
-  %v4457 = getelementptr double, ptr %v4452, i64 %v4455
-  %v4458 = load double, ptr %v4457, align 8, !noalias !556
-  %v4459 = fcmp une double %v4458, 0xFFF0000000000000
-  br i1 %v4459, label %v4460, label %v4461
+v4436:
+  %v4440 = load double, ptr %v4423, align 8, !noalias !531
+  store double %v4440, ptr %v4425, align 8, !noalias !531
+  store double %v4427, ptr %v4431, align 8, !noalias !531
+  %v4441 = fmul double %v4412, 2.000000e+00
+  store double %v4441, ptr %v4410, align 8, !noalias !531
+  %v4442 = getelementptr double, ptr %v1026, i64 %v4409
+  %v4443 = load double, ptr %v4442, align 8, !noalias !531
+  %v4444 = load double, ptr %v4423, align 8, !noalias !531
+  %v4445 = fsub double %v4443, %v4444
+  %v4446 = fmul double %v4412, 5.000000e-01
+  %v4447 = fmul double %v4446, %v4445
+  %v4448 = fdiv double %v4447, %v4427
+  %v4449 = load double, ptr %v4428, align 8, !noalias !531
+  %v4450 = fcmp olt double %v4449, 0.000000e+00
+  %v4451 = select i1 %v4450, double 1.000000e+15, double 1.000000e+11
+  %v4452 = icmp sgt i64 %v4399, 499999
+  %v4453 = fcmp ogt double %v4448, %v4451
+  %v4454 = select i1 %v4452, i1 %v4453, i1 false
+  br i1 %v4454, label %v4455, label %v4456
 
-v4460:
-  %v4462 = mul i64 %v4456, %v135
-  %v4463 = getelementptr double, ptr %v4452, i64 %v4462
-  store double 0.000000e+00, ptr %v4463, align 8, !noalias !556
-  br label %v4461
+v4455:
+  %v4457 = load i64, ptr %v4390, align 8, !noalias !535
+  %v4458 = icmp sgt i64 %v4457, -1
+  br i1 %v4458, label %v4459, label %v4456
 
-v4461:
-  %v4464 = icmp eq i64 %v4465, 32
-  br i1 %v4464, label %v4466, label %v4453
+v4459:
+  %v4460 = getelementptr i64, ptr %v110, i64 %v4457
+  %v4461 = load i64, ptr %v4460, align 8, !noalias !535
+  %v4462 = icmp eq i64 %v4461, 0
+  br i1 %v4462, label %v4463, label %v4456
+
+v4463:
+  store i64 5, ptr %v4460, align 8, !noalias !535
+  br label %v4456
+
+v4456:
+  %v4464 = load double, ptr %v4428, align 8, !noalias !531
+  %v4465 = fcmp ult double %v4464, 5.000000e+00
+  br i1 %v4465, label %v4407, label %v4466
 
 v4466:
-  %v4467 = getelementptr double, ptr %v1027, i64 %v4329
-  store double 5.000000e+03, ptr %v4467, align 8, !noalias !556
-  store double 1.000000e+00, ptr %v4403, align 8, !noalias !556
-  %v4468 = getelementptr double, ptr %v1029, i64 %v4329
-  store double 0xFFF0000000000000, ptr %v4468, align 8, !noalias !556
-  %v4469 = getelementptr double, ptr %v1031, i64 %v4329
-  store double 0x7FF0000000000000, ptr %v4469, align 8, !noalias !556
-  %v4470 = load double, ptr %v92, align 8, !noalias !549
-  store double %v4470, ptr %v4452, align 8, !noalias !549
-  %v4471 = load double, ptr %v92, align 8, !noalias !549
-  %v4472 = getelementptr double, ptr %v1033, i64 %v4329
-  store double %v4471, ptr %v4472, align 8, !noalias !549
-  %v4473 = load i64, ptr %v4420, align 8, !noalias !549
-  %v4474 = icmp slt i64 %v4473, 0
-  %v4475 = select i1 %v4474, i64 %v70, i64 0
-  %v4476 = getelementptr double, ptr %v69, i64 %v4473
-  %v4477 = getelementptr double, ptr %v4476, i64 %v4475
-  %v4478 = load double, ptr %v4477, align 8, !noalias !549
-  %v4479 = getelementptr double, ptr %v1035, i64 %v4329
-  store double %v4478, ptr %v4479, align 8, !noalias !549
+  %v4467 = getelementptr double, ptr %v1028, i64 %v4409
+  %v4468 = load double, ptr %v4467, align 8, !noalias !531
+  %v4469 = fmul double %v4468, 2.000000e+00
+  %v4470 = fcmp ogt double %v4421, %v4469
+  br i1 %v4470, label %v4471, label %v4407
+
+v4471:
+  %v4472 = sub nsw i64 %v298, %v4399
+  %v4473 = sitofp i64 %v4472 to double
+  %v4474 = fmul double %v4473, 2.000000e+00
+  %v4475 = fcmp ogt double %v4448, %v4474
+  br i1 %v4475, label %v4476, label %v4407
+
+v4476:
+  %v4477 = load i64, ptr %v4390, align 8, !noalias !538
+  %v4478 = icmp sgt i64 %v4477, -1
+  br i1 %v4478, label %v4479, label %v4407
+
+v4479:
+  %v4480 = getelementptr i64, ptr %v110, i64 %v4477
+  %v4481 = load i64, ptr %v4480, align 8, !noalias !538
+  %v4482 = icmp eq i64 %v4481, 0
+  br i1 %v4482, label %v4483, label %v4407
+
+v4483:
+  store i64 8, ptr %v4480, align 8, !noalias !538
   br label %v4407
 
-v4453:
-  %v4456 = phi i64 [ 0, %v4451 ], [ %v4465, %v4461 ]
-  %v4465 = add nsw i64 %v4456, 1
-  %v4480 = icmp ult i64 %v4456, 30
-  br i1 %v4480, label %v4460, label %v4454
-
-v4428:
-  %v4481 = phi i64 [ 0, %v4423 ], [ %v4482, %v4428 ]
-  %v4482 = add nsw i64 %v4481, 1
-  %v4483 = getelementptr double, ptr %v4427, i64 %v4481
-  %v4484 = load double, ptr %v4483, align 8, !noalias !549
-  %v4485 = mul nsw i64 %v4481, %v9
-  %v4486 = add nsw i64 %v4485, %v4211
-  %v4487 = icmp slt i64 %v4486, 0
-  %v4488 = select i1 %v4487, i64 %v166, i64 0
-  %v4489 = getelementptr double, ptr %v165, i64 %v4486
-  %v4490 = getelementptr double, ptr %v4489, i64 %v4488
-  store double %v4484, ptr %v4490, align 8, !noalias !549
-  %v4491 = icmp eq i64 %v4482, %v41
-  br i1 %v4491, label %v4422, label %v4428
-
-v4429:
-  br i1 %v1025, label %v4451, label %v4492
-
-v4492:
-  %v4493 = getelementptr double, ptr %v193, i64 %v4211
-  %v4494 = select i1 %v4410, i64 %v31, i64 0
-  %v4495 = add i64 %v4494, %v4404
-  %v4496 = mul i64 %v4495, %v32
-  %v4497 = getelementptr double, ptr %v30, i64 %v4496
-  %v4498 = select i1 %v4222, i64 %v196, i64 0
-  %v4499 = getelementptr double, ptr %v4493, i64 %v4498
-  br label %v4500
-
-v4500:
-  %v4501 = phi i64 [ 0, %v4492 ], [ %v4502, %v4500 ]
-  %v4502 = add nsw i64 %v4501, 1
-  %v4503 = getelementptr double, ptr %v4497, i64 %v4501
-  %v4504 = load double, ptr %v4503, align 8, !noalias !549
-  %v4505 = mul i64 %v4501, %v196
-  %v4506 = getelementptr double, ptr %v4499, i64 %v4505
-  store double %v4504, ptr %v4506, align 8, !noalias !549
-  %v4507 = icmp eq i64 %v4502, %v10
-  br i1 %v4507, label %v4451, label %v4500
-
-v4398:
-  %v4508 = getelementptr double, ptr %v1037, i64 %v4329
-  %v4509 = load double, ptr %v4508, align 8, !noalias !524
-  %v4510 = fcmp ult double %v4509, 1.500000e+01
-  br i1 %v4510, label %v4407, label %v4511
-
-v4511:
-  %v4512 = load double, ptr %v1039, align 8, !noalias !524
-  %v4513 = getelementptr double, ptr %v133, i64 %v4329
-  %v4514 = load double, ptr %v4513, align 8, !noalias !524
-  %v4515 = fsub double %v4512, %v4514
-  %v4516 = getelementptr double, ptr %v1040, i64 %v4329
-  %v4517 = load double, ptr %v4516, align 8, !noalias !524
-  %v4518 = fmul double %v4517, 2.500000e+02
-  %v4519 = fcmp ogt double %v4515, %v4518
-  br i1 %v4519, label %v4407, label %v4520
-
-v4520:
-  store double 0.000000e+00, ptr %v4508, align 8, !noalias !524
-  br label %v4407
+v4420:
+  %v4484 = phi double [ 0.000000e+00, %v4416 ], [ %v4422, %v4420 ]
+  %v4485 = phi i64 [ 0, %v4416 ], [ %v4486, %v4420 ]
+  %v4486 = add nsw i64 %v4485, 1
+  %v4487 = mul i64 %v4485, %v196
+  %v4488 = getelementptr double, ptr %v4419, i64 %v4487
+  %v4489 = load double, ptr %v4488, align 8, !noalias !531
+  %v4490 = tail call double @llvm.fabs.f64(double %v4489)
+  %v4491 = fcmp ogt double %v4490, %v4484
+  %v4422 = select i1 %v4491, double %v4490, double %v4484
+  %v4492 = icmp eq i64 %v10, %v4486
+  br i1 %v4492, label %v4415, label %v4420
 
 v4407:
-  %v4521 = phi i1 [ %v4218, %v4398 ], [ true, %v4511 ], [ %v4218, %v4520 ], [ %v4218, %v4399 ], [ %v4218, %v4466 ]
-  %v4522 = load i64, ptr %v4225, align 8, !noalias !524
-  %v4523 = icmp sgt i64 %v4522, -1
-  br i1 %v4523, label %v4524, label %v4213
+  %v4493 = select i1 %v4387, i64 %v135, i64 0
+  %v4494 = add i64 %v4493, %v4376
+  %v4495 = getelementptr double, ptr %v1030, i64 %v4494
+  %v4496 = load double, ptr %v4495, align 8, !noalias !524
+  %v4497 = fcmp ogt double %v4496, 5.000000e-01
+  br i1 %v4497, label %v4498, label %v4499
+
+v4498:
+  %v4500 = getelementptr double, ptr %v133, i64 %v4494
+  %v4501 = load double, ptr %v4500, align 8, !noalias !524
+  %v4502 = getelementptr double, ptr %v1032, i64 %v4494
+  %v4503 = load double, ptr %v4502, align 8, !noalias !524
+  %v4504 = fcmp oeq double %v4501, %v4503
+  br i1 %v4504, label %v4505, label %v4499
+
+v4505:
+  %v4506 = getelementptr i64, ptr %v1033, i64 %v4389
+  %v4507 = load i64, ptr %v4506, align 8, !noalias !541
+  %v4508 = add nsw i64 %v4507, 1
+  store i64 %v4508, ptr %v4506, align 8, !noalias !541
+  %v4509 = icmp slt i64 %v4507, -1
+  %v4510 = select i1 %v4509, i64 %v70, i64 0
+  %v4511 = getelementptr double, ptr %v69, i64 %v4508
+  %v4512 = getelementptr double, ptr %v4511, i64 %v4510
+  %v4513 = load double, ptr %v4512, align 8, !noalias !541
+  %v4514 = fcmp oeq double %v4513, 0x7FF0000000000000
+  br i1 %v4514, label %v4515, label %v4516
+
+v4515:
+  %v4517 = load i64, ptr %v4390, align 8, !noalias !541
+  %v4518 = icmp slt i64 %v4517, 0
+  %v4519 = select i1 %v4518, i64 %v111, i64 0
+  %v4520 = getelementptr i64, ptr %v110, i64 %v4517
+  %v4521 = getelementptr i64, ptr %v4520, i64 %v4519
+  %v4522 = load i64, ptr %v4521, align 8, !noalias !541
+  %v4523 = icmp eq i64 %v4522, 0
+  br i1 %v4523, label %v4524, label %v4499
 
 v4524:
-  %v4525 = add nsw i64 %v4220, 1
-  %v4526 = getelementptr double, ptr %v1042, i64 %v4329
-  %v4527 = load double, ptr %v4526, align 8, !noalias !524
-  %v4528 = fcmp ogt double %v4527, 0.000000e+00
-  br i1 %v4528, label %v4529, label %v4530
+  store i64 1, ptr %v4521, align 8, !noalias !541
+  br label %v4499
+
+v4516:
+  store double %v4513, ptr %v4502, align 8, !noalias !541
+  %v4525 = select i1 %v4509, i64 %v86, i64 0
+  %v4526 = getelementptr i64, ptr %v85, i64 %v4508
+  %v4527 = getelementptr i64, ptr %v4526, i64 %v4525
+  %v4528 = load i64, ptr %v4527, align 8, !noalias !541
+  %v4529 = icmp eq i64 %v4528, 0
+  br i1 %v4529, label %v4530, label %v4531
 
 v4530:
-  %v4531 = mul i64 %v4522, %v126
-  %v4532 = getelementptr i64, ptr %v124, i64 %v4531
-  %v4533 = load i64, ptr %v4532, align 8, !noalias !524
-  %v4534 = and i64 %v4533, 127
-  %v4535 = getelementptr double, ptr %v1044, i64 %v4329
-  %v4536 = load double, ptr %v4535, align 8, !noalias !524
-  %v4537 = fcmp olt double %v4536, %v1045
-  %v4538 = select i1 %v4537, double %v4536, double %v1045
-  %v4539 = sitofp i64 %v4234 to double
-  %v4540 = fsub double %v4538, %v4539
-  %v4541 = sub nsw i64 128, %v4534
-  %v4542 = uitofp i64 %v4541 to double
-  %v4543 = fcmp ogt double %v4540, %v4542
-  %v4544 = select i1 %v4543, double %v4542, double %v4540
-  br label %v4529
+  %v4532 = getelementptr double, ptr %v1037, i64 %v4494
+  store double 1.000000e+00, ptr %v4532, align 8, !noalias !541
+  br label %v4533
 
-v4529:
-  %v4545 = phi double [ %v4544, %v4530 ], [ 1.000000e+00, %v4524 ]
-  %v4546 = getelementptr double, ptr %v1047, i64 %v4329
-  store double %v4545, ptr %v4546, align 8, !noalias !524
-  %v4547 = getelementptr double, ptr %v1049, i64 %v4329
-  %v4548 = load double, ptr %v4547, align 8, !noalias !560
-  %v4549 = getelementptr double, ptr %v1051, i64 %v4329
-  store double %v4548, ptr %v4549, align 8, !noalias !560
-  %v4550 = getelementptr i64, ptr %v1053, i64 %v4224
-  %v4551 = load i64, ptr %v4550, align 8, !noalias !560
-  %v4552 = icmp slt i64 %v4551, %v93
-  br i1 %v4552, label %v4553, label %v4213
+v4531:
+  %v4534 = getelementptr double, ptr %v1035, i64 %v4494
+  %v4535 = load double, ptr %v4534, align 8, !noalias !541
+  %v4536 = fcmp olt double %v4535, 2.500000e-01
+  %v4537 = select i1 %v4536, double 2.500000e-01, double %v4535
+  store double %v4537, ptr %v4534, align 8, !noalias !541
+  %v4538 = load i64, ptr %v452, align 8, !noalias !541
+  %v4539 = tail call i64 @llvm.smax.i64(i64 %v4538, i64 1)
+  br label %v4533
 
-v4553:
-  %v4554 = icmp slt i64 %v4551, 0
-  %v4555 = select i1 %v4554, i64 %v93, i64 0
-  %v4556 = getelementptr double, ptr %v92, i64 %v4551
-  %v4557 = getelementptr double, ptr %v4556, i64 %v4555
-  %v4558 = load double, ptr %v4557, align 8, !noalias !560
-  %v4559 = load double, ptr %v4547, align 8, !noalias !560
-  %v4560 = fcmp olt double %v4559, %v4558
-  %v4561 = select i1 %v4560, double %v4559, double %v4558
-  store double %v4561, ptr %v4549, align 8, !noalias !560
-  br label %v4213
+v4533:
+  %v4540 = phi i64 [ %v4539, %v4531 ], [ 2, %v4530 ]
+  store i64 %v4540, ptr %v452, align 8, !noalias !541
+  br i1 %v1038, label %v4499, label %v4541
 
-v4213:
-  %v4221 = phi i64 [ %v4220, %v4210 ], [ %v4220, %v4407 ], [ %v4525, %v4529 ], [ %v4525, %v4553 ]
-  %v4219 = phi i1 [ %v4218, %v4210 ], [ %v4521, %v4407 ], [ %v4521, %v4529 ], [ %v4521, %v4553 ]
-  %v4562 = icmp sgt i64 %v4216, 0
-  %v4563 = sext i1 %v4562 to i64
-  %v4217 = add nsw i64 %v4216, %v4563
-  %v4564 = zext i1 %v4562 to i64
-  %v4215 = add i64 %v4214, %v4564
-  %v4212 = select i1 %v4562, i64 %v4214, i64 0
-  br i1 %v4562, label %v4210, label %v4565
+v4541:
+  %v4542 = select i1 %v4509, i64 %v77, i64 0
+  %v4543 = add i64 %v4542, %v4508
+  %v4544 = mul i64 %v4543, %v78
+  %v4545 = getelementptr double, ptr %v76, i64 %v4544
+  br label %v4546
 
-v1083:
-  %v1082 = phi i64 [ %v1086, %v3920 ], [ %v4566, %v4565 ]
-  %v1085 = phi i64 [ %v4209, %v3920 ], [ %v4221, %v4565 ]
-  %v4567 = icmp sgt i64 %v1085, 0
-  %v4568 = icmp sgt i64 %v1082, 0
-  %v4569 = select i1 %v4567, i1 %v4568, i1 false
-  br i1 %v4569, label %v1080, label %v451
+v4546:
+  %v4547 = phi i64 [ 0, %v4541 ], [ %v4548, %v4546 ]
+  %v4548 = add nsw i64 %v4547, 1
+  %v4549 = getelementptr double, ptr %v4545, i64 %v4547
+  %v4550 = load double, ptr %v4549, align 8, !noalias !545
+  %v4551 = getelementptr i64, ptr %v62, i64 %v4547
+  %v4552 = load i64, ptr %v4551, align 8, !noalias !545
+  %v4553 = mul nsw i64 %v4552, %v9
+  %v4554 = add nsw i64 %v4553, %v4376
+  %v4555 = icmp slt i64 %v4554, 0
+  %v4556 = select i1 %v4555, i64 %v166, i64 0
+  %v4557 = getelementptr double, ptr %v165, i64 %v4554
+  %v4558 = getelementptr double, ptr %v4557, i64 %v4556
+  store double %v4550, ptr %v4558, align 8, !noalias !545
+  %v4559 = icmp eq i64 %v63, %v4548
+  br i1 %v4559, label %v4499, label %v4546
 
-v451:
-  %v4570 = phi i64 [ %v446, %v309 ], [ %v1085, %v1083 ]
-  br i1 %v307, label %v4571, label %v4572
+v4499:
+  %v4560 = getelementptr i64, ptr %v110, i64 %v4391
+  %v4561 = load i64, ptr %v4560, align 8, !noalias !524
+  %v4562 = icmp eq i64 %v4561, 0
+  br i1 %v4562, label %v4563, label %v4564
+
+v4564:
+  %v4565 = getelementptr i64, ptr %v1040, i64 %v4389
+  %v4566 = load i64, ptr %v4565, align 8, !noalias !524
+  %v4567 = getelementptr i64, ptr %v117, i64 %v4391
+  store i64 %v4566, ptr %v4567, align 8, !noalias !524
+  store i64 -1, ptr %v4390, align 8, !noalias !524
+  %v4568 = getelementptr double, ptr %v1042, i64 %v4494
+  store double 0.000000e+00, ptr %v4568, align 8, !noalias !549
+  %v4569 = load i64, ptr %v151, align 8, !noalias !549
+  %v4570 = load i64, ptr %v1043, align 8, !noalias !549
+  %v4571 = icmp eq i64 %v4569, %v4570
+  br i1 %v4571, label %v4572, label %v4573
+
+v4573:
+  %v4574 = add nsw i64 %v4569, 1
+  store i64 %v4574, ptr %v151, align 8, !noalias !549
+  store i64 2, ptr %v452, align 8, !noalias !549
+  store i64 %v4569, ptr %v4390, align 8, !noalias !549
+  %v4575 = icmp slt i64 %v4569, 0
+  %v4576 = select i1 %v4575, i64 %v49, i64 0
+  %v4577 = getelementptr i64, ptr %v48, i64 %v4569
+  %v4578 = getelementptr i64, ptr %v4577, i64 %v4576
+  %v4579 = load i64, ptr %v4578, align 8, !noalias !549
+  %v4580 = icmp slt i64 %v4579, 0
+  %v4581 = select i1 %v4580, i64 %v56, i64 0
+  %v4582 = getelementptr i64, ptr %v55, i64 %v4579
+  %v4583 = getelementptr i64, ptr %v4582, i64 %v4581
+  %v4584 = load i64, ptr %v4583, align 8, !noalias !549
+  %v4585 = getelementptr i64, ptr %v1044, i64 %v4389
+  store i64 %v4584, ptr %v4585, align 8, !noalias !549
+  store i64 1, ptr %v4565, align 8, !noalias !549
+  %v4586 = getelementptr i64, ptr %v1046, i64 %v4389
+  store i64 0, ptr %v4586, align 8, !noalias !549
+  br i1 %v1047, label %v4587, label %v4588
+
+v4588:
+  %v4589 = select i1 %v4575, i64 %v40, i64 0
+  %v4590 = add i64 %v4589, %v4569
+  %v4591 = mul i64 %v4590, %v41
+  %v4592 = getelementptr double, ptr %v39, i64 %v4591
+  br label %v4593
+
+v4587:
+  br i1 %v1048, label %v4594, label %v4595
+
+v4595:
+  %v4596 = load i64, ptr %v4585, align 8, !noalias !549
+  %v4597 = icmp slt i64 %v4596, 0
+  %v4598 = select i1 %v4597, i64 %v77, i64 0
+  %v4599 = add i64 %v4598, %v4596
+  %v4600 = mul i64 %v4599, %v78
+  %v4601 = getelementptr double, ptr %v76, i64 %v4600
+  br label %v4602
+
+v4602:
+  %v4603 = phi i64 [ 0, %v4595 ], [ %v4604, %v4602 ]
+  %v4604 = add nsw i64 %v4603, 1
+  %v4605 = getelementptr double, ptr %v4601, i64 %v4603
+  %v4606 = load double, ptr %v4605, align 8, !noalias !552
+  %v4607 = getelementptr i64, ptr %v62, i64 %v4603
+  %v4608 = load i64, ptr %v4607, align 8, !noalias !552
+  %v4609 = mul nsw i64 %v4608, %v9
+  %v4610 = add nsw i64 %v4609, %v4376
+  %v4611 = icmp slt i64 %v4610, 0
+  %v4612 = select i1 %v4611, i64 %v166, i64 0
+  %v4613 = getelementptr double, ptr %v165, i64 %v4610
+  %v4614 = getelementptr double, ptr %v4613, i64 %v4612
+  store double %v4606, ptr %v4614, align 8, !noalias !552
+  %v4615 = icmp eq i64 %v4604, %v63
+  br i1 %v4615, label %v4594, label %v4602
+
+v4616:
+  %v4617 = getelementptr double, ptr %v133, i64 %v4494
+  br label %v4618
+
+v4619:
+  %v4620 = mul i64 %v4621, %v135
+  %v4622 = getelementptr double, ptr %v4617, i64 %v4620
+  %v4623 = load double, ptr %v4622, align 8, !noalias !556
+  %v4624 = fcmp une double %v4623, 0xFFF0000000000000
+  br i1 %v4624, label %v4625, label %v4626
+
+v4625:
+  %v4627 = mul i64 %v4621, %v135
+  %v4628 = getelementptr double, ptr %v4617, i64 %v4627
+  store double 0.000000e+00, ptr %v4628, align 8, !noalias !556
+  br label %v4626
+
+v4626:
+  %v4629 = icmp eq i64 %v4630, 32
+  br i1 %v4629, label %v4631, label %v4618
+
+v4631:
+  %v4632 = getelementptr double, ptr %v1051, i64 %v4494
+  store double 5.000000e+03, ptr %v4632, align 8, !noalias !556
+  store double 1.000000e+00, ptr %v4568, align 8, !noalias !556
+  %v4633 = getelementptr double, ptr %v1053, i64 %v4494
+  store double 0xFFF0000000000000, ptr %v4633, align 8, !noalias !556
+  %v4634 = getelementptr double, ptr %v1055, i64 %v4494
+  store double 0x7FF0000000000000, ptr %v4634, align 8, !noalias !556
+  %v4635 = load double, ptr %v92, align 8, !noalias !549
+  store double %v4635, ptr %v4617, align 8, !noalias !549
+  %v4636 = load double, ptr %v92, align 8, !noalias !549
+  %v4637 = getelementptr double, ptr %v1057, i64 %v4494
+  store double %v4636, ptr %v4637, align 8, !noalias !549
+  %v4638 = load i64, ptr %v4585, align 8, !noalias !549
+  %v4639 = icmp slt i64 %v4638, 0
+  %v4640 = select i1 %v4639, i64 %v70, i64 0
+  %v4641 = getelementptr double, ptr %v69, i64 %v4638
+  %v4642 = getelementptr double, ptr %v4641, i64 %v4640
+  %v4643 = load double, ptr %v4642, align 8, !noalias !549
+  %v4644 = getelementptr double, ptr %v1059, i64 %v4494
+  store double %v4643, ptr %v4644, align 8, !noalias !549
+  br label %v4572
+
+v4618:
+  %v4621 = phi i64 [ 0, %v4616 ], [ %v4630, %v4626 ]
+  %v4630 = add nsw i64 %v4621, 1
+  %v4645 = icmp ult i64 %v4621, 30
+  br i1 %v4645, label %v4625, label %v4619
+
+v4593:
+  %v4646 = phi i64 [ 0, %v4588 ], [ %v4647, %v4593 ]
+  %v4647 = add nsw i64 %v4646, 1
+  %v4648 = getelementptr double, ptr %v4592, i64 %v4646
+  %v4649 = load double, ptr %v4648, align 8, !noalias !549
+  %v4650 = mul nsw i64 %v4646, %v9
+  %v4651 = add nsw i64 %v4650, %v4376
+  %v4652 = icmp slt i64 %v4651, 0
+  %v4653 = select i1 %v4652, i64 %v166, i64 0
+  %v4654 = getelementptr double, ptr %v165, i64 %v4651
+  %v4655 = getelementptr double, ptr %v4654, i64 %v4653
+  store double %v4649, ptr %v4655, align 8, !noalias !549
+  %v4656 = icmp eq i64 %v4647, %v41
+  br i1 %v4656, label %v4587, label %v4593
+
+v4594:
+  br i1 %v1049, label %v4616, label %v4657
+
+v4657:
+  %v4658 = getelementptr double, ptr %v193, i64 %v4376
+  %v4659 = select i1 %v4575, i64 %v31, i64 0
+  %v4660 = add i64 %v4659, %v4569
+  %v4661 = mul i64 %v4660, %v32
+  %v4662 = getelementptr double, ptr %v30, i64 %v4661
+  %v4663 = select i1 %v4387, i64 %v196, i64 0
+  %v4664 = getelementptr double, ptr %v4658, i64 %v4663
+  br label %v4665
+
+v4665:
+  %v4666 = phi i64 [ 0, %v4657 ], [ %v4667, %v4665 ]
+  %v4667 = add nsw i64 %v4666, 1
+  %v4668 = getelementptr double, ptr %v4662, i64 %v4666
+  %v4669 = load double, ptr %v4668, align 8, !noalias !549
+  %v4670 = mul i64 %v4666, %v196
+  %v4671 = getelementptr double, ptr %v4664, i64 %v4670
+  store double %v4669, ptr %v4671, align 8, !noalias !549
+  %v4672 = icmp eq i64 %v4667, %v10
+  br i1 %v4672, label %v4616, label %v4665
+
+v4563:
+  %v4673 = getelementptr double, ptr %v1061, i64 %v4494
+  %v4674 = load double, ptr %v4673, align 8, !noalias !524
+  %v4675 = fcmp ult double %v4674, 1.500000e+01
+  br i1 %v4675, label %v4572, label %v4676
+
+v4676:
+  %v4677 = load double, ptr %v1063, align 8, !noalias !524
+  %v4678 = getelementptr double, ptr %v133, i64 %v4494
+  %v4679 = load double, ptr %v4678, align 8, !noalias !524
+  %v4680 = fsub double %v4677, %v4679
+  %v4681 = getelementptr double, ptr %v1064, i64 %v4494
+  %v4682 = load double, ptr %v4681, align 8, !noalias !524
+  %v4683 = fmul double %v4682, 2.500000e+02
+  %v4684 = fcmp ogt double %v4680, %v4683
+  br i1 %v4684, label %v4572, label %v4685
+
+v4685:
+  store double 0.000000e+00, ptr %v4673, align 8, !noalias !524
+  br label %v4572
 
 v4572:
-  %v4573 = mul i64 %v135, 168
-  %v4574 = getelementptr i8, ptr %v133, i64 %v4573
-  %v4575 = mul i64 %v135, 176
-  %v4576 = getelementptr i8, ptr %v133, i64 %v4575
-  %v4577 = add nsw i64 %v11, -1
-  %v4578 = mul i64 %v135, 152
-  %v4579 = getelementptr i8, ptr %v133, i64 %v4578
-  br label %v4580
+  %v4686 = phi i1 [ %v4383, %v4563 ], [ true, %v4676 ], [ %v4383, %v4685 ], [ %v4383, %v4564 ], [ %v4383, %v4631 ]
+  %v4687 = load i64, ptr %v4390, align 8, !noalias !524
+  %v4688 = icmp sgt i64 %v4687, -1
+  br i1 %v4688, label %v4689, label %v4378
 
-v4581:
-  %v4582 = getelementptr double, ptr %v4574, i64 %v4583
-  %v4584 = load double, ptr %v4582, align 8, !noalias !564
-  %v4585 = fptosi double %v4584 to i64
-  %v4586 = getelementptr double, ptr %v4576, i64 %v4583
-  %v4587 = load double, ptr %v4586, align 8, !noalias !564
-  %v4588 = fptosi double %v4587 to i64
-  %v4589 = mul i64 %v4590, %v126
-  %v4591 = getelementptr i64, ptr %v124, i64 %v4589
-  %v4592 = load i64, ptr %v4591, align 8, !noalias !564
-  %v4593 = add nsw i64 %v4592, %v4585
-  store i64 %v4593, ptr %v4591, align 8, !noalias !564
-  %v4594 = getelementptr i8, ptr %v4591, i64 24
-  %v4595 = load i64, ptr %v4594, align 8, !noalias !564
-  %v4596 = add nsw i64 %v4595, %v4588
-  store i64 %v4596, ptr %v4594, align 8, !noalias !564
-  %v4597 = getelementptr i8, ptr %v4591, i64 8
-  %v4598 = load i64, ptr %v4597, align 8, !noalias !564
-  %v4599 = add nsw i64 %v4588, %v4585
-  %v4600 = mul nsw i64 %v4599, %v4577
-  %v4601 = add nsw i64 %v4600, %v4585
-  %v4602 = add nsw i64 %v4601, %v4598
-  store i64 %v4602, ptr %v4597, align 8, !noalias !564
-  store double 0.000000e+00, ptr %v4582, align 8, !noalias !564
-  store double 0.000000e+00, ptr %v4586, align 8, !noalias !564
-  %v4603 = getelementptr double, ptr %v4579, i64 %v4583
-  %v4604 = load double, ptr %v4603, align 8, !noalias !564
-  %v4605 = sitofp i64 %v4599 to double
-  %v4606 = fsub double %v4604, %v4605
-  store double %v4606, ptr %v4603, align 8, !noalias !564
-  br label %v4607
+v4689:
+  %v4690 = add nsw i64 %v4385, 1
+  %v4691 = getelementptr double, ptr %v1066, i64 %v4494
+  %v4692 = load double, ptr %v4691, align 8, !noalias !524
+  %v4693 = fcmp ogt double %v4692, 0.000000e+00
+  br i1 %v4693, label %v4694, label %v4695
 
-v4607:
-  %v4608 = icmp sgt i64 %v4609, 1
-  br i1 %v4608, label %v4580, label %v4571
+v4695:
+  %v4696 = mul i64 %v4687, %v126
+  %v4697 = getelementptr i64, ptr %v124, i64 %v4696
+  %v4698 = load i64, ptr %v4697, align 8, !noalias !524
+  %v4699 = and i64 %v4698, 127
+  %v4700 = getelementptr double, ptr %v1068, i64 %v4494
+  %v4701 = load double, ptr %v4700, align 8, !noalias !524
+  %v4702 = fcmp olt double %v4701, %v1069
+  %v4703 = select i1 %v4702, double %v4701, double %v1069
+  %v4704 = sitofp i64 %v4399 to double
+  %v4705 = fsub double %v4703, %v4704
+  %v4706 = sub nsw i64 128, %v4699
+  %v4707 = uitofp i64 %v4706 to double
+  %v4708 = fcmp ogt double %v4705, %v4707
+  %v4709 = select i1 %v4708, double %v4707, double %v4705
+  br label %v4694
 
-v4580:
-  %v4583 = phi i64 [ 0, %v4572 ], [ %v4610, %v4607 ]
-  %v4609 = phi i64 [ %v308, %v4572 ], [ %v4611, %v4607 ]
-  %v4611 = add nsw i64 %v4609, -1
-  %v4610 = add nsw i64 %v4583, 1
-  %v4612 = getelementptr i64, ptr %v142, i64 %v4583
-  %v4590 = load i64, ptr %v4612, align 8, !noalias !564
-  %v4613 = icmp sgt i64 %v4590, -1
-  br i1 %v4613, label %v4581, label %v4607
+v4694:
+  %v4710 = phi double [ %v4709, %v4695 ], [ 1.000000e+00, %v4689 ]
+  %v4711 = getelementptr double, ptr %v1071, i64 %v4494
+  store double %v4710, ptr %v4711, align 8, !noalias !524
+  %v4712 = getelementptr double, ptr %v1073, i64 %v4494
+  %v4713 = load double, ptr %v4712, align 8, !noalias !560
+  %v4714 = getelementptr double, ptr %v1075, i64 %v4494
+  store double %v4713, ptr %v4714, align 8, !noalias !560
+  %v4715 = getelementptr i64, ptr %v1077, i64 %v4389
+  %v4716 = load i64, ptr %v4715, align 8, !noalias !560
+  %v4717 = icmp slt i64 %v4716, %v93
+  br i1 %v4717, label %v4718, label %v4378
 
-v4614:
-  %v4615 = phi i32 [ 0, %v4571 ], [ %v3604, %v3606 ]
-  ret i32 %v4615
+v4718:
+  %v4719 = icmp slt i64 %v4716, 0
+  %v4720 = select i1 %v4719, i64 %v93, i64 0
+  %v4721 = getelementptr double, ptr %v92, i64 %v4716
+  %v4722 = getelementptr double, ptr %v4721, i64 %v4720
+  %v4723 = load double, ptr %v4722, align 8, !noalias !560
+  %v4724 = load double, ptr %v4712, align 8, !noalias !560
+  %v4725 = fcmp olt double %v4724, %v4723
+  %v4726 = select i1 %v4725, double %v4724, double %v4723
+  store double %v4726, ptr %v4714, align 8, !noalias !560
+  br label %v4378
+
+v4378:
+  %v4386 = phi i64 [ %v4385, %v4375 ], [ %v4385, %v4572 ], [ %v4690, %v4694 ], [ %v4690, %v4718 ]
+  %v4384 = phi i1 [ %v4383, %v4375 ], [ %v4686, %v4572 ], [ %v4686, %v4694 ], [ %v4686, %v4718 ]
+  %v4727 = icmp sgt i64 %v4381, 0
+  %v4728 = sext i1 %v4727 to i64
+  %v4382 = add nsw i64 %v4381, %v4728
+  %v4729 = zext i1 %v4727 to i64
+  %v4380 = add i64 %v4379, %v4729
+  %v4377 = select i1 %v4727, i64 %v4379, i64 0
+  br i1 %v4727, label %v4375, label %v4730
+
+v1107:
+  %v1106 = phi i64 [ %v1110, %v4081 ], [ %v4731, %v4730 ]
+  %v1109 = phi i64 [ %v4374, %v4081 ], [ %v4386, %v4730 ]
+  %v4732 = icmp sgt i64 %v1109, 0
+  %v4733 = icmp sgt i64 %v1106, 0
+  %v4734 = select i1 %v4732, i1 %v4733, i1 false
+  br i1 %v4734, label %v1104, label %v451
+
+v451:
+  %v4735 = phi i64 [ %v446, %v309 ], [ %v1109, %v1107 ]
+  br i1 %v307, label %v4736, label %v4737
+
+v4737:
+  %v4738 = mul i64 %v135, 168
+  %v4739 = getelementptr i8, ptr %v133, i64 %v4738
+  %v4740 = mul i64 %v135, 176
+  %v4741 = getelementptr i8, ptr %v133, i64 %v4740
+  %v4742 = add nsw i64 %v11, -1
+  %v4743 = mul i64 %v135, 152
+  %v4744 = getelementptr i8, ptr %v133, i64 %v4743
+  br label %v4745
+
+v4746:
+  %v4747 = getelementptr double, ptr %v4739, i64 %v4748
+  %v4749 = load double, ptr %v4747, align 8, !noalias !564
+  %v4750 = fptosi double %v4749 to i64
+  %v4751 = getelementptr double, ptr %v4741, i64 %v4748
+  %v4752 = load double, ptr %v4751, align 8, !noalias !564
+  %v4753 = fptosi double %v4752 to i64
+  %v4754 = mul i64 %v4755, %v126
+  %v4756 = getelementptr i64, ptr %v124, i64 %v4754
+  %v4757 = load i64, ptr %v4756, align 8, !noalias !564
+  %v4758 = add nsw i64 %v4757, %v4750
+  store i64 %v4758, ptr %v4756, align 8, !noalias !564
+  %v4759 = getelementptr i8, ptr %v4756, i64 24
+  %v4760 = load i64, ptr %v4759, align 8, !noalias !564
+  %v4761 = add nsw i64 %v4760, %v4753
+  store i64 %v4761, ptr %v4759, align 8, !noalias !564
+  %v4762 = getelementptr i8, ptr %v4756, i64 8
+  %v4763 = load i64, ptr %v4762, align 8, !noalias !564
+  %v4764 = add nsw i64 %v4753, %v4750
+  %v4765 = mul nsw i64 %v4764, %v4742
+  %v4766 = add nsw i64 %v4765, %v4750
+  %v4767 = add nsw i64 %v4766, %v4763
+  store i64 %v4767, ptr %v4762, align 8, !noalias !564
+  store double 0.000000e+00, ptr %v4747, align 8, !noalias !564
+  store double 0.000000e+00, ptr %v4751, align 8, !noalias !564
+  %v4768 = getelementptr double, ptr %v4744, i64 %v4748
+  %v4769 = load double, ptr %v4768, align 8, !noalias !564
+  %v4770 = sitofp i64 %v4764 to double
+  %v4771 = fsub double %v4769, %v4770
+  store double %v4771, ptr %v4768, align 8, !noalias !564
+  br label %v4772
+
+v4772:
+  %v4773 = icmp sgt i64 %v4774, 1
+  br i1 %v4773, label %v4745, label %v4736
+
+v4745:
+  %v4748 = phi i64 [ 0, %v4737 ], [ %v4775, %v4772 ]
+  %v4774 = phi i64 [ %v308, %v4737 ], [ %v4776, %v4772 ]
+  %v4776 = add nsw i64 %v4774, -1
+  %v4775 = add nsw i64 %v4748, 1
+  %v4777 = getelementptr i64, ptr %v142, i64 %v4748
+  %v4755 = load i64, ptr %v4777, align 8, !noalias !564
+  %v4778 = icmp sgt i64 %v4755, -1
+  br i1 %v4778, label %v4746, label %v4772
+
+v4779:
+  %v4780 = phi i32 [ 0, %v4736 ], [ %v3767, %v3769 ]
+  ret i32 %v4780
 
 v333:
   %v443 = phi i64 [ 0, %v310 ], [ %v442, %v340 ]
-  %v445 = phi i64 [ %v308, %v310 ], [ %v4616, %v340 ]
-  %v336 = phi i64 [ 0, %v310 ], [ %v4617, %v340 ]
-  %v4616 = add nsw i64 %v445, -1
-  %v4617 = add nsw i64 %v336, 1
+  %v445 = phi i64 [ %v308, %v310 ], [ %v4781, %v340 ]
+  %v336 = phi i64 [ 0, %v310 ], [ %v4782, %v340 ]
+  %v4781 = add nsw i64 %v445, -1
+  %v4782 = add nsw i64 %v336, 1
   %v439 = getelementptr i64, ptr %v142, i64 %v336
-  %v4618 = load i64, ptr %v439, align 8
-  %v4619 = icmp slt i64 %v4618, 0
-  br i1 %v4619, label %v334, label %v340
+  %v4783 = load i64, ptr %v439, align 8
+  %v4784 = icmp slt i64 %v4783, 0
+  br i1 %v4784, label %v334, label %v340
 
-v1402:
-  %v4620 = load i64, ptr %v6, align 8, !noalias !568
-  %v4621 = inttoptr i64 %v4620 to ptr
-  tail call void %v4621(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v554), !noalias !568
-  br label %v1403
+v1433:
+  %v4785 = load i64, ptr %v6, align 8, !noalias !568
+  %v4786 = inttoptr i64 %v4785 to ptr
+  tail call void %v4786(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v554), !noalias !568
+  br label %v1434
 
-v1403:
-  br i1 %v555, label %v4622, label %v4623
+v1434:
+  br i1 %v555, label %v4787, label %v4788
 
-v4622:
-  %v4624 = load double, ptr %v557, align 8, !noalias !571
-  %v4625 = fcmp olt double %v4624, 5.000000e-01
-  br i1 %v4625, label %v4626, label %v4627
+v4787:
+  %v4789 = load double, ptr %v557, align 8, !noalias !571
+  %v4790 = fcmp olt double %v4789, 5.000000e-01
+  br i1 %v4790, label %v4791, label %v4792
 
-v4626:
-  br i1 %v558, label %v4628, label %v4629
+v4791:
+  br i1 %v558, label %v4793, label %v4794
 
-v4628:
-  br i1 %v570, label %v4630, label %v4631, !prof !386
+v4793:
+  br i1 %v570, label %v4795, label %v4796, !prof !386
 
-v4632:
-  %v4633 = icmp eq i64 %v4634, %v603
-  br i1 %v4633, label %v4627, label %v4635
+v4797:
+  %v4798 = icmp eq i64 %v4799, %v603
+  br i1 %v4798, label %v4792, label %v4800
 
-v4636:
-  %v4637 = load i64, ptr %v580, align 8, !noalias !575
-  %v4638 = icmp eq i64 %v4637, %v4634
-  br i1 %v4638, label %v4639, label %v4640
+v4801:
+  %v4802 = load i64, ptr %v580, align 8, !noalias !575
+  %v4803 = icmp eq i64 %v4802, %v4799
+  br i1 %v4803, label %v4804, label %v4805
 
-v4639:
-  %v4641 = load double, ptr %v582, align 8, !noalias !575
-  %v4642 = fmul double %v4641, 1.000000e-03
-  br label %v4640
+v4804:
+  %v4806 = load double, ptr %v582, align 8, !noalias !575
+  %v4807 = fmul double %v4806, 1.000000e-03
+  br label %v4805
 
-v4640:
-  %v4643 = phi double [ %v4642, %v4639 ], [ 0.000000e+00, %v4636 ]
-  store double %v4643, ptr %v4644, align 8, !noalias !575
-  br i1 %v558, label %v4645, label %v4646
+v4805:
+  %v4808 = phi double [ %v4807, %v4804 ], [ 0.000000e+00, %v4801 ]
+  store double %v4808, ptr %v4809, align 8, !noalias !575
+  br i1 %v558, label %v4810, label %v4811
 
-v4647:
-  %v4648 = phi i64 [ %v4649, %v4647 ], [ 0, %v4635 ]
-  %v4649 = add nsw i64 %v4648, 1
-  %v4650 = mul i64 %v4648, %v196
-  %v4651 = getelementptr double, ptr %v193, i64 %v4650
-  %v4652 = load double, ptr %v4651, align 8, !noalias !575
-  %v4653 = tail call double @llvm.fabs.f64(double %v4652)
-  %v4654 = fcmp ogt double %v4655, %v4653
-  %v4656 = select i1 %v4654, double %v4655, double %v4653
-  %v4657 = fcmp ogt double %v4656, 0.000000e+00
-  %v4658 = fmul double %v4656, 1.200000e-05
-  %v4659 = select i1 %v4657, double %v4658, double 1.200000e-05
-  %v4660 = getelementptr i64, ptr %v266, i64 %v4648
-  %v4661 = load i64, ptr %v4660, align 8, !noalias !575
-  %v4662 = icmp eq i64 %v4661, %v4634
-  %v4663 = select i1 %v4662, double %v4659, double 0.000000e+00
-  %v4664 = getelementptr double, ptr %v4665, i64 %v4648
-  store double %v4663, ptr %v4664, align 8, !noalias !575
-  %v4666 = icmp eq i64 %v10, %v4649
-  br i1 %v4666, label %v4636, label %v4647
+v4812:
+  %v4813 = phi i64 [ %v4814, %v4812 ], [ 0, %v4800 ]
+  %v4814 = add nsw i64 %v4813, 1
+  %v4815 = mul i64 %v4813, %v196
+  %v4816 = getelementptr double, ptr %v193, i64 %v4815
+  %v4817 = load double, ptr %v4816, align 8, !noalias !575
+  %v4818 = tail call double @llvm.fabs.f64(double %v4817)
+  %v4819 = fcmp ogt double %v4820, %v4818
+  %v4821 = select i1 %v4819, double %v4820, double %v4818
+  %v4822 = fcmp ogt double %v4821, 0.000000e+00
+  %v4823 = fmul double %v4821, 1.200000e-05
+  %v4824 = select i1 %v4822, double %v4823, double 1.200000e-05
+  %v4825 = getelementptr i64, ptr %v266, i64 %v4813
+  %v4826 = load i64, ptr %v4825, align 8, !noalias !575
+  %v4827 = icmp eq i64 %v4826, %v4799
+  %v4828 = select i1 %v4827, double %v4824, double 0.000000e+00
+  %v4829 = getelementptr double, ptr %v4830, i64 %v4813
+  store double %v4828, ptr %v4829, align 8, !noalias !575
+  %v4831 = icmp eq i64 %v10, %v4814
+  br i1 %v4831, label %v4801, label %v4812
 
-v4667:
-  %v4668 = getelementptr double, ptr %v596, i64 %v4669
-  store double %v4670, ptr %v4668, align 8, !noalias !581
-  br label %v4671
+v4832:
+  %v4833 = getelementptr double, ptr %v596, i64 %v4834
+  store double %v4835, ptr %v4833, align 8, !noalias !581
+  br label %v4836
 
-v4672:
-  %v4673 = select i1 %v4674, i64 %v295, i64 0
-  %v4675 = getelementptr i64, ptr %v294, i64 %v4676
-  %v4677 = getelementptr i64, ptr %v4675, i64 %v4673
-  %v4678 = load i64, ptr %v4677, align 8, !noalias !581
-  %v4679 = icmp slt i64 %v4678, 0
-  %v4680 = select i1 %v4679, i64 %v223, i64 0
-  %v4681 = getelementptr double, ptr %v222, i64 %v4678
-  %v4682 = getelementptr double, ptr %v4681, i64 %v4680
-  store double %v4670, ptr %v4682, align 8, !noalias !581
-  br label %v4671
+v4837:
+  %v4838 = select i1 %v4839, i64 %v295, i64 0
+  %v4840 = getelementptr i64, ptr %v294, i64 %v4841
+  %v4842 = getelementptr i64, ptr %v4840, i64 %v4838
+  %v4843 = load i64, ptr %v4842, align 8, !noalias !581
+  %v4844 = icmp slt i64 %v4843, 0
+  %v4845 = select i1 %v4844, i64 %v223, i64 0
+  %v4846 = getelementptr double, ptr %v222, i64 %v4843
+  %v4847 = getelementptr double, ptr %v4846, i64 %v4845
+  store double %v4835, ptr %v4847, align 8, !noalias !581
+  br label %v4836
 
-v4671:
-  %v4683 = icmp sgt i64 %v4684, 1
-  br i1 %v4683, label %v4685, label %v4632
-
-v4629:
-  %v4686 = phi i64 [ %v4687, %v4629 ], [ 0, %v4626 ]
-  %v4687 = add nsw i64 %v4686, 1
-  %v4688 = mul i64 %v4686, %v196
-  %v4689 = getelementptr double, ptr %v193, i64 %v4688
-  %v4690 = load double, ptr %v4689, align 8, !noalias !581
-  %v4691 = getelementptr double, ptr %v561, i64 %v4688
-  store double %v4690, ptr %v4691, align 8, !noalias !581
-  %v4692 = getelementptr double, ptr %v563, i64 %v4688
-  store double 0.000000e+00, ptr %v4692, align 8, !noalias !581
-  %v4693 = icmp eq i64 %v10, %v4687
-  br i1 %v4693, label %v4628, label %v4629
-
-v4694:
-  %v4695 = phi i64 [ %v159, %v4696 ], [ %v4697, %v4698 ]
-  %v4699 = sub i64 %v4695, %v4700
-  %v4701 = tail call i64 @llvm.smax.i64(i64 %v4699, i64 0)
-  %v4665 = getelementptr double, ptr %v158, i64 %v4700
-  br i1 %v575, label %v4702, label %v4627
-
-v4702:
-  %v4703 = select i1 %v567, i64 %v4701, i64 0
-  %v4704 = getelementptr double, ptr %v4665, i64 %v10
-  %v4644 = getelementptr double, ptr %v4704, i64 %v4703
-  br label %v4635
-
-v4630:
-  br label %v4631
-
-v4631:
-  %v4705 = phi i64 [ 0, %v4630 ], [ %v569, %v4628 ]
-  br i1 %v571, label %v4706, label %v4707, !prof !128
-
-v4707:
-  br label %v4706
-
-v4706:
-  %v4700 = phi i64 [ %v159, %v4707 ], [ %v4705, %v4631 ]
-  br i1 %v573, label %v4708, label %v4698, !prof !386
-
-v4708:
-  br label %v4698
-
-v4698:
-  %v4697 = phi i64 [ 0, %v4708 ], [ %v572, %v4706 ]
-  br i1 %v574, label %v4694, label %v4696, !prof !128
-
-v4696:
-  br label %v4694
-
-v4635:
-  %v4634 = phi i64 [ 0, %v4702 ], [ %v4709, %v4632 ]
-  %v4709 = add nsw i64 %v4634, 1
-  %v4710 = load double, ptr %v577, align 8, !noalias !575
-  %v4711 = load double, ptr %v23, align 8, !noalias !575
-  %v4655 = fdiv double %v4710, %v4711
-  br i1 %v558, label %v4636, label %v4647
-
-v4712:
-  %v4713 = load double, ptr %v133, align 8, !noalias !582
-  %v4714 = load double, ptr %v4644, align 8, !noalias !582
-  %v4715 = fmul double %v4714, 5.000000e-01
-  %v4716 = fadd double %v4713, %v4715
-  store double %v4716, ptr %v585, align 8, !noalias !582
-  %v4717 = load i64, ptr %v6, align 8, !noalias !586
-  %v4718 = inttoptr i64 %v4717 to ptr
-  tail call void %v4718(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v598), !noalias !586
-  br label %v4719
-
-v4719:
-  %v4720 = phi i64 [ %v4721, %v4719 ], [ 0, %v4712 ]
-  %v4721 = add nsw i64 %v4720, 1
-  %v4722 = mul i64 %v4720, %v196
-  %v4723 = getelementptr double, ptr %v193, i64 %v4722
-  %v4724 = load double, ptr %v4723, align 8, !noalias !582
-  %v4725 = getelementptr double, ptr %v4665, i64 %v4720
-  %v4726 = load double, ptr %v4725, align 8, !noalias !582
-  %v4727 = fmul double %v4726, 5.000000e-01
-  %v4728 = fsub double %v4724, %v4727
-  %v4729 = getelementptr double, ptr %v589, i64 %v4722
-  store double %v4728, ptr %v4729, align 8, !noalias !582
-  %v4730 = icmp eq i64 %v10, %v4721
-  br i1 %v4730, label %v4731, label %v4719
-
-v4645:
-  %v4732 = load double, ptr %v133, align 8, !noalias !582
-  %v4733 = fmul double %v4643, 5.000000e-01
-  %v4734 = fadd double %v4733, %v4732
-  store double %v4734, ptr %v585, align 8, !noalias !582
-  %v4735 = load i64, ptr %v6, align 8, !noalias !586
-  %v4736 = inttoptr i64 %v4735 to ptr
-  tail call void %v4736(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v600), !noalias !586
-  br label %v4731
-
-v4731:
-  %v4737 = load double, ptr %v133, align 8, !noalias !582
-  %v4738 = load double, ptr %v4644, align 8, !noalias !582
-  %v4739 = fmul double %v4738, 5.000000e-01
-  %v4740 = fsub double %v4737, %v4739
-  store double %v4740, ptr %v585, align 8, !noalias !582
-  %v4741 = load i64, ptr %v6, align 8, !noalias !586
-  %v4742 = inttoptr i64 %v4741 to ptr
-  tail call void %v4742(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v602), !noalias !586
-  br i1 %v558, label %v4743, label %v4744
-
-v4745:
-  %v4746 = fsub double %v4747, %v4748
-  br label %v4749
-
-v4750:
-  %v4751 = getelementptr double, ptr %v594, i64 %v4752
-  %v4753 = load double, ptr %v4751, align 8, !noalias !582
-  %v4754 = fsub double %v4747, %v4753
-  %v4755 = fmul double %v4754, 2.000000e+00
-  br label %v4749
-
-v4749:
-  %v4756 = phi double [ %v4755, %v4750 ], [ %v4746, %v4745 ]
-  store double %v4756, ptr %v4757, align 8, !noalias !582
-  %v4758 = icmp eq i64 %v10, %v4759
-  br i1 %v4758, label %v4743, label %v4744
-
-v4646:
-  %v4760 = phi i64 [ %v4761, %v4646 ], [ 0, %v4640 ]
-  %v4761 = add nsw i64 %v4760, 1
-  %v4762 = mul i64 %v4760, %v196
-  %v4763 = getelementptr double, ptr %v193, i64 %v4762
-  %v4764 = load double, ptr %v4763, align 8, !noalias !582
-  %v4765 = getelementptr double, ptr %v4665, i64 %v4760
-  %v4766 = load double, ptr %v4765, align 8, !noalias !582
-  %v4767 = fmul double %v4766, 5.000000e-01
-  %v4768 = fadd double %v4764, %v4767
-  %v4769 = getelementptr double, ptr %v589, i64 %v4762
-  store double %v4768, ptr %v4769, align 8, !noalias !582
-  %v4770 = icmp eq i64 %v10, %v4761
-  br i1 %v4770, label %v4712, label %v4646
-
-v4744:
-  %v4771 = phi i64 [ %v4759, %v4749 ], [ 0, %v4731 ]
-  %v4759 = add nsw i64 %v4771, 1
-  %v4752 = mul i64 %v4771, %v196
-  %v4772 = getelementptr double, ptr %v193, i64 %v4752
-  %v4773 = load double, ptr %v4772, align 8, !noalias !582
-  %v4774 = getelementptr double, ptr %v589, i64 %v4752
-  store double %v4773, ptr %v4774, align 8, !noalias !582
-  %v4757 = getelementptr double, ptr %v591, i64 %v4752
-  %v4747 = load double, ptr %v4757, align 8, !noalias !582
-  %v4775 = getelementptr double, ptr %v593, i64 %v4752
-  %v4748 = load double, ptr %v4775, align 8, !noalias !582
-  %v4776 = fsub double %v4748, %v4748
-  %v4777 = fcmp oeq double %v4776, 0.000000e+00
-  br i1 %v4777, label %v4745, label %v4750
-
-v4743:
-  %v4778 = getelementptr i64, ptr %v273, i64 %v4634
-  %v4779 = load i64, ptr %v4778, align 8, !noalias !581
-  %v4780 = getelementptr i8, ptr %v4778, i64 8
-  %v4781 = load i64, ptr %v4780, align 8, !noalias !581
-  %v4782 = sub i64 %v4781, %v4779
-  %v4783 = icmp slt i64 %v4782, 1
-  br i1 %v4783, label %v4632, label %v4685
-
-v4685:
-  %v4684 = phi i64 [ %v4784, %v4671 ], [ %v4782, %v4743 ]
-  %v4676 = phi i64 [ %v4785, %v4671 ], [ %v4779, %v4743 ]
-  %v4784 = add nsw i64 %v4684, -1
-  %v4785 = add i64 %v4676, 1
-  %v4674 = icmp slt i64 %v4676, 0
-  %v4786 = select i1 %v4674, i64 %v281, i64 0
-  %v4787 = getelementptr i64, ptr %v280, i64 %v4676
-  %v4788 = getelementptr i64, ptr %v4787, i64 %v4786
-  %v4789 = load i64, ptr %v4788, align 8, !noalias !581
-  %v4790 = select i1 %v4674, i64 %v288, i64 0
-  %v4791 = getelementptr i64, ptr %v287, i64 %v4676
-  %v4792 = getelementptr i64, ptr %v4791, i64 %v4790
-  %v4793 = load i64, ptr %v4792, align 8, !noalias !581
-  %v4794 = icmp slt i64 %v4789, 0
-  %v4795 = select i1 %v4794, i64 %v195, i64 0
-  %v4796 = add i64 %v4795, %v4789
-  %v4669 = mul i64 %v4796, %v196
-  %v4797 = getelementptr double, ptr %v591, i64 %v4669
-  %v4798 = load double, ptr %v4797, align 8, !noalias !581
-  %v4799 = icmp slt i64 %v4793, 0
-  %v4800 = select i1 %v4799, i64 %v4701, i64 0
-  %v4801 = getelementptr double, ptr %v4665, i64 %v4793
-  %v4802 = getelementptr double, ptr %v4801, i64 %v4800
-  %v4803 = load double, ptr %v4802, align 8, !noalias !581
-  %v4804 = fdiv double %v4798, %v4803
-  %v4805 = fsub double %v4804, %v4804
-  %v4806 = fcmp oeq double %v4805, 0.000000e+00
-  %v4670 = select i1 %v4806, double %v4804, double 0.000000e+00
-  %v4807 = icmp eq i64 %v4793, %v10
-  br i1 %v4807, label %v4667, label %v4672
-
-v4627:
-  br i1 %v604, label %v4808, label %v4623
-
-v4809:
-  %v4810 = mul i64 %v4811, %v607
-  %v4812 = icmp slt i64 %v4810, 0
-  %v4813 = select i1 %v4812, i64 %v230, i64 0
-  %v4814 = getelementptr double, ptr %v229, i64 %v4810
-  %v4815 = getelementptr double, ptr %v4814, i64 %v4813
-  %v4816 = load double, ptr %v4815, align 8, !noalias !571
-  %v4817 = load double, ptr %v609, align 8, !noalias !571
-  %v4818 = fadd double %v4816, %v4817
-  store double %v4818, ptr %v4815, align 8, !noalias !571
-  %v4819 = icmp eq i64 %v10, %v4820
-  br i1 %v4819, label %v4821, label %v4808
-
-v4822:
-  %v4823 = icmp eq i64 %v4824, %v10
-  br i1 %v4823, label %v4623, label %v4821
-
-v4825:
-  %v4826 = phi i64 [ %v4827, %v4821 ], [ %v4828, %v4829 ]
-  %v4830 = getelementptr i64, ptr %v236, i64 %v4827
-  store i64 %v4826, ptr %v4830, align 8, !noalias !589
-  %v4831 = add nsw i64 %v4826, %v4832
-  %v4833 = icmp slt i64 %v4831, 0
-  %v4834 = select i1 %v4833, i64 %v230, i64 0
-  %v4835 = getelementptr double, ptr %v229, i64 %v4831
-  %v4836 = getelementptr double, ptr %v4835, i64 %v4834
-  %v4837 = load double, ptr %v4836, align 8, !noalias !589
-  %v4838 = load double, ptr %v4839, align 8, !noalias !589
-  store double %v4837, ptr %v4839, align 8, !noalias !589
-  store double %v4838, ptr %v4836, align 8, !noalias !589
-  br i1 %v4840, label %v4841, label %v4842
-
-v4841:
-  %v4843 = sub i64 %v4844, %v4824
-  %v4845 = icmp slt i64 %v4843, 1
-  br i1 %v4845, label %v4822, label %v4846
-
-v4847:
+v4836:
   %v4848 = icmp sgt i64 %v4849, 1
-  br i1 %v4848, label %v4846, label %v4822
+  br i1 %v4848, label %v4850, label %v4797
 
-v4821:
-  %v4827 = phi i64 [ %v4824, %v4822 ], [ 0, %v4809 ]
-  %v4824 = add nsw i64 %v4827, 1
-  %v4832 = mul nsw i64 %v4827, %v10
-  %v4850 = add nsw i64 %v4827, %v253
-  %v4851 = add nsw i64 %v4850, 1
-  %v4852 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4851, i64 %v10)
-  %v4853 = add i64 %v610, %v4850
-  %v4844 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4853, i64 %v10)
-  %v4854 = getelementptr double, ptr %v229, i64 %v4832
-  %v4839 = getelementptr double, ptr %v4854, i64 %v4827
-  %v4855 = sub i64 %v4852, %v4824
-  %v4856 = tail call i64 @llvm.smax.i64(i64 %v4855, i64 0)
-  %v4840 = icmp slt i64 %v4855, 1
-  br i1 %v4840, label %v4825, label %v4857
+v4794:
+  %v4851 = phi i64 [ %v4852, %v4794 ], [ 0, %v4791 ]
+  %v4852 = add nsw i64 %v4851, 1
+  %v4853 = mul i64 %v4851, %v196
+  %v4854 = getelementptr double, ptr %v193, i64 %v4853
+  %v4855 = load double, ptr %v4854, align 8, !noalias !581
+  %v4856 = getelementptr double, ptr %v561, i64 %v4853
+  store double %v4855, ptr %v4856, align 8, !noalias !581
+  %v4857 = getelementptr double, ptr %v563, i64 %v4853
+  store double 0.000000e+00, ptr %v4857, align 8, !noalias !581
+  %v4858 = icmp eq i64 %v10, %v4852
+  br i1 %v4858, label %v4793, label %v4794
 
-v4857:
-  %v4858 = load double, ptr %v4839, align 8, !noalias !589
-  %v4859 = tail call double @llvm.fabs.f64(double %v4858)
-  br label %v4829
+v4859:
+  %v4860 = phi i64 [ %v159, %v4861 ], [ %v4862, %v4863 ]
+  %v4864 = sub i64 %v4860, %v4865
+  %v4866 = tail call i64 @llvm.smax.i64(i64 %v4864, i64 0)
+  %v4830 = getelementptr double, ptr %v158, i64 %v4865
+  br i1 %v575, label %v4867, label %v4792
 
-v4829:
-  %v4860 = phi i64 [ %v4828, %v4829 ], [ %v4827, %v4857 ]
-  %v4861 = phi double [ %v4862, %v4829 ], [ %v4859, %v4857 ]
-  %v4863 = phi i64 [ %v4864, %v4829 ], [ %v4856, %v4857 ]
-  %v4865 = phi i64 [ %v4866, %v4829 ], [ %v4824, %v4857 ]
-  %v4864 = add nsw i64 %v4863, -1
-  %v4866 = add i64 %v4865, 1
-  %v4867 = add nsw i64 %v4865, %v4832
-  %v4868 = icmp slt i64 %v4867, 0
-  %v4869 = select i1 %v4868, i64 %v230, i64 0
-  %v4870 = getelementptr double, ptr %v229, i64 %v4867
-  %v4871 = getelementptr double, ptr %v4870, i64 %v4869
-  %v4872 = load double, ptr %v4871, align 8, !noalias !589
-  %v4873 = tail call double @llvm.fabs.f64(double %v4872)
-  %v4874 = fcmp ogt double %v4873, %v4861
-  %v4862 = select i1 %v4874, double %v4873, double %v4861
-  %v4828 = select i1 %v4874, i64 %v4865, i64 %v4860
-  %v4875 = icmp sgt i64 %v4863, 1
-  br i1 %v4875, label %v4829, label %v4825
+v4867:
+  %v4868 = select i1 %v567, i64 %v4866, i64 0
+  %v4869 = getelementptr double, ptr %v4830, i64 %v10
+  %v4809 = getelementptr double, ptr %v4869, i64 %v4868
+  br label %v4800
 
-v4842:
-  %v4876 = phi i64 [ %v4877, %v4842 ], [ %v4856, %v4825 ]
-  %v4878 = phi i64 [ %v4879, %v4842 ], [ %v4824, %v4825 ]
-  %v4877 = add nsw i64 %v4876, -1
-  %v4879 = add i64 %v4878, 1
-  %v4880 = add nsw i64 %v4878, %v4832
-  %v4881 = icmp slt i64 %v4880, 0
-  %v4882 = select i1 %v4881, i64 %v230, i64 0
-  %v4883 = getelementptr double, ptr %v229, i64 %v4880
-  %v4884 = getelementptr double, ptr %v4883, i64 %v4882
-  %v4885 = load double, ptr %v4884, align 8, !noalias !589
-  %v4886 = load double, ptr %v4839, align 8, !noalias !589
-  %v4887 = fdiv double %v4885, %v4886
-  store double %v4887, ptr %v4884, align 8, !noalias !589
-  %v4888 = icmp sgt i64 %v4876, 1
-  br i1 %v4888, label %v4842, label %v4841
+v4795:
+  br label %v4796
 
-v4846:
-  %v4849 = phi i64 [ %v4889, %v4847 ], [ %v4843, %v4841 ]
-  %v4890 = phi i64 [ %v4891, %v4847 ], [ %v4824, %v4841 ]
-  %v4889 = add nsw i64 %v4849, -1
-  %v4891 = add i64 %v4890, 1
-  %v4892 = mul nsw i64 %v4890, %v10
-  %v4893 = add nsw i64 %v4892, %v4826
-  %v4894 = icmp slt i64 %v4893, 0
-  %v4895 = select i1 %v4894, i64 %v230, i64 0
-  %v4896 = getelementptr double, ptr %v229, i64 %v4893
-  %v4897 = getelementptr double, ptr %v4896, i64 %v4895
-  %v4898 = load double, ptr %v4897, align 8, !noalias !589
-  %v4899 = add nsw i64 %v4892, %v4827
-  %v4900 = icmp slt i64 %v4899, 0
-  %v4901 = select i1 %v4900, i64 %v230, i64 0
-  %v4902 = getelementptr double, ptr %v229, i64 %v4899
-  %v4903 = getelementptr double, ptr %v4902, i64 %v4901
-  %v4904 = load double, ptr %v4903, align 8, !noalias !589
-  store double %v4904, ptr %v4897, align 8, !noalias !589
-  store double %v4898, ptr %v4903, align 8, !noalias !589
-  %v4905 = fcmp oeq double %v4898, 0.000000e+00
-  %v4906 = or i1 %v4840, %v4905
-  br i1 %v4906, label %v4847, label %v4907
+v4796:
+  %v4870 = phi i64 [ 0, %v4795 ], [ %v569, %v4793 ]
+  br i1 %v571, label %v4871, label %v4872, !prof !128
 
-v4907:
-  %v4908 = phi i64 [ %v4909, %v4907 ], [ %v4856, %v4846 ]
-  %v4910 = phi i64 [ %v4911, %v4907 ], [ %v4824, %v4846 ]
-  %v4909 = add nsw i64 %v4908, -1
-  %v4911 = add i64 %v4910, 1
-  %v4912 = add nsw i64 %v4910, %v4892
-  %v4913 = icmp slt i64 %v4912, 0
-  %v4914 = select i1 %v4913, i64 %v230, i64 0
-  %v4915 = getelementptr double, ptr %v229, i64 %v4912
-  %v4916 = getelementptr double, ptr %v4915, i64 %v4914
-  %v4917 = load double, ptr %v4916, align 8, !noalias !589
-  %v4918 = add nsw i64 %v4910, %v4832
-  %v4919 = icmp slt i64 %v4918, 0
-  %v4920 = select i1 %v4919, i64 %v230, i64 0
-  %v4921 = getelementptr double, ptr %v229, i64 %v4918
-  %v4922 = getelementptr double, ptr %v4921, i64 %v4920
-  %v4923 = load double, ptr %v4922, align 8, !noalias !589
-  %v4924 = fmul double %v4898, %v4923
-  %v4925 = fsub double %v4917, %v4924
-  store double %v4925, ptr %v4916, align 8, !noalias !589
-  %v4926 = icmp sgt i64 %v4908, 1
-  br i1 %v4926, label %v4907, label %v4847
+v4872:
+  br label %v4871
 
-v4808:
-  %v4811 = phi i64 [ %v4820, %v4809 ], [ 0, %v4627 ]
-  %v4820 = add nsw i64 %v4811, 1
-  %v4927 = sub i64 %v4811, %v605
-  %v4928 = tail call i64 @llvm.smax.i64(i64 %v4927, i64 0)
-  %v4929 = add i64 %v606, %v4811
-  %v4930 = tail call i64 @llvm.smin.i64(i64 %v4929, i64 %v10)
-  %v4931 = sub i64 %v4930, %v4928
-  %v4932 = icmp slt i64 %v4931, 1
-  br i1 %v4932, label %v4809, label %v4933
+v4871:
+  %v4865 = phi i64 [ %v159, %v4872 ], [ %v4870, %v4796 ]
+  br i1 %v573, label %v4873, label %v4863, !prof !386
 
-v4933:
-  %v4934 = mul nsw i64 %v4811, %v10
-  br label %v4935
+v4873:
+  br label %v4863
 
-v4935:
-  %v4936 = phi i64 [ %v4931, %v4933 ], [ %v4937, %v4935 ]
-  %v4938 = phi i64 [ %v4928, %v4933 ], [ %v4939, %v4935 ]
-  %v4937 = add nsw i64 %v4936, -1
-  %v4939 = add i64 %v4938, 1
-  %v4940 = add nsw i64 %v4938, %v4934
-  %v4941 = icmp slt i64 %v4940, 0
-  %v4942 = select i1 %v4941, i64 %v223, i64 0
-  %v4943 = getelementptr double, ptr %v222, i64 %v4940
-  %v4944 = getelementptr double, ptr %v4943, i64 %v4942
-  %v4945 = load double, ptr %v4944, align 8, !noalias !571
-  %v4946 = fneg double %v4945
-  %v4947 = select i1 %v4941, i64 %v230, i64 0
-  %v4948 = getelementptr double, ptr %v229, i64 %v4940
-  %v4949 = getelementptr double, ptr %v4948, i64 %v4947
-  store double %v4946, ptr %v4949, align 8, !noalias !571
-  %v4950 = icmp sgt i64 %v4936, 1
-  br i1 %v4950, label %v4935, label %v4809
+v4863:
+  %v4862 = phi i64 [ 0, %v4873 ], [ %v572, %v4871 ]
+  br i1 %v574, label %v4859, label %v4861, !prof !128
 
-v4623:
-  br i1 %v614, label %v1423, label %v4951
+v4861:
+  br label %v4859
 
-v4952:
-  br i1 %v620, label %v4953, label %v4954
+v4800:
+  %v4799 = phi i64 [ 0, %v4867 ], [ %v4874, %v4797 ]
+  %v4874 = add nsw i64 %v4799, 1
+  %v4875 = load double, ptr %v577, align 8, !noalias !575
+  %v4876 = load double, ptr %v23, align 8, !noalias !575
+  %v4820 = fdiv double %v4875, %v4876
+  br i1 %v558, label %v4801, label %v4812
 
-v4954:
-  %v4955 = mul i64 %v4956, %v621
-  %v4957 = getelementptr double, ptr %v193, i64 %v4955
-  br label %v4958
+v4877:
+  %v4878 = load double, ptr %v133, align 8, !noalias !582
+  %v4879 = load double, ptr %v4809, align 8, !noalias !582
+  %v4880 = fmul double %v4879, 5.000000e-01
+  %v4881 = fadd double %v4878, %v4880
+  store double %v4881, ptr %v585, align 8, !noalias !582
+  %v4882 = load i64, ptr %v6, align 8, !noalias !586
+  %v4883 = inttoptr i64 %v4882 to ptr
+  tail call void %v4883(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v598), !noalias !586
+  br label %v4884
 
-v4959:
-  %v4960 = icmp slt i64 %v4961, 0
-  %v4962 = select i1 %v4960, i64 %v251, i64 0
-  %v4963 = getelementptr i64, ptr %v250, i64 %v4961
-  %v4964 = getelementptr i64, ptr %v4963, i64 %v4962
-  store i64 %v4965, ptr %v4964, align 8, !noalias !592
-  %v4966 = add nsw i64 %v4961, 1
-  br label %v4967
+v4884:
+  %v4885 = phi i64 [ %v4886, %v4884 ], [ 0, %v4877 ]
+  %v4886 = add nsw i64 %v4885, 1
+  %v4887 = mul i64 %v4885, %v196
+  %v4888 = getelementptr double, ptr %v193, i64 %v4887
+  %v4889 = load double, ptr %v4888, align 8, !noalias !582
+  %v4890 = getelementptr double, ptr %v4830, i64 %v4885
+  %v4891 = load double, ptr %v4890, align 8, !noalias !582
+  %v4892 = fmul double %v4891, 5.000000e-01
+  %v4893 = fsub double %v4889, %v4892
+  %v4894 = getelementptr double, ptr %v589, i64 %v4887
+  store double %v4893, ptr %v4894, align 8, !noalias !582
+  %v4895 = icmp eq i64 %v10, %v4886
+  br i1 %v4895, label %v4896, label %v4884
 
-v4967:
-  %v4968 = phi i64 [ %v4966, %v4959 ], [ %v4961, %v4969 ]
-  %v4970 = icmp eq i64 %v10, %v4971
-  br i1 %v4970, label %v4953, label %v4969
+v4810:
+  %v4897 = load double, ptr %v133, align 8, !noalias !582
+  %v4898 = fmul double %v4808, 5.000000e-01
+  %v4899 = fadd double %v4898, %v4897
+  store double %v4899, ptr %v585, align 8, !noalias !582
+  %v4900 = load i64, ptr %v6, align 8, !noalias !586
+  %v4901 = inttoptr i64 %v4900 to ptr
+  tail call void %v4901(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v600), !noalias !586
+  br label %v4896
 
-v4953:
-  %v4972 = phi i64 [ 0, %v4952 ], [ %v4968, %v4967 ]
-  %v4973 = icmp sgt i64 %v4972, 0
-  %v4974 = icmp slt i64 %v4972, %v10
-  %v4975 = and i1 %v4973, %v4974
-  br i1 %v4975, label %v4976, label %v4977
+v4896:
+  %v4902 = load double, ptr %v133, align 8, !noalias !582
+  %v4903 = load double, ptr %v4809, align 8, !noalias !582
+  %v4904 = fmul double %v4903, 5.000000e-01
+  %v4905 = fsub double %v4902, %v4904
+  store double %v4905, ptr %v585, align 8, !noalias !582
+  %v4906 = load i64, ptr %v6, align 8, !noalias !586
+  %v4907 = inttoptr i64 %v4906 to ptr
+  tail call void %v4907(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v602), !noalias !586
+  br i1 %v558, label %v4908, label %v4909
 
-v4976:
-  %v4978 = phi i64 [ %v4979, %v4980 ], [ %v4972, %v4953 ]
-  %v4981 = phi i64 [ %v4982, %v4980 ], [ 0, %v4953 ]
-  %v4983 = getelementptr i64, ptr %v250, i64 %v4981
-  %v4984 = load i64, ptr %v4983, align 8, !noalias !592
-  %v4982 = add nsw i64 %v4981, 1
-  %v4985 = sub nsw i64 %v4984, %v254
-  %v4986 = tail call i64 @llvm.smax.i64(i64 %v4985, i64 0)
-  %v4987 = add i64 %v628, %v4984
-  %v4988 = tail call i64 @llvm.smin.i64(i64 %v4987, i64 %v10)
-  %v4989 = sub i64 %v4988, %v4986
-  %v4990 = icmp slt i64 %v4989, 1
-  br i1 %v4990, label %v4980, label %v4991
+v4910:
+  %v4911 = fsub double %v4912, %v4913
+  br label %v4914
 
-v4991:
-  %v4992 = mul nsw i64 %v4984, %v10
-  br label %v4993
+v4915:
+  %v4916 = getelementptr double, ptr %v594, i64 %v4917
+  %v4918 = load double, ptr %v4916, align 8, !noalias !582
+  %v4919 = fsub double %v4912, %v4918
+  %v4920 = fmul double %v4919, 2.000000e+00
+  br label %v4914
+
+v4914:
+  %v4921 = phi double [ %v4920, %v4915 ], [ %v4911, %v4910 ]
+  store double %v4921, ptr %v4922, align 8, !noalias !582
+  %v4923 = icmp eq i64 %v10, %v4924
+  br i1 %v4923, label %v4908, label %v4909
+
+v4811:
+  %v4925 = phi i64 [ %v4926, %v4811 ], [ 0, %v4805 ]
+  %v4926 = add nsw i64 %v4925, 1
+  %v4927 = mul i64 %v4925, %v196
+  %v4928 = getelementptr double, ptr %v193, i64 %v4927
+  %v4929 = load double, ptr %v4928, align 8, !noalias !582
+  %v4930 = getelementptr double, ptr %v4830, i64 %v4925
+  %v4931 = load double, ptr %v4930, align 8, !noalias !582
+  %v4932 = fmul double %v4931, 5.000000e-01
+  %v4933 = fadd double %v4929, %v4932
+  %v4934 = getelementptr double, ptr %v589, i64 %v4927
+  store double %v4933, ptr %v4934, align 8, !noalias !582
+  %v4935 = icmp eq i64 %v10, %v4926
+  br i1 %v4935, label %v4877, label %v4811
+
+v4909:
+  %v4936 = phi i64 [ %v4924, %v4914 ], [ 0, %v4896 ]
+  %v4924 = add nsw i64 %v4936, 1
+  %v4917 = mul i64 %v4936, %v196
+  %v4937 = getelementptr double, ptr %v193, i64 %v4917
+  %v4938 = load double, ptr %v4937, align 8, !noalias !582
+  %v4939 = getelementptr double, ptr %v589, i64 %v4917
+  store double %v4938, ptr %v4939, align 8, !noalias !582
+  %v4922 = getelementptr double, ptr %v591, i64 %v4917
+  %v4912 = load double, ptr %v4922, align 8, !noalias !582
+  %v4940 = getelementptr double, ptr %v593, i64 %v4917
+  %v4913 = load double, ptr %v4940, align 8, !noalias !582
+  %v4941 = fsub double %v4913, %v4913
+  %v4942 = fcmp oeq double %v4941, 0.000000e+00
+  br i1 %v4942, label %v4910, label %v4915
+
+v4908:
+  %v4943 = getelementptr i64, ptr %v273, i64 %v4799
+  %v4944 = load i64, ptr %v4943, align 8, !noalias !581
+  %v4945 = getelementptr i8, ptr %v4943, i64 8
+  %v4946 = load i64, ptr %v4945, align 8, !noalias !581
+  %v4947 = sub i64 %v4946, %v4944
+  %v4948 = icmp slt i64 %v4947, 1
+  br i1 %v4948, label %v4797, label %v4850
+
+v4850:
+  %v4849 = phi i64 [ %v4949, %v4836 ], [ %v4947, %v4908 ]
+  %v4841 = phi i64 [ %v4950, %v4836 ], [ %v4944, %v4908 ]
+  %v4949 = add nsw i64 %v4849, -1
+  %v4950 = add i64 %v4841, 1
+  %v4839 = icmp slt i64 %v4841, 0
+  %v4951 = select i1 %v4839, i64 %v281, i64 0
+  %v4952 = getelementptr i64, ptr %v280, i64 %v4841
+  %v4953 = getelementptr i64, ptr %v4952, i64 %v4951
+  %v4954 = load i64, ptr %v4953, align 8, !noalias !581
+  %v4955 = select i1 %v4839, i64 %v288, i64 0
+  %v4956 = getelementptr i64, ptr %v287, i64 %v4841
+  %v4957 = getelementptr i64, ptr %v4956, i64 %v4955
+  %v4958 = load i64, ptr %v4957, align 8, !noalias !581
+  %v4959 = icmp slt i64 %v4954, 0
+  %v4960 = select i1 %v4959, i64 %v195, i64 0
+  %v4961 = add i64 %v4960, %v4954
+  %v4834 = mul i64 %v4961, %v196
+  %v4962 = getelementptr double, ptr %v591, i64 %v4834
+  %v4963 = load double, ptr %v4962, align 8, !noalias !581
+  %v4964 = icmp slt i64 %v4958, 0
+  %v4965 = select i1 %v4964, i64 %v4866, i64 0
+  %v4966 = getelementptr double, ptr %v4830, i64 %v4958
+  %v4967 = getelementptr double, ptr %v4966, i64 %v4965
+  %v4968 = load double, ptr %v4967, align 8, !noalias !581
+  %v4969 = fdiv double %v4963, %v4968
+  %v4970 = fsub double %v4969, %v4969
+  %v4971 = fcmp oeq double %v4970, 0.000000e+00
+  %v4835 = select i1 %v4971, double %v4969, double 0.000000e+00
+  %v4972 = icmp eq i64 %v4958, %v10
+  br i1 %v4972, label %v4832, label %v4837
+
+v4792:
+  br i1 %v604, label %v4973, label %v4788
+
+v4974:
+  %v4975 = mul i64 %v4976, %v607
+  %v4977 = icmp slt i64 %v4975, 0
+  %v4978 = select i1 %v4977, i64 %v230, i64 0
+  %v4979 = getelementptr double, ptr %v229, i64 %v4975
+  %v4980 = getelementptr double, ptr %v4979, i64 %v4978
+  %v4981 = load double, ptr %v4980, align 8, !noalias !571
+  %v4982 = load double, ptr %v609, align 8, !noalias !571
+  %v4983 = fadd double %v4981, %v4982
+  store double %v4983, ptr %v4980, align 8, !noalias !571
+  %v4984 = icmp eq i64 %v10, %v4985
+  br i1 %v4984, label %v4986, label %v4973
+
+v4987:
+  %v4988 = icmp eq i64 %v4989, %v10
+  br i1 %v4988, label %v4788, label %v4986
+
+v4990:
+  %v4991 = phi i64 [ %v4992, %v4986 ], [ %v4993, %v4994 ]
+  %v4995 = getelementptr i64, ptr %v236, i64 %v4992
+  store i64 %v4991, ptr %v4995, align 8, !noalias !589
+  %v4996 = add nsw i64 %v4991, %v4997
+  %v4998 = icmp slt i64 %v4996, 0
+  %v4999 = select i1 %v4998, i64 %v230, i64 0
+  %v5000 = getelementptr double, ptr %v229, i64 %v4996
+  %v5001 = getelementptr double, ptr %v5000, i64 %v4999
+  %v5002 = load double, ptr %v5001, align 8, !noalias !589
+  %v5003 = load double, ptr %v5004, align 8, !noalias !589
+  store double %v5002, ptr %v5004, align 8, !noalias !589
+  store double %v5003, ptr %v5001, align 8, !noalias !589
+  br i1 %v5005, label %v5006, label %v5007
+
+v5006:
+  %v5008 = sub i64 %v5009, %v4989
+  %v5010 = icmp slt i64 %v5008, 1
+  br i1 %v5010, label %v4987, label %v5011
+
+v5012:
+  %v5013 = icmp sgt i64 %v5014, 1
+  br i1 %v5013, label %v5011, label %v4987
+
+v4986:
+  %v4992 = phi i64 [ %v4989, %v4987 ], [ 0, %v4974 ]
+  %v4989 = add nsw i64 %v4992, 1
+  %v4997 = mul nsw i64 %v4992, %v10
+  %v5015 = add nsw i64 %v4992, %v253
+  %v5016 = add nsw i64 %v5015, 1
+  %v5017 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v5016, i64 %v10)
+  %v5018 = add i64 %v610, %v5015
+  %v5009 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v5018, i64 %v10)
+  %v5019 = getelementptr double, ptr %v229, i64 %v4997
+  %v5004 = getelementptr double, ptr %v5019, i64 %v4992
+  %v5020 = sub i64 %v5017, %v4989
+  %v5021 = tail call i64 @llvm.smax.i64(i64 %v5020, i64 0)
+  %v5005 = icmp slt i64 %v5020, 1
+  br i1 %v5005, label %v4990, label %v5022
+
+v5022:
+  %v5023 = load double, ptr %v5004, align 8, !noalias !589
+  %v5024 = tail call double @llvm.fabs.f64(double %v5023)
+  br label %v4994
 
 v4994:
-  %v4995 = icmp slt i64 %v4996, 0
-  %v4997 = select i1 %v4995, i64 %v244, i64 0
-  %v4998 = getelementptr i64, ptr %v243, i64 %v4996
-  %v4999 = getelementptr i64, ptr %v4998, i64 %v4997
-  %v5000 = load i64, ptr %v4999, align 8, !noalias !592
-  %v5001 = icmp eq i64 %v5000, 0
-  br i1 %v5001, label %v5002, label %v5003
+  %v5025 = phi i64 [ %v4993, %v4994 ], [ %v4992, %v5022 ]
+  %v5026 = phi double [ %v5027, %v4994 ], [ %v5024, %v5022 ]
+  %v5028 = phi i64 [ %v5029, %v4994 ], [ %v5021, %v5022 ]
+  %v5030 = phi i64 [ %v5031, %v4994 ], [ %v4989, %v5022 ]
+  %v5029 = add nsw i64 %v5028, -1
+  %v5031 = add i64 %v5030, 1
+  %v5032 = add nsw i64 %v5030, %v4997
+  %v5033 = icmp slt i64 %v5032, 0
+  %v5034 = select i1 %v5033, i64 %v230, i64 0
+  %v5035 = getelementptr double, ptr %v229, i64 %v5032
+  %v5036 = getelementptr double, ptr %v5035, i64 %v5034
+  %v5037 = load double, ptr %v5036, align 8, !noalias !589
+  %v5038 = tail call double @llvm.fabs.f64(double %v5037)
+  %v5039 = fcmp ogt double %v5038, %v5026
+  %v5027 = select i1 %v5039, double %v5038, double %v5026
+  %v4993 = select i1 %v5039, i64 %v5030, i64 %v5025
+  %v5040 = icmp sgt i64 %v5028, 1
+  br i1 %v5040, label %v4994, label %v4990
 
-v5002:
-  store i64 1, ptr %v4999, align 8, !noalias !592
-  %v5004 = getelementptr i64, ptr %v250, i64 %v5005
-  store i64 %v4996, ptr %v5004, align 8, !noalias !592
-  %v5006 = add nsw i64 %v5005, 1
-  br label %v5003
+v5007:
+  %v5041 = phi i64 [ %v5042, %v5007 ], [ %v5021, %v4990 ]
+  %v5043 = phi i64 [ %v5044, %v5007 ], [ %v4989, %v4990 ]
+  %v5042 = add nsw i64 %v5041, -1
+  %v5044 = add i64 %v5043, 1
+  %v5045 = add nsw i64 %v5043, %v4997
+  %v5046 = icmp slt i64 %v5045, 0
+  %v5047 = select i1 %v5046, i64 %v230, i64 0
+  %v5048 = getelementptr double, ptr %v229, i64 %v5045
+  %v5049 = getelementptr double, ptr %v5048, i64 %v5047
+  %v5050 = load double, ptr %v5049, align 8, !noalias !589
+  %v5051 = load double, ptr %v5004, align 8, !noalias !589
+  %v5052 = fdiv double %v5050, %v5051
+  store double %v5052, ptr %v5049, align 8, !noalias !589
+  %v5053 = icmp sgt i64 %v5041, 1
+  br i1 %v5053, label %v5007, label %v5006
 
-v5003:
-  %v5007 = phi i64 [ %v5005, %v4994 ], [ %v5006, %v5002 ], [ %v5005, %v4993 ]
-  %v5008 = icmp sgt i64 %v5009, 1
-  br i1 %v5008, label %v4993, label %v4980
+v5011:
+  %v5014 = phi i64 [ %v5054, %v5012 ], [ %v5008, %v5006 ]
+  %v5055 = phi i64 [ %v5056, %v5012 ], [ %v4989, %v5006 ]
+  %v5054 = add nsw i64 %v5014, -1
+  %v5056 = add i64 %v5055, 1
+  %v5057 = mul nsw i64 %v5055, %v10
+  %v5058 = add nsw i64 %v5057, %v4991
+  %v5059 = icmp slt i64 %v5058, 0
+  %v5060 = select i1 %v5059, i64 %v230, i64 0
+  %v5061 = getelementptr double, ptr %v229, i64 %v5058
+  %v5062 = getelementptr double, ptr %v5061, i64 %v5060
+  %v5063 = load double, ptr %v5062, align 8, !noalias !589
+  %v5064 = add nsw i64 %v5057, %v4992
+  %v5065 = icmp slt i64 %v5064, 0
+  %v5066 = select i1 %v5065, i64 %v230, i64 0
+  %v5067 = getelementptr double, ptr %v229, i64 %v5064
+  %v5068 = getelementptr double, ptr %v5067, i64 %v5066
+  %v5069 = load double, ptr %v5068, align 8, !noalias !589
+  store double %v5069, ptr %v5062, align 8, !noalias !589
+  store double %v5063, ptr %v5068, align 8, !noalias !589
+  %v5070 = fcmp oeq double %v5063, 0.000000e+00
+  %v5071 = or i1 %v5005, %v5070
+  br i1 %v5071, label %v5012, label %v5072
 
-v4980:
-  %v4979 = phi i64 [ %v4978, %v4976 ], [ %v5007, %v5003 ]
-  %v5010 = icmp slt i64 %v4982, %v4979
-  %v5011 = icmp slt i64 %v4979, %v10
-  %v5012 = and i1 %v5010, %v5011
-  br i1 %v5012, label %v4976, label %v4977
+v5072:
+  %v5073 = phi i64 [ %v5074, %v5072 ], [ %v5021, %v5011 ]
+  %v5075 = phi i64 [ %v5076, %v5072 ], [ %v4989, %v5011 ]
+  %v5074 = add nsw i64 %v5073, -1
+  %v5076 = add i64 %v5075, 1
+  %v5077 = add nsw i64 %v5075, %v5057
+  %v5078 = icmp slt i64 %v5077, 0
+  %v5079 = select i1 %v5078, i64 %v230, i64 0
+  %v5080 = getelementptr double, ptr %v229, i64 %v5077
+  %v5081 = getelementptr double, ptr %v5080, i64 %v5079
+  %v5082 = load double, ptr %v5081, align 8, !noalias !589
+  %v5083 = add nsw i64 %v5075, %v4997
+  %v5084 = icmp slt i64 %v5083, 0
+  %v5085 = select i1 %v5084, i64 %v230, i64 0
+  %v5086 = getelementptr double, ptr %v229, i64 %v5083
+  %v5087 = getelementptr double, ptr %v5086, i64 %v5085
+  %v5088 = load double, ptr %v5087, align 8, !noalias !589
+  %v5089 = fmul double %v5063, %v5088
+  %v5090 = fsub double %v5082, %v5089
+  store double %v5090, ptr %v5081, align 8, !noalias !589
+  %v5091 = icmp sgt i64 %v5073, 1
+  br i1 %v5091, label %v5072, label %v5012
 
-v4969:
-  %v4961 = phi i64 [ %v4968, %v4967 ], [ 0, %v4958 ]
-  %v4965 = phi i64 [ %v4971, %v4967 ], [ 0, %v4958 ]
-  %v4971 = add nsw i64 %v4965, 1
-  %v5013 = getelementptr double, ptr %v627, i64 %v4965
-  %v5014 = load double, ptr %v5013, align 8, !noalias !592
-  %v5015 = fcmp une double %v5014, 0.000000e+00
-  %v5016 = getelementptr i64, ptr %v243, i64 %v4965
-  %v5017 = zext i1 %v5015 to i64
-  store i64 %v5017, ptr %v5016, align 8, !noalias !592
-  br i1 %v5015, label %v4959, label %v4967
+v4973:
+  %v4976 = phi i64 [ %v4985, %v4974 ], [ 0, %v4792 ]
+  %v4985 = add nsw i64 %v4976, 1
+  %v5092 = sub i64 %v4976, %v605
+  %v5093 = tail call i64 @llvm.smax.i64(i64 %v5092, i64 0)
+  %v5094 = add i64 %v606, %v4976
+  %v5095 = tail call i64 @llvm.smin.i64(i64 %v5094, i64 %v10)
+  %v5096 = sub i64 %v5095, %v5093
+  %v5097 = icmp slt i64 %v5096, 1
+  br i1 %v5097, label %v4974, label %v5098
 
-v4993:
-  %v5005 = phi i64 [ %v4978, %v4991 ], [ %v5007, %v5003 ]
-  %v5009 = phi i64 [ %v4989, %v4991 ], [ %v5018, %v5003 ]
-  %v4996 = phi i64 [ %v4986, %v4991 ], [ %v5019, %v5003 ]
-  %v5018 = add nsw i64 %v5009, -1
-  %v5019 = add i64 %v4996, 1
-  %v5020 = add nsw i64 %v4996, %v4992
-  %v5021 = icmp slt i64 %v5020, 0
-  %v5022 = select i1 %v5021, i64 %v223, i64 0
-  %v5023 = getelementptr double, ptr %v222, i64 %v5020
-  %v5024 = getelementptr double, ptr %v5023, i64 %v5022
-  %v5025 = load double, ptr %v5024, align 8, !noalias !592
-  %v5026 = fcmp une double %v5025, 0.000000e+00
-  br i1 %v5026, label %v4994, label %v5003
+v5098:
+  %v5099 = mul nsw i64 %v4976, %v10
+  br label %v5100
 
-v5027:
-  %v5028 = select i1 %v5029, i64 %v195, i64 0
-  %v5030 = add i64 %v5028, %v5031
-  %v5032 = mul i64 %v5030, %v196
-  %v5033 = getelementptr double, ptr %v632, i64 %v5032
-  %v5034 = load double, ptr %v5033, align 8, !noalias !598
-  br label %v5035
+v5100:
+  %v5101 = phi i64 [ %v5096, %v5098 ], [ %v5102, %v5100 ]
+  %v5103 = phi i64 [ %v5093, %v5098 ], [ %v5104, %v5100 ]
+  %v5102 = add nsw i64 %v5101, -1
+  %v5104 = add i64 %v5103, 1
+  %v5105 = add nsw i64 %v5103, %v5099
+  %v5106 = icmp slt i64 %v5105, 0
+  %v5107 = select i1 %v5106, i64 %v223, i64 0
+  %v5108 = getelementptr double, ptr %v222, i64 %v5105
+  %v5109 = getelementptr double, ptr %v5108, i64 %v5107
+  %v5110 = load double, ptr %v5109, align 8, !noalias !571
+  %v5111 = fneg double %v5110
+  %v5112 = select i1 %v5106, i64 %v230, i64 0
+  %v5113 = getelementptr double, ptr %v229, i64 %v5105
+  %v5114 = getelementptr double, ptr %v5113, i64 %v5112
+  store double %v5111, ptr %v5114, align 8, !noalias !571
+  %v5115 = icmp sgt i64 %v5101, 1
+  br i1 %v5115, label %v5100, label %v4974
 
-v5035:
-  %v5036 = phi double [ %v5034, %v5027 ], [ 0.000000e+00, %v5037 ]
-  %v5038 = mul i64 %v5039, %v196
-  %v5040 = getelementptr double, ptr %v5041, i64 %v5038
-  store double %v5036, ptr %v5040, align 8, !noalias !598
-  %v5042 = icmp eq i64 %v10, %v5043
-  br i1 %v5042, label %v5044, label %v5037
+v4788:
+  br i1 %v614, label %v1454, label %v5116
 
-v4958:
-  %v5045 = phi i64 [ 0, %v4954 ], [ %v5046, %v4958 ]
-  %v5046 = add nsw i64 %v5045, 1
-  %v5047 = mul i64 %v5045, %v196
-  %v5048 = getelementptr double, ptr %v4957, i64 %v5047
-  %v5049 = load double, ptr %v5048, align 8, !noalias !598
-  %v5050 = getelementptr double, ptr %v623, i64 %v5047
-  %v5051 = load double, ptr %v5050, align 8, !noalias !598
-  %v5052 = fadd double %v5049, %v5051
-  %v5053 = getelementptr i64, ptr %v259, i64 %v5045
-  %v5054 = load i64, ptr %v5053, align 8, !noalias !598
-  %v5055 = icmp slt i64 %v5054, 0
-  %v5056 = select i1 %v5055, i64 %v195, i64 0
-  %v5057 = add i64 %v5056, %v5054
-  %v5058 = mul i64 %v5057, %v196
-  %v5059 = getelementptr double, ptr %v625, i64 %v5058
-  store double %v5052, ptr %v5059, align 8, !noalias !598
-  %v5060 = icmp eq i64 %v10, %v5046
-  br i1 %v5060, label %v4969, label %v4958
+v5117:
+  br i1 %v620, label %v5118, label %v5119
 
-v4977:
-  br i1 %v620, label %v5044, label %v5061
+v5119:
+  %v5120 = mul i64 %v5121, %v621
+  %v5122 = getelementptr double, ptr %v193, i64 %v5120
+  br label %v5123
 
-v5062:
-  %v5063 = icmp eq i64 %v10, %v5064
-  br i1 %v5063, label %v5065, label %v5061
+v5124:
+  %v5125 = icmp slt i64 %v5126, 0
+  %v5127 = select i1 %v5125, i64 %v251, i64 0
+  %v5128 = getelementptr i64, ptr %v250, i64 %v5126
+  %v5129 = getelementptr i64, ptr %v5128, i64 %v5127
+  store i64 %v5130, ptr %v5129, align 8, !noalias !592
+  %v5131 = add nsw i64 %v5126, 1
+  br label %v5132
 
-v5066:
-  %v5067 = icmp sgt i64 %v5068, 1
-  br i1 %v5067, label %v5065, label %v5069
+v5132:
+  %v5133 = phi i64 [ %v5131, %v5124 ], [ %v5126, %v5134 ]
+  %v5135 = icmp eq i64 %v10, %v5136
+  br i1 %v5135, label %v5118, label %v5134
 
-v5069:
-  %v5070 = mul i64 %v633, %v4956
-  %v5041 = getelementptr double, ptr %v193, i64 %v5070
-  br label %v5037
+v5118:
+  %v5137 = phi i64 [ 0, %v5117 ], [ %v5133, %v5132 ]
+  %v5138 = icmp sgt i64 %v5137, 0
+  %v5139 = icmp slt i64 %v5137, %v10
+  %v5140 = and i1 %v5138, %v5139
+  br i1 %v5140, label %v5141, label %v5142
 
-v5061:
-  %v5071 = phi i64 [ %v5064, %v5062 ], [ 0, %v4977 ]
-  %v5064 = add nsw i64 %v5071, 1
-  %v5072 = getelementptr i64, ptr %v236, i64 %v5071
-  %v5073 = load i64, ptr %v5072, align 8, !noalias !599
-  %v5074 = add nsw i64 %v5073, %v626
-  %v5075 = icmp slt i64 %v5074, 0
-  %v5076 = select i1 %v5075, i64 %v159, i64 0
-  %v5077 = getelementptr double, ptr %v158, i64 %v5074
-  %v5078 = getelementptr double, ptr %v5077, i64 %v5076
-  %v5079 = load double, ptr %v5078, align 8, !noalias !599
-  %v5080 = getelementptr double, ptr %v630, i64 %v5071
-  %v5081 = load double, ptr %v5080, align 8, !noalias !599
-  store double %v5081, ptr %v5078, align 8, !noalias !599
-  store double %v5079, ptr %v5080, align 8, !noalias !599
-  %v5082 = add i64 %v629, %v5071
-  %v5083 = tail call i64 @llvm.smin.i64(i64 %v5082, i64 %v10)
-  %v5084 = sub i64 %v5083, %v5064
-  %v5085 = icmp slt i64 %v5084, 1
-  br i1 %v5085, label %v5062, label %v5086
+v5141:
+  %v5143 = phi i64 [ %v5144, %v5145 ], [ %v5137, %v5118 ]
+  %v5146 = phi i64 [ %v5147, %v5145 ], [ 0, %v5118 ]
+  %v5148 = getelementptr i64, ptr %v250, i64 %v5146
+  %v5149 = load i64, ptr %v5148, align 8, !noalias !592
+  %v5147 = add nsw i64 %v5146, 1
+  %v5150 = sub nsw i64 %v5149, %v254
+  %v5151 = tail call i64 @llvm.smax.i64(i64 %v5150, i64 0)
+  %v5152 = add i64 %v628, %v5149
+  %v5153 = tail call i64 @llvm.smin.i64(i64 %v5152, i64 %v10)
+  %v5154 = sub i64 %v5153, %v5151
+  %v5155 = icmp slt i64 %v5154, 1
+  br i1 %v5155, label %v5145, label %v5156
 
-v5086:
-  %v5087 = mul nsw i64 %v5071, %v10
-  br label %v5088
+v5156:
+  %v5157 = mul nsw i64 %v5149, %v10
+  br label %v5158
 
-v5088:
-  %v5089 = phi i64 [ %v5084, %v5086 ], [ %v5090, %v5088 ]
-  %v5091 = phi i64 [ %v5064, %v5086 ], [ %v5092, %v5088 ]
-  %v5090 = add nsw i64 %v5089, -1
-  %v5092 = add i64 %v5091, 1
-  %v5093 = add nsw i64 %v5091, %v626
-  %v5094 = icmp slt i64 %v5093, 0
-  %v5095 = select i1 %v5094, i64 %v159, i64 0
-  %v5096 = getelementptr double, ptr %v158, i64 %v5093
-  %v5097 = getelementptr double, ptr %v5096, i64 %v5095
-  %v5098 = load double, ptr %v5097, align 8, !noalias !599
-  %v5099 = add nsw i64 %v5091, %v5087
-  %v5100 = icmp slt i64 %v5099, 0
-  %v5101 = select i1 %v5100, i64 %v230, i64 0
-  %v5102 = getelementptr double, ptr %v229, i64 %v5099
-  %v5103 = getelementptr double, ptr %v5102, i64 %v5101
-  %v5104 = load double, ptr %v5103, align 8, !noalias !599
-  %v5105 = fmul double %v5079, %v5104
-  %v5106 = fsub double %v5098, %v5105
-  store double %v5106, ptr %v5097, align 8, !noalias !599
-  %v5107 = icmp sgt i64 %v5089, 1
-  br i1 %v5107, label %v5088, label %v5062
+v5159:
+  %v5160 = icmp slt i64 %v5161, 0
+  %v5162 = select i1 %v5160, i64 %v244, i64 0
+  %v5163 = getelementptr i64, ptr %v243, i64 %v5161
+  %v5164 = getelementptr i64, ptr %v5163, i64 %v5162
+  %v5165 = load i64, ptr %v5164, align 8, !noalias !592
+  %v5166 = icmp eq i64 %v5165, 0
+  br i1 %v5166, label %v5167, label %v5168
 
-v5065:
-  %v5068 = phi i64 [ %v5108, %v5066 ], [ %v10, %v5062 ]
-  %v5108 = add nsw i64 %v5068, -1
-  %v5109 = add nsw i64 %v5108, %v626
-  %v5110 = icmp slt i64 %v5109, 0
-  %v5111 = select i1 %v5110, i64 %v159, i64 0
-  %v5112 = getelementptr double, ptr %v158, i64 %v5109
-  %v5113 = getelementptr double, ptr %v5112, i64 %v5111
-  %v5114 = load double, ptr %v5113, align 8, !noalias !599
-  %v5115 = mul nsw i64 %v5108, %v10
-  %v5116 = add nsw i64 %v5115, %v5108
-  %v5117 = icmp slt i64 %v5116, 0
-  %v5118 = select i1 %v5117, i64 %v230, i64 0
-  %v5119 = getelementptr double, ptr %v229, i64 %v5116
-  %v5120 = getelementptr double, ptr %v5119, i64 %v5118
-  %v5121 = load double, ptr %v5120, align 8, !noalias !599
-  %v5122 = fdiv double %v5114, %v5121
-  store double %v5122, ptr %v5113, align 8, !noalias !599
-  %v5123 = sub i64 %v5108, %v631
-  %v5124 = tail call i64 @llvm.smax.i64(i64 %v5123, i64 0)
-  %v5125 = sub i64 %v5108, %v5124
-  %v5126 = icmp slt i64 %v5125, 1
-  br i1 %v5126, label %v5066, label %v5127
+v5167:
+  store i64 1, ptr %v5164, align 8, !noalias !592
+  %v5169 = getelementptr i64, ptr %v250, i64 %v5170
+  store i64 %v5161, ptr %v5169, align 8, !noalias !592
+  %v5171 = add nsw i64 %v5170, 1
+  br label %v5168
 
-v5127:
-  %v5128 = phi i64 [ %v5129, %v5127 ], [ %v5125, %v5065 ]
-  %v5130 = phi i64 [ %v5131, %v5127 ], [ %v5124, %v5065 ]
-  %v5129 = add nsw i64 %v5128, -1
-  %v5131 = add i64 %v5130, 1
-  %v5132 = add nsw i64 %v5130, %v626
-  %v5133 = icmp slt i64 %v5132, 0
-  %v5134 = select i1 %v5133, i64 %v159, i64 0
-  %v5135 = getelementptr double, ptr %v158, i64 %v5132
-  %v5136 = getelementptr double, ptr %v5135, i64 %v5134
-  %v5137 = load double, ptr %v5136, align 8, !noalias !599
-  %v5138 = add nsw i64 %v5130, %v5115
-  %v5139 = icmp slt i64 %v5138, 0
-  %v5140 = select i1 %v5139, i64 %v230, i64 0
-  %v5141 = getelementptr double, ptr %v229, i64 %v5138
-  %v5142 = getelementptr double, ptr %v5141, i64 %v5140
-  %v5143 = load double, ptr %v5142, align 8, !noalias !599
-  %v5144 = fmul double %v5122, %v5143
-  %v5145 = fsub double %v5137, %v5144
-  store double %v5145, ptr %v5136, align 8, !noalias !599
-  %v5146 = icmp sgt i64 %v5128, 1
-  br i1 %v5146, label %v5127, label %v5066
+v5168:
+  %v5172 = phi i64 [ %v5170, %v5159 ], [ %v5171, %v5167 ], [ %v5170, %v5158 ]
+  %v5173 = icmp sgt i64 %v5174, 1
+  br i1 %v5173, label %v5158, label %v5145
 
-v5037:
-  %v5039 = phi i64 [ 0, %v5069 ], [ %v5043, %v5035 ]
-  %v5043 = add nsw i64 %v5039, 1
-  %v5147 = getelementptr i64, ptr %v259, i64 %v5039
-  %v5031 = load i64, ptr %v5147, align 8, !noalias !598
-  %v5029 = icmp slt i64 %v5031, 0
-  %v5148 = select i1 %v5029, i64 %v244, i64 0
-  %v5149 = getelementptr i64, ptr %v243, i64 %v5031
-  %v5150 = getelementptr i64, ptr %v5149, i64 %v5148
-  %v5151 = load i64, ptr %v5150, align 8, !noalias !598
-  %v5152 = icmp eq i64 %v5151, 0
-  br i1 %v5152, label %v5035, label %v5027
+v5145:
+  %v5144 = phi i64 [ %v5143, %v5141 ], [ %v5172, %v5168 ]
+  %v5175 = icmp slt i64 %v5147, %v5144
+  %v5176 = icmp slt i64 %v5144, %v10
+  %v5177 = and i1 %v5175, %v5176
+  br i1 %v5177, label %v5141, label %v5142
 
-v5044:
-  %v5153 = icmp eq i64 %v5154, %v612
-  br i1 %v5153, label %v1423, label %v4951
+v5134:
+  %v5126 = phi i64 [ %v5133, %v5132 ], [ 0, %v5123 ]
+  %v5130 = phi i64 [ %v5136, %v5132 ], [ 0, %v5123 ]
+  %v5136 = add nsw i64 %v5130, 1
+  %v5178 = getelementptr double, ptr %v627, i64 %v5130
+  %v5179 = load double, ptr %v5178, align 8, !noalias !592
+  %v5180 = fcmp une double %v5179, 0.000000e+00
+  %v5181 = getelementptr i64, ptr %v243, i64 %v5130
+  %v5182 = zext i1 %v5180 to i64
+  store i64 %v5182, ptr %v5181, align 8, !noalias !592
+  br i1 %v5180, label %v5124, label %v5132
 
-v1423:
-  %v5155 = load i64, ptr %v634, align 8, !noalias !603
-  %v5156 = inttoptr i64 %v5155 to ptr
-  tail call void %v5156(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !603
-  br i1 %v307, label %v1421, label %v1411
+v5158:
+  %v5170 = phi i64 [ %v5143, %v5156 ], [ %v5172, %v5168 ]
+  %v5174 = phi i64 [ %v5154, %v5156 ], [ %v5183, %v5168 ]
+  %v5161 = phi i64 [ %v5151, %v5156 ], [ %v5184, %v5168 ]
+  %v5183 = add nsw i64 %v5174, -1
+  %v5184 = add i64 %v5161, 1
+  %v5185 = add nsw i64 %v5161, %v5157
+  %v5186 = icmp slt i64 %v5185, 0
+  %v5187 = select i1 %v5186, i64 %v223, i64 0
+  %v5188 = getelementptr double, ptr %v222, i64 %v5185
+  %v5189 = getelementptr double, ptr %v5188, i64 %v5187
+  %v5190 = load double, ptr %v5189, align 8, !noalias !592
+  %v5191 = fcmp une double %v5190, 0.000000e+00
+  br i1 %v5191, label %v5159, label %v5168
 
-v4951:
-  %v5154 = phi i64 [ %v4956, %v5044 ], [ 1, %v4623 ]
-  %v4956 = add i64 %v5154, 1
-  %v5157 = getelementptr i64, ptr %v6, i64 %v5154
-  %v5158 = getelementptr i8, ptr %v5157, i64 104
-  %v5159 = load i64, ptr %v5158, align 8, !noalias !606
-  %v5160 = inttoptr i64 %v5159 to ptr
-  tail call void %v5160(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !606
-  %v5161 = load i64, ptr %v6, align 8, !noalias !609
-  %v5162 = mul nsw i64 %v4956, %v617
-  %v5163 = getelementptr double, ptr %v158, i64 %v5162
-  %v5164 = inttoptr i64 %v5161 to ptr
-  tail call void %v5164(ptr %v616, ptr %v619, ptr %v165, ptr %v172, ptr %v179, ptr %v5163), !noalias !609
-  br i1 %v555, label %v4952, label %v5044
+v5192:
+  %v5193 = select i1 %v5194, i64 %v195, i64 0
+  %v5195 = add i64 %v5193, %v5196
+  %v5197 = mul i64 %v5195, %v196
+  %v5198 = getelementptr double, ptr %v632, i64 %v5197
+  %v5199 = load double, ptr %v5198, align 8, !noalias !598
+  br label %v5200
 
-v1411:
-  %v1412 = phi i1 [ %v1418, %v1413 ], [ %v1399, %v1423 ]
-  %v5165 = phi i1 [ %v1410, %v1413 ], [ false, %v1423 ]
-  %v1420 = phi i64 [ %v5166, %v1413 ], [ %v308, %v1423 ]
-  %v1406 = phi i64 [ %v5167, %v1413 ], [ 0, %v1423 ]
-  %v5166 = add nsw i64 %v1420, -1
-  %v5167 = add nsw i64 %v1406, 1
-  br i1 %v5165, label %v1409, label %v1404
+v5200:
+  %v5201 = phi double [ %v5199, %v5192 ], [ 0.000000e+00, %v5202 ]
+  %v5203 = mul i64 %v5204, %v196
+  %v5205 = getelementptr double, ptr %v5206, i64 %v5203
+  store double %v5201, ptr %v5205, align 8, !noalias !598
+  %v5207 = icmp eq i64 %v10, %v5208
+  br i1 %v5207, label %v5209, label %v5202
 
-v1514:
-  %v1524 = xor i1 %v1509, true
-  %v5168 = xor i1 %v1510, true
-  %v1526 = select i1 %v5168, i1 true, i1 %v661
-  br label %v1427
+v5123:
+  %v5210 = phi i64 [ 0, %v5119 ], [ %v5211, %v5123 ]
+  %v5211 = add nsw i64 %v5210, 1
+  %v5212 = mul i64 %v5210, %v196
+  %v5213 = getelementptr double, ptr %v5122, i64 %v5212
+  %v5214 = load double, ptr %v5213, align 8, !noalias !598
+  %v5215 = getelementptr double, ptr %v623, i64 %v5212
+  %v5216 = load double, ptr %v5215, align 8, !noalias !598
+  %v5217 = fadd double %v5214, %v5216
+  %v5218 = getelementptr i64, ptr %v259, i64 %v5210
+  %v5219 = load i64, ptr %v5218, align 8, !noalias !598
+  %v5220 = icmp slt i64 %v5219, 0
+  %v5221 = select i1 %v5220, i64 %v195, i64 0
+  %v5222 = add i64 %v5221, %v5219
+  %v5223 = mul i64 %v5222, %v196
+  %v5224 = getelementptr double, ptr %v625, i64 %v5223
+  store double %v5217, ptr %v5224, align 8, !noalias !598
+  %v5225 = icmp eq i64 %v10, %v5211
+  br i1 %v5225, label %v5134, label %v5123
 
-v3606:
-  store ptr %v3603, ptr %v1, align 8
-  br label %v4614
+v5142:
+  br i1 %v620, label %v5209, label %v5226
 
-v3605:
-  %v5169 = select i1 %v1424, i1 %v1422, i1 false
-  %v5170 = xor i1 %v5169, true
-  %v5171 = or i1 %v307, %v5170
-  br i1 %v5171, label %v3726, label %v3727
+v5227:
+  %v5228 = icmp eq i64 %v10, %v5229
+  br i1 %v5228, label %v5230, label %v5226
 
-v4565:
-  %v4566 = select i1 %v4219, i64 0, i64 %v1086
-  br label %v1083
+v5231:
+  %v5232 = icmp sgt i64 %v5233, 1
+  br i1 %v5232, label %v5230, label %v5234
 
-v4571:
-  store i64 %v4570, ptr %v0, align 8
-  br label %v4614
+v5234:
+  %v5235 = mul i64 %v633, %v5121
+  %v5206 = getelementptr double, ptr %v193, i64 %v5235
+  br label %v5202
+
+v5226:
+  %v5236 = phi i64 [ %v5229, %v5227 ], [ 0, %v5142 ]
+  %v5229 = add nsw i64 %v5236, 1
+  %v5237 = getelementptr i64, ptr %v236, i64 %v5236
+  %v5238 = load i64, ptr %v5237, align 8, !noalias !599
+  %v5239 = add nsw i64 %v5238, %v626
+  %v5240 = icmp slt i64 %v5239, 0
+  %v5241 = select i1 %v5240, i64 %v159, i64 0
+  %v5242 = getelementptr double, ptr %v158, i64 %v5239
+  %v5243 = getelementptr double, ptr %v5242, i64 %v5241
+  %v5244 = load double, ptr %v5243, align 8, !noalias !599
+  %v5245 = getelementptr double, ptr %v630, i64 %v5236
+  %v5246 = load double, ptr %v5245, align 8, !noalias !599
+  store double %v5246, ptr %v5243, align 8, !noalias !599
+  store double %v5244, ptr %v5245, align 8, !noalias !599
+  %v5247 = add i64 %v629, %v5236
+  %v5248 = tail call i64 @llvm.smin.i64(i64 %v5247, i64 %v10)
+  %v5249 = sub i64 %v5248, %v5229
+  %v5250 = icmp slt i64 %v5249, 1
+  br i1 %v5250, label %v5227, label %v5251
+
+v5251:
+  %v5252 = mul nsw i64 %v5236, %v10
+  br label %v5253
+
+v5253:
+  %v5254 = phi i64 [ %v5249, %v5251 ], [ %v5255, %v5253 ]
+  %v5256 = phi i64 [ %v5229, %v5251 ], [ %v5257, %v5253 ]
+  %v5255 = add nsw i64 %v5254, -1
+  %v5257 = add i64 %v5256, 1
+  %v5258 = add nsw i64 %v5256, %v626
+  %v5259 = icmp slt i64 %v5258, 0
+  %v5260 = select i1 %v5259, i64 %v159, i64 0
+  %v5261 = getelementptr double, ptr %v158, i64 %v5258
+  %v5262 = getelementptr double, ptr %v5261, i64 %v5260
+  %v5263 = load double, ptr %v5262, align 8, !noalias !599
+  %v5264 = add nsw i64 %v5256, %v5252
+  %v5265 = icmp slt i64 %v5264, 0
+  %v5266 = select i1 %v5265, i64 %v230, i64 0
+  %v5267 = getelementptr double, ptr %v229, i64 %v5264
+  %v5268 = getelementptr double, ptr %v5267, i64 %v5266
+  %v5269 = load double, ptr %v5268, align 8, !noalias !599
+  %v5270 = fmul double %v5244, %v5269
+  %v5271 = fsub double %v5263, %v5270
+  store double %v5271, ptr %v5262, align 8, !noalias !599
+  %v5272 = icmp sgt i64 %v5254, 1
+  br i1 %v5272, label %v5253, label %v5227
+
+v5230:
+  %v5233 = phi i64 [ %v5273, %v5231 ], [ %v10, %v5227 ]
+  %v5273 = add nsw i64 %v5233, -1
+  %v5274 = add nsw i64 %v5273, %v626
+  %v5275 = icmp slt i64 %v5274, 0
+  %v5276 = select i1 %v5275, i64 %v159, i64 0
+  %v5277 = getelementptr double, ptr %v158, i64 %v5274
+  %v5278 = getelementptr double, ptr %v5277, i64 %v5276
+  %v5279 = load double, ptr %v5278, align 8, !noalias !599
+  %v5280 = mul nsw i64 %v5273, %v10
+  %v5281 = add nsw i64 %v5280, %v5273
+  %v5282 = icmp slt i64 %v5281, 0
+  %v5283 = select i1 %v5282, i64 %v230, i64 0
+  %v5284 = getelementptr double, ptr %v229, i64 %v5281
+  %v5285 = getelementptr double, ptr %v5284, i64 %v5283
+  %v5286 = load double, ptr %v5285, align 8, !noalias !599
+  %v5287 = fdiv double %v5279, %v5286
+  store double %v5287, ptr %v5278, align 8, !noalias !599
+  %v5288 = sub i64 %v5273, %v631
+  %v5289 = tail call i64 @llvm.smax.i64(i64 %v5288, i64 0)
+  %v5290 = sub i64 %v5273, %v5289
+  %v5291 = icmp slt i64 %v5290, 1
+  br i1 %v5291, label %v5231, label %v5292
+
+v5292:
+  %v5293 = phi i64 [ %v5294, %v5292 ], [ %v5290, %v5230 ]
+  %v5295 = phi i64 [ %v5296, %v5292 ], [ %v5289, %v5230 ]
+  %v5294 = add nsw i64 %v5293, -1
+  %v5296 = add i64 %v5295, 1
+  %v5297 = add nsw i64 %v5295, %v626
+  %v5298 = icmp slt i64 %v5297, 0
+  %v5299 = select i1 %v5298, i64 %v159, i64 0
+  %v5300 = getelementptr double, ptr %v158, i64 %v5297
+  %v5301 = getelementptr double, ptr %v5300, i64 %v5299
+  %v5302 = load double, ptr %v5301, align 8, !noalias !599
+  %v5303 = add nsw i64 %v5295, %v5280
+  %v5304 = icmp slt i64 %v5303, 0
+  %v5305 = select i1 %v5304, i64 %v230, i64 0
+  %v5306 = getelementptr double, ptr %v229, i64 %v5303
+  %v5307 = getelementptr double, ptr %v5306, i64 %v5305
+  %v5308 = load double, ptr %v5307, align 8, !noalias !599
+  %v5309 = fmul double %v5287, %v5308
+  %v5310 = fsub double %v5302, %v5309
+  store double %v5310, ptr %v5301, align 8, !noalias !599
+  %v5311 = icmp sgt i64 %v5293, 1
+  br i1 %v5311, label %v5292, label %v5231
+
+v5202:
+  %v5204 = phi i64 [ 0, %v5234 ], [ %v5208, %v5200 ]
+  %v5208 = add nsw i64 %v5204, 1
+  %v5312 = getelementptr i64, ptr %v259, i64 %v5204
+  %v5196 = load i64, ptr %v5312, align 8, !noalias !598
+  %v5194 = icmp slt i64 %v5196, 0
+  %v5313 = select i1 %v5194, i64 %v244, i64 0
+  %v5314 = getelementptr i64, ptr %v243, i64 %v5196
+  %v5315 = getelementptr i64, ptr %v5314, i64 %v5313
+  %v5316 = load i64, ptr %v5315, align 8, !noalias !598
+  %v5317 = icmp eq i64 %v5316, 0
+  br i1 %v5317, label %v5200, label %v5192
+
+v5209:
+  %v5318 = icmp eq i64 %v5319, %v612
+  br i1 %v5318, label %v1454, label %v5116
+
+v1454:
+  %v5320 = load i64, ptr %v634, align 8, !noalias !603
+  %v5321 = inttoptr i64 %v5320 to ptr
+  tail call void %v5321(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !603
+  br i1 %v307, label %v1452, label %v1442
+
+v5116:
+  %v5319 = phi i64 [ %v5121, %v5209 ], [ 1, %v4788 ]
+  %v5121 = add i64 %v5319, 1
+  %v5322 = getelementptr i64, ptr %v6, i64 %v5319
+  %v5323 = getelementptr i8, ptr %v5322, i64 104
+  %v5324 = load i64, ptr %v5323, align 8, !noalias !606
+  %v5325 = inttoptr i64 %v5324 to ptr
+  tail call void %v5325(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !606
+  %v5326 = load i64, ptr %v6, align 8, !noalias !609
+  %v5327 = mul nsw i64 %v5121, %v617
+  %v5328 = getelementptr double, ptr %v158, i64 %v5327
+  %v5329 = inttoptr i64 %v5326 to ptr
+  tail call void %v5329(ptr %v616, ptr %v619, ptr %v165, ptr %v172, ptr %v179, ptr %v5328), !noalias !609
+  br i1 %v555, label %v5117, label %v5209
+
+v1442:
+  %v1443 = phi i1 [ %v1449, %v1444 ], [ %v1430, %v1454 ]
+  %v5330 = phi i1 [ %v1441, %v1444 ], [ false, %v1454 ]
+  %v1451 = phi i64 [ %v5331, %v1444 ], [ %v308, %v1454 ]
+  %v1437 = phi i64 [ %v5332, %v1444 ], [ 0, %v1454 ]
+  %v5331 = add nsw i64 %v1451, -1
+  %v5332 = add nsw i64 %v1437, 1
+  br i1 %v5330, label %v1440, label %v1435
+
+v1545:
+  %v1555 = xor i1 %v1540, true
+  %v5333 = xor i1 %v1541, true
+  %v1557 = select i1 %v5333, i1 true, i1 %v661
+  br label %v1458
+
+v3769:
+  store ptr %v3766, ptr %v1, align 8
+  br label %v4779
+
+v3768:
+  %v5334 = select i1 %v1455, i1 %v1453, i1 false
+  %v5335 = xor i1 %v5334, true
+  %v5336 = or i1 %v307, %v5335
+  br i1 %v5336, label %v3889, label %v3890
+
+v4730:
+  %v4731 = select i1 %v4384, i64 0, i64 %v1110
+  br label %v1107
+
+v4736:
+  store i64 %v4735, ptr %v0, align 8
+  br label %v4779
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -7173,9 +7333,6 @@ declare i64 @llvm.smin.i64(i64, i64)
 
 ; Function Attrs: nocallback nofree nounwind willreturn memory(argmem: write)
 declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)
-
-; Function Attrs: nocallback nofree nosync nounwind speculatable willreturn memory(none)
-declare i1 @llvm.is.fpclass.f64(double, i32)
 
 ; Function Attrs: nocallback nofree nosync nounwind willreturn memory(argmem: readwrite)
 declare void @llvm.lifetime.start.p0(ptr)

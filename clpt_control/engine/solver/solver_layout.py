@@ -284,8 +284,8 @@ def prepare(solver, times):
 def decide(solver, times, state_row, point):
     """Write decisions, distances and rounding errors at a row of states into a sample point.
 
-    A distance that is not a number is infinite: below 0 if the decision has changed, and that of
-    a guard.
+    A distance that is NaN is infinite: below 0 if the decision has changed, and of a guard.  So is
+    one of 0 behind a change, which may stay 0 where numbers underflow.
     """
     Z, P, T, W, D = solver.memory
     shape, points = solver.shape, solver.points
@@ -295,10 +295,12 @@ def decide(solver, times, state_row, point):
         distance = points[point, DISTANCE, j]
         if not abs(distance) + points[point, ROUNDING, j] < math.inf:
             points[point, ROUNDING, j] = 0.0
-        if distance != distance:
-            held = P[shape.first_decision + j] if j < shape.decisions else 0.0
-            is_new = differs(points[point, DECISION, j], held)
-            points[point, DISTANCE, j] = -math.inf if is_new else math.inf
+        is_new = j < shape.decisions and differs(
+            points[point, DECISION, j], P[shape.first_decision + j]
+        )
+        if distance != distance or (distance == 0.0 and is_new):
+            is_left = is_new or j >= shape.decisions
+            points[point, DISTANCE, j] = -math.inf if is_left else math.inf
 
 
 def differs(decision, held):
