@@ -170,7 +170,8 @@ def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
         radius = float(leg.forecast_radius)
         off = float(np.hypot(*leg.position_error.values))
         time = iso(seconds_since_1970(str(leg.end_time.values)[:23]))
-        name, words, properties = f"leg {int(leg.leg)}", "", {"time": time}
+        name, words = f"leg {int(leg.leg)}", ""
+        properties: dict[str, Any] = {"time": time}
         regions = []
         if np.isfinite(radius):  # tomography forecasts nothing
             words = f"{off:.0f} m from its forecast, whose region has the radius {radius:.0f} m"
