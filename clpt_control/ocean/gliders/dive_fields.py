@@ -109,7 +109,8 @@ def _degrees(text: str, size: float = 1.0) -> float | None:
     >>> _degrees("36°42'30\"S"), _degrees("36:42:30", -1.0), _degrees("-36 S"), _degrees("36.5 4 N")
     (-36.708333333333336, -36.708333333333336, None, None)
     """
-    value, matched = _number(text, size), SEXAGESIMAL.fullmatch(text)
+    value = _number(text, size)
+    matched = SEXAGESIMAL.fullmatch(text)
     if value is not None or matched is None:
         return value
     before, *parts, behind = matched.groups("")

@@ -119,32 +119,38 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
 
 
 def _dives_and_skipped(
-    rows: Sequence[Dive | Skipped], name: str | None, kind: str | None
+    rows: Sequence[Dive | Skipped],
+    name: str | None,
+    kind: str | None,
+    notes: Sequence[str] = (),
 ) -> tuple[list[Dive], list[Skipped]]:
-    """Return dives with the name of their vehicle, unless they have one, and its kind; the rest."""
+    """Return dives with the name of their vehicle, unless they have one, and its kind; the rest.
+
+    Each dive gets the notes.
+    """
     dives = [row for row in rows if isinstance(row, Dive)]
     named = [
-        replace(dive, vehicle=dive.vehicle or name, kind=dive.kind or kind)
+        replace(
+            dive,
+            vehicle=dive.vehicle or name,
+            kind=dive.kind or kind,
+            notes=(*dive.notes, *notes),
+        )
         for dive in dives
     ]
     return named, [row for row in rows if isinstance(row, Skipped)]
 
 
-def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | None]:
-    """Return what a file holds, the vehicle's name and its kind."""
+def _of_netcdf(
+    path: Path,
+) -> tuple[Sequence[Dive | Skipped], str | None, str | None, list[str]]:
+    """Return what a file holds, the vehicle's name and its kind, and notes on each dive."""
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
         for dialect, kind in ((seaglider, "Seaglider"), (og1, None)):
             if dialect.is_known(data):
                 # of dimensions of length one, such as `trajectory`
                 unflagged, notes = samples.unflagged(data.squeeze())
-                rows = dialect.dives_of(unflagged, path)
-                noted = [
-                    row
-                    if isinstance(row, Skipped)
-                    else replace(row, notes=(*row.notes, *notes))
-                    for row in rows
-                ]
-                return noted, name_in(data), kind
+                return dialect.dives_of(unflagged, path), name_in(data), kind, notes
         names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
@@ -333,7 +339,8 @@ def is_log_file(path: str | Path) -> bool:
 
 def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:
     """Return legs of a known displacement, and the others with their reasons."""
-    used, skipped = [], []
+    used = []
+    skipped = []
     for leg in legs:
         if isfinite(leg.dr_east) and isfinite(leg.dr_north):
             used.append(leg)

@@ -143,7 +143,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
 def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
     cells: dict[str, Any] = {}
     notes: list[str] = []
-    is_steered = not set(STRETCH) & set(texts) and set(STEERING) <= set(texts)
+    has_stretch = not {*STRETCH}.isdisjoint(texts)
+    is_steered = not has_stretch and {*STEERING} <= {*texts}
     steering = [COLUMNS[name] for name in STEERING] if is_steered else []
     for row in (*FIELDS, *steering):
         value, fault = row.value(texts.get(row.header, ""))
@@ -161,7 +162,7 @@ def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
         velocity = velocity_of(*(cells[column] for column in STEERING))
         duration = end[0] - start[0]
         through_water = velocity[0] * duration, velocity[1] * duration
-    elif not set(STRETCH) & set(texts):
+    elif not has_stretch:
         current = cells["dac_east"], cells["dac_north"]
         if None in current:
             through_water = nan, nan

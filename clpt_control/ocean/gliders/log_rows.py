@@ -87,8 +87,10 @@ class LogRows:
             fix = None
         moved, unknown = self._moved(time, stretch)
         if self.lost:
-            moved, unknown = None, self.lost
-            self.velocity, self.unknown = (nan, nan), self.lost
+            moved = None
+            unknown = self.lost
+            self.velocity = (nan, nan)
+            self.unknown = self.lost
         self.lost = ""
         self.recent = [*self.recent[1 - REPEATED :], motion]
         if steering is not None:
@@ -107,9 +109,11 @@ class LogRows:
             return None, f"{span / 86400:.0f} days without a row"
         if stretch is None:
             east, north = self.velocity
-            moved, unknown = (east * span, north * span), self.unknown
+            moved = east * span, north * span
+            unknown = self.unknown
         else:
-            moved, unknown = stretch, _half(stretch, STRETCH) or NOT_MOVED
+            moved = stretch
+            unknown = _half(stretch, STRETCH) or NOT_MOVED
         speed = hypot(*moved) / span if span > 0.0 else 0.0
         if not isfinite(speed):
             return None, unknown

@@ -72,7 +72,8 @@ def through_water(
     rows: pandas.DataFrame, start: Fix, end: Fix, current: tuple[float, float]
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
-    reckoned, steps = _summed(rows, start, end), rows.attrs["steps"]
+    reckoned = _summed(rows, start, end)
+    steps = rows.attrs["steps"]
     if reckoned is not None and steps.upper().endswith("_GSM"):
         note = f"dead reckoning of the glide-slope model ({steps})"
         return reckoned._replace(notes=(*reckoned.notes, note))
@@ -124,7 +125,8 @@ def _variation_of(
     rows: pandas.DataFrame, start: Fix, end: Fix
 ) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
-    north, measured = rows.attrs["north"], rows.magvar.dropna()
+    north = rows.attrs["north"]
+    measured = rows.magvar.dropna()
     if north not in ("", "magnetic", "true"):
         raise DataError(
             f"the north of the heading is not clear: {north!r}. Let its comment say only 'true' or "
@@ -132,11 +134,14 @@ def _variation_of(
         )
     if north == "true":
         return None, north
-    degrees, source = 0.0, "not known"
+    degrees = 0.0
+    source = "not known"
     if len(measured):
-        degrees, source = float(measured.median()), "of the file"
+        degrees = float(measured.median())
+        source = "of the file"
     elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
-        degrees, source = igrf, "by IGRF"
+        degrees = igrf
+        source = "by IGRF"
     name = north or "of a north that the file does not name"
     return (
         degrees,
@@ -154,7 +159,8 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
         if _spanning(rows, with_step)
         else rows[rows.wet | rows.index.isin(with_step.index)]
     )
-    notes, duration = [], end[0] - start[0]
+    notes = []
+    duration = end[0] - start[0]
     again = rows.time.diff() == 0
     if rows.loc[again, ["east", "north"]].any(axis=None):
         notes.append(f"{again.sum()} samples have the time of the one before, left out")
@@ -169,8 +175,10 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
 
 def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     """Return whether a step after samples without one covers their time too, by its length."""
-    step_time, row_time = with_step.time.diff(), rows.time.diff()[with_step.index]
-    length, after = np.hypot(with_step.east, with_step.north), step_time > row_time
+    step_time = with_step.time.diff()
+    row_time = rows.time.diff()[with_step.index]
+    length = np.hypot(with_step.east, with_step.north)
+    after = step_time > row_time
     speed = (length / row_time)[~after & (row_time > 0)].median()
     return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
@@ -192,7 +200,8 @@ def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
         [(start, end) for _, start, end in dive_fixes], dated_currents
     )
     for count, fixes_of_dive in enumerate(dive_fixes, 1):
-        notes, (_, start, end) = [], fixes_of_dive
+        notes = []
+        _, start, end = fixes_of_dive
         if (_rows_between(of, start, end).time.diff() < 0).any():
             notes.append("the measurements were not in order of time, sorted")
         wrong_fixes = int(np.sum((failed >= start[0]) & (failed <= end[0])))
@@ -254,7 +263,8 @@ def _dive(
     """
     _, start, end = fixes
     rows = _rows_between(of, start, end).sort_values("time", kind="stable")
-    wet, middle = rows[rows.wet], rows.median()
+    wet = rows[rows.wet]
+    middle = rows.median()
     current = dated_current if isnan(middle.u) else (middle.u, middle.v)
     numbers = np.unique(wet.number.dropna())
     number = wet.number.median() if numbers.size else middle.number

@@ -103,7 +103,8 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     names = known_names(data)
     fixes, t_name = _fix_columns(data, names)
     clock = names["TIME" if "TIME" in names else t_name]
-    time, dims = seconds(data, clock).ravel(), data[clock].dims
+    time = seconds(data, clock).ravel()
+    dims = data[clock].dims
     notes: list[str] = []
     unsaid = not said(data[names[t_name]])
     if unsaid and (unit := unit_of_times(fixes[0], time)):
@@ -212,12 +213,15 @@ def _fix_columns(
     data: xarray.Dataset, file_names: dict[str, str]
 ) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
-    latitude, names, fixed = file_names.get("LATITUDE_GPS"), FIXES, np.array(True)
+    latitude = file_names.get("LATITUDE_GPS")
+    names = FIXES
+    fixed = np.array(True)
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
     if bare and {*PLACES, FLAG} <= set(file_names):
-        names, fixed = PLACES, values(data, file_names[FLAG]) == 0
+        names = PLACES
+        fixed = values(data, file_names[FLAG]) == 0
     elif "TIME_GPS" not in file_names and "TIME" in file_names:
-        names = ("TIME", *FIXES[1:])
+        names = "TIME", *FIXES[1:]
     missing = [name for name in names if name not in file_names]
     if missing:
         raise DataError(
@@ -244,8 +248,10 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     >>> unit_of_times(np.array([1.01e18, np.nan]), measured), unit_of_times(measured, measured)
     ('nanoseconds', '')
     """
-    middle, measured = pandas.Series(fixes).median(), pandas.Series(time)
-    earliest, latest = measured.min() - DAY, measured.max() + DAY
+    middle = pandas.Series(fixes).median()
+    measured = pandas.Series(time)
+    earliest = measured.min() - DAY
+    latest = measured.max() + DAY
     return next(
         (unit for unit, size in SMALLER.items() if earliest <= middle / size <= latest),
         "",
@@ -263,7 +269,8 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     lat, lon, when, time, depth = of[[*PLACE, "t_fix", "time", "depth"]].to_numpy().T
     has_number = np.isfinite(lat) | np.isfinite(lon)
     good = is_fix(lat, lon) & (when > 0)
-    rows, failed = np.flatnonzero(good), when[has_number & ~good]
+    rows = np.flatnonzero(good)
+    failed = when[has_number & ~good]
     deep = depth[rows] > SURFACE
     if deep.any():
         moved = [np.diff(axis[rows], prepend=np.inf) != 0 for axis in (lat, lon)]
@@ -289,7 +296,8 @@ def _frame(heading: xarray.DataArray) -> str:
     attributes = "; ".join(f"{key} {text}" for key, text in heading.attrs.items())
     words = re.sub(NEITHER, "", re.sub(r"[^\w.,;+]+|_", " ", attributes.lower()))
     rest = re.sub(APPLIED, "", words)
-    corrected, denied = rest != words, re.search(DENIED, words)
+    corrected = rest != words
+    denied = re.search(DENIED, words)
     true = re.search(TRUE, rest) or (corrected and not denied)
     magnetic = denied if corrected else re.search(MAGNETIC, rest)
     if true and magnetic:
@@ -318,7 +326,9 @@ def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
     segments = []
     for row in columns.groupby("time_after", as_index=False).first().to_numpy():
         # what is there, of each end
-        end, start, middle = row[:3], row[3:6], row[6:9]
+        end = row[:3]
+        start = row[3:6]
+        middle = row[6:9]
         notes = []
         if np.isnan(start).any() and not np.isnan(middle).any():
             start = 2 * middle - end
@@ -337,23 +347,18 @@ def set_back(time: np.ndarray, depth: np.ndarray, fix: np.ndarray) -> list[int]:
     [4]
     """
     rows = np.flatnonzero(np.isfinite(time) & (depth > LEAST_DEPTH))
-    step, sink = np.diff(time[rows]), np.abs(np.diff(depth[rows]))
+    step = np.diff(time[rows])
+    sink = np.abs(np.diff(depth[rows]))
     if not (step > 0).any():
         return []
     usual = USUAL * np.median(step[step > 0])
     is_usual = (step > 0) & (step <= usual)
-    fixes_before = np.cumsum(np.isfinite(fix))[rows]
-    falls = np.flatnonzero(step < -max(LEAST_FALL, usual))
-    set_back_rows = [
-        int(rows[k + 1])
-        for k in falls
-        if 0 < k < step.size - 1
-        and is_usual[k - 1]
-        and is_usual[k + 1]
-        and sink[k] <= DEEPER + 2 * np.median(sink)
-        and fixes_before[k] == fixes_before[k + 1]
-    ]
-    return set_back_rows if len(falls) <= MOST_FALLS else []
+    is_usual = np.pad(is_usual, 1)  # False beside the first and the last step
+    fixes_between = np.diff(np.cumsum(np.isfinite(fix))[rows])
+    falls = step < -max(LEAST_FALL, usual)
+    is_set_back = falls & is_usual[:-2] & is_usual[2:] & (fixes_between == 0)
+    is_set_back &= sink <= DEEPER + 2 * np.median(sink)
+    return rows[1:][is_set_back].tolist() if falls.sum() <= MOST_FALLS else []
 
 
 def with_steady_clock(of: pandas.DataFrame, fix_clock: str) -> pandas.DataFrame:

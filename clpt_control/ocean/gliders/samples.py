@@ -99,7 +99,8 @@ def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
 
     A depth-averaged current of a Seaglider stays, because its dives have its flag, `dac_qc`.
     """
-    columns, notes = dict[str, xarray.DataArray](), list[str]()
+    columns = dict[str, xarray.DataArray]()
+    notes = list[str]()
     names = [name for name in map(str, data.variables) if READ.search(name)]
     flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
     few = data[[*names, *flags]]  # of hundreds of variables
@@ -195,7 +196,8 @@ def checked_angles(
     Two different numbers outside are no fill value: the units are wrong.
     """
     good, outside = within(angles, ANGLES[key])
-    wrong, known = angles[outside], good[np.isfinite(good)]
+    wrong = angles[outside]
+    known = good[np.isfinite(good)]
     limits = "{:g} to {:g} degrees".format(*ANGLES[key])
     told = f"{wrong.size} numbers of {name} are not within {limits}"
     if np.unique(wrong).size > 1:
@@ -265,7 +267,8 @@ def known_names(data: xarray.Dataset) -> dict[str, str]:
 
 def columns_of(data: xarray.Dataset, key: str) -> Iterator[tuple[str, np.ndarray]]:
     """Yield name and numbers of the variables that have a quantity, the preferred one before."""
-    names, (candidates, read) = known_names(data), QUANTITIES[key]
+    names = known_names(data)
+    candidates, read = QUANTITIES[key]
     for name in (names[column] for column in candidates if column in names):
         yield name, read(data, name)
 
@@ -407,7 +410,8 @@ def turned(vectors: Sequence[ArrayLike], clockwise: float) -> np.ndarray:
     >>> turned((0.0, 1.0), 90.0).round(9)
     array([1., 0.])
     """
-    sine, cosine = np.sin(np.radians(clockwise)), np.cos(np.radians(clockwise))
+    sine = np.sin(np.radians(clockwise))
+    cosine = np.cos(np.radians(clockwise))
     return np.array([[cosine, sine], [-sine, cosine]]) @ np.asarray(vectors)
 
 

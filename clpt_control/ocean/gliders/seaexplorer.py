@@ -135,7 +135,8 @@ def _dive(log: pandas.DataFrame, fixes: Three, number: int) -> Dive:
     )
     reckoned = ThroughWater(notes=["no samples"])
     if time.size > 2:
-        nose, true = np.radians(pitch), np.radians(heading + declination)
+        nose = np.radians(pitch)
+        true = np.radians(heading + declination)
         with np.errstate(divide="ignore", invalid="ignore"):
             speed = -np.gradient(depth, time) / np.tan(nose)
         flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)

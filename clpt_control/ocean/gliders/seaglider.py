@@ -29,9 +29,8 @@ import numpy as np
 import xarray
 
 from ...base.errors import DataError
-from ...base.units import finite_or_none
+from ...base.units import finite_or_none, number
 from ...paper.currents.flags import BAD_FIX_CODES
-from . import samples
 from .dive_fields import NUMBERS, VARIATIONS, whole_number
 from .dives import (
     Dive,
@@ -43,7 +42,18 @@ from .dives import (
     is_fix,
     planned_course,
 )
-from .samples import columns_of, deepest, pairs_of, summed
+from .samples import (
+    columns_of,
+    deepest,
+    degrees,
+    metres,
+    pairs_of,
+    scalar,
+    seconds,
+    summed,
+    values,
+    within,
+)
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
@@ -62,18 +72,16 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
             f"no variable {' and no '.join(missing)}; a Seaglider basestation file has "
             "its fixes there"
         )
-    columns = [
-        samples.seconds(data, FIXES[0]),
-        *(samples.values(data, name) for name in FIXES[1:]),
-    ]
+    columns = [seconds(data, FIXES[0]), *(values(data, name) for name in FIXES[1:])]
     if any(column.shape != (3,) for column in columns):
         raise DataError(
             f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
         )
-    notes, of = [], np.array(columns)
+    notes = []
+    of = np.array(columns)
     hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
     for k, name in enumerate(NAMES):
-        flag = samples.scalar(data, f"{name}_qc") or flags[k]
+        flag = scalar(data, f"{name}_qc") or flags[k]
         if hdop[k] >= FAILED:
             of[:, k] = nan
             notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
@@ -97,7 +105,7 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
 
 def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return a number of each of three fixes, NaN where there are none."""
-    numbers = samples.values(data, name) if name in data.variables else np.empty(0)
+    numbers = values(data, name) if name in data.variables else np.empty(0)
     return numbers if numbers.shape == (3,) else np.full(3, nan)
 
 
@@ -138,7 +146,7 @@ def _number(data: xarray.Dataset, path: Path) -> int:
     """Return the number of the dive."""
     named = (
         data.attrs.get("dive_number"),
-        samples.scalar(data, "log_DIVE"),
+        scalar(data, "log_DIVE"),
         number_in_name(path),
     )
     for value in named:
@@ -164,21 +172,21 @@ def _variation(data: xarray.Dataset) -> float | None:
     stated = _number_of(data, "magvar")
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
-    degrees, _ = samples.within(np.array(stated), VARIATIONS)
+    degrees, _ = within(np.array(stated), VARIATIONS)
     return finite_or_none(float(degrees))
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
-    heading = samples.scalar(data, "log_HEADING")
+    heading = scalar(data, "log_HEADING")
     if heading is not None and 0.0 <= heading <= 360.0:
         return heading % 360.0
     text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
     words = text.astype(str).item().split(",") if text.size == 1 else []
     if len(words) != 2:
         return None
-    target = samples.degrees(np.array([*map(samples.number, words)])).tolist()
-    return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
+    target = degrees(np.array([*map(number, words)])).tolist()
+    return planned_course(end, target, scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
 def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str]:
@@ -189,7 +197,7 @@ def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str
     for name in ("ctd_time", "time", *time_names):
         if name not in data or data[name].dims != data[reference].dims:
             continue
-        time = samples.seconds(data, name)
+        time = seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
     return None, f"no track: no times in order with the dimension of {reference}"
@@ -210,7 +218,7 @@ def _dead_reckoning(
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
-    east, north = (samples.metres(data, name) for name in names)
+    east, north = (metres(data, name) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
         wrong = f"{names[0]} and {names[1]} differ in length or are empty"
         return ThroughWater(notes=[*notes, wrong])

@@ -123,10 +123,8 @@ def _positions(
 ) -> np.ndarray:
     """Return times of the dead reckoning and its places east and north of the fix, m, (3, n)."""
     rows_near = rows_between(of, start[0] - SHORT, wet[-1])
-    (time, lat, lon), (times, x, y) = (
-        logged(rows_near, *PLACE),
-        logged(rows_near, *LOCAL),
-    )
+    time, lat, lon = logged(rows_near, *PLACE)
+    times, x, y = logged(rows_near, *LOCAL)
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
@@ -162,7 +160,8 @@ def reconciled(
     reports that it added the former, which is then taken off from `dived`, s after the fix. A path
     that contradicts the latter, or may hold the former, is None.
     """
-    (before, now), note = own_currents, ""
+    before, now = own_currents
+    note = ""
     size = float(np.hypot(*before))
     if used == 1 and np.isfinite(size):
         under = np.clip(path[0] - dived, 0.0, None)

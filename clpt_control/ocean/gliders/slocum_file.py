@@ -62,7 +62,8 @@ class Segment(NamedTuple):
 
 def read_segment(path: Path) -> Segment:
     """Read the sensors of `NAMES`, NaN where a file has them not."""
-    raw, is_complete = read_bytes(path), True
+    raw = read_bytes(path)
+    is_complete = True
     if not raw.startswith(MAGIC):
         raw, is_complete = uncompressed(raw)
     tags, offset = _header(raw, path)
@@ -92,7 +93,8 @@ def uncompressed(raw: bytes) -> tuple[bytes, bool]:
     >>> uncompressed(b"\x00\x08" b"\x12a\x01\x00" b"\x30bcd")
     (b'aaaaaaabcd', True)
     """
-    out, offset = bytearray(), 0
+    out = bytearray()
+    offset = 0
     while offset < min(len(raw), MOST_PACKED):
         size = int.from_bytes(raw[offset : offset + 2])
         try:
@@ -105,7 +107,8 @@ def uncompressed(raw: bytes) -> tuple[bytes, bool]:
 
 def _block(packed: bytes) -> bytes:
     """Return the bytes of an LZ4 block: runs of new bytes, each and a copy of what came before."""
-    out, offset = bytearray(), 0
+    out = bytearray()
+    offset = 0
     while True:
         token = packed[offset]
         new_bytes, offset = _length(packed, offset + 1, token >> 4)
@@ -186,9 +189,10 @@ def _sensors(
 
 def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
     """Return the .cac file of a check sum and its bytes."""
-    name, packed = f"{check_sum}.cac", f"{check_sum}.ccc"
+    name = f"{check_sum}.cac"
+    packed = f"{check_sum}.ccc"
     folder_of_file = Path(os.path.realpath(path)).parent
-    above = (folder_of_file, *folder_of_file.parents[:4])
+    above = folder_of_file, *folder_of_file.parents[:4]
     folders = [folder_of_file, *(parent / sub for parent in above for sub in FOLDERS)]
     if cac_folder := os.environ.get("CLPT_CAC"):
         folders.insert(0, Path(cac_folder))
@@ -250,7 +254,8 @@ def _cycles(
     indices = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
     sizes = np.array([size for _, size in sensors])
     codes = (np.arange(256)[:, None] >> np.array([6, 4, 2, 0])) & 3
-    last, rows = dict.fromkeys(indices, nan), list[list[float]]()
+    last = dict.fromkeys(indices, nan)
+    rows = list[list[float]]()
     offset += KNOWN
     while (
         raw[offset : offset + 1] == b"d"

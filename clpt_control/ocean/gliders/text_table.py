@@ -64,7 +64,8 @@ def table_of(text: str, name: str | Path, must_be: str) -> pandas.DataFrame:
         )
     while len(header) > 1 and not header[-1]:  # each line may end with a mark
         header.pop()
-    right_lines, wrong_lines = {}, {}
+    right_lines = {}
+    wrong_lines = {}
     for line_number, row in zip(lines, rows_below, strict=True):
         while len(row) > len(header) and not row[-1]:
             row.pop()

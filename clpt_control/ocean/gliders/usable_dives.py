@@ -51,10 +51,8 @@ SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some 
 OWN = "replay each on its own"
 ASTRAY = 50e3  # m that a fix may be off, however short the time
 COPY = 10.0  # m: ends of copies of a dive differ by rounding
-DRIFT, CURRENT = (
-    2.0,
-    1.0,
-)  # m/s: fastest drift at the surface, fastest current over a whole dive
+DRIFT = 2.0  # m/s, fastest at the surface
+CURRENT = 1.0  # m/s, fastest over a whole dive
 NEAR = 5e3  # m: within it a dive continues the record; the largest step of real records is 2.4 km
 ROLLOVER = 1024 * 7 * DAY  # s: a GPS receiver counts weeks to 1024, then begins again
 MISSION_LENGTH = 400 * DAY  # s: longest mission across a rollover that is looked for
@@ -77,7 +75,9 @@ def usable(
     >>> [dive.number for dive in used], skipped[0].dive, skipped[0].why
     ([7], 8, 'the displacement through the water is not finite: a value is missing or means none')
     """
-    fit, skipped, latest = [], [], -np.inf
+    fit = []
+    skipped = []
+    latest = -np.inf
     dives = list(dives)
     check_one_vehicle(dives)
     repeated = _with_a_repeated_start(dives)
@@ -96,10 +96,12 @@ def usable(
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
     check_weeks(ordered)
-    used, astray = ordered[:1], None
+    used = ordered[:1]
+    astray = None
     for dive in ordered[1:]:
         before = used[-1]
-        overlap, too_far = _overlap(dive, before), _too_far(dive, before)
+        overlap = _overlap(dive, before)
+        too_far = _too_far(dive, before)
         if overlap or (too_far and not (astray and _reaches(dive, astray))):
             skipped.append(Skipped(dive.number, overlap or too_far))
             astray = None if overlap else dive
@@ -158,8 +160,7 @@ def check_weeks(dives: Iterable[Dive]) -> None:
     """
     for early, dive in pairwise(dives):
         off = abs(dive.t_gps2 - early.t_gpse - ROLLOVER)
-        position = dive.start
-        in_one_region = distance(*early.end, *position) < REGION
+        in_one_region = distance(*early.end, *dive.start) < REGION
         if off < MISSION_LENGTH and in_one_region:
             dated = [
                 f"dive {d.number} of {datetime.fromtimestamp(d.t_gpse, UTC):%Y-%m-%d}"
@@ -292,16 +293,8 @@ def misread(lat: float, lon: float) -> str:
 
 def _by_time(dive: Dive) -> tuple:
     """Return the key that puts dives in one order: end, start, number, then all else."""
-    through_water = dive.through_water
-    all_fields = repr(vars(dive))
-    return (
-        dive.t_gpse,
-        dive.t_gps2,
-        dive.number,
-        *through_water,
-        dive.track is None,
-        all_fields,
-    )
+    order = dive.t_gpse, dive.t_gps2, dive.number
+    return (*order, *dive.through_water, dive.track is None, repr(vars(dive)))
 
 
 def _overlap(dive: Dive, before: Dive) -> str:
@@ -340,8 +333,6 @@ def _reaches(dive: Dive, before: Dive) -> bool:
 
     By the fixes between the two dives, or by dead reckoning past one of them, which may be wrong.
     """
-    before_start, end = (before.start, before.end)
-    start, after_end = dive.start, dive.end
     since = dive.t_gps2 - before.t_gpse
 
     def carried(
@@ -352,9 +343,9 @@ def _reaches(dive: Dive, before: Dive) -> bool:
         return off <= CURRENT * (since + flown.duration) + NEAR
 
     return since >= -OVERLAP and (
-        distance(*end, *start) <= DRIFT * max(since, 0.0) + NEAR
-        or carried(before, before_start, start)
-        or carried(dive, end, after_end)
+        distance(*before.end, *dive.start) <= DRIFT * max(since, 0.0) + NEAR
+        or carried(before, before.start, dive.start)
+        or carried(dive, before.end, dive.end)
     )
 
 

@@ -23,7 +23,7 @@ out is refused.  Positions that carry no measurement are no fixes (`unmeasured`)
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import chain
 from math import atan2, degrees, hypot, isnan, nan
 from pathlib import Path
@@ -82,30 +82,6 @@ NO_MOTION = (
 LEAST_NANOSECONDS = 1e17  # since 1970, as robots count; in seconds no time is as large
 NOISE = 100.0  # m, of two fixes
 MOST_LEFT_OUT = 0.25  # of the rows, else a table is refused
-
-
-@dataclass
-class Way:
-    """Way through the water since a fix: elapsed time (s), east and north (m) of each row."""
-
-    start: Fix
-    points: list[tuple[float, float, float]] = field(
-        default_factory=lambda: [(0.0, 0.0, 0.0)]
-    )
-    unknown: str = ""
-
-    def stretch(self, time: float, east: float, north: float) -> None:
-        """Add a stretch that ends at a time."""
-        _, x, y = self.points[-1]
-        self.points.append((time - self.start[0], x + east, y + north))
-
-    def leg(self, number: int, end: Fix) -> Dive:
-        """Return the leg that ends at a fix."""
-        if self.unknown:
-            return make_dive(number, self.start, end, (nan, nan), notes=(self.unknown,))
-        track = np.array(self.points).T
-        leg = make_dive(number, self.start, end, (track[1, -1], track[2, -1]))
-        return replace(leg, track=tuple(track))
 
 
 def is_log(text: str) -> bool:
@@ -212,7 +188,8 @@ def _moment(
     texts: list[str], columns: dict[str, tuple[int, float]]
 ) -> tuple[Moment, str]:
     """Return the parts of a row, and what is wrong with a cell."""
-    numbers, fault = {}, ""
+    numbers = {}
+    fault = ""
     for name, (column, size) in columns.items():
         number, wrong = COLUMNS[name].value(texts[column], size)
         numbers[name] = nan if number is None else number
@@ -258,7 +235,8 @@ def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
     tracks = [np.diff(reckoned(leg)) for leg in legs]
     begins = np.cumsum([0, *(track[0].size for track in tracks[:-1])])
     moved = np.hstack(tracks)[1:]
-    before, behind = np.roll(moved, 1, axis=1), np.roll(moved, -1, axis=1)
+    before = np.roll(moved, 1, axis=1)
+    behind = np.roll(moved, -1, axis=1)
     since_row = moved - before
     since_row[:, begins] = moved[:, begins]
     # variance of the flow of legs but the first and the last, m2/s2
@@ -279,7 +257,8 @@ def _in_order(times: dict[int, float]) -> set[int]:
         length = bisect_right(ends, -time)
         ends[length : length + 1] = [-time]
         parts[length + 1 : length + 2] = [(number, parts[length])]
-    ordered, part = set(), parts[-1]
+    ordered = set()
+    part = parts[-1]
     while part:
         line, part = part
         ordered.add(line)
@@ -307,7 +286,8 @@ def _readings(
 
 def _kinds_of(readings: list[tuple[int, float, str, Reading]]) -> list[str]:
     """Return the kind of each position, empty for a fix."""
-    step, rows = 0j, []
+    step = 0j
+    rows = []
     for _, time, _, reading in readings:
         step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
@@ -317,12 +297,32 @@ def _kinds_of(readings: list[tuple[int, float, str, Reading]]) -> list[str]:
     return unmeasured(times.real, np.real(position).T, steps[1:])[0].tolist()
 
 
+def _leg(
+    number: int,
+    start: Fix,
+    end: Fix,
+    points: list[tuple[float, float, float]],
+    unknown: str,
+) -> Dive:
+    """Return a leg by time (s) and displacement (m) of each row, or why they are unknown."""
+    if unknown:
+        return make_dive(number, start, end, (nan, nan), notes=(unknown,))
+    time, *steps = np.transpose(points)
+    east, north = np.cumsum(steps, axis=1)
+    track = time - start[0], east, north
+    return make_dive(number, start, end, (east[-1], north[-1]), track=track)
+
+
 def _legs_of(
     moments: dict[int, tuple[Moment, str]], path: str | Path
 ) -> list[Dive | Skipped]:
     """Return legs and what is left out of rows by line, each with its fault."""
     legs: list[Dive | Skipped] = []
-    rows, track, number = LogRows(), None, 0
+    rows = LogRows()
+    start: Fix = (nan, nan, nan)
+    points: list[tuple[float, float, float]] = []
+    unknown = ""
+    number = 0
     left_out: list[str] = []
     readings = [*_readings(moments, rows)]
     kinds = _kinds_of(readings)
@@ -339,16 +339,18 @@ def _legs_of(
             cure = "" if time_fault(time) else ". Sort the rows by time"
             left_out.append(f"{where}: {reading.skipped}{cure}")
             continue
-        if track is not None:
-            if reading.unknown and not track.unknown:
-                track.unknown = f"{where}: {reading.unknown} before it"
-            track.stretch(time, *(reading.moved or (0.0, 0.0)))
+        if points:
+            if reading.unknown and not unknown:
+                unknown = f"{where}: {reading.unknown} before it"
+            points.append((time, *(reading.moved or (0.0, 0.0))))
         if reading.fix is not None and not next(remaining):
-            dated = (time, *reading.fix)
-            if track is not None:
+            end = (time, *reading.fix)
+            if points:
                 number += 1
-                legs.append(track.leg(number, dated))
-            track = Way(dated)
+                legs.append(_leg(number, start, end, points, unknown))
+            start = end
+            points = [(time, 0.0, 0.0)]
+            unknown = ""
     dropped = f"{path}: {rows.dropped} fixes at the time of another are left out"
     left_out += [f"{dropped}. Give the time of day"] * rows.dropped
     if why := counted(kinds):
