@@ -57,7 +57,7 @@ def response_plot(
     with run_style(axes, label, color):
         for panel, port in zip(panels, ports, strict=True):
             _draw_port(panel, run, port)
-    panels[-1].set_xlabel(literal(named("time", run.time.attrs.get("units"))))
+    panels[-1].set_xlabel(literal(with_unit("time", run.time)))
     return axes
 
 
@@ -109,7 +109,7 @@ def signals_plot(
         style_line(line, None, color)
     is_one = len(names) == 1 and ax.get_ylabel() in ("", literal(_title(run, names[0])))
     ax.set_ylabel(literal(_title(run, names[0])) if is_one else "")
-    ax.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
+    ax.set_xlabel(literal(with_unit("time", run.time)))
     if label is not None or len(ax.lines) > 1:
         legend_above_data(ax)
     return ax
@@ -118,7 +118,7 @@ def signals_plot(
 def _title(run: "xarray.Dataset", name: str) -> str:
     """Return a name with the unit of its port."""
     port = run.get(name, run.get(name.partition("[")[0]))
-    return named(name, None if port is None else port.attrs.get("units"))
+    return with_unit(name, port)
 
 
 def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
@@ -158,7 +158,7 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
     for k, (name, values) in enumerate(signals.items()):
         label = literal(name) if is_labelled else None
         ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
-    ax.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
+    ax.set_ylabel(literal(with_unit(port, run[port])))
     if len(signals) > 1 and is_labelled:
         legend_above_data(ax)
 
@@ -223,7 +223,8 @@ def compare(
         plot = "run" if of_scenarios else "response"
     draw = COMPARED.get(plot) if isinstance(plot, str) else None
     if draw is None:
-        draw, is_new_figure = partial(signals_plot, names=plot), False
+        draw = partial(signals_plot, names=plot)
+        is_new_figure = False
     names = [*map(str, labels or runs)]
     signals = [changing_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
@@ -331,6 +332,11 @@ def signals_of(port: "xarray.DataArray", along: str = "time") -> dict[str, np.nd
 def named(name: str, units: str | None) -> str:
     """Return a name with its unit, if it has one."""
     return f"{name} ({units})" if units else name
+
+
+def with_unit(name: str, signal: Any) -> str:
+    """Return a name with the unit of a signal, if there is one."""
+    return named(name, getattr(signal, "attrs", {}).get("units"))
 
 
 def response_of(run: "xarray.Dataset") -> control.TimeResponseData:

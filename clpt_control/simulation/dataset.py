@@ -155,7 +155,8 @@ def _coordinates(scenario: Scenario, position: Any) -> dict[str, Series]:
 
     coordinates = {}
     for k, (name, unit) in enumerate(DEGREES.items()):
-        of, long_name = partial(coordinate, k), f"{name} of the vehicle"
+        of = partial(coordinate, k)
+        long_name = f"{name} of the vehicle"
         coordinates[name] = series(("time",), of, long_name, unit)
         coordinates[name].attributes["standard_name"] = name
     return coordinates

@@ -112,7 +112,7 @@ class DatasetTemplate:
             for name, series in self.variables.items()
         }
         if self.states is not None:
-            dims = ("time", "state")
+            dims = "time", "state"
             variables["states"] = variable_of(Variable, dims, states, STATES)
         axes = {"time": self._time_index(times), **self.axes}
         for name, (_, axis) in axes.items():
@@ -195,7 +195,7 @@ def diagram_template(
     """
     ports = ports_of(labels)
     port_units = {port: units[indices[0]] for port, indices in ports.items()}
-    reserved = ("time", "state", "states")
+    reserved = "time", "state", "states"
     variables, axes = port_variables(ports, {}, reserved, port_units)
     attributes = {"title": f"Response of {name}", "comment": REPEAT}
     return DatasetTemplate(variables, axes, attributes, states=states)

@@ -140,7 +140,8 @@ def map_of(
     learned: _Learned, latitude: Any = None, longitude: Any = None, time: Any = None
 ) -> "xarray.Dataset":
     """Return the map of a learned flow, as `flow_map`."""
-    low, high = learned.places.min(axis=0), learned.places.max(axis=0)
+    low = learned.places.min(axis=0)
+    high = learned.places.max(axis=0)
     plane = learned.plane
     rows, columns = (np.linspace(low[i], high[i], POINTS) for i in (1, 0))
     if plane is not None:
@@ -234,7 +235,8 @@ def learned_flow(run: "xarray.Dataset") -> _Learned:
         raise DataError(
             "the run has other basis functions than its scenario, so no map"
         )
-    points, field = run.position.values, None
+    points = run.position.values
+    field = None
     if scenario.field_path is not None:
         field = read_field(scenario.field_path, scenario.units)
         points = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
@@ -310,7 +312,7 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
     fastest = float(f"{np.hypot(flow.u, flow.v).max():.1g}") or 1.0
     for prefix, label, color, width in ARROWS:
         if f"{prefix}u" in flow:
-            names = (x.name, y.name, f"{prefix}u", f"{prefix}v")
+            names = x.name, y.name, f"{prefix}u", f"{prefix}v"
             drawn = ax.quiver(
                 *(arrows[name] for name in names),
                 scale=9 * fastest,

@@ -183,11 +183,13 @@ def flows_learned(
             f"the window {begin:g} to {end:g} has no sample of the run, which covers "
             f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
         )
-    times, points = t[inside], run.position.values[inside]
+    times = t[inside]
+    points = run.position.values[inside]
     learned = np.einsum("taN,tN->ta", theta[inside], evaluate(phi, times, points))
     flows = {"track": (true_flow(scenario, points, times), learned)}
     if scenario.field_path is None:
-        low, high = points.min(axis=0), points.max(axis=0)
+        low = points.min(axis=0)
+        high = points.max(axis=0)
         axes = [np.linspace(begin, end, BOX)]
         axes += [np.linspace(low[i], high[i], BOX) for i in (1, 0)]
     else:
@@ -271,7 +273,8 @@ def long_interval(run: "xarray.Dataset", scenario: Scenario) -> str:
     read = {"predicted_position", "flow_parameters_estimate"}
     if fixes is None or not read <= set(run):
         return ""
-    times, z = run.time.values, run.predicted_position.values
+    times = run.time.values
+    z = run.predicted_position.values
     step = 1e-3 * scenario.basis.lengths.min()
     _, slopes = phi_and_slopes(scenario.basis_block(), times, z, step)
     rates = turning_rate(slopes, run.flow_parameters_estimate.values)
@@ -292,7 +295,8 @@ def unlike_controller(run: "xarray.Dataset", scenario: Scenario) -> str:
     x' = f v + theta phi(x), Eqs. (1) and (3), with v of Eq. (7) at the scenario's gains, is solved
     by least squares: a vehicle that is steered by Eq. (7) has f = 1.
     """
-    times, x = run.time.values, run.position.values
+    times = run.time.values
+    x = run.position.values
     if len(times) < LEAST_SAMPLES:
         return ""
     phi = evaluate(scenario.basis_block(), times, x)

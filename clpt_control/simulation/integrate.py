@@ -154,7 +154,7 @@ def simulate(
 
         with cached_run(key, made) as run:
             data = run.dataset(*run.solve(request))
-            overrides = (inputs, initial_state, stop, *solver.values())
+            overrides = inputs, initial_state, stop, *solver.values()
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario
 

@@ -149,7 +149,8 @@ def proved(loop: ClosedLoop) -> list[str]:
         f"Proved by `clpt prove {name}`, with its conditions, in continuous time:",
         "not of steps, inputs between measurements and rounding.",
     ]
-    fixes, N = loop.scenario.localization, loop.scenario.basis.N
+    fixes = loop.scenario.localization
+    N = loop.scenario.basis.N
     if learning.row.at_fixes and fixes is not None:
         lines += [
             f"For a fix each {fixes.interval:g} {loop.scenario.units.time}: a bound lasts only "

@@ -21,10 +21,8 @@ from .diagram_runs import DiagramRun, fields_of
 from .requests import Request, request_of
 from .run_cache import diagram_key
 
-ALWAYS, SELDOM = (
-    8,
-    64,
-)  # calls that are compared with Python: the first, then one of so many
+ALWAYS = 8  # first calls, each compared with Python
+SELDOM = 64  # later one of so many calls is compared
 
 
 class Samples(NamedTuple):

@@ -55,10 +55,12 @@ def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
     try:
         names = _identity(diagram, numbers, functions)
         code = _fingerprint(tuple(functions))
-        values, referenced = _plain_key(tuple(numbers)), ()
+        values = _plain_key(tuple(numbers))
+        referenced = ()
         if values is None:
             fingerprint = reachable(*numbers)
-            values, referenced = fingerprint.key, fingerprint.referenced
+            values = fingerprint.key
+            referenced = fingerprint.referenced
     except Unread:
         return None
     # equal objects which can change are told apart
@@ -104,7 +106,7 @@ def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:
     """Return names and identities of a system; append its numbers and functions to the lists."""
     if not isinstance(system, control.NonlinearIOSystem):
         raise Unread("cannot be wired")
-    labels = *system.input_index, *system.output_index, *(system.state_index or ())
+    labels = (*system.input_index, *system.output_index, *(system.state_index or ()))
     units = tuple(given_units(system).items())
     identity: tuple = id(system), system.name, system.dt, labels, units
     if isinstance(system, Sampled):
@@ -117,7 +119,7 @@ def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:
             functions += [function for function, _ in system._roles.values()]
         numbers.append(system.parameters)
         return *identity, id(system.parameters)
-    identity = *identity, system.nstates, system.ninputs, system.noutputs
+    identity = (*identity, system.nstates, system.ninputs, system.noutputs)
     numbers.append(tuple(system.params.items()))
     if isinstance(system, control.InterconnectedSystem):
         matrices = system.connect_map, system.input_map, system.output_map

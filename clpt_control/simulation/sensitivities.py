@@ -110,7 +110,8 @@ class SensitivityRun(DiagramRun):
     @property
     def values(self) -> np.ndarray:
         """The values of the varied numbers in the system."""
-        parameters, start = self.runner.block_parameters, self.request.start
+        parameters = self.runner.block_parameters
+        start = self.request.start
         locations = self.locations.values()
         return np.array([value_at(place, parameters, start) for place in locations])
 
@@ -124,7 +125,8 @@ class SensitivityRun(DiagramRun):
 
     def at(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with values of the varied numbers."""
-        request, skipped = self.request, self.request.skipped
+        request = self.request
+        skipped = self.request.skipped
         start, parameters = self.with_values(values)
         # the state, then its derivative by each number
         x = np.zeros((1 + len(self.locations), len(start)))

@@ -144,7 +144,8 @@ def figures_of(
 
 def _error_samples(run: "Dataset") -> "dict[str, Dataset]":
     """Return the samples of a run at the times of errors, and the last, by time."""
-    times, targets = run.indexes["time"], np.array(TIMES, dtype=float)
+    times = run.indexes["time"]
+    targets = np.array(TIMES, dtype=float)
     targets = targets[targets < times[-1]]
     indices = times.get_indexer(targets, method="nearest", tolerance=1e-9 * targets)
     return {f"{times[k]:g}": run.isel(time=k) for k in (*indices[indices >= 0], -1)}

@@ -241,5 +241,6 @@ def _between(
     is_scalar = component.ninputs == component.noutputs == 1
     if is_linear(component) and is_scalar and source[1] == result[1] != 1:
         component = on_each_axis(component, source[1])
-        input_name, output_name = "u", "y"
+        input_name = "u"
+        output_name = "y"
     return with_ports(component, {input_name: source[0]}, {output_name: result[0]})

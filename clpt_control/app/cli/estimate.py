@@ -140,7 +140,8 @@ def _recorded(
     check_method(method)
     legs, skipped = read_legs(source, drifter)
     data, theta = flow_of_legs(legs, scenario, method, **limits)
-    begin, origin = data.attrs["time_origin"], data.attrs["origin"]
+    begin = data.attrs["time_origin"]
+    origin = data.attrs["origin"]
     known_flow = known_scenario(scenario, theta, begin, origin)
     _finish(data, known_flow, Path(source).name, paths, as_json, skipped)
 

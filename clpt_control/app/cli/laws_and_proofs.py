@@ -37,7 +37,8 @@ def laws(
     _refuse_unknown(name)
     laws_listed = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: Report = {}
-    rows, keys = [], []
+    rows = []
+    keys = []
     for law in laws_listed:
         settings = {}
         for key, setting in law.settings.items():
@@ -141,7 +142,8 @@ def _refuse_unknown(law: str | None) -> None:
 def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:
     """Print proofs and misprints; raise an error if one of them fails."""
     summary: Report = {}
-    results, wrong = [], []
+    results = []
+    wrong = []
     for room, (title, fields) in ROOMS.items():
         proofs = {s.name: outcomes[s] for s in outcomes if s.room == room}
         summary[room] = {
@@ -164,7 +166,7 @@ def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
     if len(outcomes) > 2:  # not of one theorem
         columns = ["equation", "printed", "should be", "confirmed"]
-        keys = ("equation", "printed", "corrected")
+        keys = "equation", "printed", "corrected"
         rows = [
             [*(m[key] for key in keys), "yes" if m["confirmed"] else "NO"]
             for m in misprints

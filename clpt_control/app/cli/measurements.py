@@ -68,7 +68,8 @@ def fit(
         names=None if u is None or v is None else {"u": u, "v": v},
     )
     scenario = fitted.save(out)
-    length, speed = fitted.report["width_units"], fitted.report["speed_units"]
+    length = fitted.report["width_units"]
+    speed = fitted.report["speed_units"]
     unit_of = dict.fromkeys(("track_radius", "width"), f" {length}")
     unit_of |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
     lines = [

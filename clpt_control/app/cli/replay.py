@@ -194,7 +194,8 @@ def watch(
         least_duration,
         formats or ([] if fleet else ["png"]),
     )
-    job.follows, job.name = not fleet, name_by_files([folder])
+    job.follows = not fleet
+    job.name = name_by_files([folder])
     results = out or folder / "replay"
     if fleet:
         rows, page = look_at(job, folder, results, command)
@@ -209,13 +210,13 @@ def replay_of(
 ) -> Any:
     """Return a `Replay` without dives, of the options."""
     model = chosen_model(flow, learn_speed, flow_model is not None)
-    if flow_model is None:
-        if units is not None:
-            raise ScenarioError(
-                f"--units {units}: is for --flow-model FILE. Give one, or leave it out"
-            )
-        return clpt.replay.Replay(model, None)
-    forecast = clpt.replay.read_flow_model(flow_model, units)
+    forecast = None
+    if flow_model is not None:
+        forecast = clpt.replay.read_flow_model(flow_model, units)
+    elif units is not None:
+        raise ScenarioError(
+            f"--units {units}: is for --flow-model FILE. Give one, or leave it out"
+        )
     return clpt.replay.Replay(model, forecast)
 
 

@@ -147,7 +147,8 @@ class Job:
         if not used:
             return summary, line
         write(summary, out, self.kinds, again=True)
-        step, to_come = self.replay.steps[-1], summary["next_dive"]
+        step = self.replay.steps[-1]
+        to_come = summary["next_dive"]
         position = place(to_come["latitude"], to_come["longitude"])
         return summary, (
             f"{line}; dive {step.dive.number}: position error {step.clpe['adaptive']:.0f} m"
@@ -164,7 +165,8 @@ def fitted(
         name: EDGES + max(len(name), *(min(len(row[name]), LONG) for row in rows))
         for name in rows[0]
     }
-    room, chosen = terminal_width() - EDGE, set()
+    room = terminal_width() - EDGE
+    chosen = set()
     for name in sorted(size, key=lambda name: columns[name][0]):
         if columns[name][0] == 0 or size[name] <= room:
             chosen.add(name)
@@ -179,10 +181,8 @@ def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ...ocean.forecast import replay_summary, table_rows
 
-    rows, sentences = (
-        summary["each_dive"],
-        [*replay_summary.remarks(summary), *replay_summary.coming(summary)],
-    )
+    rows = summary["each_dive"]
+    sentences = [*replay_summary.remarks(summary), *replay_summary.coming(summary)]
     if summary.get("paste"):
         sentences += [
             f"to paste, {summary['paste']['file']}:",
@@ -288,7 +288,8 @@ def watch(
     from ...ocean.forecast.fleet import Alerts
     from ...ocean.gliders.dive_files import read_all_dives
 
-    inside, results = Path(os.path.realpath(folder)), os.path.realpath(out)
+    inside = Path(os.path.realpath(folder))
+    results = os.path.realpath(out)
     if not inside.is_dir():
         raise DataError(
             f"{folder}: folder not found. Give the folder where dives arrive"

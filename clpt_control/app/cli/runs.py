@@ -105,10 +105,12 @@ def paper(
     from ..pages.results import claims_result
 
     kinds = checked_formats(formats or ["png"])
-    scenario, folder = clpt.paper_scenario(), make_folder(out)
+    scenario = clpt.paper_scenario()
+    folder = make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
         run, fine, summary = run_and_report(scenario, report)
-    drawn, file = _run_figures(fine, folder, kinds), folder / "run.nc"
+    drawn = _run_figures(fine, folder, kinds)
+    file = folder / "run.nc"
     write_together({file: as_written(run, file), **drawn})
     summary["claims"] = claims(summary)
     first_figure, *_, last_figure = drawn

@@ -106,7 +106,8 @@ def _bound_errors(
         return
     if figure is not None:
         raise ClptError("--figure: with --bounds is of fixes. Leave one out")
-    length, time = bounds.units["length"], bounds.units["time"]
+    length = bounds.units["length"]
+    time = bounds.units["time"]
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
     columns.append(f"error of a flow parameter at most ({length}/{time})")
     numbers = zip(bounds.time, bounds.V, bounds.clpe, bounds.flow_error, strict=True)
@@ -172,7 +173,8 @@ DESIGNED = {  # what of a track is said, by key
 
 def _result(report: Report) -> Result:
     """Return the old track beside the new one."""
-    units, tracks = report["units"], (report["before"], report["after"])
+    units = report["units"]
+    tracks = report["before"], report["after"]
     words = {**units, "law": report["law"], "level": tracks[1]["level"]}
     rows = [
         [name.format(**words), *(_cell(key, track[key]) for track in tracks)]

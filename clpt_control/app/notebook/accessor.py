@@ -22,11 +22,11 @@ from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
 from ...engine.diagram.wiring import columns_of
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import (
-    named,
     ports_along,
     response_of,
     signals_of,
     signals_plot,
+    with_unit,
 )
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop
@@ -85,12 +85,10 @@ def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
         return _table_of_members(run)
     if "time" not in run.dims or not ports:
         raise DataError("the dataset has no signal along time, so it has no table")
-    columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
+    columns = [(with_unit("time", run.time), run.time.values)]
     for port in ports:
-        unit = port.attrs.get("units")
-        columns += [
-            (named(name, unit), values) for name, values in signals_of(port).items()
-        ]
+        signals = signals_of(port).items()
+        columns += [(with_unit(name, port), values) for name, values in signals]
     names, values = zip(*columns, strict=True)
     return DataFrame(np.column_stack(values), columns=[*names])
 
@@ -108,7 +106,7 @@ def _table_of_members(data: "xarray.Dataset") -> "pandas.DataFrame":
             meanings = np.array(values.attrs["flag_meanings"].split())
             values = values.copy(data=meanings[values])
         for label, column in signals_of(values, "member").items():
-            columns[named(label, values.attrs.get("units"))] = column
+            columns[with_unit(label, values)] = column
     return DataFrame(columns)
 
 
@@ -221,7 +219,8 @@ class ClptAccessor:
         """
         from ...engine.diagram.linearization import linearize, minimal_of
 
-        state, attributes = state_at(self._data, t), self._data.attrs
+        state = state_at(self._data, t)
+        attributes = self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
             description = f"{self.kind} with {beyond[0]}" if beyond else self.kind

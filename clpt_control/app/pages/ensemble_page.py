@@ -36,8 +36,10 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
     of_diagram = is_of_diagram(data)
     data = by_member(data)
     summary = ensemble_summary(data)
-    members, status = summary["members"], data["status"].values
-    completed, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
+    members = summary["members"]
+    status = data["status"].values
+    completed = int(np.sum(status != 0))
+    finished = int(np.sum(status == 1))
     warnings = []
     if completed < members:
         warnings.append(
@@ -73,7 +75,9 @@ def _spread(data: Dataset, summary: Summary, completed: int) -> Section:
     """Return percentiles: of a scenario in one figure, of a diagram's outputs a figure each."""
     if not completed:
         return Section("spread", SPREAD, NOT_BEGUN)
-    curves, sentences, figures = curves_of(data), [], []
+    curves = curves_of(data)
+    sentences = []
+    figures = []
     if not is_of_diagram(data):
         caption = (
             "Above, the CLPE in each round of the waypoints; below, the largest error of what was "

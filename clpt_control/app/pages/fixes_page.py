@@ -103,7 +103,11 @@ def results_of(report: Report) -> list[Result]:
         for leg in report["legs"]
     ]
     columns = [
-        *("leg", "fix, UTC", "error before learning (m)", f"{PERCENT} radius (m)", ""),
+        "leg",
+        "fix, UTC",
+        "error before learning (m)",
+        f"{PERCENT} radius (m)",
+        "",
         "learned flow (m/s, degrees)",
     ]
     east, north = report["theta_m_s"]
@@ -114,7 +118,8 @@ def results_of(report: Report) -> list[Result]:
         )
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
-    largest, bound = report["largest_error_m_s"], report["legs"][-1]["guaranteed_m_s"]
+    largest = report["largest_error_m_s"]
+    bound = report["legs"][-1]["guaranteed_m_s"]
     sentence = (
         "" if bound is None else f"flow at the last fix: to {at_most(bound, 3)} m/s"
     )
@@ -156,11 +161,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     chart.plot(px, py, "x", color=ORANGE, ms=size + 1, label="forecast of it")
     flow = data.flow.values
     arrows = chart.quiver(
-        *(x, y, flow[:, 0], flow[:, 1]),
-        color="black",
-        width=0.003,
-        angles="xy",
-        label="learned flow",
+        x, y, *flow.T, color="black", width=0.003, angles="xy", label="learned flow"
     )
     fastest = float(f"{np.hypot(*flow.T).max():.1g}") or 0.1
     chart.quiverkey(arrows, 0.92, 1.03, fastest, f"{fastest:g} m/s", labelpos="W")
@@ -172,7 +173,9 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     numbers = data.leg.values
     error = np.hypot(*data.position_error.values.T) / 1000
     errors.fill_between(
-        *(numbers, 0, data.forecast_radius.values / 1000),
+        numbers,
+        0,
+        data.forecast_radius.values / 1000,
         color=GREY,
         alpha=0.3,
         lw=0,

@@ -23,13 +23,14 @@ REMEDY = "Try another law (`clpt tune`), held gains, or less lag in the vehicle:
 
 
 OF_A_RUN = (  # figures that a run carries, of which pages speak
-    *(
-        "clpe_rms_per_cycle",
-        "clpe_rms",
-        "clpe_rms_last_quarter",
-        "max_flow_parameter_error",
-    ),
-    *("flow_error", "max_gain_error", "explained_variance", "speed"),
+    "clpe_rms_per_cycle",
+    "clpe_rms",
+    "clpe_rms_last_quarter",
+    "max_flow_parameter_error",
+    "flow_error",
+    "max_gain_error",
+    "explained_variance",
+    "speed",
 )
 Summary = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
 
@@ -64,10 +65,12 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Summary:
 def asked(system: Scenario | Team, waypoints: int) -> str:
     """Return in a sentence what a run is of, by its scenario or its team."""
     if isinstance(system, Team):
-        scenario, names = system.first, shortened(", ".join(system.members), 80)
+        scenario = system.first
+        names = shortened(", ".join(system.members), 80)
         subject = f"{len(system.members)} vehicles, {names},"
     else:
-        scenario, subject = system, "A vehicle"
+        scenario = system
+        subject = "A vehicle"
         if waypoints:
             dwell = f"{scenario.reference.dwell:g} {scenario.units.time}"
             subject += f" at {waypoints} waypoints, {dwell} at each,"
@@ -80,7 +83,8 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
 
 def run_result(summary: Summary, title: str) -> Result:
     """Return what a vehicle achieved in its run, or each of a team's."""
-    length, time = summary["units"]["length"], summary["units"]["time"]
+    length = summary["units"]["length"]
+    time = summary["units"]["time"]
     rows = [["status", summary["message"]]]
     if "vehicles" not in summary:
         rows += _achieved(summary, length, time)

@@ -19,10 +19,10 @@ from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
 from ...simulation.comparison import (
     changing_ports,
-    named,
     ports_along,
     response_plot,
     signals_of,
+    with_unit,
 )
 from ...simulation.loops import closed_loop
 from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot, team_plot
@@ -55,13 +55,13 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     paper = system == paper_scenario() and not (own_law or changed or own_parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
-        kind, scenario, waypoints = "Run of a team", system.first, 1
+        kind = "Run of a team"
+        scenario = system.first
+        waypoints = 1
     else:
-        kind, scenario, waypoints = (
-            KINDS[own_parts is not None],
-            system,
-            len(waypoints_of(run, system)),
-        )
+        kind = KINDS[own_parts is not None]
+        scenario = system
+        waypoints = len(waypoints_of(run, system))
     if not waypoints:  # there are no rounds
         numbers = {**numbers, "clpe_rms_per_cycle": []}
     achieved = results.run_result(numbers, "Results of the run")
@@ -103,7 +103,8 @@ def _ended(run: Dataset) -> list[str]:
 def _warnings(run: Dataset, scenario: Scenario, numbers: Summary) -> list[str]:
     """Return what a reader must know before the figures."""
     sentences = []
-    begin, end = float(run.time[0]), float(run.time[-1])
+    begin = float(run.time[0])
+    end = float(run.time[-1])
     if not _ended(run) and (begin > 0 or end < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
         sentences.append(f"The page shows t = {begin:g} to {end:g} {unit} of the run.")
@@ -136,7 +137,8 @@ def loop_section(diagram: Diagram) -> list[Section]:
 def excitation_section(run: Dataset, why: str) -> Section:
     """Return the excitation over one round of a run, or `why` it cannot be measured, if so."""
     team = results.is_team(run)
-    heading, figures = f"Excitation along the track{'s' if team else ''}", []
+    heading = f"Excitation along the track{'s' if team else ''}"
+    figures = []
     try:
         if why:
             raise ClptError(why)
@@ -172,13 +174,8 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
             "Tracks and waypoints over the flow at the start; the size of each prediction error; "
             "the largest error of what each vehicle learned."
         )
-        return [
-            Section(
-                "track",
-                "Track and errors",
-                figures=[figure("team", 7.6, caption, team_plot)],
-            )
-        ]
+        drawn_team = [figure("team", 7.6, caption, team_plot)]
+        return [Section("track", "Track and errors", figures=drawn_team)]
     unknown = unknown_parts(run)
     track = [figure("track", 4.9, "Reference and track.", track_plot)]
     if "basis_x" not in unknown and "reference" in run:
@@ -207,7 +204,9 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
 
 def _learned(run: Dataset, scenario: Scenario) -> Section:
     """Return the section of learned and true parameters, without figures."""
-    unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
+    unit = scenario.units
+    last = run.isel(time=-1)
+    car = scenario.vehicle
     atol = scenario.run.atol
     theta = run.flow_parameters.values if "flow_parameters" in run else None
     gains: Any = (None, None)
@@ -267,7 +266,8 @@ def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
 
 def diagram_page(run: Dataset, title: str) -> Page:
     """Return the page of a diagram's run: each port over time."""
-    table, warnings = response_result(run), _ended(run)
+    table = response_result(run)
+    warnings = _ended(run)
     sections = [
         _over_time(run),
         Section("signals", "Signals at begin and end", table),
@@ -287,20 +287,21 @@ def span_of(run: Dataset) -> str:
 def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
     """Return of each signal, by name and unit, where it began and ended and how far it went."""
     return {
-        named(name, values_of_port.attrs.get("units")): {
+        with_unit(name, signal): {
             "first": float(values[0]),
             "last": float(values[-1]),
             "least": float(values.min()),
             "most": float(values.max()),
         }
-        for values_of_port in (run[port] for port in ports_along(run))
-        for name, values in signals_of(values_of_port).items()
+        for signal in (run[port] for port in ports_along(run))
+        for name, values in signals_of(signal).items()
     }
 
 
 def response_result(run: Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
-    rows, has_rounding = [], False
+    rows = []
+    has_rounding = False
     for name, extent in extent_of(run).items():
         values = np.array([*extent.values()])
         is_rounding = np.abs(values) < ROUNDING * np.abs(values).max()
@@ -326,10 +327,8 @@ def _over_time(run: Dataset) -> Section:
     figures = []
     for begin in range(0, len(ports), EACH):
         group = ports[begin : begin + EACH]
-        name, caption = (
-            f"response-{begin // EACH + 1}",
-            f"{', '.join(group)} over time.{thin}",
-        )
+        name = f"response-{begin // EACH + 1}"
+        caption = f"{', '.join(group)} over time.{thin}"
         figures.append(
             drawn(name, 1.0 + 1.2 * len(group), caption, response_plot, few[group])
         )

@@ -28,14 +28,12 @@ if TYPE_CHECKING:
     from ...paper.scenario.experiment import Scenario
 
 NEEDED = (  # variables of a run
-    *(
-        "time",
-        "position",
-        "predicted_position",
-        "clpe",
-        "feedback_gain",
-        "feedforward_gain",
-    ),
+    "time",
+    "position",
+    "predicted_position",
+    "clpe",
+    "feedback_gain",
+    "feedforward_gain",
     "flow_parameters_estimate",
 )
 
@@ -99,9 +97,11 @@ def _written(
     """Write the page; return what `report` returns."""
     from ...base.page import page_html
 
-    source, name = run, "the replay"
+    source = run
+    name = "the replay"
     if isinstance(run, str | Path):
-        source, name = read(Path(run)), str(run)
+        source = read(Path(run))
+        name = str(run)
     folder = None if figures is None else make_folder(figures)
     page = page_of(source, title, name)
     text = page_html(page)

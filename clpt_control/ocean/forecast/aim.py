@@ -86,22 +86,26 @@ class Aim:
 
         It goes s through the water, and with stays between them tau of it reach the target.
         """
-        plan, self.ahead, self.target = ahead.plan, ahead, target
+        plan = ahead.plan
+        self.ahead = ahead
+        self.target = target
         g = displacement(*plan.start, *target)
-        self.distance, self.bearing = hypot(*g), direction(*g)
+        self.distance = hypot(*g)
+        self.bearing = direction(*g)
         self.heading = direction(*plan.through_water)
         self.crab: float | None = None
         if self.heading is not None and self.bearing is not None:
             self.crab = angle_near(self.heading - self.bearing, 0.0)
-        self.speed, self.speed_expected = V, s / T
+        self.speed = V
+        self.speed_expected = s / T
         self.current = float(c[0]) / T, float(c[1]) / T
-        self.through_water, self.through_water_full = (
-            hypot(*plan.through_water),
-            V * T,
-        )
+        self.through_water = hypot(*plan.through_water)
+        self.through_water_full = V * T
         self.left = distance(ahead.latitude, ahead.longitude, *target)
         self.made_good = self.distance - self.left
-        self.state, self.dives, self.hours = state, tau, tau
+        self.state = state
+        self.dives = tau
+        self.hours = tau
         if tau is not None:
             self.hours = (tau * plan.duration + (ceil(tau) - 1) * stay) / 3600
         self.magnetic_variation: float | None = None
@@ -112,7 +116,8 @@ class Aim:
 
     def as_dict(self) -> dict[str, Any]:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
-        plan, fields = self.ahead.plan, dict(vars(self))
+        plan = self.ahead.plan
+        fields = dict(vars(self))
         del fields["ahead"], fields["target"]
         return {
             **placed("", *self.target),
@@ -150,7 +155,9 @@ def triangle(
 def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
     """Return the least tau > 0 of |g - tau c| = tau s; None where there is none."""
     # a tau^2 - 2 b tau + k = 0
-    a, b, k = (float(c @ c) - s * s, float(g @ c), float(g @ g))
+    a = float(c @ c) - s * s
+    b = float(g @ c)
+    k = float(g @ g)
     under = b * b - a * k
     if under < 0 or (a >= 0 and b <= 0):
         return None
@@ -171,10 +178,8 @@ def checked_target(lat: float, lon: float) -> Place:
 
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
-    text, made_good = (
-        f"aim at {place(leg['latitude'], leg['longitude'])}, ",
-        leg["made_good"],
-    )
+    text = f"aim at {place(leg['latitude'], leg['longitude'])}, "
+    made_good = leg["made_good"]
     if leg["bearing"] is not None:
         text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
     if leg["state"] == AGAINST:
@@ -247,9 +252,10 @@ def aims(
     """
     targets = [checked_target(*point) for point in targets]
     V, T = usual(self, speed, duration)
-    last, start_fix = self.steps[-1].dive, self.start()
+    last = self.steps[-1].dive
+    start_fix = self.start()
     if start is not None:
-        start_fix = (start[0], *checked_target(*start[1:]))
+        start_fix = start[0], *checked_target(*start[1:])
     legs = []
     for target in targets:
         leg = aim(self, start_fix, target, V, T)
@@ -289,7 +295,8 @@ def aim(
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))
     response = replay.steps[-1].response  # I + M
-    full, s = V * T, hypot(*response[0]) * V * T
+    full = V * T
+    s = hypot(*response[0]) * V * T
     d = full * g / max(hypot(*g), 1e-9)
     c = np.full(2, np.inf)
     for _ in range(ITERATIONS):

@@ -8,13 +8,31 @@ script `clock.js` counts them on.
 from math import hypot
 from typing import Any
 
-from ...base.geodesy import displacement, distance
+from ...base.geodesy import direction, displacement, distance
 from ...base.html import safe, unbroken
 from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import PERCENT
-from . import table_rows
 from .surfacing import CLOCK, Way, overdue_times
-from .table_rows import BASES, ellipse_words, half_axes, is_outside, place_in
+from .table_rows import (
+    AGAINST,
+    BASES,
+    against,
+    age,
+    clock,
+    compass,
+    ellipse_words,
+    from_now,
+    half_axes,
+    heading_words,
+    in_degrees,
+    is_outside,
+    is_overdue,
+    place_in,
+    utc,
+    velocity,
+    wide,
+    within,
+)
 
 Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
@@ -23,8 +41,8 @@ FIRST, ALARM = "first", "alarm"  # styles of a card
 def cards(report: Report) -> list[str]:
     """Return the cards of what `clpt replay --json` prints, with one dive at least."""
     texts = [_surfacing(report), _place(report)]
-    texts += [_aim(report, leg) for leg in report["aim"][:1]]
-    texts += [_to_go(report, leg) for leg in report["aim"][:1]]
+    for leg in report["aim"][:1]:
+        texts += [_aim(report, leg), _to_go(report, leg)]
     texts += [_plan(report), _last_dive(report), _made_good(report), _current(report)]
     if report["each_dive"][-1]["speed_factor"] is not None:
         texts.append(_speed_factor(report))
@@ -35,7 +53,7 @@ def cards(report: Report) -> list[str]:
 def time_of_computing(report: Report) -> str:
     """Return the line on the time that hours count from."""
     ahead = report["next_dive"]
-    when = unbroken(table_rows.clock(ahead["now"]))
+    when = unbroken(clock(ahead["now"]))
     if ahead["now_is"] != CLOCK:
         line = f"An old record: hours count from the end of its last dive, {when}."
     else:
@@ -47,11 +65,7 @@ def time_of_computing(report: Report) -> str:
 def overdue_marks(ahead: Report, end: str) -> dict[str, str]:
     """Return the times by which the script knows that a vehicle is overdue."""
     late, until = overdue_times(ahead, end)
-    return {
-        "time": ahead["time"],
-        "overdue": table_rows.utc(late),
-        "until": table_rows.utc(until),
-    }
+    return {"time": ahead["time"], "overdue": utc(late), "until": utc(until)}
 
 
 def attributes(marks: dict[str, str]) -> str:
@@ -75,12 +89,12 @@ def card(
 
 def _surfacing(report: Report) -> str:
     ahead = report["next_dive"]
-    value = f"{table_rows.clock(ahead['time'])} {table_rows.within(ahead)}"
-    below = table_rows.from_now(ahead["hours_from_now"])
+    value = f"{clock(ahead['time'])} {within(ahead)}"
+    below = from_now(ahead["hours_from_now"])
     if ahead["now_is"] != CLOCK:
         below = f"{below} from the {ahead['now_is']}"
         return card("Next surfacing", value, below, FIRST)
-    late = table_rows.is_overdue(ahead)
+    late = is_overdue(ahead)
     title = "Overdue: next surfacing" if late else "Next surfacing"
     style = f"{FIRST} {ALARM}" if late else FIRST
     below = f"expected {below}" if late else below
@@ -90,31 +104,32 @@ def _surfacing(report: Report) -> str:
 
 def _place(report: Report) -> str:
     ahead = report["next_dive"]
-    where = table_rows.in_degrees(ahead["latitude"], ahead["longitude"])
-    texts = [where, ellipse_words(ahead), table_rows.wide(ahead)]
+    where = in_degrees(ahead["latitude"], ahead["longitude"])
+    texts = [where, ellipse_words(ahead), wide(ahead)]
     below = "; ".join(filter(None, texts))
     return card("Place of the next surfacing", ahead["place"], below, FIRST)
 
 
 def _aim(report: Report, leg: Report) -> str:
-    is_against = leg["state"] == table_rows.AGAINST
-    texts = [table_rows.against(leg) if is_against else leg["state"]]
+    is_against = leg["state"] == AGAINST
+    texts = [against(leg) if is_against else leg["state"]]
     if leg["crab"] is not None:
         texts.append(f"crab {leg['crab']:+z.0f} degrees")
-    made_good, full = leg["made_good"], leg["through_water_full"]
+    made_good = leg["made_good"]
+    full = leg["through_water_full"]
     texts.append(
         f"the dive brings it {made_good:.0f} m nearer, of {full:.0f} m through the water"
     )
     texts.append(f"expected position error {leg['expected_miss']:.0f} m")
     if half_axes(leg) != half_axes(report["next_dive"]):
         texts.append(ellipse_words(leg))
-    return card("Aim", table_rows.heading_words(leg), "; ".join(texts), FIRST)
+    return card("Aim", heading_words(leg), "; ".join(texts), FIRST)
 
 
 def _to_go(report: Report, leg: Report) -> str:
     value = f"{leg['distance'] / 1000:.1f} km"
     if leg["bearing"] is not None:
-        value += f" to {table_rows.compass(leg['bearing'])}"
+        value += f" to {compass(leg['bearing'])}"
     texts = [f"waypoint {leg['place']}"]
     if leg["dives"] is not None:
         texts.append(f"there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h")
@@ -129,29 +144,30 @@ def _to_go(report: Report, leg: Report) -> str:
 
 def _plan(report: Report) -> str:
     ahead = report["next_dive"]
-    east, north = ahead["dr_east"], ahead["dr_north"]
+    east = ahead["dr_east"]
+    north = ahead["dr_north"]
     value = f"{ahead['duration'] / 3600:.2f} h, {hypot(east, north):.0f} m"
-    angle = table_rows.direction(east, north)
+    angle = direction(east, north)
     if angle is not None:
-        value += f" to {table_rows.compass(angle)}"
+        value += f" to {compass(angle)}"
     below = f"through the water; {BASES[ahead['basis']]}"
     return card("Next dive", value, below)
 
 
 def _last_dive(report: Report) -> str:
-    last, ahead = report["each_dive"][-1], report["next_dive"]
+    last = report["each_dive"][-1]
+    ahead = report["next_dive"]
     depth = "depth not in its file"
     if last["depth_max"] is not None:
         depth = f"{last['depth_max']:.0f} m deep"
     duration = f"{last['duration'] / 3600:.2f} h"
-    title, end = f"Last dive, {last['dive']}", table_rows.clock(last["end"])
+    title = f"Last dive, {last['dive']}"
+    end = clock(last["end"])
     if ahead["now_is"] != CLOCK:
         return card(title, end, f"surfaced after {duration}; {depth}")
     hours = max(seconds_since_1970(ahead["now"]) - last["end_time"], 0.0) / 3600
     below = f"surfaced {end} after {duration}; {depth}"
-    return card(
-        title, f"{table_rows.age(hours)} ago", below, marks={"end": last["end"]}
-    )
+    return card(title, f"{age(hours)} ago", below, marks={"end": last["end"]})
 
 
 def _last_day(rows: list[Report]) -> list[Report]:
@@ -183,8 +199,8 @@ def _made_good(report: Report) -> str:
     east, north, seconds = made_good(rows)
     speed = hypot(east, north) / seconds
     value = f"{speed:.2f} m/s, {speed * DAY / 1000:.1f} km per day"
-    angle = table_rows.direction(east, north)
-    toward = "" if angle is None else f"to {table_rows.compass(angle)}; "
+    angle = direction(east, north)
+    toward = "" if angle is None else f"to {compass(angle)}; "
     below = f"{toward}fix to fix, dives {rows[0]['dive']} to {rows[-1]['dive']}"
     return card(f"Speed made good, last {_hours(rows)}", value, below)
 
@@ -192,7 +208,7 @@ def _made_good(report: Report) -> str:
 def _current(report: Report) -> str:
     last = report["each_dive"][-1]
     error = max(last["current_east_error"], last["current_north_error"])
-    current = table_rows.velocity(last["current_east"], last["current_north"])
+    current = velocity(last["current_east"], last["current_north"])
     return card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s")
 
 

@@ -73,7 +73,8 @@ class Event(NamedTuple):
 
 def events(report: dict[str, Any], now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
-    rows, ahead = report["each_dive"], report["next_dive"]
+    rows = report["each_dive"]
+    ahead = report["next_dive"]
     happened = []
     last = rows[-1]
     late, until = overdue_times(ahead, last["end"])
@@ -100,7 +101,8 @@ def _overdue(last: int, ahead: dict[str, Any]) -> str:
 
 def standing(report: dict[str, Any], page: str, now: float) -> dict[str, Any]:
     """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
-    asks, last = events(report, now), report["each_dive"][-1]
+    asks = events(report, now)
+    last = report["each_dive"][-1]
     return {
         "vehicle": report["vehicle"],
         "kind": report["kind"],
@@ -183,7 +185,8 @@ def fleet_page(fleet: dict[str, Any]) -> Page:
         fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows
     ]
     pages = [row["page"] and quote(row["page"]) for row in rows]
-    title, times = "Those that need a pilot first", [*map(_times, rows)]
+    title = "Those that need a pilot first"
+    times = [*map(_times, rows)]
     vehicles = ranked_table(title, cells_of_rows, FLEET, times, pages)
     since = f'<span data-since="{safe(fleet["now"])}">ages are of then</span>'
     sentence = fleet_sentence(rows)
@@ -250,7 +253,8 @@ class Alerts:
     """Runs a command, or none, for each new event; `out` has those that were told."""
 
     def __init__(self, command: Sequence[str], out: Path) -> None:
-        self.command, self.path = list(command), out / TOLD
+        self.command = list(command)
+        self.path = out / TOLD
         self.told: list[str] = []
         self.failed: set[str] = set()
         with suppress(DataError, ValueError):

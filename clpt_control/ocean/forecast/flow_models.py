@@ -149,7 +149,8 @@ def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> comple
     0.3
     """
     finite = np.isfinite(profile)
-    z, u = depth[finite], profile[finite]
+    z = depth[finite]
+    u = profile[finite]
     if not z.size or z[0] > max(deepest, depth[0]):
         return complex(np.nan)
     end = min(deepest, z[-1])
@@ -166,16 +167,19 @@ class Forecast(FlowModel):
         from scipy.interpolate import RegularGridInterpolator
 
         column = read_currents(path, column=True, units=units)
-        self.source, levels = column.source, len(column.depth)
+        self.source = column.source
+        levels = len(column.depth)
         about = f"gridded, averaged over a dive's depth, {levels} levels"
         if levels == 1:
             about = "gridded, one level only, not what a glider feels over its depths"
         if column.land:
             about += f"; {column.land} cells of nothing but zeros are taken as land"
-        self.about, self.depth = about, column.depth
+        self.about = about
+        self.depth = column.depth
         self.time = column.dates.astype(float) / 1e3  # s since 1970 UTC
         self.gaps = missing_steps(self.time) > 0
-        self.lat, self.lon = column.lat, column.lon
+        self.lat = column.lat
+        self.lon = column.lon
         values = np.moveaxis(column.u + 1j * column.v, 1, -1)
         if self.lon[0] + 360.0 - self.lon[-1] < AROUND * np.median(np.diff(self.lon)):
             self.lon = np.append(self.lon, self.lon[0] + 360.0)  # around the Earth
@@ -221,7 +225,8 @@ class Fitted(FlowModel):
     def __init__(self, path: Path) -> None:
         from ...paper.scenario.file import load_vehicle_scenario
 
-        self.scenario, text = load_vehicle_scenario(path), ""
+        self.scenario = load_vehicle_scenario(path)
+        text = ""
         if self.scenario.field_path is not None:
             with open_netcdf(self.scenario.field_path) as data:
                 text = data.attrs.get("fit_report", "")
@@ -248,13 +253,13 @@ class Fitted(FlowModel):
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
-        dive_plane, units = (LocalPlane(*dive.start), self.scenario.units)
-        long, time_unit = METRES[units.length], SECONDS[units.time]
-        basis, N, no_state = (
-            self.scenario.basis_block(),
-            self.scenario.basis.N,
-            np.zeros(0),
-        )
+        dive_plane = LocalPlane(*dive.start)
+        units = self.scenario.units
+        long = METRES[units.length]
+        time_unit = SECONDS[units.time]
+        basis = self.scenario.basis_block()
+        N = self.scenario.basis.N
+        no_state = np.zeros(0)
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = dive_plane.to_earth(east / 1000, north / 1000)

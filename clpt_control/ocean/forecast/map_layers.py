@@ -91,7 +91,8 @@ def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
 
     The ellipses are those of the last dives with a forecast.
     """
-    dives, ahead = report["each_dive"], report.get("next_dive")
+    dives = report["each_dive"]
+    ahead = report.get("next_dive")
     stays = [
         {**row, **placed("before_", *place_in(before, "end_"))}
         for before, row in pairwise(dives)
@@ -114,8 +115,10 @@ def _feature(kind: str, row: dict[str, Any]) -> Feature:
     """Return a feature of a row; only points have the values of the row."""
     _, prefixes, name, colour, words_of, time = KINDS[kind]
     points = [place_in(row, prefix) for prefix in prefixes]
-    words, when = words_of(row), row[time] if time else ""
-    shape, properties = "LineString", {"time": when} if when else {}
+    words = words_of(row)
+    when = row[time] if time else ""
+    shape = "LineString"
+    properties = {"time": when} if when else {}
     if kind.startswith("ring"):
         shape, points = "Polygon", ring_of(row, *points)
     if len(points) == 1:
@@ -128,7 +131,8 @@ def _feature(kind: str, row: dict[str, Any]) -> Feature:
 
 def next_geojson(report: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
-    layers, row = layers_of(report), report["each_dive"][-1]
+    layers = layers_of(report)
+    row = report["each_dive"][-1]
     properties = {"dive": row["dive"], "time": row["end"]}
     last_place = layers["way"][0].places[:1]
     last = Feature("last fix", "Point", last_place, BLUE, properties=properties)
@@ -138,7 +142,8 @@ def next_geojson(report: dict[str, Any]) -> str:
 def track_kml(report: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
     layers = layers_of(report)
-    fixes, track = layers["fix"], layers["track"][0]
+    fixes = layers["fix"]
+    track = layers["track"][0]
     points = [track.places[0], *(fix.places[0] for fix in fixes)]
     ahead = (feature for kind in AHEAD for feature in layers[kind])
     return kml([track._replace(places=points), *fixes, *ahead], name)

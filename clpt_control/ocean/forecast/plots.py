@@ -36,10 +36,7 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     clpe = [row["clpe"] for row in rows]
     for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
-        size = [
-            np.nan if e is None else e / 1000
-            for e in (errors_of_row[model] for errors_of_row in clpe)
-        ]
+        size = _column(clpe, model) / 1000
         label = model.replace("_", " ") + (
             "" if rms is None else f", rms {rms / 1000:.2f} km"
         )
@@ -64,14 +61,8 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _surfaced(rows)
     for axes_of_component, axis in zip(axes, ("east", "north"), strict=False):
-        _band(
-            axes_of_component,
-            x,
-            rows,
-            f"current_{axis}",
-            BLUE,
-            "learned, 2 standard errors",
-        )
+        label = "learned, 2 standard errors"
+        _band(axes_of_component, x, rows, f"current_{axis}", BLUE, label)
         of_file = _column(rows, f"file_current_{axis}")
         if np.isfinite(of_file).any():
             axes_of_component.plot(
@@ -131,7 +122,8 @@ def _band(
     ax: Axes, x: np.ndarray, rows: list, key: str, colour: str, label: str = ""
 ) -> None:
     """Draw a number of each dive with two standard errors."""
-    value, error = _column(rows, key), _column(rows, f"{key}_error")
+    value = _column(rows, key)
+    error = _column(rows, f"{key}_error")
     ax.fill_between(
         x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0
     )

@@ -171,7 +171,8 @@ def check_dead_reckoning(dives: Sequence[Dive]) -> None:
     displacements = np.array([(*d.over_ground, *d.through_water) for d in dives])
     displacements /= np.array([d.duration for d in dives])[:, None]
     displacements -= displacements.mean(axis=0)
-    over_ground, reckoned = displacements[:, :2], displacements[:, 2:]
+    over_ground = displacements[:, :2]
+    reckoned = displacements[:, 2:]
     limit = residual(over_ground, reckoned, (0.0, FACTORS[1]))
     limit *= np.exp(-CLEAR / (len(dives) - 1))
     residuals = {

@@ -74,7 +74,8 @@ LISTED = 10  # dives of a notebook's table
 def _in_words(replay: Any) -> str:
     if not replay.steps:
         return "no dive yet"
-    first_dive, last = replay.steps[0].dive, replay.steps[-1].dive
+    first_dive = replay.steps[0].dive
+    last = replay.steps[-1].dive
     count = f"{len(replay.steps)} dives, {first_dive.number} to {last.number}"
     return f"{last.vehicle or 'a glider'}: {count}"
 
@@ -157,7 +158,8 @@ class Replay:
 
     def known(self) -> dict[str, float]:
         """Return the parameters as known now: m/s, 1 and rad."""
-        names, (mean, _, _) = self._learner.model.names, self._learner.estimate()
+        names = self._learner.model.names
+        mean, _, _ = self._learner.estimate()
         return dict(zip(names, mean.tolist(), strict=True))
 
     @public
@@ -204,7 +206,8 @@ class Replay:
     def start(self) -> Fix:
         """Return the fix where the next dive begins."""
         time, *position = self.fix
-        stay, drift = self.dive_statistics.stay()[0], self.dive_statistics.drift()[0]
+        stay = self.dive_statistics.stay()[0]
+        drift = self.dive_statistics.drift()[0]
         return (time + stay, *place_from(*position, *drift))
 
     def surfacing(
@@ -215,7 +218,8 @@ class Replay:
         It goes by a guess, by default that of the dive statistics, and begins at `start`, by
         default as the vehicle should be when it dives.
         """
-        last, habits = self.steps[-1], self.dive_statistics
+        last = self.steps[-1]
+        habits = self.dive_statistics
         guess = habits.guess() if guess is None else guess
         begin = self.start() if start is None else start
         plan = unflown(last.dive, begin, guess)
@@ -298,7 +302,8 @@ class Replay:
         last = self.steps[-1]
         before = last.dive if self._outlier is None else self._outlier[0]
         forecast = last.forecast, last.covariance
-        is_next, priors = follows(dive, before), self.model.priors
+        is_next = follows(dive, before)
+        priors = self.model.priors
         usual_drift = self.dive_statistics.drift()
         doubted, judged = doubt_one_fix(
             before, dive, is_next, forecast, priors, usual_drift
@@ -325,7 +330,9 @@ class Replay:
     def _swap_outlier(self) -> None:
         """Trust the last dive if it is doubted, doubt it if it is trusted."""
         assert self._outlier is not None
-        last, step, learner = self._learner, self.steps[-1], self._outlier[1]
+        last = self._learner
+        step = self.steps[-1]
+        learner = self._outlier[1]
         self._learner = copy.copy(learner)
         dive = self._outlier[0]
         self.steps[-1] = replace(step, dive=dive, **learner.learned(dive))

@@ -48,7 +48,8 @@ def replay_page(
     legend_below(errors.figure.axes[0], LEGEND_COLUMNS)
     learned = "Learned, with two standard errors"
     charts = [errors, drawn("learned", 4.8, learned, current_plot, report)]
-    upload, remarks = report.get("paste"), replay_summary.remarks(report)
+    upload = report.get("paste")
+    remarks = replay_summary.remarks(report)
     sections = [Section("track", "Track", figures=charts, more=_map(report))]
     if upload:
         heading = f"To paste: {upload['file']}"

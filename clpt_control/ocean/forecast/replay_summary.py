@@ -82,14 +82,16 @@ def strength(component: str, parameters: Mapping[str, float]) -> str:
 
 def speed_words(step: Step) -> str:
     """Return the factor on speed, and what it means where it is far from 1."""
-    off, error = step.speed - 1, step.speed_error
+    off = step.speed - 1
+    error = step.speed_error
     means = f": your flight model is too {'slow' if off > 0 else 'fast'}"
     return f"speed {step.speed:.2f} +- {error:.2f}{means if abs(off) > FAR * error else ''}"
 
 
 def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
-    off, error = step.compass, step.compass_error
+    off = step.compass
+    error = step.compass_error
     means = f": it goes to the {'right' if off > 0 else 'left'} of its heading"
     return f"compass {off:+z.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
@@ -111,10 +113,9 @@ def rms_of(
     """Return the rms of the known misses of each model, m; None where there is none."""
     rms = {}
     for name in models:
-        finite = np.array(
-            [size for size in (clpe[name] for clpe in errors) if size is not None]
-        )
-        rms[name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
+        sizes = np.array([clpe[name] for clpe in errors], float)
+        known = sizes[~np.isnan(sizes)]
+        rms[name] = float(np.sqrt(np.mean(known**2))) if known.size else None
     return rms
 
 
@@ -156,10 +157,7 @@ def summary(
     steps = self.steps
     if steps and next_dive is None:
         next_dive = self.next_dive()
-    differences_of_dives = (step.dive.dac_difference for step in steps)
-    differences = [
-        difference for difference in differences_of_dives if isfinite(difference)
-    ]
+    differences = [*filter(isfinite, (step.dive.dac_difference for step in steps))]
     judged = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last if self.model.learn_speed else None

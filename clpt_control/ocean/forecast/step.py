@@ -64,7 +64,8 @@ class Step:
     def response(self) -> np.ndarray:
         """I + M, the way through the water of a unit of dead reckoning, (2, 2)."""
         psi = np.radians(self.compass)
-        a, b = self.speed * np.cos(psi), self.speed * np.sin(psi)
+        a = self.speed * np.cos(psi)
+        b = self.speed * np.sin(psi)
         return np.array([[a, b], [-b, a]])
 
     @cached_property
@@ -111,7 +112,7 @@ class Step:
         if self.headline is None or self.headline_held is None:
             return None
         fields = self.headline.as_dict()
-        keys = ("time", "time_half_width", "latitude", "longitude", *ELLIPSE, "basis")
+        keys = "time", "time_half_width", "latitude", "longitude", *ELLIPSE, "basis"
         inside, on_time = self.headline_held
         return {key: fields[key] for key in keys} | {
             "error": distance(*place_in(fields, ""), *self.dive.end),
@@ -121,7 +122,8 @@ class Step:
 
     def _hindsight_row(self) -> dict[str, Any]:
         """Return the forecast with the dead reckoning and the duration of the dive."""
-        dive, (east, north) = self.dive, self.forecast
+        dive = self.dive
+        east, north = self.forecast
         start = dive.start
         end = place_from(*start, dive.dr_east + east, dive.dr_north + north)
         return {

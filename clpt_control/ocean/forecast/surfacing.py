@@ -177,7 +177,8 @@ class DiveStatistics:
     def __init__(self) -> None:
         self.last: Dive | None = None
         self.evidence = dict.fromkeys(SPREAD, Evidence())
-        self.means, self.drifts = np.zeros(3), np.zeros(4)
+        self.means = np.zeros(3)
+        self.drifts = np.zeros(4)
         self.stays: list[float] = []
         self.width: tuple[float, ...] = (1.0, 1.0)
 
@@ -186,7 +187,8 @@ class DiveStatistics:
         frames = {REPEATED: (_frame(*last.through_water), log(last.duration))}
         if last.next_course is not None and has_course(last):
             usual, usually = self.means[1:] / self.means[0]  # length, log duration
-            course, length = radians(last.next_course), max(usual, LEAST)
+            course = radians(last.next_course)
+            length = max(usual, LEAST)
             frames[PLANNED] = (
                 _frame(length * sin(course), length * cos(course)),
                 usually,
@@ -199,7 +201,9 @@ class DiveStatistics:
         candidates = []
         for name, (B, log_time) in self._frames(self.last).items():
             m, S = self.evidence[name].moments(name)
-            mean, scatter, dives = B @ m, B @ S @ B.T, self.evidence[name].dives
+            mean = B @ m
+            scatter = B @ S @ B.T
+            dives = self.evidence[name].dives
             guess = Guess(
                 mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name
             )
@@ -229,7 +233,9 @@ class DiveStatistics:
 
     def drift(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the drift at the surface to come: mean (2,), m, covariance (2, 2), m^2."""
-        n, total, square = self.drifts[0], self.drifts[1:3], self.drifts[3]
+        n = self.drifts[0]
+        total = self.drifts[1:3]
+        square = self.drifts[3]
         mean = total / (MEANS + n)
         away = max(square - 2 * mean @ total + n * mean @ mean, 0.0) / 2
         return mean, (MEANS * DRIFT**2 + away) / (MEANS + n) * np.eye(2)
@@ -244,14 +250,10 @@ class DiveStatistics:
         came = np.array([*dive.through_water, log(dive.duration)])
         if self.last is not None:
             for name, (B, log_time) in self._frames(self.last).items():
-                z, was = (
-                    np.linalg.solve(B, came - (0.0, 0.0, log_time)),
-                    self.evidence[name],
-                )
-                total, square = (
-                    FADING * was.total + z,
-                    FADING * was.square + np.outer(z, z),
-                )
+                z = np.linalg.solve(B, came - (0.0, 0.0, log_time))
+                was = self.evidence[name]
+                total = FADING * was.total + z
+                square = FADING * was.square + np.outer(z, z)
                 self.evidence = {
                     **self.evidence,
                     name: Evidence(FADING * was.dives + 1.0, total, square),
@@ -281,7 +283,8 @@ def _frame(east: float, north: float) -> np.ndarray:
     Along a way, m, which is taken as `LEAST` to the north where it is shorter.
     """
     if hypot(east, north) <= LEAST:
-        east, north = 0.0, LEAST
+        east = 0.0
+        north = LEAST
     return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
 
 
@@ -323,7 +326,8 @@ class NextDive:
 
     def now(self) -> tuple[float, str]:
         """Return now, s since 1970, and which: the clock, or the end of a dive not just ended."""
-        now, end = time.time(), self.fix[0]
+        now = time.time()
+        end = self.fix[0]
         return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
     def holds(self, dive: Dive) -> tuple[bool, bool]:
@@ -358,7 +362,8 @@ class NextDive:
 def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
     """Return a dive without an end, straight and at constant speed."""
     east, north = map(float, guess.way)
-    end, no = start[0] + guess.duration, (nan, nan, nan, nan)
+    end = start[0] + guess.duration
+    no = nan, nan, nan, nan
     return Dive(
         last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max
     )

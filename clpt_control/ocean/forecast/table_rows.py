@@ -274,7 +274,8 @@ def _miss(row: Row, model: str) -> str | None:
 
 def _toward(motion: Row, prefix: str = "") -> str:
     """Return a speed, m/s, and where to, degrees."""
-    speed, direction = motion[f"{prefix}speed"], motion[f"{prefix}direction"]
+    speed = motion[f"{prefix}speed"]
+    direction = motion[f"{prefix}direction"]
     speed_text = "-" if speed is None else f"{speed:.2f}"
     return speed_text if direction is None else f"{speed_text} {compass(direction)}"
 

@@ -46,10 +46,8 @@ MOST = 89.5  # degrees of the middle; at a pole there is no east
 # minutes
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)
 POINTS = 72  # units of SVG in an inch
-LABEL, PHONE_LABEL = (
-    8,
-    11,
-)  # points of the degrees; on a telephone, as `page.css` has them
+LABEL = 8  # points of the degrees
+PHONE_LABEL = 11  # on a telephone, as `page.css` has them
 FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
 AIM = {"color": "black", "label": "to the waypoint"}
 DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
@@ -87,10 +85,8 @@ def map_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     report = report_of(replay)
     ax = _drawn(report, ax, (0.9, 1.7))
     last = report["each_dive"][-1]
-    dive, when = (
-        literal(plain(f"{report['vehicle']}: dive {last['dive']}")),
-        clock(last["end"]),
-    )
+    dive = literal(plain(f"{report['vehicle']}: dive {last['dive']}"))
+    when = clock(last["end"])
     ax.set_title(f"{dive} surfaced {when}", **TITLE)
     ax.set(xlabel="longitude", ylabel="latitude")
     legend_below(ax, 3)
@@ -109,7 +105,8 @@ def edges_of(points: np.ndarray, degree: np.ndarray) -> np.ndarray:
 
     It is neither very wide nor very high.
     """
-    low, high = points.min(axis=1), points.max(axis=1)
+    low = points.min(axis=1)
+    high = points.max(axis=1)
     spans = (high - low) * degree
     size = max(*spans, SHORTEST)
     half_size = (np.maximum(spans, NARROWEST * size) / 2 + MARGIN * size) / degree
@@ -146,7 +143,8 @@ def _drawn(
         if max(*np.ptp(with_it, axis=1) * degree) <= LARGER * size:
             points = with_it
     (west, south), (east, north) = edges_of(points, degree)
-    wide, high = (east - west) * degree[0], (north - south) * degree[1]
+    wide = (east - west) * degree[0]
+    high = (north - south) * degree[1]
     inch = SIZE / max(wide, high)
     ax = axes_for(ax, max(wide * inch, LEAST) + margins[0], high * inch + margins[1])
     ax.set(xlim=(west, east), ylim=(south, north))
@@ -185,7 +183,8 @@ def _drawn(
 
 def draw_grid_and_scale_bar(ax: Axes, degree: np.ndarray) -> None:
     """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
-    (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
+    west, east = ax.get_xlim()
+    south, north = ax.get_ylim()
     for axis, names, span in (
         (ax.xaxis, "EW", east - west),
         (ax.yaxis, "NS", north - south),
@@ -206,7 +205,8 @@ def map_svg(report: dict[str, Any]) -> str:
     That is where the chart lies in it, its edges in degrees, and how long a unit is, m.
     """
     figure = figure_of(_drawn, report, None, (0.5, 0.4))
-    (ax,), units = figure.axes, POINTS * figure.get_size_inches()
+    (ax,) = figure.axes
+    units = POINTS * figure.get_size_inches()
     # room for the labels of a telephone, which are larger
     ax.tick_params(labelsize=PHONE_LABEL)
     figure.draw_without_rendering()
@@ -214,10 +214,11 @@ def map_svg(report: dict[str, Any]) -> str:
     ax.tick_params(labelsize=LABEL)
     text = inline_svg(figure, "map", "map of the track and of the next surfacing")
     (x0, y0), (x1, y1) = ax.get_position().get_points() * units
-    (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
+    west, east = ax.get_xlim()
+    south, north = ax.get_ylim()
     wide = (east - west) * degree_at((south + north) / 2, east_of(west))[0]
     box = x0, units[1] - y1, x1 - x0, y1 - y0
-    numbers = *box, south, north, west, east, wide / (x1 - x0)
+    numbers = (*box, south, north, west, east, wide / (x1 - x0))
     words = " ".join(f"{number:.9g}" for number in numbers)
     text = text.replace("<svg ", f'<svg id="map" data-chart="{words}" ', 1)
     return text.replace(' target="_blank"', "")
