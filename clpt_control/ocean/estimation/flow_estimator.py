@@ -55,7 +55,8 @@ SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "3"
-ROWS = 60  # last positions that are compared
+ROWS, RUN = 60, 15  # last positions that are compared, those of one run of them
+MOST = 4  # times as many positions without a measurement as in doubt
 
 
 class Ahead(NamedTuple):
@@ -622,8 +623,8 @@ class FlowEstimator:
     def _screened(self, position: list[float], is_known: bool) -> str:
         """Return why a position (time, degrees) is no fix, or an empty text.
 
-        A position in doubt is learned, but not by the rival, which replaces this estimator if no
-        such position was a fix.
+        A position in doubt is learned, but not by the rival, which replaces this estimator if most
+        of these positions were no fixes.
         """
         if not is_known:
             self.rows, self.rival = [], None
@@ -632,12 +633,12 @@ class FlowEstimator:
         steps = np.diff(east + 1j * north)
         kinds, doubted = unmeasured(times, np.transpose(degrees), steps)
         shown = kinds != ""
-        newest = (doubted | shown)[-2:]
+        candidates = doubted | shown
         if rival := self.rival:
             since = times > rival.rows[-1][0]
-            if np.any(shown[since]) and not np.any(doubted[since]):
+            if np.sum(shown[since]) > MOST * np.sum(doubted[since]):
                 self.state = rival.state
-            elif not np.any(newest):
+            elif not np.any(candidates[-2:]):
                 self.rival = None
         if doubted[-1]:
             self.rival = self.rival or self._with(self.state)
@@ -645,7 +646,7 @@ class FlowEstimator:
         elif self.rival and not shown[-1]:
             self.rival.fix(*position)
         if len(rows) > ROWS:
-            del rows[-2 if np.all(newest) else 0]
+            del rows[-2 if np.all(candidates[-RUN:]) else 0]
         self.rows = rows
         return kinds[-1] and f"{kinds[-1]}: {NO_FIX}"
 
