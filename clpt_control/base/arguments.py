@@ -379,8 +379,9 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     value = without_mask(value)
     with suppress(Exception):  # of a user's object
         array = np.asarray([] if value is None else value)
-        texts = (isinstance(item, str) for item in array.flat)
-        if array.dtype.kind in "cmMUS" or (array.dtype.kind == "O" and any(texts)):
+        if array.dtype.kind == "O":
+            array = np.asarray(array.tolist())
+        if array.dtype.kind in "cmMUS":
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
         array = array.astype(float, copy=False)
         sizes = array.shape[max(array.ndim - len(last), 0) :]

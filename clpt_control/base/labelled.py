@@ -85,19 +85,17 @@ class Clock:
 
     def read(self, argument: str, labels: np.ndarray, unit: str = "") -> np.ndarray:
         """Return the times of samples as increasing numbers."""
-        if labels.dtype.kind not in "iufmM":
-            raise ArgumentError(
-                f"{argument}: its times must be numbers, or dates without a time zone"
-            )
         if unit and short_unit(unit) != self.unit:
             raise ArgumentError(
                 f"{argument}: its times are in '{unit}', those of the run in '{self.unit}'. "
                 "Convert one of them"
             )
-        if len(labels) and labels[0] > labels[-1]:
-            labels = labels[::-1]
-        is_ordered = (labels[1:] >= labels[:-1]).all()
-        if not (len(labels) and np.isfinite(labels).all() and is_ordered):
+        if not len(labels) or labels.dtype.kind not in "iufmM":
+            raise ArgumentError(
+                f"{argument}: its times must be numbers, or dates without a time zone"
+            )
+        labels = labels[::-1] if labels[0] > labels[-1] else labels
+        if not (np.isfinite(labels).all() and (labels[1:] >= labels[:-1]).all()):
             raise SimulationError(f"{argument}: its times must be finite and in order")
         return self.numbers(argument, labels)
 
@@ -165,30 +163,27 @@ def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
     """Return name, labels and unit of each dimension of an array of xarray or pandas."""
     coordinates = attribute_of(value, "coords")
     if coordinates is not None:
-        axes = []
-        for dim in value.dims:
-            names = [
-                name
-                for name in (*TIME, dim)
-                if name in coordinates and coordinates[name].dims == (dim,)
-            ]
-            if names:
-                labels = coordinates[names[0]]
-                axes.append((names[0], labels.values, labels.attrs.get("units", "")))
-            else:
-                axes.append((dim, None, ""))
-        return axes
+        return [_axis_of(coordinates, dim) for dim in value.dims]
     if attribute_of(value, "iloc") is None:
         return None
     axes = []
     for index in value.axes:
         labels, name = index.to_numpy(), index.name
-        if name in (None, *TIME) and labels.dtype.kind == "f":
+        if name is None and labels.dtype.kind == "f":
             name = TIME[0]
-        if type(index).__name__ == "RangeIndex" and name not in TIME:
-            labels = None if index.start == 0 and index.step == 1 else labels
+        elif repr(index) == f"RangeIndex(start=0, stop={len(index)}, step=1)":
+            labels = None  # of a table that was given no index
         axes.append((name, labels, ""))
     return axes
+
+
+def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
+    """Return name, labels and unit of a dimension of xarray, first of coordinates of time."""
+    for name in (*TIME, dim):
+        labels = coordinates.get(name)
+        if labels is not None and labels.dims == (dim,):
+            return name, labels.values, labels.attrs.get("units", "")
+    return dim, None, ""
 
 
 def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
@@ -227,9 +222,9 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
                 order = None if is_index or dim == "member" else _order(labels)
                 if order is None:
                     raise ArgumentError(
-                        f"{argument}: labels of {dim or 'its index'} are no names and do not count "
-                        "signals. If they are times, call them time, without a time zone; else give "
-                        ".to_numpy()"
+                        f"{argument}: labels of {dim or 'its index'} are no names and do not "
+                        "count signals. If they are times, call them time, without a time zone; "
+                        "else give .to_numpy()"
                     )
                 array = np.take(array, order, k)
     if len({*ranks}) < len(ranks):
@@ -264,17 +259,14 @@ def _signals_of(
         (response.input_labels, response.u),
         (response.output_labels, response.y),
     ):
-        if values is None or labels is None:
+        if labels is None or values is None:
             continue
-        values = np.asarray(values, dtype=float)
         if values.ndim == 3 and values.shape[1] != 1:
             raise SimulationError(
                 f"{argument}: the response has {values.shape[1]} traces. Give one: "
                 "control.TimeResponseData(r.time, r.y[:, 0], output_labels=r.output_labels, "
                 "issiso=False)"
             )
-        rows = values.reshape(len(values), -1)
-        signals |= {
-            label: Labelled(row, times) for label, row in zip(labels, rows, strict=True)
-        }
+        for label, row in zip(labels, values, strict=True):
+            signals[label] = Labelled(numbers(argument, row.ravel()), times)
     return signals

@@ -27,7 +27,7 @@ from ..engine.codegen.directional_derivatives import (
     value_at,
 )
 from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
-from ..engine.diagram.wiring import read_anew, units_of, wiring_of
+from ..engine.diagram.wiring import read_anew, state_units, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread
@@ -255,11 +255,9 @@ class VariedDiagram:
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input, a state or a parameter as an attribute, if known."""
         location = self.locations[key]
-        input_units = units_of(self.wiring)[1]
         nodes = self.wiring.nodes
-        state_units = [u for node in nodes for u in node.system.units_of("state")]
-        units = {state_units[k] for k in location.states}
-        units |= {input_units[k] for k in location.inputs}
+        units = {state_units(self.wiring)[k] for k in location.states}
+        units |= {units_of(self.wiring)[1][k] for k in location.inputs}
         units |= {nodes[k].system.units.get(name, "") for k, name in location.fields}
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 

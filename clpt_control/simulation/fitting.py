@@ -16,13 +16,15 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import brief, public
+from ..base.arguments import brief, known, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
 from ..base.labelled import Clock, Labelled, axes_of, labelled, own_times, unlabelled
+from ..engine.diagram.wiring import check_unit
 from ..engine.model.ports import indices_by_name, ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
+from .diagram_runs import signal_units
 from .requests import as_diagram, clock_of
 from .sensitivities import RunWithDerivatives, SensitivityRun
 from .sensitivity_names import varied_numbers
@@ -174,21 +176,30 @@ class FitProblem:
         self.columns: list[int] = []
         self.outputs: list[str] = []
         values: list[np.ndarray] = []
+        units = signal_units(self.run.wiring)
         for name, signal in measured.items():
-            if name not in self.ports or not np.isfinite(signal.values).any():
+            if name not in self.ports:
+                advice = known(name, ports_of(self.run.output_labels))
+                raise ArgumentError(
+                    f"data: {name} is not an output; inputs= takes inputs. {advice}"
+                )
+            if not np.isfinite(signal.values).any():
                 continue
             columns = self.ports[name]
             if set(columns) & set(self.columns):
                 raise ArgumentError(f"data: {name} is given twice")
             labels = [self.run.output_labels[k] for k in columns]
+            check_unit(f"data['{name}']", signal.units, [units[k] for k in columns])
             given = signal.ordered(f"data['{name}']", labels)
-            count, n = len(columns), len(signal.times)
+            own_times: Any = signal.times
+            count = len(columns)
+            n = len(own_times)
             if given.shape[-1:] != (n,) or given.size != n * count:
                 raise ArgumentError(
                     f"data: {name} has {given.size} numbers; must be {n} samples of {count} signals"
                 )
             samples = np.full((count, len(times)), np.nan)
-            samples[:, np.searchsorted(times, signal.times)] = given.reshape(count, n)
+            samples[:, np.searchsorted(times, own_times)] = given.reshape(count, n)
             values += [*samples]
             self.columns += columns
             self.outputs += labels if count > 1 else [name]
@@ -434,7 +445,12 @@ def fit_parameters(
     """
     diagram, _ = as_diagram(system)
     clock = clock_of(diagram, timepts)
-    times, measured = _measurements(diagram, data, clock)
+    if hasattr(data, "data_vars") or hasattr(data, "columns"):
+        names = {"time", *indices_by_name(diagram.output_labels)}
+        if inputs is None:
+            names |= {*indices_by_name(diagram.input_labels)}
+        data = data[[k for k in data if k in names or diagram.noutputs is None]]
+    times, measured = _measurements(data, clock)
     run = SensitivityRun(
         system,
         times,
@@ -447,28 +463,11 @@ def fit_parameters(
         atol=atol,
         method=method,
     )
-    problem = FitProblem(run, measured, parameters)
-    unknown = set()
-    if isinstance(data, dict):
-        unknown |= measured.keys() - problem.ports.keys()
-    if inputs is None:
-        unknown |= measured.keys() & ports_of(run.input_labels).keys()
-    if unknown:
-        raise ArgumentError(
-            f"data: {min(unknown)} is not an output; they are "
-            f"{', '.join(ports_of(run.output_labels))}; inputs= takes inputs"
-        )
-    return problem.fit()
+    return FitProblem(run, measured, parameters).fit()
 
 
-def _measurements(
-    diagram: Any, data: Any, clock: Clock
-) -> tuple[np.ndarray, dict[str, Labelled]]:
+def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labelled]]:
     """Return the times of all measurements, and the values of each name."""
-    if hasattr(data, "data_vars") or hasattr(data, "columns"):
-        names = {"time", *indices_by_name(diagram.input_labels)}
-        names |= {*indices_by_name(diagram.output_labels)}
-        data = data[[k for k in data if k in names or diagram.noutputs is None]]
     given = labelled("data", data, clock)
     if not isinstance(given, dict):
         raise ArgumentError(

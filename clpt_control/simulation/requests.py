@@ -270,9 +270,8 @@ def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
         _check_within(times, row_times)
     if all(np.array_equal(row_times, at) for row_times in own):
         values = np.array(np.broadcast_arrays(*(row.values for row in rows)))
-        if own:
-            return read_inputs(values, at, len(rows))
-        return read_inputs(values.ravel(), times, len(rows))
+        values, at = (values, at) if own else (values.ravel(), times)
+        return read_inputs(values, at, len(rows))
     t = np.unique(np.concatenate(own))
     rounding = 1e-12 * np.abs(t).max()  # times that differ by less are equal
     t = t[np.append(True, np.diff(t) > rounding)]

@@ -166,17 +166,17 @@ def test_a_start_at_rest_is_told():
 
 
 MISTAKES = [
-    ({"data": {"q": TIMES}}, "no finite numbers of the outputs place, speed"),
+    ({"data": {"q": TIMES}}, "q is not an output; .* It has place, speed"),
     ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
     ({"data": {"place": TIMES[:5]}}, "101 samples"),
     ({"data": {"place": ["a"] * 101}}, "place'\\] = .* must be an array of numbers"),
     (
         {"data": {"place": TIMES, "sped": TIMES}},
-        "sped is not an output; they are place, speed",
+        "sped is not an output; .* Did you mean 'speed'",
     ),
     (
         {"data": pushed(), "inputs": None},
-        "force is not an output; .* inputs= takes inputs",
+        "force is not an output; inputs= takes inputs",
     ),
     ({"data": {"place": TIMES}, "times": None}, "timepts: is required"),
     ({"begin": {"q": 1.0}}, "must be among"),

@@ -484,25 +484,24 @@ def signals_by_name(
             raise ArgumentError(f"{words}: is given twice. Leave out one")
         found |= {*own_labels}
         if signal.units:
-            _check_unit(words, system, kind, columns, signal.units)
+            wiring = wiring_of(system)
+            units = state_units(wiring) if kind == "state" else units_of(wiring)[1]
+            check_unit(words, signal.units, [units[k] for k in columns])
         yield words, columns, signal
     if has(value, "coords") or not isinstance(value, Mapping):
         check_complete(argument, labels, found, given)
 
 
-def _check_unit(
-    argument: str, system: Any, kind: str, columns: Iterable[int], given: str
-) -> None:
-    """Refuse a unit that a signal does not have."""
-    wiring = wiring_of(system)
-    units = units_of(wiring)[1]
-    if kind == "state":
-        units = [u for node in wiring.nodes for u in node.system.units_of(kind)]
-    for unit in {units[k] for k in columns}:
-        if unit and not same_unit(unit, given):
-            raise ArgumentError(
-                f"{argument}: is in '{given}'; {system.name} has it in '{unit}'"
-            )
+def state_units(wiring: Wiring) -> list[str]:
+    """Return the unit of each state, "" for none."""
+    return [unit for node in wiring.nodes for unit in node.system.units_of("state")]
+
+
+def check_unit(argument: str, given: str, units: Iterable[str]) -> None:
+    """Refuse a unit given that signals with units do not have."""
+    for unit in units:
+        if unit and given and not same_unit(unit, given):
+            raise ArgumentError(f"{argument}: is in '{given}'; must be in '{unit}'")
 
 
 def check_rows(argument: str, values: Any, count: int) -> None:

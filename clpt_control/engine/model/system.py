@@ -49,14 +49,14 @@ class System(Block):
         self.name = system.name
         self._params = dict(system.params if params is None else params)
         for key, value in self._params.items():
-            axes = axes_of(value)
-            is_wrong = axes or isinstance(value, str | None)
-            if is_wrong and _is_number(key, system.params.get(key)):
+            if axes_of(value) == []:
+                self._params[key] = value.item()
+            elif _is_number(key, system.params.get(key)) and (
+                isinstance(value, str | None) or axes_of(value)
+            ):
                 raise BlockError(
                     f"{self.name}.{key} = {brief(value)}: must be a number"
                 )
-            if axes == []:
-                self._params[key] = value.item()
         self.declared_names = {*system.params}  # which a run may set
         self._spread: set[str] = set()  # roles that were warned of
         # role -> params that it asks for, texts in its code
