@@ -62,6 +62,7 @@ from .samples import (
 from .usable_dives import SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
+TO_WEST = re.compile(r"deg\w*(_west|_south|_?W|_S)")  # units of a place
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 SURFACING = 1800.0  # s after a dive in which its current may be dated
 # what attributes of a heading say of its north, without other signs than . , ; +
@@ -229,9 +230,12 @@ def _fix_columns(
             "needed, as is the displacement through the water; a CSV table of dives with both"
         )
     time = seconds(data, file_names[names[0]])
-    coordinates = [
-        np.where(fixed, values(data, file_names[name]), nan) for name in names[1:]
-    ]
+    coordinates = []
+    for name in names[1:]:
+        degrees = values(data, file_names[name])
+        if TO_WEST.fullmatch(said(data[file_names[name]])):
+            degrees = -degrees
+        coordinates.append(np.where(fixed, degrees, nan))
     dims = {data[file_names[name]].dims for name in names}
     if len(dims) > 1 or time.ndim != 1:
         raise DataError(

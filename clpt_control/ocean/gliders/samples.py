@@ -41,7 +41,7 @@ from ...base.units import (
 )
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
-from .dive_fields import FILLS, HEADINGS, TURNS, VARIATIONS, size_of_unit
+from .dive_fields import FILLS, FILLS_OF, HEADINGS, TURNS, VARIATIONS, size_of_unit
 from .dives import FASTEST, Dive, ThroughWater, Track
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
@@ -196,6 +196,8 @@ def checked_angles(
     Two different numbers outside are no fill value: the units are wrong.
     """
     good, outside = within(angles, ANGLES[key])
+    if key == "heading":  # of AIS and NMEA 2000
+        good[np.isin(np.round(good, 6), FILLS_OF["degrees"])] = nan
     wrong = angles[outside]
     known = good[np.isfinite(good)]
     limits = "{:g} to {:g} degrees".format(*ANGLES[key])

@@ -627,6 +627,28 @@ def test_headings_beyond_a_turn_are_in_another_unit(tmp_path):
     refuses(said, steered, tmp_path, swaying)
 
 
+@pytest.mark.parametrize(
+    ("units", "none"), [("degrees", 511.0), ("decidegrees", 5110.0)]
+)
+def test_a_heading_of_511_degrees_means_none(units, none, tmp_path):
+    def heading(true):
+        return np.where(np.arange(true.size) % 6 == 2, none, true * none / 511.0)
+
+    for dive in steered(tmp_path, heading, TRUE | {"units": units}):
+        assert way(dive) == pytest.approx(made.SWUM, rel=0.01)
+
+
+def test_places_in_degrees_west_are_turned(tmp_path):
+    columns = og1_rows()
+    columns["LONGITUDE_GPS"] = -columns["LONGITUDE_GPS"]
+    units = {"LONGITUDE_GPS": {"units": "degrees_west"}}
+    found, wanted = (
+        [(dive.start, way(dive)) for dive in mission(tmp_path, *how, units=given)]
+        for how, given in (((columns,), units), ((), {}))
+    )
+    assert found == wanted
+
+
 ALREADY_TRUE = [
     {"long_name": "true heading", "comment": "magnetic declination applied"},
     {"comment": "corrected for magnetic variation"},
