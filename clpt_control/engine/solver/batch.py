@@ -28,6 +28,7 @@ from .solver_layout import (
     REALS,
     ROWS,
     RUN_INDEX,
+    SAMPLES_DONE,
     STATE,
     STEP_SIZE,
     STIFF_AFTER,
@@ -264,7 +265,11 @@ class Batch:
         batch = batch_of(callee, *start, schedule, self.lane[MAX_STEP, k])
         batch.advance(options.rtol, options.atol, 1)
         if h * radius(batch.linear.jacobian.reshape(n, n)) > LARGE:
-            self._leave(k, Status.STIFF)
+            # the run is left to another leg
+            self.ends[m] = End(t, self.states[STATE, :, k].copy())
+            self.status[m] = Status.STIFF
+            self.reached[m] = self.integers[SAMPLES_DONE, k]
+            self.integers[RUN_INDEX, k] = -1
         batch.release()
 
     def write_into(self, results: Results, times: np.ndarray) -> None:
@@ -277,15 +282,6 @@ class Batch:
         reached = self.times[self.reached[0] - 1]
         results.reached[0] = np.searchsorted(times, reached, "right")
         results.counts[0] += self.counts[0]
-
-    def _leave(self, k: int, status: Status) -> None:
-        """Leave the run of a lane to another leg."""
-        m, _, reached, *_ = self.integers[:, k].tolist()
-        time, state = float(self.lane[TIME, k]), self.states[STATE, :, k].copy()
-        self.ends[m] = End(time, state)
-        self.status[m] = status
-        self.reached[m] = reached
-        self.integers[RUN_INDEX, k] = -1
 
 
 def batch_of(

@@ -223,7 +223,7 @@ class Sweep:
         if self.jumping:
             results.append(self.jump(t, x, u, self.jumping))
         if self.guarded:
-            results.append(np.array([*self.distances(t, x, u).values()]))
+            results.append(np.array(self.distances(t, x, u)))
         return results
 
     def _call(
@@ -247,24 +247,25 @@ class Sweep:
     ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         distances = self.distances(t, x, u)
-        k = self.guarded[int(np.argmin([*distances.values()]))]  # the first NaN, if any
+        least = int(np.argmin(distances))  # the first NaN, if any
+        distance, k = distances[least], self.guarded[least]
         node = self.nodes[k]
-        guard: Any = node.system.guard
-        if np.isnan(distances[k]):
+        if np.isnan(distance):
             sentence = f"the distance of the guard of {node.name} is not a number at t = {t:.9g}"
-            return np.nan, "raise", sentence
+            return distance, "raise", sentence
+        guard: Any = node.system.guard
         sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
-        return distances[k], guard.policy, sentence
+        return distance, guard.policy, sentence
 
-    def distances(self, t: float, x: ndarray, u: External = None) -> dict[int, float]:
-        """Return the distances to the edges of guards, by block."""
+    def distances(self, t: float, x: ndarray, u: External = None) -> list[float]:
+        """Return the distances to the edges of guards."""
         self.evaluate(t, x, u)
-        distances = {}
+        distances = []
         for k in self.guarded:
             node = self.nodes[k]
             arguments = x[node.states], self._gather(k), self._current[k]
             (distance,) = node.system.values("guard", 1, t, *arguments)
-            distances[k] = float(distance)
+            distances.append(float(distance))
         return distances
 
     def first_trouble(

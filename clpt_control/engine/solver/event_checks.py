@@ -89,7 +89,9 @@ def evaluate_points(solver):
     """Evaluate the events at the sample points of the step."""
     for point in range(SAMPLE_POINTS + 1):
         put_state_within(solver, SHARES[point])
-        decide(solver, solver.lane[STAGE_TIME], row_of(point), point)
+        # the last one is the new state
+        row = WITHIN if point < SAMPLE_POINTS else ARGUMENT
+        decide(solver, solver.lane[STAGE_TIME], row, point)
 
 
 def comes_near(solver):
@@ -152,11 +154,6 @@ def set_edges(solver):
 def edge_of(rounding, change):
     """Return how far beyond its edge a guard is left; the change may not be finite."""
     return rounding + change if change < math.inf else rounding
-
-
-def row_of(point):
-    """Return the row of states at a sample point: the last one is the new state."""
-    return WITHIN if point < SAMPLE_POINTS else ARGUMENT
 
 
 def find_crossing(solver, start):

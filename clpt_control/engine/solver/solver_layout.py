@@ -292,15 +292,16 @@ def decide(solver, times, state_row, point):
     to = 3 * point * points.shape[2]
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
     for j in range(points.shape[2]):
-        distance = points[point, DISTANCE, j]
-        if not abs(distance) + points[point, ROUNDING, j] < math.inf:
+        size = abs(points[point, DISTANCE, j])
+        if size > 0.0 and size + points[point, ROUNDING, j] < math.inf:
+            continue
+        if size != 0.0:
             points[point, ROUNDING, j] = 0.0
-        is_new = j < shape.decisions and differs(
+        is_new = j >= shape.decisions or differs(
             points[point, DECISION, j], P[shape.first_decision + j]
         )
-        if distance != distance or (distance == 0.0 and is_new):
-            is_left = is_new or j >= shape.decisions
-            points[point, DISTANCE, j] = -math.inf if is_left else math.inf
+        if size != size or (size == 0.0 and is_new and j < shape.decisions):
+            points[point, DISTANCE, j] = -math.inf if is_new else math.inf
 
 
 def differs(decision, held):
