@@ -425,13 +425,9 @@ class FlowEstimator:
     @property
     def guarantee(self) -> str:
         """Assumptions of `guaranteed`, or why there is no bound."""
-        law, limits, speed = (
-            self.scenario.learning.law,
-            self.settings.limits,
-            self.settings.speed,
-        )
-        if law == WALKS:
-            return f"no error is guaranteed: {law} is for a flow that changes"
+        limits, speed = self.settings.limits, self.settings.speed
+        if self.scenario.learning.law == WALKS:
+            return f"no error is guaranteed: {WALKS} is for a flow that changes"
         shear = limits.shear * speed / self.settings.metres
         if not np.isfinite(self.guesses.states[0].level):
             return (

@@ -222,10 +222,15 @@ def flow_of_legs(
     for leg in legs:
         check()
         try:
-            learned.append(learn_leg(estimator, leg))
-            used.append(leg)
+            result = learn_leg(estimator, leg)
         except DataError as beyond:
             refused.append(f"leg {leg.number}: not learned: {beyond}")
+            continue
+        if result.forecast is None:
+            refused.append(f"leg {leg.number}: not learned: {result.note}")
+        else:
+            learned.append(result)
+            used.append(leg)
     if not used:
         raise DataError(refused[0])
     legs = used
