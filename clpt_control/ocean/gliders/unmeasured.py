@@ -8,6 +8,8 @@ resolution of the positions, a position is
     interpolated  if it lies within (0.02 m + q) of a straight line at one velocity
 
 Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
+With jitter of up to 15 m, and 5 % of a step, positions are held or reckoned where jumps stand alone,
+and with jitter of 3 m interpolated where lines follow no turn of the vehicle.
 
 The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
 of metres, so that positions agree that well by chance only.  A rule asks for so many that noise of
@@ -34,8 +36,13 @@ DOUBT = (
 )
 Array = np.ndarray
 JITTER = 3.0  # m, of a position that is held
+OF_STEP, LARGEST = (
+    0.05,
+    15.0,
+)  # of a step, and m, of jitter that only jumps or turns show
 MOVED = 0.1  # m that a vehicle moves at least
-STAYS = 30.0  # m that one that keeps its place may seem to move
+STAYS = 10.0  # times the jitter that one that keeps its place may seem to move
+BENDS = 30.0  # m
 WANDERS = 100.0  # m that it moves at most, by noise and control
 EXACT = 0.02  # m, in sums of stretches and in a straight line
 SLOWER = 1e-3  # of the vehicle's own motion, by rounding
@@ -101,6 +108,11 @@ def _moved(positions: Array) -> Array:
     )
 
 
+def _jitter(steps: Array, least: float) -> Array:
+    """Return the largest jitter (m) of positions with such steps between them."""
+    return np.clip(OF_STEP * np.abs(np.nan_to_num(steps)), least, LARGEST)
+
+
 def _repeated(
     time: Array, positions: Array, steps: Array, q: float
 ) -> tuple[str, Array, Array]:
@@ -108,9 +120,10 @@ def _repeated(
     repeated, candidates = np.zeros((2, len(time)), bool)
     jumps: list[bool] = []
     begin = 0
+    jitter = _jitter(steps, JITTER)
     for k in range(1, len(time) + 1):
         jump = _moved(positions[[begin, k]])[0] if k < len(time) else 0j
-        if k < len(time) and abs(jump) <= JITTER:
+        if k < len(time) and abs(jump) <= jitter[k - 1]:
             continue
         run, begin = slice(begin, k), k
         water = np.cumsum(steps[run][: k - run.start - 1])
@@ -119,12 +132,13 @@ def _repeated(
         chance = q * q / (4 * np.pi * QUIETEST**2)
         is_exact = np.all(positions[run] == positions[run.start])
         is_held = bool(is_exact and chance ** len(water) < SELDOM)
-        if not farthest > (MOVED + 1.5 * q if is_held else STAYS + 3 * q):
+        stays = STAYS * np.max(jitter[run], initial=JITTER) + 3 * q
+        if not farthest > (MOVED + 1.5 * q if is_held else stays):
             continue
         if k < len(time):
             share = (time[k] - time[k - 1]) / (time[k - 1] - time[run.start])
             off = abs(jump - steps[k - 1] + water[-1] * share)
-            is_held |= bool(off > min(0.5 * farthest, WANDERS) + STAYS + 3 * q)
+            is_held |= bool(off > min(0.5 * farthest, WANDERS) + stays)
             jumps.append(is_held)
         repeated[run][1:] = is_held or (k == len(time) and 2 * sum(jumps) > len(jumps))
     return "held", repeated, candidates
@@ -142,11 +156,21 @@ def _reckoned(
     along, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
     agrees = (np.abs(error.real) <= along) & (np.abs(error.imag) <= across)
     agrees &= size > MOVED
-    jumps = np.abs(error) > 10 * across + STAYS
+    jumps = np.abs(error) > 10 * across + BENDS
     alone = agrees[:-2] & jumps[1:-1] & agrees[2:]
     # area of a rectangle as that of a circle
     tolerance = np.sqrt(4 * along * across / np.pi)
     is_shown = np.sum(alone) > 1 or _is_shown(agrees, tolerance, 2 * QUIETEST**2)
+    if not is_shown:
+        # with jitter, between jumps that stand alone at rows like the others
+        across = across + _jitter(steps, 0.0)
+        spans = np.diff(time)
+        agrees |= (np.abs(error) <= across) & (size > MOVED)
+        jumps = np.abs(error) > 10 * across + BENDS
+        alone = agrees[:-2] & jumps[1:-1] & agrees[2:]
+        alone &= spans[1:-1] < 4 * spans[:-2]
+        is_shown = np.sum(alone) > max(1, np.sum(jumps) / 2) and np.mean(agrees) > 0.5
+        agrees |= is_shown & ~jumps & (size > MOVED)
     candidates = np.append(False, agrees)
     return "reckoned", candidates & is_shown, candidates
 
@@ -165,9 +189,16 @@ def _interpolated(
     curved = np.abs(moved[1:] * moved[:-1] * np.tan(latitudes[1:-1])) / RADIUS
     spans = np.diff(time)
     weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
-    # lines of constant course, shortest ones and, closer, those in degrees
-    for ground, tolerance in (moved, curved), (np.diff(in_degrees), 0 * curved):
-        tolerance = tolerance + EXACT + q
+    own = steps / spans
+    turned = np.abs(np.diff(own))
+    fastest = np.maximum(np.abs(own[1:]), np.abs(own[:-1]))
+    # lines with jitter; of constant course, shortest ones and, closer, those in degrees
+    for least, ground, curvature in (
+        (JITTER, moved, curved),
+        (EXACT, moved, curved),
+        (EXACT, np.diff(in_degrees), 0 * curved),
+    ):
+        tolerance = curvature + least + q
         velocity = ground / spans
         change = np.abs(np.diff(velocity))
         inner = np.pad(change * weights <= tolerance, 1)
@@ -176,11 +207,18 @@ def _interpolated(
         unexplained = np.abs(np.diff(drift)) * weights > 2 * tolerance
         if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
             continue
+        # turns of the vehicle that no line follows
+        turns = (turned * weights > tolerance + BENDS) & (turned > 0.5 * fastest)
+        missed = np.sum(turns & inner[1:-1])
+        if missed > max(1, np.sum(turns) / 4) and np.mean(inner) > 0.5:
+            return "interpolated", inner, ~inner & inner
+        if least > EXACT:
+            continue
         # steps between two lines that no turn from one to the other makes
         detour = change[:-1] + change[1:] - np.abs(velocity[2:] - velocity[:-2])
         is_jump = inner[:-3] & ~inner[1:-2] & ~inner[2:-1] & inner[3:]
         is_jump &= spans[1:-1] < 4 * spans[:-2]
-        is_jump &= detour * spans[1:-1] > 20 * tolerance[1:] + STAYS
+        is_jump &= detour * spans[1:-1] > 20 * tolerance[1:] + BENDS
         if np.sum(is_jump) > 1:
             last = np.append(False, inner[:-1]) & ~np.append(inner[1:], False)
             return "reckoned", inner | last, ~inner & inner
