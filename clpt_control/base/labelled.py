@@ -118,6 +118,8 @@ def unlabelled(argument: str, value: Any) -> np.ndarray:
         raise ArgumentError(
             f"{argument}: must be an array without labels. Give .to_numpy()"
         )
+    if isinstance(value, list | tuple):
+        value = [unlabelled(argument, item) for item in value]
     return numbers(argument, value)
 
 
@@ -178,12 +180,20 @@ def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
 
 
 def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
-    """Return name, labels and unit of a dimension of xarray, first of coordinates of time."""
-    for name in (*TIME, dim):
-        labels = coordinates.get(name)
-        if labels is not None and labels.dims == (dim,):
-            return name, labels.values, labels.attrs.get("units", "")
-    return dim, None, ""
+    """Return name, labels and unit of a dimension of xarray: of times, else texts, else others."""
+    along = {
+        name: labels for name, labels in coordinates.items() if labels.dims == (dim,)
+    }
+
+    def rank(name: Any) -> tuple[bool, ...]:
+        kind = along[name].dtype.kind
+        is_time = name in TIME or kind in "mM"
+        return not is_time, kind not in "OU", name != dim
+
+    if not along:
+        return dim, None, ""
+    name = min(along, key=rank)
+    return name, along[name].values, along[name].attrs.get("units", "")
 
 
 def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
@@ -193,7 +203,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         value = value.set_index(TIME[0])
     axes = axes_of(value)
     if axes is None:
-        return Labelled(numbers(argument, value))
+        return Labelled(unlabelled(argument, value))
     array = numbers(argument, value.to_numpy())
     times = names = labels = None
     ranks = []  # of the dimensions

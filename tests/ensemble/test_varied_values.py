@@ -63,7 +63,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         lag(),
         {"tau": 2.0},
         {},
-        "tau = 2.0: must be a list of values, a range '0.2:2.0', or a dis",
+        "tau = 2.0: must be a list of values without labels, a range",
     ),
     (lag(), {"tau": []}, {}, "must be a list of values"),
     (lag(), {"tau": ["a", "b"]}, {}, "each value must be a number"),

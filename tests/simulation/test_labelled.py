@@ -313,3 +313,36 @@ def test_two_times_get_a_note():
     note = "two samples"
     assert note in clpt.simulate(integrators(), (0, 10)).attrs["message"]
     assert note not in clpt.simulate(integrators(), (0, 5, 10)).attrs["message"]
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        pd.Series([5.0, 7.0], index=[1, 0]),
+        pd.Series({"qb": 5.0, "qa": 7.0}),
+        xarray.DataArray([5.0, 7.0], {"k": [1, 0]}, "k"),
+    ],
+)
+def test_members_of_ensembles_have_no_labels(value):
+    plant = integrators(["c[1]", "c[0]"])
+    with pytest.raises(clpt.ScenarioError, match="a list of values without labels"):
+        clpt.run_ensemble(plant, {"c": [value]}, timepts=TIMES)
+    run = clpt.run_ensemble(plant, {"c": [value.to_numpy()]}, timepts=TIMES)
+    assert run.qc_final.values.ravel() == pytest.approx([10, 14])
+    with pytest.raises(clpt.ArgumentError, match="without labels"):
+        clpt.simulate(plant, TIMES, {"c": [value, value]})
+
+
+def test_names_beside_a_dimension():
+    """Texts in a coordinate along a dimension are names, as those of its own index."""
+    kinds = {"signal": ("i", ["b", "a"]), "i": [0, 1]}
+    for names in ({"signal": kinds["signal"]}, kinds):
+        given = xarray.DataArray([10.0, 3.0], names, "i")
+        run = clpt.simulate(integrators(), TIMES, given)
+        right = np.array([3 * TIMES, 10 * TIMES]).T
+        np.testing.assert_allclose(run.states, right, atol=1e-7)
+        start = given.assign_coords(signal=("i", ["qb", "qa"]))
+        assert clpt.simulate(integrators(), TIMES, 0, start).qa[0] == 3.0
+    marked = DATA.assign_coords(quality=("time", ["good"] * 9))
+    run = clpt.simulate(integrators(), TIMES, marked)
+    np.testing.assert_allclose(run.states, RIGHT, atol=1e-7)
