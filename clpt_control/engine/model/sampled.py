@@ -95,7 +95,8 @@ class Sampled(Block):
         self.set_outputs(inner.output_labels)
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
-        self.units, self.read_from = inner.units, inner.read_from
+        self.units = inner.units
+        self.read_from = dict(inner.read_from)
 
     def samples_at(self, t: float) -> bool:
         """Return whether a time is a sample."""

@@ -59,7 +59,7 @@ def names(folder):
 
 IMPORTS = {  # what is imported when the interrupt comes -> the command
     "typer": RUN,
-    "clpt_control.ocean.estimation.estimators": FOLLOW,
+    "clpt_control.ocean.estimation.process_mixture": FOLLOW,
     "numpy": FOLLOW,
     "llvmlite.binding": RUN,
     "netCDF4": RUN,
