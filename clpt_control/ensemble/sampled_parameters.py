@@ -40,7 +40,10 @@ FORMS = (
     "KEY=LOW:HIGH, two finite numbers of which the first is the smaller; KEY~normal:DEVIATION, a "
     "positive number; or KEY=[VALUE, ...]"
 )
-IN_A_DICT = "a list of values without labels, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
+IN_A_DICT = (
+    "a list of values without labels, a range '0.2:2.0', or a distribution, such as "
+    "scipy.stats.norm(1, 2)"
+)
 DESIGNS = ("lhs", "grid", "random")
 MOST_NUMBERS = 2 * 10**8  # 1.6 GB
 EDGE = 2.0**-53  # shares stay away from 0 and 1, where the normal quantile is infinite

@@ -16,7 +16,13 @@ from ..base.errors import ArgumentError, SimulationError
 from ..base.labelled import Clock, Labelled, labelled, own_times
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
-from ..engine.diagram.wiring import Sizes, check_rows, signals_by_name, vector_by_name
+from ..engine.diagram.wiring import (
+    Sizes,
+    check_positions,
+    check_rows,
+    signals_by_name,
+    vector_by_name,
+)
 from ..engine.model.system import linear
 from ..engine.solver.inputs import Inputs, checked_times, read_inputs
 from ..engine.solver.runner import RunOptions, steps_between
@@ -206,6 +212,7 @@ def inputs_at(
     Samples without times are those `at` some times.
     """
     labels, count = diagram.input_labels, diagram.ninputs
+    check_positions("inputs", inputs, labels)
     if isinstance(given, list):
         rows = [row for value in given for row in _rows("inputs", value, at)]
         if count is not None:

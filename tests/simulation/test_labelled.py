@@ -346,3 +346,17 @@ def test_names_beside_a_dimension():
     marked = DATA.assign_coords(quality=("time", ["good"] * 9))
     run = clpt.simulate(integrators(), TIMES, marked)
     np.testing.assert_allclose(run.states, RIGHT, atol=1e-7)
+
+
+def test_named_values_in_a_list_stand_at_their_places():
+    run = clpt.simulate(integrators(), TIMES, 0, [1.0, 2.0]).isel(time=0, drop=True)
+    for start in ([run.qb, run.qa], [run.qb, 0.0], run.qb, run.qa):
+        with pytest.raises(clpt.ArgumentError, match="in place of another signal"):
+            clpt.simulate(integrators(), TIMES, 0, start)
+    again = clpt.simulate(integrators(), TIMES, 0, [run.qa, run.qb])
+    assert again.states.values[0].tolist() == [1, 2]
+    for inputs in ([TABLE.b, TABLE.a], [DATA.b, 0.0]):
+        with pytest.raises(clpt.ArgumentError, match="has 'b' in place of another"):
+            clpt.simulate(integrators(), TIMES, inputs)
+    renamed = clpt.simulate(integrators(), TIMES, [DATA.a.rename("x"), TABLE.b])
+    np.testing.assert_allclose(renamed.states, RIGHT, atol=1e-7)

@@ -18,9 +18,9 @@ from typing import Any, NamedTuple, TypeAlias
 import control
 import numpy as np
 
-from ...base.arguments import has, known, vector_of
+from ...base.arguments import attribute_of, has, known, vector_of
 from ...base.errors import ArgumentError, DiagramError
-from ...base.labelled import Labelled, check_complete, labelled
+from ...base.labelled import Labelled, axes_of, check_complete, labelled
 from ..model.block import Block
 from ..model.declaration import same_unit
 from ..model.ports import indices_by_name, port_of, ports_of
@@ -512,6 +512,21 @@ def check_rows(argument: str, values: Any, count: int) -> None:
         )
 
 
+def check_positions(argument: str, value: Any, labels: Sequence[str]) -> None:
+    """Refuse values in a list, or one for all, whose own name is that of another signal."""
+    if axes_of(value) == []:
+        value = [value] * len(labels)
+    if isinstance(value, list | tuple):
+        names = indices_by_name(labels)
+        for k, item in enumerate(value):
+            name = attribute_of(item, "name")
+            if names.get(name, [k]) != [k]:
+                raise ArgumentError(
+                    f"{argument}: has '{name}' in place of another signal. "
+                    "Give a dict by name"
+                )
+
+
 def vector_by_name(
     argument: str, system: Any, kind: str, value: Any, default: Any = None
 ) -> Any:
@@ -519,9 +534,11 @@ def vector_by_name(
     if value is None:
         return 0.0 if default is None else default
     given = labelled(argument, value)
+    labels = getattr(system, f"{kind}_labels")
     if not isinstance(given, dict):
+        check_positions(argument, value, labels)
         return given
-    vector = np.zeros(len(getattr(system, f"{kind}_labels")))
+    vector = np.zeros(len(labels))
     vector += 0.0 if default is None else default
     signals = signals_by_name(argument, system, kind, value, given)
     for words, columns, signal in signals:
