@@ -54,8 +54,13 @@ class Clock:
     all of them must begin.
     """
 
-    def __init__(self, timepts: Any, unit: str = "s"):
-        self.unit = unit
+    def __init__(self, timepts: Any, unit: str | None = None):
+        own = short_unit(attribute_of(timepts, "attrs", {}).get("units", ""))
+        self.unit = unit or (own if own in SECONDS else "s")
+        if own not in ("", self.unit):
+            raise ArgumentError(
+                f"timepts: is in '{own}', the time of the run in '{self.unit}'. Convert one of them"
+            )
         self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
         self.has_zero = labels.dtype.kind == "M"
@@ -231,10 +236,10 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
             if labels is not None:
                 order = None if is_index or dim == "member" else _order(labels)
                 if order is None:
+                    kind = "may be times" if is_index else "do not count signals"
                     raise ArgumentError(
-                        f"{argument}: labels of {dim or 'its index'} are no names and do not "
-                        "count signals. If they are times, call them time, without a time zone; "
-                        "else give .to_numpy()"
+                        f"{argument}: labels of {dim or 'its index'} are no names and {kind}. If "
+                        "they are times, call them time, without a time zone; else give .to_numpy()"
                     )
                 array = np.take(array, order, k)
     if len({*ranks}) < len(ranks):

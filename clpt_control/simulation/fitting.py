@@ -446,10 +446,8 @@ def fit_parameters(
     diagram, _ = as_diagram(system)
     clock = clock_of(diagram, timepts)
     if hasattr(data, "data_vars") or hasattr(data, "columns"):
-        names = {"time", *indices_by_name(diagram.output_labels)}
-        if inputs is None:
-            names |= {*indices_by_name(diagram.input_labels)}
-        data = data[[k for k in data if k in names or diagram.noutputs is None]]
+        others = {} if inputs is None else indices_by_name(diagram.input_labels)
+        data = data[[k for k in data if k not in others]]
     times, measured = _measurements(data, clock)
     run = SensitivityRun(
         system,
@@ -489,4 +487,8 @@ def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labell
         )
     if not len(at):
         clock.at = times
+    elif not np.allclose(np.clip(times, at[0], at[-1]), times):
+        raise SimulationError(
+            f"timepts: the data are from {times[0]:.9g} to {times[-1]:.9g}. Leave it out"
+        )
     return checked_times("data.time", times), given

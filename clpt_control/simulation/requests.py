@@ -173,7 +173,7 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 def clock_of(diagram: Any, timepts: Any) -> Clock:
     """Return the clock of a diagram's runs at times as they were given."""
     loop = getattr(diagram, "origin", None)
-    return Clock(timepts, "s" if loop is None else loop.scenario.units.time)
+    return Clock(timepts, loop and loop.scenario.units.time)
 
 
 def distinct_times(times: np.ndarray) -> np.ndarray:

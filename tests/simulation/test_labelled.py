@@ -160,8 +160,18 @@ def test_a_fit_reads_measurements_at_their_own_times():
                 *(decay, data, {"k": 1.0}, timepts, inputs), initial_state=[1.0]
             )
             assert abs(found.values["k"] - 0.7) < 1e-7
-    with pytest.raises(clpt.SimulationError, match="Give timepts within"):
-        clpt.fit_parameters(decay, {"y": y}, {"k": 1.0}, fine[:9], fine[:9])
+    for timepts in (fine[:9], fine + 100):
+        with pytest.raises(clpt.SimulationError, match="data are from 0 to 4"):
+            clpt.fit_parameters(decay, {"y": y}, {"k": 1.0}, timepts, force)
+    for name in ("yy", "z"):
+        data = xarray.Dataset({"y": y, name: y})
+        with pytest.raises(clpt.ArgumentError, match=f"{name} is not an output"):
+            clpt.fit_parameters(decay, data, {"k": 1.0}, None, {"u": force})
+    data = xarray.Dataset({"y": y, "u": ("time", OWN)})  # a column of an input
+    found = clpt.fit_parameters(
+        decay, data, {"k": 1.0}, None, {"u": force}, initial_state=[1.0]
+    )
+    assert abs(found.values["k"] - 0.7) < 1e-7
 
 
 def test_dates_count_from_the_first_of_timepts():
@@ -360,3 +370,34 @@ def test_named_values_in_a_list_stand_at_their_places():
             clpt.simulate(integrators(), TIMES, inputs)
     renamed = clpt.simulate(integrators(), TIMES, [DATA.a.rename("x"), TABLE.b])
     np.testing.assert_allclose(renamed.states, RIGHT, atol=1e-7)
+
+
+def test_units_of_params_and_of_timepts():
+    plain = control.nlsys(
+        lambda t, x, u, p: [-p["k"]], inputs=0, states="y", params={"k": 2.0}, name="n"
+    )
+    plain.units = {"k": "m/s"}
+    block = clpt.Block(
+        "n",
+        update=lambda t, x, u, p: -p.k,
+        states={"y": 1},
+        parameters={"k": 2.0},
+        units={"k": "m/s"},
+    )
+    k = xarray.DataArray(3.0, attrs={"units": "m/s"})
+    for system, key in ((plain, "k"), (block, "n.k")):
+        run = clpt.simulate(system, TIMES, params={key: k})
+        np.testing.assert_allclose(run.states[:, 0], -3 * TIMES, atol=1e-9)
+        with pytest.raises(clpt.ArgumentError, match="is in 'km/h'; must be in 'm/s'"):
+            clpt.simulate(system, TIMES, params={key: k.assign_attrs(units="km/h")})
+    minutes = xarray.DataArray(TIMES, dims="time", attrs={"units": "min"})
+    inputs = DATA.assign_coords(time=("time", OWN, {"units": "minutes"}))
+    run = clpt.simulate(integrators(), minutes, inputs)
+    np.testing.assert_allclose(run.states, RIGHT, atol=1e-7)
+    inputs.time.attrs["units"] = "s"
+    with pytest.raises(
+        clpt.ArgumentError, match="are in 's', those of the run in 'min'"
+    ):
+        clpt.simulate(integrators(), minutes, inputs)
+    with pytest.raises(clpt.ArgumentError, match="timepts: is in 'min', the time of"):
+        clpt.simulate(clpt.closed_loop(clpt.paper_scenario()), minutes)

@@ -36,6 +36,7 @@ from .wiring import (
     as_part,
     blocks_of,
     call_names,
+    check_unit,
     input_ports,
     is_discrete,
     ordered_wiring,
@@ -142,6 +143,9 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     for name, block in blocks:
         fields = call_names(name, block)
         changes = {fields[key]: params[key] for key in fields if key in params}
+        for field, value in changes.items():
+            given = attribute_of(value, "attrs", {}).get("units", "")
+            check_unit(f"{name}.{field}", given, [block.units.get(field, "")])
         parameters.append(block.with_values(changes))
         if isinstance(block, System):
             systems.append((name, block))
