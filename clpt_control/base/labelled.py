@@ -57,10 +57,7 @@ class Clock:
     def __init__(self, timepts: Any, unit: str | None = None):
         own = short_unit(attribute_of(timepts, "attrs", {}).get("units", ""))
         self.unit = unit or (own if own in SECONDS else "s")
-        if own not in ("", self.unit):
-            raise ArgumentError(
-                f"timepts: is in '{own}', the time of the run in '{self.unit}'. Convert one of them"
-            )
+        self.check_unit("timepts", own)
         self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
         self.has_zero = labels.dtype.kind == "M"
@@ -88,13 +85,17 @@ class Clock:
             labels = labels / SECOND / SECONDS[self.unit]
         return labels.astype(float)
 
-    def read(self, argument: str, labels: np.ndarray, unit: str = "") -> np.ndarray:
-        """Return the times of samples as increasing numbers."""
+    def check_unit(self, argument: str, unit: str) -> None:
+        """Refuse times in another unit than the run's."""
         if unit and short_unit(unit) != self.unit:
             raise ArgumentError(
                 f"{argument}: its times are in '{unit}', those of the run in '{self.unit}'. "
                 "Convert one of them"
             )
+
+    def read(self, argument: str, labels: np.ndarray, unit: str = "") -> np.ndarray:
+        """Return the times of samples as increasing numbers."""
+        self.check_unit(argument, unit)
         if not len(labels) or labels.dtype.kind not in "iufmM":
             raise ArgumentError(
                 f"{argument}: its times must be numbers, or dates without a time zone"
@@ -185,20 +186,16 @@ def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
 
 
 def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
-    """Return name, labels and unit of a dimension of xarray: of times, else texts, else others."""
-    along = {
-        name: labels for name, labels in coordinates.items() if labels.dims == (dim,)
-    }
+    """Return name, labels and unit of a dimension of xarray: of times or texts before numbers."""
 
-    def rank(name: Any) -> tuple[bool, ...]:
-        kind = along[name].dtype.kind
-        is_time = name in TIME or kind in "mM"
-        return not is_time, kind not in "OU", name != dim
+    def rank(name: Any) -> tuple[bool, bool]:
+        return coordinates[name].dtype.kind not in "mMOU", name != dim
 
-    if not along:
-        return dim, None, ""
-    name = min(along, key=rank)
-    return name, along[name].values, along[name].attrs.get("units", "")
+    for name in (*TIME, *sorted(coordinates, key=rank)):
+        labels = coordinates.get(name)
+        if labels is not None and labels.dims == (dim,):
+            return name, labels.values, labels.attrs.get("units", "")
+    return dim, None, ""
 
 
 def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
@@ -236,9 +233,9 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
             if labels is not None:
                 order = None if is_index or dim == "member" else _order(labels)
                 if order is None:
-                    kind = "may be times" if is_index else "do not count signals"
                     raise ArgumentError(
-                        f"{argument}: labels of {dim or 'its index'} are no names and {kind}. If "
+                        f"{argument}: labels of {dim or 'its index'} are no names and need not "
+                        "count signals. If "
                         "they are times, call them time, without a time zone; else give .to_numpy()"
                     )
                 array = np.take(array, order, k)

@@ -446,8 +446,11 @@ def fit_parameters(
     diagram, _ = as_diagram(system)
     clock = clock_of(diagram, timepts)
     if hasattr(data, "data_vars") or hasattr(data, "columns"):
-        others = {} if inputs is None else indices_by_name(diagram.input_labels)
-        data = data[[k for k in data if k not in others]]
+        outputs = indices_by_name(diagram.output_labels)
+        others = {"states"}  # of a run
+        if inputs is not None:
+            others |= {*indices_by_name(diagram.input_labels)}
+        data = data[[k for k in data if k in outputs or k not in others]]
     times, measured = _measurements(data, clock)
     run = SensitivityRun(
         system,

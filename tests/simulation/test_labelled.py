@@ -167,11 +167,13 @@ def test_a_fit_reads_measurements_at_their_own_times():
         data = xarray.Dataset({"y": y, name: y})
         with pytest.raises(clpt.ArgumentError, match=f"{name} is not an output"):
             clpt.fit_parameters(decay, data, {"k": 1.0}, None, {"u": force})
-    data = xarray.Dataset({"y": y, "u": ("time", OWN)})  # a column of an input
-    found = clpt.fit_parameters(
-        decay, data, {"k": 1.0}, None, {"u": force}, initial_state=[1.0]
-    )
-    assert abs(found.values["k"] - 0.7) < 1e-7
+    column = xarray.Dataset({"y": y, "u": ("time", OWN)})  # and one of an input
+    run = clpt.simulate(decay, OWN, {"u": force}, [1.0], params={"k": 0.7})
+    for data in (column, run):
+        found = clpt.fit_parameters(
+            decay, data, {"k": 1.0}, None, {"u": force}, initial_state=[1.0]
+        )
+        assert abs(found.values["k"] - 0.7) < 1e-7
 
 
 def test_dates_count_from_the_first_of_timepts():
@@ -208,7 +210,7 @@ def test_signals_are_counted_from_0_or_1():
         run = clpt.simulate(swapped, TIMES, {"c": c})
         np.testing.assert_allclose(run.states[:, ::-1], RIGHT, atol=1e-7)
     for named in (c.assign_coords(k=[3, 7]), c.rename(k="member")):
-        with pytest.raises(clpt.ArgumentError, match="do not count signals"):
+        with pytest.raises(clpt.ArgumentError, match="need not count signals"):
             clpt.simulate(swapped, TIMES, {"c": named})
     with pytest.raises(clpt.ArgumentError, match=r"c\[0\]'\]: is given twice"):
         clpt.simulate(swapped, TIMES, {"c": 1.0, "c[0]": 2.0})
@@ -399,5 +401,5 @@ def test_units_of_params_and_of_timepts():
         clpt.ArgumentError, match="are in 's', those of the run in 'min'"
     ):
         clpt.simulate(integrators(), minutes, inputs)
-    with pytest.raises(clpt.ArgumentError, match="timepts: is in 'min', the time of"):
+    with pytest.raises(clpt.ArgumentError, match="timepts: its times are in"):
         clpt.simulate(clpt.closed_loop(clpt.paper_scenario()), minutes)
