@@ -8,8 +8,8 @@ resolution of the positions, a position is
     interpolated  if it lies within (0.02 m + q) of a straight line at one velocity
 
 Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
-With jitter of up to 15 m, and 5 % of a step, positions are held or reckoned where jumps stand alone,
-and with jitter of 3 m interpolated where lines follow no turn of the vehicle.
+With jitter of up to 15 m, and 5 % of a step, positions are held or reckoned where jumps stand
+alone, and with jitter of 3 m interpolated where lines follow no turn of the vehicle.
 
 The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
 of metres, so that positions agree that well by chance only.  A rule asks for so many that noise of
@@ -36,13 +36,10 @@ DOUBT = (
 )
 Array = np.ndarray
 JITTER = 3.0  # m, of a position that is held
-OF_STEP, LARGEST = (
-    0.05,
-    15.0,
-)  # of a step, and m, of jitter that only jumps or turns show
+OF_STEP, LARGEST = 0.05, 15.0  # of a step, and m, of jitter that jumps show
 MOVED = 0.1  # m that a vehicle moves at least
 STAYS = 10.0  # times the jitter that one that keeps its place may seem to move
-BENDS = 30.0  # m
+BENDS = 30.0  # m that a line is off, where it jumps or should turn
 WANDERS = 100.0  # m that it moves at most, by noise and control
 EXACT = 0.02  # m, in sums of stretches and in a straight line
 SLOWER = 1e-3  # of the vehicle's own motion, by rounding
@@ -108,11 +105,6 @@ def _moved(positions: Array) -> Array:
     )
 
 
-def _jitter(steps: Array, least: float) -> Array:
-    """Return the largest jitter (m) of positions with such steps between them."""
-    return np.clip(OF_STEP * np.abs(np.nan_to_num(steps)), least, LARGEST)
-
-
 def _repeated(
     time: Array, positions: Array, steps: Array, q: float
 ) -> tuple[str, Array, Array]:
@@ -120,7 +112,7 @@ def _repeated(
     repeated, candidates = np.zeros((2, len(time)), bool)
     jumps: list[bool] = []
     begin = 0
-    jitter = _jitter(steps, JITTER)
+    jitter = np.clip(OF_STEP * np.abs(np.nan_to_num(steps)), JITTER, LARGEST)
     for k in range(1, len(time) + 1):
         jump = _moved(positions[[begin, k]])[0] if k < len(time) else 0j
         if k < len(time) and abs(jump) <= jitter[k - 1]:
@@ -156,23 +148,19 @@ def _reckoned(
     along, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
     agrees = (np.abs(error.real) <= along) & (np.abs(error.imag) <= across)
     agrees &= size > MOVED
-    jumps = np.abs(error) > 10 * across + BENDS
-    alone = agrees[:-2] & jumps[1:-1] & agrees[2:]
     # area of a rectangle as that of a circle
     tolerance = np.sqrt(4 * along * across / np.pi)
-    is_shown = np.sum(alone) > 1 or _is_shown(agrees, tolerance, 2 * QUIETEST**2)
-    if not is_shown:
-        # with jitter, between jumps that stand alone at rows like the others
-        across = across + _jitter(steps, 0.0)
-        spans = np.diff(time)
-        agrees |= (np.abs(error) <= across) & (size > MOVED)
-        jumps = np.abs(error) > 10 * across + BENDS
-        alone = agrees[:-2] & jumps[1:-1] & agrees[2:]
-        alone &= spans[1:-1] < 4 * spans[:-2]
-        is_shown = np.sum(alone) > max(1, np.sum(jumps) / 2) and np.mean(agrees) > 0.5
-        agrees |= is_shown & ~jumps & (size > MOVED)
-    candidates = np.append(False, agrees)
-    return "reckoned", candidates & is_shown, candidates
+    agrees &= _is_shown(agrees, tolerance, 2 * QUIETEST**2)
+    # with jitter, between jumps that stand alone at rows like the others
+    off = np.abs(error)
+    across += np.minimum(OF_STEP * size, LARGEST)
+    near = (off <= across) & (size > MOVED)
+    jumps = off > 10 * across + BENDS
+    spans = np.diff(time)
+    alone = near[:-2] & jumps[1:-1] & near[2:] & (spans[1:-1] < 4 * spans[:-2])
+    if 2 * np.sum(alone) > 1 + np.sum(jumps) and np.sum(near) > 0.4 * len(near):
+        agrees = near
+    return "reckoned", np.append(False, agrees), np.append(False, near)
 
 
 def _interpolated(
@@ -191,7 +179,6 @@ def _interpolated(
     weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
     own = steps / spans
     turned = np.abs(np.diff(own))
-    fastest = np.maximum(np.abs(own[1:]), np.abs(own[:-1]))
     # lines with jitter; of constant course, shortest ones and, closer, those in degrees
     for least, ground, curvature in (
         (JITTER, moved, curved),
@@ -203,14 +190,15 @@ def _interpolated(
         change = np.abs(np.diff(velocity))
         inner = np.pad(change * weights <= tolerance, 1)
         ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-        drift = velocity - np.nan_to_num(steps) / spans
+        drift = velocity - np.nan_to_num(own)
         unexplained = np.abs(np.diff(drift)) * weights > 2 * tolerance
         if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
             continue
         # turns of the vehicle that no line follows
-        turns = (turned * weights > tolerance + BENDS) & (turned > 0.5 * fastest)
+        turns = turned * weights > tolerance + BENDS
+        turns &= turned > 0.5 * np.abs(own[1:])
         missed = np.sum(turns & inner[1:-1])
-        if missed > max(1, np.sum(turns) / 4) and np.mean(inner) > 0.5:
+        if 4 * missed > np.sum(turns) + 3 and np.mean(inner) > 0.5:
             return "interpolated", inner, ~inner & inner
         if least > EXACT:
             continue

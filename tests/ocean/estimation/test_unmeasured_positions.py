@@ -38,6 +38,16 @@ def between(fixes, every, kind, jitter=0.3, seed=5):
             yield (fix[0] + every * k, *place, *fix[3:])
 
 
+def with_jitter(rows, jitter, turn=0.0, seed=6):
+    """Rows with jitter of the positions between fixes, and a turn in the middle of each leg."""
+    random = np.random.default_rng(seed)
+    for time, north, east, course, speed in rows:
+        elapsed = (time - rows[0][0]) % LEG
+        off = random.normal(0, jitter, 2) * (elapsed > 0)
+        course += turn * (elapsed >= LEG / 2)
+        yield time, *place_from(north, east, *off), course, speed
+
+
 def rounded(rows, digits):
     return [
         (row[0], round(row[1], digits), round(row[2], digits), *row[3:]) for row in rows
@@ -112,6 +122,32 @@ def test_positions_without_a_measurement_are_left_out(
     assert sum("is no fix" in note for note in notes) > 0.4 * (len(rows) - 13)
     if digits == 8:
         np.testing.assert_allclose(estimator.flow_parameters, flow_of(legs), rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("kind", "jitter", "digits"),
+    [
+        ("held", 1.0, 8),
+        ("held", 3.0, 5),
+        ("reckoned", 0.5, 8),
+        ("reckoned", 2.0, 6),
+        ("interpolated", 0.1, 8),
+        ("interpolated", 0.5, 5),
+        ("interpolated", 0.0, 4),
+    ],
+)
+def test_positions_with_jitter_are_left_out(tmp_path, kind, jitter, digits):
+    """The interpolated ones follow no turn of the vehicle."""
+    fixes = mission(12, scatter=0.02, fix=3.0, seed=3)
+    rows = [*between(fixes, 600.0, [kind], 0.0)]
+    turn = 110.0 if kind == "interpolated" else 0.0
+    rows = rounded(with_jitter(rows, jitter, turn), digits)
+    legs, (why,) = recorded(tmp_path / "log.csv", rows)
+    assert why.endswith(f"{len(rows) - 13} {kind}")
+    assert [leg.t_gps2 for leg in legs] == [fix[0] for fix in fixes[:-1]]
+    if kind != "interpolated":
+        estimator, _ = fed(rows)
+        assert np.abs(estimator.flow_parameters - flow_of(legs)).max() < 0.003
 
 
 @pytest.mark.parametrize(
