@@ -83,12 +83,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         {"timepts": [0.0]},
         "timepts: must be at least two increasing times",
     ),
-    (
-        lag(),
-        {"tau": [1]},
-        {"timepts": ["0", "1"]},
-        r"timepts = .*: must be",
-    ),
+    (lag(), {"tau": [1]}, {"timepts": ["0", "1"]}, r"timepts = .*: must be"),
     (
         lag(),
         {"tau": [1]},

@@ -75,7 +75,7 @@ def test_signals_that_python_control_picks_keep_their_names():
         [0, 2], 1
     ]
     run = clpt.simulate(picked, TIMES, 1.0)
-    assert list(run.data_vars) == ["y", "y[2]", "u[1]", "states"]
+    assert list(run.data_vars) == ["y[0]", "y[2]", "u[1]", "states"]
     wanted = (1.0 - np.exp(-3.0 * TIMES)) / 3.0
     np.testing.assert_allclose(run["y[2]"], wanted, atol=1e-8)
     found = clpt.fit_parameters(picked, {"y[2]": wanted}, {"x0.x[2]": 1.0}, TIMES, 1.0)

@@ -241,7 +241,9 @@ def test_what_is_given_is_as_in_python_control():
     assert clpt.linearize(still, 2, 0).A.tolist() == [[-12.0, 0.0], [0.0, -12.0]]
     point = control.find_operating_point(PENDULUM, [0.1, 0], [1.0])
     assert clpt.linearize(PENDULUM, point).A[1, 0] == -9.81 * np.cos(point.states[0])
-    with pytest.raises(clpt.ArgumentError, match=r"x: must have 2 numbers; it has shape \(3,\)"):
+    with pytest.raises(
+        clpt.ArgumentError, match=r"x: must have 2 numbers; it has shape \(3,\)"
+    ):
         clpt.linearize(PENDULUM, [0, 0, 0])
 
 
