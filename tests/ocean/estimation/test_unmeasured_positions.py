@@ -4,6 +4,7 @@ The current is that of the made missions; their fixes alone are the right table.
 """
 
 import tomllib
+from dataclasses import replace
 from math import atan2, cos, degrees, radians, sin
 
 import numpy as np
@@ -148,6 +149,19 @@ def test_positions_with_jitter_are_left_out(tmp_path, kind, jitter, digits):
     if kind != "interpolated":
         estimator, _ = fed(rows)
         assert np.abs(estimator.flow_parameters - flow_of(legs)).max() < 0.003
+
+
+def test_a_leg_that_is_refused_has_no_row(tmp_path):
+    """Legs that were not compared as rows of a log, whose receiver held a fix."""
+    legs, _ = recorded(tmp_path / "log.csv", mission(12, fix=3.0, seed=3))
+    north, east = legs[4].start
+    held = {"lat_gps2": north, "lon_gps2": east, "lat_gpse": north, "lon_gpse": east}
+    legs[4:7] = [replace(leg, **held) for leg in legs[4:7]]
+    estimate = clpt.currents.flow_estimate(legs, SCENARIO)
+    refused = [note for note in estimate.attrs["notes"] if "no fix" in note]
+    assert len(refused) + estimate.leg.size == 12
+    assert len(refused) >= 2
+    assert np.isfinite(estimate.position_error).all()
 
 
 @pytest.mark.parametrize(
