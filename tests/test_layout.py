@@ -255,7 +255,7 @@ TOKENS = {
     "engine.methods": 3920,
     "engine.model": 12423,
     "engine.record": 8310,
-    "engine.solver": 38466,
+    "engine.solver": 38443,
     "engine.trace": 40522,
     "ensemble": 21225,
     "ocean.estimation": 21930,

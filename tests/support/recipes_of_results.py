@@ -124,10 +124,10 @@ FIGURE = Recipe(
             (
                 (
                     RUN_PAGE,
-                    "    figures = []\n",
+                    "    figures = []\n    for axis,",
                     "    from ...simulation.run_plots import norm_plot\n"
                     '    clpe.append(figure("norm", 3.0, "Of the error.", norm_plot))\n'
-                    "    figures = []\n",
+                    "    figures = []\n    for axis,",
                 ),
             ),
         ),

@@ -1,4 +1,4 @@
-; sha256 07e581ed1198eb0d2bd9f4deb04eb4099d2a96e459117da8488a4ac856984b0b 5a2dc91c819b231ec5575cfad00a1800eb0c1dca603b39829028aab5674d90ea, Python 3.11, numba 0.68.1
+; sha256 a0daf7ff5edb1d334392eff5fc1eecdce872f2bcbfc654f585a122b338008621 3232fbe2c1afaf0a6b6b834b0a56c177d6f00812a873511ce8e0d03354321bfa, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -232,6696 +232,6420 @@ v450:
   %v464 = getelementptr double, ptr %v204, i64 %v207
   %v465 = shl i64 %v207, 4
   %v466 = getelementptr i8, ptr %v204, i64 %v465
-  %v467 = shl i64 %v207, 4
-  %v468 = getelementptr i8, ptr %v204, i64 %v467
-  %v469 = mul i64 %v135, 24
-  %v470 = getelementptr i8, ptr %v133, i64 %v469
-  %v471 = icmp sgt i64 %v18, 0
-  %v472 = icmp sgt i64 %v18, 0
-  %v473 = icmp eq i64 %v14, 0
-  %v474 = mul nsw i64 %v10, %v9
-  %v475 = shl i64 %v474, 4
-  %v476 = getelementptr i8, ptr %v158, i64 %v475
-  %v477 = getelementptr i8, ptr %v6, i64 56
-  %v478 = getelementptr i8, ptr %v6, i64 64
-  %v479 = shl i64 %v135, 6
-  %v480 = getelementptr i8, ptr %v133, i64 %v479
-  %v481 = mul i64 %v474, 136
+  %v467 = mul i64 %v135, 24
+  %v468 = getelementptr i8, ptr %v133, i64 %v467
+  %v469 = icmp sgt i64 %v18, 0
+  %v470 = icmp sgt i64 %v18, 0
+  %v471 = icmp eq i64 %v14, 0
+  %v472 = mul nsw i64 %v10, %v9
+  %v473 = shl i64 %v472, 4
+  %v474 = getelementptr i8, ptr %v158, i64 %v473
+  %v475 = getelementptr i8, ptr %v6, i64 56
+  %v476 = getelementptr i8, ptr %v6, i64 64
+  %v477 = shl i64 %v135, 6
+  %v478 = getelementptr i8, ptr %v133, i64 %v477
+  %v479 = mul i64 %v472, 136
+  %v480 = getelementptr i8, ptr %v158, i64 %v479
+  %v481 = mul i64 %v472, 24
   %v482 = getelementptr i8, ptr %v158, i64 %v481
-  %v483 = mul i64 %v474, 24
-  %v484 = getelementptr i8, ptr %v158, i64 %v483
-  %v485 = getelementptr i8, ptr %v6, i64 72
-  %v486 = mul i64 %v453, 112
-  %v487 = mul i64 %v454, %v206
-  %v488 = mul i64 %v455, %v206
-  %v489 = mul i64 %v135, 24
+  %v483 = getelementptr i8, ptr %v6, i64 72
+  %v484 = mul i64 %v453, 112
+  %v485 = mul i64 %v454, %v206
+  %v486 = mul i64 %v455, %v206
+  %v487 = mul i64 %v135, 24
+  %v488 = getelementptr i8, ptr %v133, i64 %v487
+  %v489 = shl i64 %v135, 5
   %v490 = getelementptr i8, ptr %v133, i64 %v489
-  %v491 = shl i64 %v135, 5
+  %v491 = shl i64 %v135, 8
   %v492 = getelementptr i8, ptr %v133, i64 %v491
-  %v493 = shl i64 %v135, 8
-  %v494 = getelementptr i8, ptr %v133, i64 %v493
-  %v495 = icmp slt i64 %v14, 1
-  %v496 = select i1 %v495, i64 2, i64 0
-  %v497 = zext i1 %v495 to i64
-  %v498 = mul i64 %v135, 88
-  %v499 = getelementptr i8, ptr %v133, i64 %v498
-  %v500 = icmp eq i64 %v15, 0
-  %v501 = getelementptr double, ptr %v92, i64 %v93
-  %v502 = getelementptr i8, ptr %v501, i64 -8
-  %v503 = shl i64 %v135, 6
-  %v504 = getelementptr i8, ptr %v133, i64 %v503
-  %v505 = getelementptr i8, ptr %v158, i64 %v486
-  %v506 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v507 = icmp slt i64 %v10, 1
-  %v508 = mul i64 %v196, %v195
-  %v509 = mul i64 %v508, 112
+  %v493 = icmp slt i64 %v14, 1
+  %v494 = select i1 %v493, i64 2, i64 0
+  %v495 = zext i1 %v493 to i64
+  %v496 = mul i64 %v135, 88
+  %v497 = getelementptr i8, ptr %v133, i64 %v496
+  %v498 = icmp eq i64 %v15, 0
+  %v499 = getelementptr double, ptr %v92, i64 %v93
+  %v500 = getelementptr i8, ptr %v499, i64 -8
+  %v501 = shl i64 %v135, 6
+  %v502 = getelementptr i8, ptr %v133, i64 %v501
+  %v503 = getelementptr i8, ptr %v158, i64 %v484
+  %v504 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v505 = icmp slt i64 %v10, 1
+  %v506 = mul i64 %v196, %v195
+  %v507 = mul i64 %v506, 112
+  %v508 = getelementptr i8, ptr %v193, i64 %v507
+  %v509 = shl i64 %v506, 7
   %v510 = getelementptr i8, ptr %v193, i64 %v509
-  %v511 = shl i64 %v508, 7
-  %v512 = getelementptr i8, ptr %v193, i64 %v511
-  %v513 = getelementptr i8, ptr %v6, i64 32
-  %v514 = mul i64 %v207, 216
-  %v515 = getelementptr i8, ptr %v186, i64 %v514
-  %v516 = icmp slt i64 %v207, 1
-  %v517 = getelementptr i8, ptr %v204, i64 %v487
-  %v518 = getelementptr double, ptr %v517, i64 %v207
-  %v519 = shl i64 %v207, 4
-  %v520 = getelementptr i8, ptr %v517, i64 %v519
-  %v521 = shl i64 %v207, 4
-  %v522 = getelementptr i8, ptr %v517, i64 %v521
-  %v523 = shl i64 %v10, 7
-  %v524 = getelementptr i8, ptr %v158, i64 %v523
-  %v525 = mul i64 %v207, 240
-  %v526 = getelementptr i8, ptr %v186, i64 %v525
-  %v527 = icmp slt i64 %v207, 1
-  %v528 = getelementptr i8, ptr %v204, i64 %v488
-  %v529 = getelementptr double, ptr %v528, i64 %v207
-  %v530 = shl i64 %v207, 4
-  %v531 = getelementptr i8, ptr %v528, i64 %v530
-  %v532 = shl i64 %v207, 4
-  %v533 = getelementptr i8, ptr %v528, i64 %v532
-  %v534 = sub i64 %v207, %v18
-  %v535 = tail call i64 @llvm.smax.i64(i64 %v534, i64 0)
-  %v536 = getelementptr double, ptr %v204, i64 %v207
-  %v537 = mul i64 %v207, %v206
-  %v538 = mul i64 %v537, 80
-  %v539 = getelementptr i8, ptr %v536, i64 %v538
-  %v540 = mul i64 %v537, 72
-  %v541 = getelementptr i8, ptr %v204, i64 %v540
-  %v542 = getelementptr double, ptr %v541, i64 %v207
-  %v543 = shl i64 %v207, 4
-  %v544 = getelementptr i8, ptr %v541, i64 %v543
-  %v545 = shl i64 %v144, 5
-  %v546 = getelementptr i8, ptr %v142, i64 %v545
-  %v547 = shl i64 %v135, 4
+  %v511 = getelementptr i8, ptr %v6, i64 32
+  %v512 = mul i64 %v207, 216
+  %v513 = getelementptr i8, ptr %v186, i64 %v512
+  %v514 = icmp slt i64 %v207, 1
+  %v515 = getelementptr i8, ptr %v204, i64 %v485
+  %v516 = getelementptr double, ptr %v515, i64 %v207
+  %v517 = shl i64 %v207, 4
+  %v518 = getelementptr i8, ptr %v515, i64 %v517
+  %v519 = shl i64 %v10, 7
+  %v520 = getelementptr i8, ptr %v158, i64 %v519
+  %v521 = mul i64 %v207, 240
+  %v522 = getelementptr i8, ptr %v186, i64 %v521
+  %v523 = icmp slt i64 %v207, 1
+  %v524 = getelementptr i8, ptr %v204, i64 %v486
+  %v525 = getelementptr double, ptr %v524, i64 %v207
+  %v526 = shl i64 %v207, 4
+  %v527 = getelementptr i8, ptr %v524, i64 %v526
+  %v528 = sub i64 %v207, %v18
+  %v529 = tail call i64 @llvm.smax.i64(i64 %v528, i64 0)
+  %v530 = getelementptr double, ptr %v204, i64 %v207
+  %v531 = mul i64 %v207, %v206
+  %v532 = mul i64 %v531, 80
+  %v533 = getelementptr i8, ptr %v530, i64 %v532
+  %v534 = mul i64 %v531, 72
+  %v535 = getelementptr i8, ptr %v204, i64 %v534
+  %v536 = getelementptr double, ptr %v535, i64 %v207
+  %v537 = shl i64 %v207, 4
+  %v538 = getelementptr i8, ptr %v535, i64 %v537
+  %v539 = shl i64 %v144, 5
+  %v540 = getelementptr i8, ptr %v142, i64 %v539
+  %v541 = shl i64 %v135, 4
+  %v542 = getelementptr i8, ptr %v133, i64 %v541
+  %v543 = mul i64 %v135, 112
+  %v544 = getelementptr i8, ptr %v133, i64 %v543
+  %v545 = shl i64 %v135, 4
+  %v546 = getelementptr i8, ptr %v133, i64 %v545
+  %v547 = mul i64 %v135, 144
   %v548 = getelementptr i8, ptr %v133, i64 %v547
-  %v549 = mul i64 %v135, 112
-  %v550 = getelementptr i8, ptr %v133, i64 %v549
-  %v551 = shl i64 %v135, 4
-  %v552 = getelementptr i8, ptr %v133, i64 %v551
-  %v553 = mul i64 %v135, 144
-  %v554 = getelementptr i8, ptr %v133, i64 %v553
-  %v555 = shl i64 %v144, 4
-  %v556 = getelementptr i8, ptr %v142, i64 %v555
-  %v557 = getelementptr i8, ptr %v6, i64 40
-  %v558 = icmp sgt i64 %v14, 0
-  %v559 = mul nsw i64 %v10, %v9
-  %v560 = getelementptr double, ptr %v158, i64 %v559
-  %v561 = icmp sgt i64 %v13, 0
-  %v562 = shl i64 %v135, 5
-  %v563 = getelementptr i8, ptr %v133, i64 %v562
-  %v564 = icmp slt i64 %v10, 1
-  %v565 = mul i64 %v196, %v195
-  %v566 = mul i64 %v565, 136
-  %v567 = getelementptr i8, ptr %v193, i64 %v566
-  %v568 = mul i64 %v565, 88
-  %v569 = getelementptr i8, ptr %v193, i64 %v568
-  %v570 = mul nsw i64 %v10, 19
-  %v571 = add nsw i64 %v570, 1
-  %v572 = mul nsw i64 %v10, 18
-  %v573 = icmp slt i64 %v10, 0
-  %v574 = select i1 %v573, i64 %v159, i64 0
-  %v575 = add i64 %v574, %v572
-  %v576 = icmp slt i64 %v575, 0
-  %v577 = icmp slt i64 %v575, %v159
-  %v578 = add i64 %v571, %v574
-  %v579 = icmp slt i64 %v578, 0
-  %v580 = icmp slt i64 %v578, %v159
-  %v581 = icmp sgt i64 %v274, 1
-  %v582 = mul i64 %v196, %v195
-  %v583 = getelementptr i8, ptr %v23, i64 8
-  %v584 = select i1 %v573, i64 %v267, i64 0
-  %v585 = getelementptr i64, ptr %v266, i64 %v10
-  %v586 = getelementptr i64, ptr %v585, i64 %v584
-  %v587 = mul i64 %v135, 48
-  %v588 = getelementptr i8, ptr %v133, i64 %v587
-  %v589 = mul i64 %v582, 136
-  %v590 = shl i64 %v135, 6
-  %v591 = getelementptr i8, ptr %v133, i64 %v590
-  %v592 = mul nsw i64 %v10, %v9
-  %v593 = mul i64 %v592, 136
-  %v594 = getelementptr i8, ptr %v158, i64 %v593
-  %v595 = getelementptr i8, ptr %v193, i64 %v589
-  %v596 = mul i64 %v582, 96
-  %v597 = getelementptr i8, ptr %v193, i64 %v596
-  %v598 = mul i64 %v582, 104
-  %v599 = getelementptr i8, ptr %v193, i64 %v598
-  %v600 = getelementptr double, ptr %v193, i64 %v582
-  %v601 = mul i64 %v582, 88
-  %v602 = getelementptr i8, ptr %v193, i64 %v601
-  %v603 = mul i64 %v592, 96
-  %v604 = getelementptr i8, ptr %v158, i64 %v603
-  %v605 = mul i64 %v592, 96
-  %v606 = getelementptr i8, ptr %v158, i64 %v605
-  %v607 = mul i64 %v592, 104
-  %v608 = getelementptr i8, ptr %v158, i64 %v607
-  %v609 = add nsw i64 %v274, -2
-  %v610 = icmp sgt i64 %v10, 0
-  %v611 = add i64 %v254, %v253
-  %v612 = add i64 %v253, 1
-  %v613 = add i64 %v10, 1
-  %v614 = mul i64 %v135, 136
-  %v615 = getelementptr i8, ptr %v133, i64 %v614
-  %v616 = add i64 %v254, 1
-  %v617 = add i64 %v11, -1
-  %v618 = tail call i64 @llvm.smax.i64(i64 %v617, i64 0)
-  %v619 = mul i64 %v456, 136
-  %v620 = icmp slt i64 %v617, 1
-  %v621 = shl i64 %v135, 6
-  %v622 = getelementptr i8, ptr %v133, i64 %v621
-  %v623 = mul nsw i64 %v10, %v9
-  %v624 = mul i64 %v623, 136
-  %v625 = getelementptr i8, ptr %v158, i64 %v624
-  %v626 = icmp slt i64 %v10, 1
-  %v627 = mul i64 %v196, %v195
-  %v628 = mul i64 %v627, 80
-  %v629 = getelementptr i8, ptr %v193, i64 %v628
-  %v630 = mul i64 %v627, 136
-  %v631 = getelementptr i8, ptr %v193, i64 %v630
-  %v632 = mul nsw i64 %v10, 17
-  %v633 = getelementptr double, ptr %v158, i64 %v632
-  %v634 = add i64 %v253, 1
-  %v635 = add i64 %v253, 1
-  %v636 = getelementptr double, ptr %v158, i64 %v632
-  %v637 = add i64 %v254, %v253
-  %v638 = getelementptr i8, ptr %v193, i64 %v619
-  %v639 = mul i64 %v196, %v195
-  %v640 = getelementptr i8, ptr %v6, i64 48
-  %v641 = or i1 %v561, %v306
-  %v642 = mul i64 %v135, 40
+  %v549 = shl i64 %v144, 4
+  %v550 = getelementptr i8, ptr %v142, i64 %v549
+  %v551 = getelementptr i8, ptr %v6, i64 40
+  %v552 = icmp sgt i64 %v14, 0
+  %v553 = mul nsw i64 %v10, %v9
+  %v554 = getelementptr double, ptr %v158, i64 %v553
+  %v555 = icmp sgt i64 %v13, 0
+  %v556 = shl i64 %v135, 5
+  %v557 = getelementptr i8, ptr %v133, i64 %v556
+  %v558 = icmp slt i64 %v10, 1
+  %v559 = mul i64 %v196, %v195
+  %v560 = mul i64 %v559, 136
+  %v561 = getelementptr i8, ptr %v193, i64 %v560
+  %v562 = mul i64 %v559, 88
+  %v563 = getelementptr i8, ptr %v193, i64 %v562
+  %v564 = mul nsw i64 %v10, 19
+  %v565 = add nsw i64 %v564, 1
+  %v566 = mul nsw i64 %v10, 18
+  %v567 = icmp slt i64 %v10, 0
+  %v568 = select i1 %v567, i64 %v159, i64 0
+  %v569 = add i64 %v568, %v566
+  %v570 = icmp slt i64 %v569, 0
+  %v571 = icmp slt i64 %v569, %v159
+  %v572 = add i64 %v565, %v568
+  %v573 = icmp slt i64 %v572, 0
+  %v574 = icmp slt i64 %v572, %v159
+  %v575 = icmp sgt i64 %v274, 1
+  %v576 = mul i64 %v196, %v195
+  %v577 = getelementptr i8, ptr %v23, i64 8
+  %v578 = select i1 %v567, i64 %v267, i64 0
+  %v579 = getelementptr i64, ptr %v266, i64 %v10
+  %v580 = getelementptr i64, ptr %v579, i64 %v578
+  %v581 = mul i64 %v135, 48
+  %v582 = getelementptr i8, ptr %v133, i64 %v581
+  %v583 = mul i64 %v576, 136
+  %v584 = shl i64 %v135, 6
+  %v585 = getelementptr i8, ptr %v133, i64 %v584
+  %v586 = mul nsw i64 %v10, %v9
+  %v587 = mul i64 %v586, 136
+  %v588 = getelementptr i8, ptr %v158, i64 %v587
+  %v589 = getelementptr i8, ptr %v193, i64 %v583
+  %v590 = mul i64 %v576, 96
+  %v591 = getelementptr i8, ptr %v193, i64 %v590
+  %v592 = mul i64 %v576, 104
+  %v593 = getelementptr i8, ptr %v193, i64 %v592
+  %v594 = getelementptr double, ptr %v193, i64 %v576
+  %v595 = mul i64 %v576, 88
+  %v596 = getelementptr i8, ptr %v193, i64 %v595
+  %v597 = mul i64 %v586, 96
+  %v598 = getelementptr i8, ptr %v158, i64 %v597
+  %v599 = mul i64 %v586, 96
+  %v600 = getelementptr i8, ptr %v158, i64 %v599
+  %v601 = mul i64 %v586, 104
+  %v602 = getelementptr i8, ptr %v158, i64 %v601
+  %v603 = add nsw i64 %v274, -2
+  %v604 = icmp sgt i64 %v10, 0
+  %v605 = add i64 %v254, %v253
+  %v606 = add i64 %v253, 1
+  %v607 = add i64 %v10, 1
+  %v608 = mul i64 %v135, 136
+  %v609 = getelementptr i8, ptr %v133, i64 %v608
+  %v610 = add i64 %v254, 1
+  %v611 = add i64 %v11, -1
+  %v612 = tail call i64 @llvm.smax.i64(i64 %v611, i64 0)
+  %v613 = mul i64 %v456, 136
+  %v614 = icmp slt i64 %v611, 1
+  %v615 = shl i64 %v135, 6
+  %v616 = getelementptr i8, ptr %v133, i64 %v615
+  %v617 = mul nsw i64 %v10, %v9
+  %v618 = mul i64 %v617, 136
+  %v619 = getelementptr i8, ptr %v158, i64 %v618
+  %v620 = icmp slt i64 %v10, 1
+  %v621 = mul i64 %v196, %v195
+  %v622 = mul i64 %v621, 80
+  %v623 = getelementptr i8, ptr %v193, i64 %v622
+  %v624 = mul i64 %v621, 136
+  %v625 = getelementptr i8, ptr %v193, i64 %v624
+  %v626 = mul nsw i64 %v10, 17
+  %v627 = getelementptr double, ptr %v158, i64 %v626
+  %v628 = add i64 %v253, 1
+  %v629 = add i64 %v253, 1
+  %v630 = getelementptr double, ptr %v158, i64 %v626
+  %v631 = add i64 %v254, %v253
+  %v632 = getelementptr i8, ptr %v193, i64 %v613
+  %v633 = mul i64 %v196, %v195
+  %v634 = getelementptr i8, ptr %v6, i64 48
+  %v635 = or i1 %v555, %v306
+  %v636 = mul i64 %v135, 40
+  %v637 = getelementptr i8, ptr %v133, i64 %v636
+  %v638 = mul i64 %v135, 160
+  %v639 = getelementptr i8, ptr %v133, i64 %v638
+  %v640 = mul i64 %v135, 168
+  %v641 = getelementptr i8, ptr %v133, i64 %v640
+  %v642 = mul i64 %v135, 176
   %v643 = getelementptr i8, ptr %v133, i64 %v642
-  %v644 = mul i64 %v135, 160
+  %v644 = mul i64 %v135, 152
   %v645 = getelementptr i8, ptr %v133, i64 %v644
-  %v646 = mul i64 %v135, 168
-  %v647 = getelementptr i8, ptr %v133, i64 %v646
-  %v648 = mul i64 %v135, 176
+  %v646 = shl i64 %v144, 4
+  %v647 = getelementptr i8, ptr %v142, i64 %v646
+  %v648 = mul i64 %v135, 184
   %v649 = getelementptr i8, ptr %v133, i64 %v648
-  %v650 = mul i64 %v135, 152
+  %v650 = mul i64 %v135, 72
   %v651 = getelementptr i8, ptr %v133, i64 %v650
-  %v652 = shl i64 %v144, 4
-  %v653 = getelementptr i8, ptr %v142, i64 %v652
-  %v654 = mul i64 %v135, 184
+  %v652 = mul i64 %v135, 40
+  %v653 = getelementptr i8, ptr %v133, i64 %v652
+  %v654 = mul i64 %v135, 56
   %v655 = getelementptr i8, ptr %v133, i64 %v654
-  %v656 = mul i64 %v135, 72
+  %v656 = mul i64 %v135, 240
   %v657 = getelementptr i8, ptr %v133, i64 %v656
-  %v658 = mul i64 %v135, 40
-  %v659 = getelementptr i8, ptr %v133, i64 %v658
-  %v660 = mul i64 %v135, 56
-  %v661 = getelementptr i8, ptr %v133, i64 %v660
-  %v662 = mul i64 %v135, 240
+  %v658 = icmp eq i64 %v14, 0
+  %v659 = icmp ne i64 %v13, 0
+  %v660 = xor i1 %v658, true
+  %v661 = select i1 %v660, i1 true, i1 %v659
+  %v662 = shl i64 %v135, 6
   %v663 = getelementptr i8, ptr %v133, i64 %v662
-  %v664 = icmp eq i64 %v14, 0
-  %v665 = icmp ne i64 %v13, 0
-  %v666 = xor i1 %v664, true
-  %v667 = select i1 %v666, i1 true, i1 %v665
-  %v668 = shl i64 %v135, 6
-  %v669 = getelementptr i8, ptr %v133, i64 %v668
-  %v670 = mul nsw i64 %v10, %v9
-  %v671 = mul i64 %v670, 136
-  %v672 = getelementptr i8, ptr %v158, i64 %v671
-  %v673 = mul i64 %v670, 104
-  %v674 = getelementptr i8, ptr %v158, i64 %v673
-  %v675 = getelementptr i8, ptr %v6, i64 104
-  %v676 = getelementptr i8, ptr %v6, i64 96
-  %v677 = mul i64 %v196, %v195
-  %v678 = mul i64 %v135, 48
-  %v679 = getelementptr i8, ptr %v133, i64 %v678
-  %v680 = shl i64 %v135, 6
-  %v681 = getelementptr i8, ptr %v133, i64 %v680
-  %v682 = shl i64 %v677, 7
-  %v683 = icmp slt i64 %v10, 1
-  %v684 = getelementptr i8, ptr %v193, i64 %v682
-  %v685 = mul i64 %v207, 3
-  %v686 = getelementptr i8, ptr %v6, i64 32
-  %v687 = icmp slt i64 %v207, 1
-  %v688 = mul i64 %v207, %v206
-  %v689 = shl i64 %v207, 4
-  %v690 = mul i64 %v677, 192
-  %v691 = mul i64 %v677, 184
-  %v692 = mul i64 %v677, 176
-  %v693 = mul i64 %v677, 168
-  %v694 = mul i64 %v677, 160
-  %v695 = mul i64 %v677, 152
-  %v696 = mul i64 %v677, 144
-  %v697 = mul i64 %v135, 56
-  %v698 = getelementptr i8, ptr %v133, i64 %v697
-  %v699 = select i1 %v687, i64 0, i64 %v207
-  %v700 = getelementptr double, ptr %v204, i64 %v207
-  %v701 = getelementptr double, ptr %v204, i64 %v207
-  %v702 = getelementptr double, ptr %v204, i64 %v207
-  %v703 = getelementptr i8, ptr %v204, i64 %v689
-  %v704 = icmp sgt i64 %v12, 0
-  %v705 = add nsw i64 %v11, 13
-  %v706 = shl i64 %v135, 6
-  %v707 = getelementptr i8, ptr %v133, i64 %v706
-  %v708 = mul nsw i64 %v10, %v9
-  %v709 = mul i64 %v708, 136
-  %v710 = getelementptr i8, ptr %v158, i64 %v709
-  %v711 = icmp slt i64 %v11, -13
-  %v712 = select i1 %v711, i64 %v7, i64 0
-  %v713 = getelementptr i64, ptr %v6, i64 %v11
-  %v714 = getelementptr i8, ptr %v713, i64 104
-  %v715 = getelementptr i64, ptr %v714, i64 %v712
-  %v716 = getelementptr i8, ptr %v6, i64 88
-  %v717 = shl i64 %v144, 4
-  %v718 = getelementptr i8, ptr %v142, i64 %v717
-  %v719 = mul i64 %v135, 40
+  %v664 = mul nsw i64 %v10, %v9
+  %v665 = mul i64 %v664, 136
+  %v666 = getelementptr i8, ptr %v158, i64 %v665
+  %v667 = mul i64 %v664, 104
+  %v668 = getelementptr i8, ptr %v158, i64 %v667
+  %v669 = getelementptr i8, ptr %v6, i64 104
+  %v670 = getelementptr i8, ptr %v6, i64 96
+  %v671 = mul i64 %v196, %v195
+  %v672 = mul i64 %v135, 48
+  %v673 = getelementptr i8, ptr %v133, i64 %v672
+  %v674 = shl i64 %v135, 6
+  %v675 = getelementptr i8, ptr %v133, i64 %v674
+  %v676 = shl i64 %v671, 7
+  %v677 = icmp slt i64 %v10, 1
+  %v678 = getelementptr i8, ptr %v193, i64 %v676
+  %v679 = mul i64 %v207, 3
+  %v680 = getelementptr i8, ptr %v6, i64 32
+  %v681 = icmp slt i64 %v207, 1
+  %v682 = mul i64 %v207, %v206
+  %v683 = shl i64 %v207, 4
+  %v684 = mul i64 %v671, 192
+  %v685 = mul i64 %v671, 184
+  %v686 = mul i64 %v671, 176
+  %v687 = mul i64 %v671, 168
+  %v688 = mul i64 %v671, 160
+  %v689 = mul i64 %v671, 152
+  %v690 = mul i64 %v671, 144
+  %v691 = mul i64 %v135, 56
+  %v692 = getelementptr i8, ptr %v133, i64 %v691
+  %v693 = select i1 %v681, i64 0, i64 %v207
+  %v694 = getelementptr double, ptr %v204, i64 %v207
+  %v695 = getelementptr double, ptr %v204, i64 %v207
+  %v696 = getelementptr double, ptr %v204, i64 %v207
+  %v697 = getelementptr i8, ptr %v204, i64 %v683
+  %v698 = icmp sgt i64 %v12, 0
+  %v699 = add nsw i64 %v11, 13
+  %v700 = shl i64 %v135, 6
+  %v701 = getelementptr i8, ptr %v133, i64 %v700
+  %v702 = mul nsw i64 %v10, %v9
+  %v703 = mul i64 %v702, 136
+  %v704 = getelementptr i8, ptr %v158, i64 %v703
+  %v705 = icmp slt i64 %v11, -13
+  %v706 = select i1 %v705, i64 %v7, i64 0
+  %v707 = getelementptr i64, ptr %v6, i64 %v11
+  %v708 = getelementptr i8, ptr %v707, i64 104
+  %v709 = getelementptr i64, ptr %v708, i64 %v706
+  %v710 = getelementptr i8, ptr %v6, i64 88
+  %v711 = shl i64 %v144, 4
+  %v712 = getelementptr i8, ptr %v142, i64 %v711
+  %v713 = mul i64 %v135, 40
+  %v714 = getelementptr i8, ptr %v133, i64 %v713
+  %v715 = mul i64 %v135, 56
+  %v716 = getelementptr i8, ptr %v133, i64 %v715
+  %v717 = mul i64 %v135, 192
+  %v718 = getelementptr i8, ptr %v133, i64 %v717
+  %v719 = mul i64 %v135, 48
   %v720 = getelementptr i8, ptr %v133, i64 %v719
-  %v721 = mul i64 %v135, 56
+  %v721 = shl i64 %v135, 5
   %v722 = getelementptr i8, ptr %v133, i64 %v721
-  %v723 = mul i64 %v135, 192
-  %v724 = getelementptr i8, ptr %v133, i64 %v723
-  %v725 = mul i64 %v135, 48
-  %v726 = getelementptr i8, ptr %v133, i64 %v725
-  %v727 = shl i64 %v135, 5
-  %v728 = getelementptr i8, ptr %v133, i64 %v727
-  %v729 = getelementptr double, ptr %v133, i64 %v135
-  %v730 = mul i64 %v135, 200
+  %v723 = getelementptr double, ptr %v133, i64 %v135
+  %v724 = mul i64 %v135, 200
+  %v725 = getelementptr i8, ptr %v133, i64 %v724
+  %v726 = getelementptr inbounds i8, ptr %v302, i64 8
+  %v727 = getelementptr inbounds i8, ptr %v302, i64 16
+  %v728 = getelementptr inbounds i8, ptr %v302, i64 24
+  %v729 = mul i64 %v196, %v195
+  %v730 = mul i64 %v135, 48
   %v731 = getelementptr i8, ptr %v133, i64 %v730
-  %v732 = getelementptr inbounds i8, ptr %v302, i64 8
-  %v733 = getelementptr inbounds i8, ptr %v302, i64 16
-  %v734 = getelementptr inbounds i8, ptr %v302, i64 24
-  %v735 = mul i64 %v196, %v195
-  %v736 = mul i64 %v135, 48
-  %v737 = getelementptr i8, ptr %v133, i64 %v736
-  %v738 = shl i64 %v135, 6
-  %v739 = getelementptr i8, ptr %v133, i64 %v738
-  %v740 = shl i64 %v735, 7
-  %v741 = icmp sgt i64 %v10, 0
-  %v742 = getelementptr i8, ptr %v193, i64 %v740
-  %v743 = mul i64 %v207, 3
-  %v744 = getelementptr i8, ptr %v6, i64 32
-  %v745 = icmp sgt i64 %v207, 0
-  %v746 = mul i64 %v207, %v206
-  %v747 = shl i64 %v207, 4
-  %v748 = mul i64 %v735, 192
-  %v749 = mul i64 %v735, 184
-  %v750 = mul i64 %v735, 176
-  %v751 = mul i64 %v735, 168
-  %v752 = mul i64 %v735, 160
-  %v753 = mul i64 %v735, 152
-  %v754 = mul i64 %v735, 144
-  %v755 = getelementptr double, ptr %v92, i64 %v93
-  %v756 = getelementptr i8, ptr %v755, i64 -8
-  %v757 = icmp slt i64 %v15, 1
-  %v758 = getelementptr double, ptr %v204, i64 %v207
-  %v759 = getelementptr i8, ptr %v204, i64 %v747
-  %v760 = getelementptr double, ptr %v204, i64 %v746
-  %v761 = getelementptr i8, ptr %v760, i64 %v747
-  %v762 = getelementptr double, ptr %v760, i64 %v207
-  %v763 = shl i64 %v746, 4
-  %v764 = getelementptr i8, ptr %v204, i64 %v763
-  %v765 = getelementptr i8, ptr %v764, i64 %v747
-  %v766 = getelementptr double, ptr %v764, i64 %v207
-  %v767 = mul i64 %v746, 24
-  %v768 = getelementptr i8, ptr %v204, i64 %v767
-  %v769 = getelementptr i8, ptr %v768, i64 %v747
-  %v770 = getelementptr double, ptr %v768, i64 %v207
-  %v771 = shl i64 %v746, 5
-  %v772 = getelementptr i8, ptr %v204, i64 %v771
-  %v773 = getelementptr i8, ptr %v772, i64 %v747
-  %v774 = getelementptr double, ptr %v772, i64 %v207
-  %v775 = mul i64 %v746, 40
-  %v776 = getelementptr i8, ptr %v204, i64 %v775
-  %v777 = getelementptr i8, ptr %v776, i64 %v747
-  %v778 = getelementptr double, ptr %v776, i64 %v207
-  %v779 = mul i64 %v746, 48
-  %v780 = getelementptr i8, ptr %v204, i64 %v779
-  %v781 = getelementptr i8, ptr %v780, i64 %v747
-  %v782 = getelementptr double, ptr %v780, i64 %v207
-  %v783 = mul i64 %v746, 56
-  %v784 = getelementptr i8, ptr %v204, i64 %v783
-  %v785 = getelementptr i8, ptr %v784, i64 %v747
-  %v786 = getelementptr double, ptr %v784, i64 %v207
-  %v787 = shl i64 %v746, 6
-  %v788 = getelementptr i8, ptr %v204, i64 %v787
-  %v789 = getelementptr i8, ptr %v788, i64 %v747
-  %v790 = getelementptr double, ptr %v788, i64 %v207
-  %v791 = shl i64 %v144, 5
-  %v792 = getelementptr i8, ptr %v142, i64 %v791
-  %v793 = getelementptr double, ptr %v92, i64 %v93
-  %v794 = getelementptr i8, ptr %v793, i64 -8
-  %v795 = mul i64 %v135, 56
-  %v796 = getelementptr i8, ptr %v133, i64 %v795
-  %v797 = mul i64 %v135, 120
-  %v798 = getelementptr i8, ptr %v133, i64 %v797
-  %v799 = shl i64 %v10, 7
-  %v800 = getelementptr i8, ptr %v158, i64 %v799
-  %v801 = mul i64 %v207, 216
-  %v802 = getelementptr i8, ptr %v186, i64 %v801
-  %v803 = mul i64 %v746, 72
-  %v804 = getelementptr i8, ptr %v204, i64 %v803
-  %v805 = getelementptr double, ptr %v804, i64 %v207
-  %v806 = getelementptr i8, ptr %v804, i64 %v747
-  %v807 = sub i64 %v207, %v18
-  %v808 = tail call i64 @llvm.smax.i64(i64 %v807, i64 0)
-  %v809 = icmp sgt i64 %v807, 0
-  %v810 = shl i64 %v746, 6
+  %v732 = shl i64 %v135, 6
+  %v733 = getelementptr i8, ptr %v133, i64 %v732
+  %v734 = shl i64 %v729, 7
+  %v735 = icmp sgt i64 %v10, 0
+  %v736 = getelementptr i8, ptr %v193, i64 %v734
+  %v737 = mul i64 %v207, 3
+  %v738 = getelementptr i8, ptr %v6, i64 32
+  %v739 = icmp sgt i64 %v207, 0
+  %v740 = mul i64 %v207, %v206
+  %v741 = shl i64 %v207, 4
+  %v742 = mul i64 %v729, 192
+  %v743 = mul i64 %v729, 184
+  %v744 = mul i64 %v729, 176
+  %v745 = mul i64 %v729, 168
+  %v746 = mul i64 %v729, 160
+  %v747 = mul i64 %v729, 152
+  %v748 = mul i64 %v729, 144
+  %v749 = getelementptr double, ptr %v92, i64 %v93
+  %v750 = getelementptr i8, ptr %v749, i64 -8
+  %v751 = icmp slt i64 %v15, 1
+  %v752 = getelementptr double, ptr %v204, i64 %v207
+  %v753 = getelementptr i8, ptr %v204, i64 %v741
+  %v754 = getelementptr double, ptr %v204, i64 %v740
+  %v755 = getelementptr i8, ptr %v754, i64 %v741
+  %v756 = getelementptr double, ptr %v754, i64 %v207
+  %v757 = shl i64 %v740, 4
+  %v758 = getelementptr i8, ptr %v204, i64 %v757
+  %v759 = getelementptr i8, ptr %v758, i64 %v741
+  %v760 = getelementptr double, ptr %v758, i64 %v207
+  %v761 = mul i64 %v740, 24
+  %v762 = getelementptr i8, ptr %v204, i64 %v761
+  %v763 = getelementptr i8, ptr %v762, i64 %v741
+  %v764 = getelementptr double, ptr %v762, i64 %v207
+  %v765 = shl i64 %v740, 5
+  %v766 = getelementptr i8, ptr %v204, i64 %v765
+  %v767 = getelementptr i8, ptr %v766, i64 %v741
+  %v768 = getelementptr double, ptr %v766, i64 %v207
+  %v769 = mul i64 %v740, 40
+  %v770 = getelementptr i8, ptr %v204, i64 %v769
+  %v771 = getelementptr i8, ptr %v770, i64 %v741
+  %v772 = getelementptr double, ptr %v770, i64 %v207
+  %v773 = mul i64 %v740, 48
+  %v774 = getelementptr i8, ptr %v204, i64 %v773
+  %v775 = getelementptr i8, ptr %v774, i64 %v741
+  %v776 = getelementptr double, ptr %v774, i64 %v207
+  %v777 = mul i64 %v740, 56
+  %v778 = getelementptr i8, ptr %v204, i64 %v777
+  %v779 = getelementptr i8, ptr %v778, i64 %v741
+  %v780 = getelementptr double, ptr %v778, i64 %v207
+  %v781 = shl i64 %v740, 6
+  %v782 = getelementptr i8, ptr %v204, i64 %v781
+  %v783 = getelementptr i8, ptr %v782, i64 %v741
+  %v784 = getelementptr double, ptr %v782, i64 %v207
+  %v785 = shl i64 %v144, 5
+  %v786 = getelementptr i8, ptr %v142, i64 %v785
+  %v787 = getelementptr double, ptr %v92, i64 %v93
+  %v788 = getelementptr i8, ptr %v787, i64 -8
+  %v789 = mul i64 %v135, 56
+  %v790 = getelementptr i8, ptr %v133, i64 %v789
+  %v791 = mul i64 %v135, 120
+  %v792 = getelementptr i8, ptr %v133, i64 %v791
+  %v793 = shl i64 %v10, 7
+  %v794 = getelementptr i8, ptr %v158, i64 %v793
+  %v795 = mul i64 %v207, 216
+  %v796 = getelementptr i8, ptr %v186, i64 %v795
+  %v797 = mul i64 %v740, 72
+  %v798 = getelementptr i8, ptr %v204, i64 %v797
+  %v799 = getelementptr double, ptr %v798, i64 %v207
+  %v800 = getelementptr i8, ptr %v798, i64 %v741
+  %v801 = sub i64 %v207, %v18
+  %v802 = tail call i64 @llvm.smax.i64(i64 %v801, i64 0)
+  %v803 = icmp sgt i64 %v801, 0
+  %v804 = shl i64 %v740, 6
+  %v805 = getelementptr i8, ptr %v204, i64 %v804
+  %v806 = getelementptr i8, ptr %v805, i64 %v741
+  %v807 = getelementptr inbounds i8, ptr %v300, i64 8
+  %v808 = getelementptr inbounds i8, ptr %v300, i64 16
+  %v809 = getelementptr inbounds i8, ptr %v300, i64 24
+  %v810 = mul i64 %v740, 80
   %v811 = getelementptr i8, ptr %v204, i64 %v810
-  %v812 = getelementptr i8, ptr %v811, i64 %v747
-  %v813 = getelementptr inbounds i8, ptr %v300, i64 8
-  %v814 = getelementptr inbounds i8, ptr %v300, i64 16
-  %v815 = getelementptr inbounds i8, ptr %v300, i64 24
-  %v816 = mul i64 %v746, 80
-  %v817 = getelementptr i8, ptr %v204, i64 %v816
-  %v818 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
-  %v819 = mul i64 %v457, %v195
-  %v820 = getelementptr i8, ptr %v193, i64 %v819
-  %v821 = mul nsw i64 %v10, %v9
-  %v822 = shl i64 %v821, 7
-  %v823 = getelementptr i8, ptr %v158, i64 %v822
-  %v824 = mul i64 %v821, 112
-  %v825 = getelementptr i8, ptr %v158, i64 %v824
-  %v826 = getelementptr i8, ptr %v6, i64 8
-  %v827 = mul i64 %v821, 120
-  %v828 = getelementptr i8, ptr %v158, i64 %v827
-  %v829 = getelementptr i8, ptr %v23, i64 8
-  %v830 = mul i64 %v735, 120
-  %v831 = getelementptr i8, ptr %v193, i64 %v830
-  %v832 = mul i64 %v735, 112
-  %v833 = getelementptr i8, ptr %v193, i64 %v832
-  %v834 = mul i64 %v135, 40
-  %v835 = getelementptr i8, ptr %v133, i64 %v834
-  %v836 = icmp slt i64 %v18, 1
-  %v837 = mul i64 %v746, 80
-  %v838 = getelementptr i8, ptr %v204, i64 %v837
-  %v839 = mul i64 %v821, 136
-  %v840 = getelementptr i8, ptr %v158, i64 %v839
-  %v841 = mul i64 %v821, 104
-  %v842 = getelementptr i8, ptr %v158, i64 %v841
-  %v843 = mul i64 %v135, 40
+  %v812 = tail call i64 @llvm.smax.i64(i64 %v10, i64 0)
+  %v813 = mul i64 %v457, %v195
+  %v814 = getelementptr i8, ptr %v193, i64 %v813
+  %v815 = mul nsw i64 %v10, %v9
+  %v816 = shl i64 %v815, 7
+  %v817 = getelementptr i8, ptr %v158, i64 %v816
+  %v818 = mul i64 %v815, 112
+  %v819 = getelementptr i8, ptr %v158, i64 %v818
+  %v820 = getelementptr i8, ptr %v6, i64 8
+  %v821 = mul i64 %v815, 120
+  %v822 = getelementptr i8, ptr %v158, i64 %v821
+  %v823 = getelementptr i8, ptr %v23, i64 8
+  %v824 = mul i64 %v729, 120
+  %v825 = getelementptr i8, ptr %v193, i64 %v824
+  %v826 = mul i64 %v729, 112
+  %v827 = getelementptr i8, ptr %v193, i64 %v826
+  %v828 = mul i64 %v135, 40
+  %v829 = getelementptr i8, ptr %v133, i64 %v828
+  %v830 = icmp slt i64 %v18, 1
+  %v831 = mul i64 %v740, 80
+  %v832 = getelementptr i8, ptr %v204, i64 %v831
+  %v833 = mul i64 %v815, 136
+  %v834 = getelementptr i8, ptr %v158, i64 %v833
+  %v835 = mul i64 %v815, 104
+  %v836 = getelementptr i8, ptr %v158, i64 %v835
+  %v837 = mul i64 %v135, 40
+  %v838 = getelementptr i8, ptr %v133, i64 %v837
+  %v839 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
+  %v840 = icmp slt i64 %v10, 1
+  %v841 = icmp slt i64 %v207, 1
+  %v842 = icmp slt i64 %v801, 1
+  %v843 = mul i64 %v135, 104
   %v844 = getelementptr i8, ptr %v133, i64 %v843
-  %v845 = tail call i64 @llvm.smax.i64(i64 %v207, i64 0)
-  %v846 = icmp slt i64 %v10, 1
-  %v847 = icmp slt i64 %v207, 1
-  %v848 = icmp slt i64 %v807, 1
-  %v849 = mul i64 %v135, 104
+  %v845 = mul i64 %v135, 112
+  %v846 = getelementptr i8, ptr %v133, i64 %v845
+  %v847 = shl i64 %v144, 4
+  %v848 = getelementptr i8, ptr %v142, i64 %v847
+  %v849 = mul i64 %v135, 200
   %v850 = getelementptr i8, ptr %v133, i64 %v849
-  %v851 = mul i64 %v135, 112
-  %v852 = getelementptr i8, ptr %v133, i64 %v851
-  %v853 = shl i64 %v144, 4
-  %v854 = getelementptr i8, ptr %v142, i64 %v853
-  %v855 = mul i64 %v135, 200
+  %v851 = mul i64 %v102, %v101
+  %v852 = mul i64 %v729, 136
+  %v853 = getelementptr i8, ptr %v193, i64 %v852
+  %v854 = add i64 %v93, -1
+  %v855 = mul i64 %v135, 40
   %v856 = getelementptr i8, ptr %v133, i64 %v855
-  %v857 = mul i64 %v102, %v101
-  %v858 = mul i64 %v735, 136
-  %v859 = getelementptr i8, ptr %v193, i64 %v858
-  %v860 = add i64 %v93, -1
+  %v857 = mul i64 %v135, 96
+  %v858 = getelementptr i8, ptr %v133, i64 %v857
+  %v859 = mul i64 %v135, 192
+  %v860 = getelementptr i8, ptr %v133, i64 %v859
   %v861 = mul i64 %v135, 40
   %v862 = getelementptr i8, ptr %v133, i64 %v861
-  %v863 = mul i64 %v135, 96
+  %v863 = shl i64 %v135, 5
   %v864 = getelementptr i8, ptr %v133, i64 %v863
-  %v865 = mul i64 %v135, 192
-  %v866 = getelementptr i8, ptr %v133, i64 %v865
-  %v867 = mul i64 %v135, 40
-  %v868 = getelementptr i8, ptr %v133, i64 %v867
-  %v869 = shl i64 %v135, 5
-  %v870 = getelementptr i8, ptr %v133, i64 %v869
-  %v871 = getelementptr double, ptr %v133, i64 %v135
-  %v872 = icmp slt i64 %v10, 1
-  %v873 = mul i64 %v735, 136
-  %v874 = getelementptr i8, ptr %v193, i64 %v873
-  %v875 = mul nsw i64 %v10, %v9
-  %v876 = mul i64 %v875, 136
-  %v877 = getelementptr i8, ptr %v158, i64 %v876
-  %v878 = mul i64 %v875, 104
-  %v879 = getelementptr i8, ptr %v158, i64 %v878
-  %v880 = mul i64 %v10, 136
-  %v881 = getelementptr i8, ptr %v158, i64 %v880
-  %v882 = mul i64 %v207, 192
-  %v883 = getelementptr i8, ptr %v186, i64 %v882
-  %v884 = icmp slt i64 %v207, 1
-  %v885 = getelementptr double, ptr %v811, i64 %v207
-  %v886 = mul i64 %v196, %v195
-  %v887 = mul i64 %v135, 40
+  %v865 = getelementptr double, ptr %v133, i64 %v135
+  %v866 = icmp slt i64 %v10, 1
+  %v867 = mul i64 %v729, 136
+  %v868 = getelementptr i8, ptr %v193, i64 %v867
+  %v869 = mul nsw i64 %v10, %v9
+  %v870 = mul i64 %v869, 136
+  %v871 = getelementptr i8, ptr %v158, i64 %v870
+  %v872 = mul i64 %v869, 104
+  %v873 = getelementptr i8, ptr %v158, i64 %v872
+  %v874 = mul i64 %v10, 136
+  %v875 = getelementptr i8, ptr %v158, i64 %v874
+  %v876 = mul i64 %v207, 192
+  %v877 = getelementptr i8, ptr %v186, i64 %v876
+  %v878 = icmp slt i64 %v207, 1
+  %v879 = getelementptr double, ptr %v805, i64 %v207
+  %v880 = mul i64 %v196, %v195
+  %v881 = mul i64 %v135, 40
+  %v882 = getelementptr i8, ptr %v133, i64 %v881
+  %v883 = mul i64 %v135, 56
+  %v884 = getelementptr i8, ptr %v133, i64 %v883
+  %v885 = shl i64 %v144, 4
+  %v886 = getelementptr i8, ptr %v142, i64 %v885
+  %v887 = mul i64 %v135, 48
   %v888 = getelementptr i8, ptr %v133, i64 %v887
-  %v889 = mul i64 %v135, 56
-  %v890 = getelementptr i8, ptr %v133, i64 %v889
-  %v891 = shl i64 %v144, 4
-  %v892 = getelementptr i8, ptr %v142, i64 %v891
-  %v893 = mul i64 %v135, 48
-  %v894 = getelementptr i8, ptr %v133, i64 %v893
-  %v895 = mul i64 %v886, 136
-  %v896 = icmp slt i64 %v10, 1
-  %v897 = mul i64 %v135, 200
-  %v898 = getelementptr i8, ptr %v133, i64 %v897
-  %v899 = mul i64 %v102, %v101
-  %v900 = getelementptr i8, ptr %v193, i64 %v895
-  %v901 = add i64 %v93, -1
-  %v902 = mul i64 %v886, 192
-  %v903 = mul i64 %v886, 184
-  %v904 = mul i64 %v886, 176
-  %v905 = mul i64 %v886, 168
-  %v906 = mul i64 %v886, 160
-  %v907 = mul i64 %v886, 152
-  %v908 = mul i64 %v886, 144
-  %v909 = icmp sgt i64 %v9, 1
-  %v910 = mul i64 %v135, 40
-  %v911 = getelementptr i8, ptr %v133, i64 %v910
-  %v912 = getelementptr i8, ptr %v6, i64 80
-  %v913 = mul i64 %v135, 40
-  %v914 = getelementptr i8, ptr %v133, i64 %v913
-  %v915 = mul i64 %v135, 96
-  %v916 = getelementptr i8, ptr %v133, i64 %v915
-  %v917 = mul i64 %v458, 72
-  %v918 = icmp sgt i64 %v18, 0
-  %v919 = getelementptr i8, ptr %v204, i64 %v917
-  %v920 = shl i64 %v144, 5
-  %v921 = getelementptr i8, ptr %v142, i64 %v920
-  %v922 = mul i64 %v459, 72
-  %v923 = icmp sgt i64 %v18, 0
-  %v924 = getelementptr i8, ptr %v204, i64 %v922
-  %v925 = mul nsw i64 %v10, %v9
-  %v926 = mul i64 %v925, 112
-  %v927 = getelementptr i8, ptr %v158, i64 %v926
-  %v928 = icmp sgt i64 %v18, 0
-  %v929 = getelementptr i8, ptr %v6, i64 8
-  %v930 = mul i64 %v925, 120
-  %v931 = getelementptr i8, ptr %v158, i64 %v930
-  %v932 = icmp sgt i64 %v18, 0
-  %v933 = getelementptr i8, ptr %v23, i64 8
-  %v934 = mul i64 %v196, %v195
-  %v935 = mul i64 %v934, 120
-  %v936 = getelementptr i8, ptr %v193, i64 %v935
-  %v937 = mul i64 %v934, 112
-  %v938 = getelementptr i8, ptr %v193, i64 %v937
-  %v939 = mul i64 %v135, 48
-  %v940 = getelementptr i8, ptr %v133, i64 %v939
-  %v941 = shl i64 %v460, 6
-  %v942 = icmp sgt i64 %v18, 0
-  %v943 = getelementptr i8, ptr %v204, i64 %v941
-  %v944 = mul i64 %v135, 120
-  %v945 = getelementptr i8, ptr %v133, i64 %v944
-  %v946 = icmp slt i64 %v10, 1
-  %v947 = getelementptr i8, ptr %v23, i64 8
-  %v948 = getelementptr double, ptr %v92, i64 %v93
-  %v949 = getelementptr i8, ptr %v948, i64 -8
-  %v950 = mul i64 %v144, 24
-  %v951 = getelementptr i8, ptr %v142, i64 %v950
-  %v952 = mul i64 %v144, 24
-  %v953 = getelementptr i8, ptr %v142, i64 %v952
-  %v954 = mul i64 %v135, 24
+  %v889 = mul i64 %v880, 136
+  %v890 = icmp slt i64 %v10, 1
+  %v891 = mul i64 %v135, 200
+  %v892 = getelementptr i8, ptr %v133, i64 %v891
+  %v893 = mul i64 %v102, %v101
+  %v894 = getelementptr i8, ptr %v193, i64 %v889
+  %v895 = add i64 %v93, -1
+  %v896 = mul i64 %v880, 192
+  %v897 = mul i64 %v880, 184
+  %v898 = mul i64 %v880, 176
+  %v899 = mul i64 %v880, 168
+  %v900 = mul i64 %v880, 160
+  %v901 = mul i64 %v880, 152
+  %v902 = mul i64 %v880, 144
+  %v903 = icmp sgt i64 %v9, 1
+  %v904 = mul i64 %v135, 40
+  %v905 = getelementptr i8, ptr %v133, i64 %v904
+  %v906 = getelementptr i8, ptr %v6, i64 80
+  %v907 = mul i64 %v135, 40
+  %v908 = getelementptr i8, ptr %v133, i64 %v907
+  %v909 = mul i64 %v135, 96
+  %v910 = getelementptr i8, ptr %v133, i64 %v909
+  %v911 = mul i64 %v458, 72
+  %v912 = icmp sgt i64 %v18, 0
+  %v913 = getelementptr i8, ptr %v204, i64 %v911
+  %v914 = shl i64 %v144, 5
+  %v915 = getelementptr i8, ptr %v142, i64 %v914
+  %v916 = mul i64 %v459, 72
+  %v917 = icmp sgt i64 %v18, 0
+  %v918 = getelementptr i8, ptr %v204, i64 %v916
+  %v919 = mul nsw i64 %v10, %v9
+  %v920 = mul i64 %v919, 112
+  %v921 = getelementptr i8, ptr %v158, i64 %v920
+  %v922 = icmp sgt i64 %v18, 0
+  %v923 = getelementptr i8, ptr %v6, i64 8
+  %v924 = mul i64 %v919, 120
+  %v925 = getelementptr i8, ptr %v158, i64 %v924
+  %v926 = icmp sgt i64 %v18, 0
+  %v927 = getelementptr i8, ptr %v23, i64 8
+  %v928 = mul i64 %v196, %v195
+  %v929 = mul i64 %v928, 120
+  %v930 = getelementptr i8, ptr %v193, i64 %v929
+  %v931 = mul i64 %v928, 112
+  %v932 = getelementptr i8, ptr %v193, i64 %v931
+  %v933 = mul i64 %v135, 48
+  %v934 = getelementptr i8, ptr %v133, i64 %v933
+  %v935 = shl i64 %v460, 6
+  %v936 = icmp sgt i64 %v18, 0
+  %v937 = getelementptr i8, ptr %v204, i64 %v935
+  %v938 = mul i64 %v135, 120
+  %v939 = getelementptr i8, ptr %v133, i64 %v938
+  %v940 = icmp slt i64 %v10, 1
+  %v941 = getelementptr i8, ptr %v23, i64 8
+  %v942 = getelementptr double, ptr %v92, i64 %v93
+  %v943 = getelementptr i8, ptr %v942, i64 -8
+  %v944 = mul i64 %v144, 24
+  %v945 = getelementptr i8, ptr %v142, i64 %v944
+  %v946 = mul i64 %v144, 24
+  %v947 = getelementptr i8, ptr %v142, i64 %v946
+  %v948 = mul i64 %v135, 24
+  %v949 = getelementptr i8, ptr %v133, i64 %v948
+  %v950 = icmp ne i64 %v16, 0
+  %v951 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
+  %v952 = mul i64 %v135, 40
+  %v953 = getelementptr i8, ptr %v133, i64 %v952
+  %v954 = shl i64 %v135, 4
   %v955 = getelementptr i8, ptr %v133, i64 %v954
-  %v956 = icmp ne i64 %v16, 0
-  %v957 = tail call i64 @llvm.smax.i64(i64 %v9, i64 0)
-  %v958 = mul i64 %v135, 40
-  %v959 = getelementptr i8, ptr %v133, i64 %v958
-  %v960 = shl i64 %v135, 4
-  %v961 = getelementptr i8, ptr %v133, i64 %v960
-  %v962 = getelementptr i64, ptr %v142, i64 %v144
-  %v963 = icmp slt i64 %v63, 1
-  %v964 = getelementptr i8, ptr %v6, i64 8
-  %v965 = mul nsw i64 %v10, %v9
-  %v966 = getelementptr i8, ptr %v6, i64 24
-  %v967 = mul i64 %v965, 136
-  %v968 = getelementptr i8, ptr %v158, i64 %v967
-  %v969 = mul i64 %v102, %v101
-  %v970 = add nsw i64 %v957, -1
-  %v971 = mul i64 %v207, %v206
-  %v972 = mul i64 %v196, %v195
-  %v973 = shl i64 %v144, 4
-  %v974 = getelementptr i8, ptr %v142, i64 %v973
-  %v975 = mul i64 %v972, 136
-  %v976 = icmp slt i64 %v10, 1
-  %v977 = getelementptr i8, ptr %v193, i64 %v975
-  %v978 = icmp eq i64 %v15, 0
-  %v979 = getelementptr double, ptr %v92, i64 %v93
-  %v980 = getelementptr i8, ptr %v979, i64 -8
-  %v981 = shl i64 %v135, 6
-  %v982 = getelementptr i8, ptr %v133, i64 %v981
-  %v983 = mul i64 %v965, 112
-  %v984 = getelementptr i8, ptr %v158, i64 %v983
-  %v985 = mul i64 %v972, 112
-  %v986 = getelementptr i8, ptr %v193, i64 %v985
-  %v987 = shl i64 %v972, 7
-  %v988 = getelementptr i8, ptr %v193, i64 %v987
-  %v989 = getelementptr i8, ptr %v6, i64 32
-  %v990 = mul i64 %v10, 136
-  %v991 = getelementptr i8, ptr %v158, i64 %v990
-  %v992 = mul i64 %v207, 216
-  %v993 = getelementptr i8, ptr %v186, i64 %v992
-  %v994 = mul i64 %v971, 72
-  %v995 = icmp slt i64 %v207, 1
-  %v996 = getelementptr i8, ptr %v204, i64 %v994
-  %v997 = getelementptr double, ptr %v996, i64 %v207
-  %v998 = shl i64 %v207, 4
-  %v999 = getelementptr i8, ptr %v996, i64 %v998
-  %v1000 = shl i64 %v10, 7
-  %v1001 = getelementptr i8, ptr %v158, i64 %v1000
-  %v1002 = mul i64 %v207, 240
-  %v1003 = getelementptr i8, ptr %v186, i64 %v1002
-  %v1004 = mul i64 %v971, 80
-  %v1005 = getelementptr i8, ptr %v204, i64 %v1004
-  %v1006 = getelementptr double, ptr %v1005, i64 %v207
-  %v1007 = getelementptr i8, ptr %v1005, i64 %v998
-  %v1008 = sub i64 %v207, %v18
-  %v1009 = tail call i64 @llvm.smax.i64(i64 %v1008, i64 0)
-  %v1010 = getelementptr double, ptr %v204, i64 %v207
-  %v1011 = getelementptr i8, ptr %v1010, i64 %v1004
-  %v1012 = shl i64 %v144, 5
-  %v1013 = getelementptr i8, ptr %v142, i64 %v1012
-  %v1014 = mul i64 %v135, 112
+  %v956 = getelementptr i64, ptr %v142, i64 %v144
+  %v957 = icmp slt i64 %v63, 1
+  %v958 = getelementptr i8, ptr %v6, i64 8
+  %v959 = mul nsw i64 %v10, %v9
+  %v960 = getelementptr i8, ptr %v6, i64 24
+  %v961 = mul i64 %v959, 136
+  %v962 = getelementptr i8, ptr %v158, i64 %v961
+  %v963 = mul i64 %v102, %v101
+  %v964 = add nsw i64 %v951, -1
+  %v965 = mul i64 %v207, %v206
+  %v966 = mul i64 %v196, %v195
+  %v967 = shl i64 %v144, 4
+  %v968 = getelementptr i8, ptr %v142, i64 %v967
+  %v969 = mul i64 %v966, 136
+  %v970 = icmp slt i64 %v10, 1
+  %v971 = getelementptr i8, ptr %v193, i64 %v969
+  %v972 = icmp eq i64 %v15, 0
+  %v973 = getelementptr double, ptr %v92, i64 %v93
+  %v974 = getelementptr i8, ptr %v973, i64 -8
+  %v975 = shl i64 %v135, 6
+  %v976 = getelementptr i8, ptr %v133, i64 %v975
+  %v977 = mul i64 %v959, 112
+  %v978 = getelementptr i8, ptr %v158, i64 %v977
+  %v979 = mul i64 %v966, 112
+  %v980 = getelementptr i8, ptr %v193, i64 %v979
+  %v981 = shl i64 %v966, 7
+  %v982 = getelementptr i8, ptr %v193, i64 %v981
+  %v983 = getelementptr i8, ptr %v6, i64 32
+  %v984 = mul i64 %v10, 136
+  %v985 = getelementptr i8, ptr %v158, i64 %v984
+  %v986 = mul i64 %v207, 216
+  %v987 = getelementptr i8, ptr %v186, i64 %v986
+  %v988 = mul i64 %v965, 72
+  %v989 = icmp slt i64 %v207, 1
+  %v990 = getelementptr i8, ptr %v204, i64 %v988
+  %v991 = getelementptr double, ptr %v990, i64 %v207
+  %v992 = shl i64 %v207, 4
+  %v993 = getelementptr i8, ptr %v990, i64 %v992
+  %v994 = shl i64 %v10, 7
+  %v995 = getelementptr i8, ptr %v158, i64 %v994
+  %v996 = mul i64 %v207, 240
+  %v997 = getelementptr i8, ptr %v186, i64 %v996
+  %v998 = mul i64 %v965, 80
+  %v999 = getelementptr i8, ptr %v204, i64 %v998
+  %v1000 = getelementptr double, ptr %v999, i64 %v207
+  %v1001 = getelementptr i8, ptr %v999, i64 %v992
+  %v1002 = sub i64 %v207, %v18
+  %v1003 = tail call i64 @llvm.smax.i64(i64 %v1002, i64 0)
+  %v1004 = getelementptr double, ptr %v204, i64 %v207
+  %v1005 = getelementptr i8, ptr %v1004, i64 %v998
+  %v1006 = shl i64 %v144, 5
+  %v1007 = getelementptr i8, ptr %v142, i64 %v1006
+  %v1008 = mul i64 %v135, 112
+  %v1009 = getelementptr i8, ptr %v133, i64 %v1008
+  %v1010 = xor i1 %v307, true
+  %v1011 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
+  %v1012 = add nsw i64 %v1011, -1
+  %v1013 = zext i1 %v1010 to i64
+  %v1014 = mul i64 %v135, 208
   %v1015 = getelementptr i8, ptr %v133, i64 %v1014
-  %v1016 = xor i1 %v307, true
-  %v1017 = tail call i64 @llvm.smax.i64(i64 %v9, i64 1)
-  %v1018 = add nsw i64 %v1017, -1
-  %v1019 = zext i1 %v1016 to i64
-  %v1020 = mul i64 %v135, 208
-  %v1021 = getelementptr i8, ptr %v133, i64 %v1020
-  %v1022 = icmp slt i64 %v10, 1
-  %v1023 = mul i64 %v135, 216
+  %v1016 = icmp slt i64 %v10, 1
+  %v1017 = mul i64 %v135, 216
+  %v1018 = getelementptr i8, ptr %v133, i64 %v1017
+  %v1019 = mul i64 %v135, 248
+  %v1020 = getelementptr i8, ptr %v133, i64 %v1019
+  %v1021 = mul i64 %v135, 224
+  %v1022 = getelementptr i8, ptr %v133, i64 %v1021
+  %v1023 = mul i64 %v135, 232
   %v1024 = getelementptr i8, ptr %v133, i64 %v1023
-  %v1025 = mul i64 %v135, 248
+  %v1025 = shl i64 %v135, 4
   %v1026 = getelementptr i8, ptr %v133, i64 %v1025
-  %v1027 = mul i64 %v135, 224
+  %v1027 = mul i64 %v135, 232
   %v1028 = getelementptr i8, ptr %v133, i64 %v1027
-  %v1029 = mul i64 %v135, 232
+  %v1029 = mul i64 %v135, 40
   %v1030 = getelementptr i8, ptr %v133, i64 %v1029
   %v1031 = shl i64 %v135, 4
   %v1032 = getelementptr i8, ptr %v133, i64 %v1031
-  %v1033 = mul i64 %v135, 232
-  %v1034 = getelementptr i8, ptr %v133, i64 %v1033
-  %v1035 = mul i64 %v135, 40
-  %v1036 = getelementptr i8, ptr %v133, i64 %v1035
-  %v1037 = shl i64 %v135, 4
-  %v1038 = getelementptr i8, ptr %v133, i64 %v1037
-  %v1039 = getelementptr i64, ptr %v142, i64 %v144
-  %v1040 = mul i64 %v135, 24
-  %v1041 = getelementptr i8, ptr %v133, i64 %v1040
-  %v1042 = mul i64 %v135, 24
-  %v1043 = getelementptr i8, ptr %v133, i64 %v1042
-  %v1044 = icmp slt i64 %v63, 1
-  %v1045 = shl i64 %v144, 4
+  %v1033 = getelementptr i64, ptr %v142, i64 %v144
+  %v1034 = mul i64 %v135, 24
+  %v1035 = getelementptr i8, ptr %v133, i64 %v1034
+  %v1036 = mul i64 %v135, 24
+  %v1037 = getelementptr i8, ptr %v133, i64 %v1036
+  %v1038 = icmp slt i64 %v63, 1
+  %v1039 = shl i64 %v144, 4
+  %v1040 = getelementptr i8, ptr %v142, i64 %v1039
+  %v1041 = mul i64 %v135, 24
+  %v1042 = getelementptr i8, ptr %v133, i64 %v1041
+  %v1043 = getelementptr i8, ptr %v151, i64 8
+  %v1044 = getelementptr i64, ptr %v142, i64 %v144
+  %v1045 = mul i64 %v144, 24
   %v1046 = getelementptr i8, ptr %v142, i64 %v1045
-  %v1047 = mul i64 %v135, 24
-  %v1048 = getelementptr i8, ptr %v133, i64 %v1047
-  %v1049 = getelementptr i8, ptr %v151, i64 8
-  %v1050 = getelementptr i64, ptr %v142, i64 %v144
-  %v1051 = mul i64 %v144, 24
-  %v1052 = getelementptr i8, ptr %v142, i64 %v1051
-  %v1053 = icmp slt i64 %v41, 1
-  %v1054 = icmp slt i64 %v63, 1
-  %v1055 = icmp slt i64 %v10, 1
-  %v1056 = mul i64 %v135, 208
+  %v1047 = icmp slt i64 %v41, 1
+  %v1048 = icmp slt i64 %v63, 1
+  %v1049 = icmp slt i64 %v10, 1
+  %v1050 = mul i64 %v135, 208
+  %v1051 = getelementptr i8, ptr %v133, i64 %v1050
+  %v1052 = mul i64 %v135, 120
+  %v1053 = getelementptr i8, ptr %v133, i64 %v1052
+  %v1054 = mul i64 %v135, 200
+  %v1055 = getelementptr i8, ptr %v133, i64 %v1054
+  %v1056 = mul i64 %v135, 216
   %v1057 = getelementptr i8, ptr %v133, i64 %v1056
-  %v1058 = mul i64 %v135, 120
+  %v1058 = shl i64 %v135, 4
   %v1059 = getelementptr i8, ptr %v133, i64 %v1058
-  %v1060 = mul i64 %v135, 200
+  %v1060 = mul i64 %v135, 240
   %v1061 = getelementptr i8, ptr %v133, i64 %v1060
-  %v1062 = mul i64 %v135, 216
-  %v1063 = getelementptr i8, ptr %v133, i64 %v1062
-  %v1064 = shl i64 %v135, 4
-  %v1065 = getelementptr i8, ptr %v133, i64 %v1064
-  %v1066 = mul i64 %v135, 240
-  %v1067 = getelementptr i8, ptr %v133, i64 %v1066
-  %v1068 = getelementptr double, ptr %v92, i64 %v93
-  %v1069 = getelementptr i8, ptr %v1068, i64 -8
-  %v1070 = getelementptr double, ptr %v133, i64 %v135
-  %v1071 = mul i64 %v135, 240
-  %v1072 = getelementptr i8, ptr %v133, i64 %v1071
-  %v1073 = mul i64 %v135, 208
-  %v1074 = getelementptr i8, ptr %v133, i64 %v1073
-  %v1075 = sitofp i64 %v298 to double
-  %v1076 = mul i64 %v135, 152
-  %v1077 = getelementptr i8, ptr %v133, i64 %v1076
-  %v1078 = shl i64 %v135, 4
-  %v1079 = getelementptr i8, ptr %v133, i64 %v1078
-  %v1080 = mul i64 %v135, 144
-  %v1081 = getelementptr i8, ptr %v133, i64 %v1080
-  %v1082 = shl i64 %v144, 4
-  %v1083 = getelementptr i8, ptr %v142, i64 %v1082
-  %v1084 = shl i64 %v688, 4
-  %v1085 = mul i64 %v688, 24
-  %v1086 = shl i64 %v688, 5
-  %v1087 = mul i64 %v688, 40
-  %v1088 = mul i64 %v688, 48
-  %v1089 = mul i64 %v688, 56
-  %v1090 = shl i64 %v688, 6
-  %v1091 = shl i64 %v688, 4
-  %v1092 = shl i64 %v688, 5
-  %v1093 = mul i64 %v688, 48
-  %v1094 = shl i64 %v688, 6
-  %v1095 = mul i64 %v688, 24
-  %v1096 = shl i64 %v688, 4
-  %v1097 = shl i64 %v688, 5
-  %v1098 = mul i64 %v688, 48
-  %v1099 = shl i64 %v688, 6
-  %v1100 = mul i64 %v688, 40
-  %v1101 = shl i64 %v688, 4
-  %v1102 = shl i64 %v688, 5
-  %v1103 = mul i64 %v688, 48
-  %v1104 = shl i64 %v688, 6
-  %v1105 = mul i64 %v688, 56
-  %v1106 = shl i64 %v688, 4
-  %v1107 = shl i64 %v688, 5
-  %v1108 = mul i64 %v688, 48
-  %v1109 = shl i64 %v688, 6
-  br label %v1110
+  %v1062 = getelementptr double, ptr %v92, i64 %v93
+  %v1063 = getelementptr i8, ptr %v1062, i64 -8
+  %v1064 = getelementptr double, ptr %v133, i64 %v135
+  %v1065 = mul i64 %v135, 240
+  %v1066 = getelementptr i8, ptr %v133, i64 %v1065
+  %v1067 = mul i64 %v135, 208
+  %v1068 = getelementptr i8, ptr %v133, i64 %v1067
+  %v1069 = sitofp i64 %v298 to double
+  %v1070 = mul i64 %v135, 152
+  %v1071 = getelementptr i8, ptr %v133, i64 %v1070
+  %v1072 = shl i64 %v135, 4
+  %v1073 = getelementptr i8, ptr %v133, i64 %v1072
+  %v1074 = mul i64 %v135, 144
+  %v1075 = getelementptr i8, ptr %v133, i64 %v1074
+  %v1076 = shl i64 %v144, 4
+  %v1077 = getelementptr i8, ptr %v142, i64 %v1076
+  %v1078 = shl i64 %v682, 4
+  %v1079 = mul i64 %v682, 24
+  %v1080 = shl i64 %v682, 5
+  %v1081 = mul i64 %v682, 40
+  %v1082 = mul i64 %v682, 48
+  %v1083 = mul i64 %v682, 56
+  %v1084 = shl i64 %v682, 6
+  %v1085 = shl i64 %v682, 4
+  %v1086 = shl i64 %v682, 5
+  %v1087 = mul i64 %v682, 48
+  %v1088 = shl i64 %v682, 6
+  %v1089 = mul i64 %v682, 24
+  %v1090 = shl i64 %v682, 4
+  %v1091 = shl i64 %v682, 5
+  %v1092 = mul i64 %v682, 48
+  %v1093 = shl i64 %v682, 6
+  %v1094 = mul i64 %v682, 40
+  %v1095 = shl i64 %v682, 4
+  %v1096 = shl i64 %v682, 5
+  %v1097 = mul i64 %v682, 48
+  %v1098 = shl i64 %v682, 6
+  %v1099 = mul i64 %v682, 56
+  %v1100 = shl i64 %v682, 4
+  %v1101 = shl i64 %v682, 5
+  %v1102 = mul i64 %v682, 48
+  %v1103 = shl i64 %v682, 6
+  br label %v1104
 
-v1110:
-  %v1111 = phi i64 [ %v1112, %v1113 ], [ %v297, %v450 ]
-  %v1114 = phi i64 [ %v1115, %v1113 ], [ %v446, %v450 ]
-  %v1116 = add nsw i64 %v1111, -1
-  %v1117 = load i64, ptr %v452, align 8, !noalias !11
-  %v1118 = icmp eq i64 %v1117, 0
-  br i1 %v1118, label %v1119, label %v1120
+v1104:
+  %v1105 = phi i64 [ %v1106, %v1107 ], [ %v297, %v450 ]
+  %v1108 = phi i64 [ %v1109, %v1107 ], [ %v446, %v450 ]
+  %v1110 = add nsw i64 %v1105, -1
+  %v1111 = load i64, ptr %v452, align 8, !noalias !11
+  %v1112 = icmp eq i64 %v1111, 0
+  br i1 %v1112, label %v1113, label %v1114
 
-v1120:
-  %v1121 = icmp eq i64 %v1117, 2
+v1114:
+  %v1115 = icmp eq i64 %v1111, 2
   store i64 0, ptr %v452, align 8, !noalias !11
-  %v1122 = load i64, ptr %v461, align 8, !noalias !15
-  %v1123 = inttoptr i64 %v1122 to ptr
-  tail call void %v1123(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
-  br i1 %v305, label %v1124, label %v1125
+  %v1116 = load i64, ptr %v461, align 8, !noalias !15
+  %v1117 = inttoptr i64 %v1116 to ptr
+  tail call void %v1117(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !15
+  br i1 %v305, label %v1118, label %v1119
+
+v1118:
+  %v1120 = load i64, ptr %v462, align 8, !noalias !18
+  %v1121 = inttoptr i64 %v1120 to ptr
+  tail call void %v1121(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
+  br i1 %v463, label %v1122, label %v1123
 
 v1124:
-  %v1126 = load i64, ptr %v462, align 8, !noalias !18
-  %v1127 = inttoptr i64 %v1126 to ptr
-  tail call void %v1127(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !18
-  br i1 %v463, label %v1128, label %v1129
-
-v1130:
-  %v1131 = tail call double @llvm.fabs.f64(double %v1132)
-  %v1133 = getelementptr double, ptr %v466, i64 %v1134
-  %v1135 = load double, ptr %v1133, align 8, !noalias !18
-  %v1136 = fadd double %v1131, %v1135
-  %v1137 = fcmp ueq double %v1136, 0x7FF0000000000000
-  br i1 %v1137, label %v1138, label %v1139
-
-v1138:
-  %v1140 = fcmp une double %v1132, 0.000000e+00
-  br i1 %v1140, label %v1141, label %v1142
-
-v1141:
-  %v1143 = getelementptr double, ptr %v468, i64 %v1134
-  store double 0.000000e+00, ptr %v1143, align 8, !noalias !18
-  br label %v1142
-
-v1142:
-  %v1144 = icmp slt i64 %v1134, %v18
-  br i1 %v1144, label %v1145, label %v1146
-
-v1145:
-  %v1147 = getelementptr double, ptr %v204, i64 %v1134
-  %v1148 = load double, ptr %v1147, align 8, !noalias !18
-  %v1149 = add nsw i64 %v1134, %v17
-  %v1150 = icmp slt i64 %v1149, 0
-  %v1151 = select i1 %v1150, i64 %v166, i64 0
-  %v1152 = getelementptr double, ptr %v165, i64 %v1149
-  %v1153 = getelementptr double, ptr %v1152, i64 %v1151
-  %v1154 = load double, ptr %v1153, align 8, !noalias !18
-  %v1155 = fcmp une double %v1148, %v1154
-  br i1 %v1155, label %v1156, label %v1146
-
-v1156:
-  %v1157 = fcmp ord double %v1148, 0.000000e+00
-  br i1 %v1157, label %v1146, label %v1158
-
-v1158:
-  %v1159 = fcmp ord double %v1154, 0.000000e+00
-  br label %v1146
-
-v1146:
-  %v1160 = phi i1 [ true, %v1142 ], [ true, %v1156 ], [ %v1159, %v1158 ], [ false, %v1145 ]
-  %v1161 = fcmp uno double %v1132, 0.000000e+00
-  br i1 %v1161, label %v1162, label %v1163
-
-v1163:
-  %v1164 = fcmp oeq double %v1132, 0.000000e+00
-  %v1165 = and i1 %v1164, %v1160
-  %v1166 = and i1 %v1144, %v1165
-  br i1 %v1166, label %v1162, label %v1139
-
-v1162:
-  %v1167 = select i1 %v1160, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v1167, ptr %v1168, align 8, !noalias !18
-  br label %v1139
-
-v1139:
-  %v1169 = icmp eq i64 %v207, %v1170
-  br i1 %v1169, label %v1128, label %v1129
-
-v1129:
-  %v1134 = phi i64 [ %v1170, %v1139 ], [ 0, %v1124 ]
-  %v1170 = add nsw i64 %v1134, 1
-  %v1168 = getelementptr double, ptr %v464, i64 %v1134
-  %v1132 = load double, ptr %v1168, align 8, !noalias !18
-  %v1171 = fcmp ueq double %v1132, 0.000000e+00
-  br i1 %v1171, label %v1138, label %v1130
-
-v1172:
-  %v1173 = fcmp uno double %v1174, 0.000000e+00
-  %v1175 = fcmp uno double %v1176, 0.000000e+00
-  %v1177 = and i1 %v1173, %v1175
-  br i1 %v1177, label %v1178, label %v1179
-
-v1180:
-  %v1181 = phi i64 [ %v1182, %v1178 ], [ 0, %v1183 ]
-  %v1182 = add nsw i64 %v1181, 1
-  %v1184 = getelementptr double, ptr %v204, i64 %v1181
-  %v1174 = load double, ptr %v1184, align 8, !noalias !25
-  %v1185 = add nsw i64 %v1181, %v17
-  %v1186 = icmp slt i64 %v1185, 0
-  %v1187 = select i1 %v1186, i64 %v166, i64 0
-  %v1188 = getelementptr double, ptr %v165, i64 %v1185
-  %v1189 = getelementptr double, ptr %v1188, i64 %v1187
-  %v1176 = load double, ptr %v1189, align 8, !noalias !25
-  %v1190 = fcmp une double %v1174, %v1176
-  br i1 %v1190, label %v1172, label %v1178
-
-v1178:
-  %v1191 = icmp eq i64 %v1182, %v18
-  br i1 %v1191, label %v1179, label %v1180
-
-v1192:
-  %v1193 = load double, ptr %v470, align 8, !noalias !29
-  %v1194 = fcmp ogt double %v1193, 5.000000e-01
-  br i1 %v1194, label %v1195, label %v1196
-
-v1195:
-  br i1 %v472, label %v1197, label %v1198
-
-v1198:
-  %v1199 = load i64, ptr %v461, align 8, !noalias !30
-  %v1200 = inttoptr i64 %v1199 to ptr
-  tail call void %v1200(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !30
-  br label %v1196
+  store double 0.000000e+00, ptr %v1125, align 8, !noalias !18
+  %v1126 = icmp slt i64 %v1127, %v18
+  br i1 %v1126, label %v1128, label %v1129
 
 v1128:
-  %v1201 = load double, ptr %v470, align 8, !noalias !29
-  %v1202 = fcmp oeq double %v1201, 2.500000e-01
-  br i1 %v1202, label %v1183, label %v1192
+  %v1130 = getelementptr double, ptr %v204, i64 %v1127
+  %v1131 = load double, ptr %v1130, align 8, !noalias !18
+  %v1132 = add nsw i64 %v1127, %v17
+  %v1133 = icmp slt i64 %v1132, 0
+  %v1134 = select i1 %v1133, i64 %v166, i64 0
+  %v1135 = getelementptr double, ptr %v165, i64 %v1132
+  %v1136 = getelementptr double, ptr %v1135, i64 %v1134
+  %v1137 = load double, ptr %v1136, align 8, !noalias !18
+  %v1138 = fcmp une double %v1131, %v1137
+  br i1 %v1138, label %v1139, label %v1129
 
-v1183:
-  br i1 %v471, label %v1180, label %v1179
+v1139:
+  %v1140 = fcmp ord double %v1131, 0.000000e+00
+  br i1 %v1140, label %v1129, label %v1141
+
+v1141:
+  %v1142 = fcmp ord double %v1137, 0.000000e+00
+  %v1143 = select i1 %v1142, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v1129
+
+v1129:
+  %v1144 = phi double [ 0xFFF0000000000000, %v1124 ], [ 0xFFF0000000000000, %v1139 ], [ %v1143, %v1141 ], [ 0x7FF0000000000000, %v1128 ]
+  %v1145 = fcmp uno double %v1146, 0.000000e+00
+  br i1 %v1145, label %v1147, label %v1148
+
+v1147:
+  store double %v1144, ptr %v1149, align 8, !noalias !18
+  br label %v1148
+
+v1148:
+  %v1150 = icmp eq i64 %v207, %v1151
+  br i1 %v1150, label %v1122, label %v1123
+
+v1123:
+  %v1127 = phi i64 [ %v1151, %v1148 ], [ 0, %v1118 ]
+  %v1151 = add nsw i64 %v1127, 1
+  %v1149 = getelementptr double, ptr %v464, i64 %v1127
+  %v1146 = load double, ptr %v1149, align 8, !noalias !18
+  %v1152 = tail call double @llvm.fabs.f64(double %v1146)
+  %v1125 = getelementptr double, ptr %v466, i64 %v1127
+  %v1153 = load double, ptr %v1125, align 8, !noalias !18
+  %v1154 = fadd double %v1152, %v1153
+  %v1155 = fcmp ueq double %v1154, 0x7FF0000000000000
+  br i1 %v1155, label %v1124, label %v1148
+
+v1156:
+  %v1157 = fcmp uno double %v1158, 0.000000e+00
+  %v1159 = fcmp uno double %v1160, 0.000000e+00
+  %v1161 = and i1 %v1157, %v1159
+  br i1 %v1161, label %v1162, label %v1163
+
+v1164:
+  %v1165 = phi i64 [ %v1166, %v1162 ], [ 0, %v1167 ]
+  %v1166 = add nsw i64 %v1165, 1
+  %v1168 = getelementptr double, ptr %v204, i64 %v1165
+  %v1158 = load double, ptr %v1168, align 8, !noalias !25
+  %v1169 = add nsw i64 %v1165, %v17
+  %v1170 = icmp slt i64 %v1169, 0
+  %v1171 = select i1 %v1170, i64 %v166, i64 0
+  %v1172 = getelementptr double, ptr %v165, i64 %v1169
+  %v1173 = getelementptr double, ptr %v1172, i64 %v1171
+  %v1160 = load double, ptr %v1173, align 8, !noalias !25
+  %v1174 = fcmp une double %v1158, %v1160
+  br i1 %v1174, label %v1156, label %v1162
+
+v1162:
+  %v1175 = icmp eq i64 %v1166, %v18
+  br i1 %v1175, label %v1163, label %v1164
+
+v1176:
+  %v1177 = load double, ptr %v468, align 8, !noalias !29
+  %v1178 = fcmp ogt double %v1177, 5.000000e-01
+  br i1 %v1178, label %v1179, label %v1180
 
 v1179:
-  %v1203 = phi double [ 0.000000e+00, %v1183 ], [ 0.000000e+00, %v1178 ], [ 1.000000e+00, %v1172 ]
-  store double %v1203, ptr %v470, align 8, !noalias !29
-  br label %v1192
+  br i1 %v470, label %v1181, label %v1182
 
-v1197:
-  %v1204 = phi i64 [ %v1205, %v1197 ], [ 0, %v1195 ]
-  %v1205 = add nsw i64 %v1204, 1
-  %v1206 = getelementptr double, ptr %v204, i64 %v1204
-  %v1207 = load double, ptr %v1206, align 8, !noalias !29
-  %v1208 = add nsw i64 %v1204, %v17
-  %v1209 = icmp slt i64 %v1208, 0
-  %v1210 = select i1 %v1209, i64 %v166, i64 0
-  %v1211 = getelementptr double, ptr %v165, i64 %v1208
-  %v1212 = getelementptr double, ptr %v1211, i64 %v1210
-  store double %v1207, ptr %v1212, align 8, !noalias !29
-  %v1213 = icmp eq i64 %v1205, %v18
-  br i1 %v1213, label %v1198, label %v1197
+v1182:
+  %v1183 = load i64, ptr %v461, align 8, !noalias !30
+  %v1184 = inttoptr i64 %v1183 to ptr
+  tail call void %v1184(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !30
+  br label %v1180
 
-v1214:
-  %v1215 = load double, ptr %v470, align 8, !noalias !11
-  %v1216 = fcmp ogt double %v1215, 5.000000e-01
-  br label %v1125
+v1122:
+  %v1185 = load double, ptr %v468, align 8, !noalias !29
+  %v1186 = fcmp oeq double %v1185, 2.500000e-01
+  br i1 %v1186, label %v1167, label %v1176
 
-v1125:
-  %v1217 = phi i1 [ %v1121, %v1120 ], [ %v1216, %v1214 ]
-  br i1 %v1217, label %v1218, label %v1119
+v1167:
+  br i1 %v469, label %v1164, label %v1163
 
-v1218:
-  br i1 %v473, label %v1219, label %v1220
+v1163:
+  %v1187 = phi double [ 0.000000e+00, %v1167 ], [ 0.000000e+00, %v1162 ], [ 1.000000e+00, %v1156 ]
+  store double %v1187, ptr %v468, align 8, !noalias !29
+  br label %v1176
 
-v1219:
-  %v1221 = load i64, ptr %v6, align 8, !noalias !33
-  %v1222 = inttoptr i64 %v1221 to ptr
-  tail call void %v1222(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v476), !noalias !33
-  %v1223 = load i64, ptr %v477, align 8, !noalias !36
-  %v1224 = inttoptr i64 %v1223 to ptr
-  tail call void %v1224(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !36
-  %v1225 = load i64, ptr %v478, align 8, !noalias !39
-  %v1226 = inttoptr i64 %v1225 to ptr
-  tail call void %v1226(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !39
-  %v1227 = load i64, ptr %v6, align 8, !noalias !42
-  %v1228 = inttoptr i64 %v1227 to ptr
-  tail call void %v1228(ptr %v480, ptr %v482, ptr %v165, ptr %v172, ptr %v179, ptr %v484), !noalias !42
-  %v1229 = load i64, ptr %v485, align 8, !noalias !45
-  %v1230 = inttoptr i64 %v1229 to ptr
-  tail call void %v1230(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !45
-  br label %v1220
+v1181:
+  %v1188 = phi i64 [ %v1189, %v1181 ], [ 0, %v1179 ]
+  %v1189 = add nsw i64 %v1188, 1
+  %v1190 = getelementptr double, ptr %v204, i64 %v1188
+  %v1191 = load double, ptr %v1190, align 8, !noalias !29
+  %v1192 = add nsw i64 %v1188, %v17
+  %v1193 = icmp slt i64 %v1192, 0
+  %v1194 = select i1 %v1193, i64 %v166, i64 0
+  %v1195 = getelementptr double, ptr %v165, i64 %v1192
+  %v1196 = getelementptr double, ptr %v1195, i64 %v1194
+  store double %v1191, ptr %v1196, align 8, !noalias !29
+  %v1197 = icmp eq i64 %v1189, %v18
+  br i1 %v1197, label %v1182, label %v1181
 
-v1220:
-  br i1 %v307, label %v1119, label %v1231
-
-v1232:
-  store double 0.000000e+00, ptr %v1233, align 8, !noalias !48
-  %v1234 = getelementptr double, ptr %v492, i64 %v1235
-  store double 0.000000e+00, ptr %v1234, align 8, !noalias !48
-  %v1236 = getelementptr double, ptr %v494, i64 %v1235
-  store double 0.000000e+00, ptr %v1236, align 8, !noalias !48
-  %v1237 = getelementptr i64, ptr %v142, i64 %v1235
-  %v1238 = load i64, ptr %v1237, align 8, !noalias !48
-  %v1239 = icmp slt i64 %v1238, 0
-  %v1240 = select i1 %v1239, i64 %v125, i64 0
-  %v1241 = add i64 %v1240, %v1238
-  %v1242 = mul i64 %v1241, %v126
-  %v1243 = getelementptr i64, ptr %v124, i64 %v1242
-  %v1244 = getelementptr i8, ptr %v1243, i64 8
-  %v1245 = load i64, ptr %v1244, align 8, !noalias !48
-  %v1246 = add nsw i64 %v1245, %v496
-  store i64 %v1246, ptr %v1244, align 8, !noalias !48
-  %v1247 = load i64, ptr %v1237, align 8, !noalias !48
-  %v1248 = icmp slt i64 %v1247, 0
-  %v1249 = select i1 %v1248, i64 %v125, i64 0
-  %v1250 = add i64 %v1249, %v1247
-  %v1251 = mul i64 %v1250, %v126
-  %v1252 = getelementptr i64, ptr %v124, i64 %v1251
-  %v1253 = getelementptr i8, ptr %v1252, i64 16
-  %v1254 = load i64, ptr %v1253, align 8, !noalias !48
-  %v1255 = add nsw i64 %v1254, %v497
-  store i64 %v1255, ptr %v1253, align 8, !noalias !48
-  %v1256 = getelementptr double, ptr %v499, i64 %v1235
-  %v1257 = load double, ptr %v1256, align 8, !noalias !48
-  %v1258 = fcmp une double %v1257, 0.000000e+00
-  br i1 %v1258, label %v1259, label %v1260
-
-v1259:
-  %v1261 = load i64, ptr %v1237, align 8, !noalias !52
-  %v1262 = icmp sgt i64 %v1261, -1
-  br i1 %v1262, label %v1263, label %v1260
-
-v1263:
-  %v1264 = getelementptr i64, ptr %v110, i64 %v1261
-  %v1265 = load i64, ptr %v1264, align 8, !noalias !52
-  %v1266 = icmp eq i64 %v1265, 0
-  br i1 %v1266, label %v1267, label %v1260
-
-v1267:
-  store i64 3, ptr %v1264, align 8, !noalias !52
-  br label %v1260
-
-v1260:
-  br i1 %v500, label %v1268, label %v1269
-
-v1269:
-  %v1270 = load double, ptr %v502, align 8, !noalias !55
-  %v1271 = load double, ptr %v92, align 8, !noalias !55
-  %v1272 = fsub double %v1270, %v1271
-  %v1273 = fmul double %v1272, 1.000000e-13
-  %v1274 = load double, ptr %v133, align 8, !noalias !55
-  %v1275 = tail call double @llvm.fabs.f64(double %v1274)
-  %v1276 = fmul double %v1275, 4.000000e-15
-  %v1277 = fcmp ogt double %v1276, %v1273
-  %v1278 = select i1 %v1277, double %v1276, double %v1273
-  %v1279 = fadd double %v1274, %v1278
-  store double %v1279, ptr %v504, align 8, !noalias !62
-  %v1280 = load i64, ptr %v6, align 8, !noalias !63
-  %v1281 = inttoptr i64 %v1280 to ptr
-  tail call void %v1281(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v505), !noalias !63
-  br i1 %v507, label %v1282, label %v1283
-
-v1282:
-  %v1284 = load i64, ptr %v513, align 8, !noalias !66
-  %v1285 = inttoptr i64 %v1284 to ptr
-  tail call void %v1285(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v515), !noalias !66
-  br i1 %v516, label %v1286, label %v1287
-
-v1288:
-  %v1289 = tail call double @llvm.fabs.f64(double %v1290)
-  %v1291 = getelementptr double, ptr %v520, i64 %v1292
-  %v1293 = load double, ptr %v1291, align 8, !noalias !66
-  %v1294 = fadd double %v1289, %v1293
-  %v1295 = fcmp ueq double %v1294, 0x7FF0000000000000
-  br i1 %v1295, label %v1296, label %v1297
-
-v1296:
-  %v1298 = fcmp une double %v1290, 0.000000e+00
-  br i1 %v1298, label %v1299, label %v1300
-
-v1299:
-  %v1301 = getelementptr double, ptr %v522, i64 %v1292
-  store double 0.000000e+00, ptr %v1301, align 8, !noalias !66
-  br label %v1300
-
-v1300:
-  %v1302 = icmp slt i64 %v1292, %v18
-  br i1 %v1302, label %v1303, label %v1304
-
-v1303:
-  %v1305 = getelementptr double, ptr %v517, i64 %v1292
-  %v1306 = load double, ptr %v1305, align 8, !noalias !66
-  %v1307 = add nsw i64 %v1292, %v17
-  %v1308 = icmp slt i64 %v1307, 0
-  %v1309 = select i1 %v1308, i64 %v166, i64 0
-  %v1310 = getelementptr double, ptr %v165, i64 %v1307
-  %v1311 = getelementptr double, ptr %v1310, i64 %v1309
-  %v1312 = load double, ptr %v1311, align 8, !noalias !66
-  %v1313 = fcmp une double %v1306, %v1312
-  br i1 %v1313, label %v1314, label %v1304
-
-v1314:
-  %v1315 = fcmp ord double %v1306, 0.000000e+00
-  br i1 %v1315, label %v1304, label %v1316
-
-v1316:
-  %v1317 = fcmp ord double %v1312, 0.000000e+00
-  br label %v1304
-
-v1304:
-  %v1318 = phi i1 [ true, %v1300 ], [ true, %v1314 ], [ %v1317, %v1316 ], [ false, %v1303 ]
-  %v1319 = fcmp uno double %v1290, 0.000000e+00
-  br i1 %v1319, label %v1320, label %v1321
-
-v1321:
-  %v1322 = fcmp oeq double %v1290, 0.000000e+00
-  %v1323 = and i1 %v1322, %v1318
-  %v1324 = and i1 %v1302, %v1323
-  br i1 %v1324, label %v1320, label %v1297
-
-v1320:
-  %v1325 = select i1 %v1318, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v1325, ptr %v1326, align 8, !noalias !66
-  br label %v1297
-
-v1297:
-  %v1327 = icmp eq i64 %v207, %v1328
-  br i1 %v1327, label %v1286, label %v1287
-
-v1287:
-  %v1292 = phi i64 [ %v1328, %v1297 ], [ 0, %v1282 ]
-  %v1328 = add nsw i64 %v1292, 1
-  %v1326 = getelementptr double, ptr %v518, i64 %v1292
-  %v1290 = load double, ptr %v1326, align 8, !noalias !66
-  %v1329 = fcmp ueq double %v1290, 0.000000e+00
-  br i1 %v1329, label %v1296, label %v1288
-
-v1330:
-  %v1331 = phi i64 [ %v1332, %v1333 ], [ %v18, %v1334 ]
-  %v1335 = phi i64 [ %v1336, %v1333 ], [ %v535, %v1334 ]
-  %v1337 = icmp sgt i64 %v1335, 0
-  br i1 %v1337, label %v1333, label %v1268
-
-v1338:
-  %v1339 = getelementptr i64, ptr %v546, i64 %v1235
-  store i64 %v1331, ptr %v1339, align 8, !noalias !62
-  %v1340 = load i64, ptr %v1237, align 8, !noalias !70
-  %v1341 = icmp sgt i64 %v1340, -1
-  br i1 %v1341, label %v1342, label %v1343
-
-v1342:
-  %v1344 = getelementptr i64, ptr %v110, i64 %v1340
-  %v1345 = load i64, ptr %v1344, align 8, !noalias !70
-  %v1346 = icmp eq i64 %v1345, 0
-  br i1 %v1346, label %v1347, label %v1343
-
-v1347:
-  store i64 4, ptr %v1344, align 8, !noalias !70
-  br label %v1343
-
-v1343:
-  %v1348 = getelementptr double, ptr %v133, i64 %v1235
-  %v1349 = load double, ptr %v1348, align 8, !noalias !62
-  %v1350 = getelementptr double, ptr %v548, i64 %v1235
-  store double %v1349, ptr %v1350, align 8, !noalias !62
-  %v1351 = getelementptr double, ptr %v550, i64 %v1235
-  store double 0.000000e+00, ptr %v1351, align 8, !noalias !62
-  br label %v1268
-
-v1283:
-  %v1352 = phi i64 [ %v1353, %v1283 ], [ 0, %v1269 ]
-  %v1353 = add nsw i64 %v1352, 1
-  %v1354 = mul i64 %v1352, %v196
-  %v1355 = getelementptr double, ptr %v193, i64 %v1354
-  %v1356 = load double, ptr %v1355, align 8, !noalias !62
-  %v1357 = getelementptr double, ptr %v510, i64 %v1354
-  %v1358 = load double, ptr %v1357, align 8, !noalias !62
-  %v1359 = fmul double %v1278, %v1358
-  %v1360 = fadd double %v1356, %v1359
-  %v1361 = getelementptr double, ptr %v512, i64 %v1354
-  store double %v1360, ptr %v1361, align 8, !noalias !62
-  %v1362 = icmp eq i64 %v10, %v1353
-  br i1 %v1362, label %v1282, label %v1283
-
-v1286:
-  %v1363 = load i64, ptr %v513, align 8, !noalias !73
-  %v1364 = inttoptr i64 %v1363 to ptr
-  tail call void %v1364(ptr nonnull %v504, ptr %v524, ptr %v165, ptr %v172, ptr %v179, ptr %v526), !noalias !73
-  br i1 %v527, label %v1334, label %v1365
-
-v1334:
-  br label %v1330
-
-v1366:
-  %v1367 = tail call double @llvm.fabs.f64(double %v1368)
-  %v1369 = getelementptr double, ptr %v531, i64 %v1370
-  %v1371 = load double, ptr %v1369, align 8, !noalias !73
-  %v1372 = fadd double %v1367, %v1371
-  %v1373 = fcmp ueq double %v1372, 0x7FF0000000000000
-  br i1 %v1373, label %v1374, label %v1375
-
-v1374:
-  %v1376 = fcmp une double %v1368, 0.000000e+00
-  br i1 %v1376, label %v1377, label %v1378
-
-v1377:
-  %v1379 = getelementptr double, ptr %v533, i64 %v1370
-  store double 0.000000e+00, ptr %v1379, align 8, !noalias !73
-  br label %v1378
-
-v1378:
-  %v1380 = icmp slt i64 %v1370, %v18
-  br i1 %v1380, label %v1381, label %v1382
-
-v1381:
-  %v1383 = getelementptr double, ptr %v528, i64 %v1370
-  %v1384 = load double, ptr %v1383, align 8, !noalias !73
-  %v1385 = add nsw i64 %v1370, %v17
-  %v1386 = icmp slt i64 %v1385, 0
-  %v1387 = select i1 %v1386, i64 %v166, i64 0
-  %v1388 = getelementptr double, ptr %v165, i64 %v1385
-  %v1389 = getelementptr double, ptr %v1388, i64 %v1387
-  %v1390 = load double, ptr %v1389, align 8, !noalias !73
-  %v1391 = fcmp une double %v1384, %v1390
-  br i1 %v1391, label %v1392, label %v1382
-
-v1392:
-  %v1393 = fcmp ord double %v1384, 0.000000e+00
-  br i1 %v1393, label %v1382, label %v1394
-
-v1394:
-  %v1395 = fcmp ord double %v1390, 0.000000e+00
-  br label %v1382
-
-v1382:
-  %v1396 = phi i1 [ true, %v1378 ], [ true, %v1392 ], [ %v1395, %v1394 ], [ false, %v1381 ]
-  %v1397 = fcmp uno double %v1368, 0.000000e+00
-  br i1 %v1397, label %v1398, label %v1399
-
-v1399:
-  %v1400 = fcmp oeq double %v1368, 0.000000e+00
-  %v1401 = and i1 %v1400, %v1396
-  %v1402 = and i1 %v1380, %v1401
-  br i1 %v1402, label %v1398, label %v1375
-
-v1398:
-  %v1403 = select i1 %v1396, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v1403, ptr %v1404, align 8, !noalias !73
-  br label %v1375
-
-v1375:
-  %v1405 = icmp eq i64 %v207, %v1406
-  br i1 %v1405, label %v1334, label %v1365
-
-v1365:
-  %v1370 = phi i64 [ %v1406, %v1375 ], [ 0, %v1286 ]
-  %v1406 = add nsw i64 %v1370, 1
-  %v1404 = getelementptr double, ptr %v529, i64 %v1370
-  %v1368 = load double, ptr %v1404, align 8, !noalias !73
-  %v1407 = fcmp ueq double %v1368, 0.000000e+00
-  br i1 %v1407, label %v1374, label %v1366
-
-v1333:
-  %v1336 = add nsw i64 %v1335, -1
-  %v1332 = add i64 %v1331, 1
-  %v1408 = icmp slt i64 %v1331, 0
-  %v1409 = select i1 %v1408, i64 %v207, i64 0
-  %v1410 = add i64 %v1409, %v1331
-  %v1411 = getelementptr double, ptr %v539, i64 %v1410
-  %v1412 = load double, ptr %v1411, align 8, !noalias !62
-  %v1413 = getelementptr double, ptr %v542, i64 %v1410
-  %v1414 = load double, ptr %v1413, align 8, !noalias !62
-  %v1415 = fsub double %v1412, %v1414
-  %v1416 = tail call double @llvm.fabs.f64(double %v1415)
-  %v1417 = getelementptr double, ptr %v544, i64 %v1410
-  %v1418 = load double, ptr %v1417, align 8, !noalias !62
-  %v1419 = fcmp ueq double %v1416, 0x7FF0000000000000
-  %v1420 = fadd double %v1418, %v1416
-  %v1421 = select i1 %v1419, double %v1418, double %v1420
-  %v1422 = getelementptr double, ptr %v541, i64 %v1410
-  %v1423 = load double, ptr %v1422, align 8, !noalias !62
-  %v1424 = fneg double %v1421
-  %v1425 = fcmp ult double %v1423, %v1424
-  br i1 %v1425, label %v1338, label %v1330
-
-v1426:
-  %v1427 = icmp sgt i64 %v1428, 1
-  br i1 %v1427, label %v1231, label %v1119
-
-v1231:
-  %v1428 = phi i64 [ %v1429, %v1426 ], [ %v308, %v1220 ]
-  %v1235 = phi i64 [ %v1430, %v1426 ], [ 0, %v1220 ]
-  %v1429 = add nsw i64 %v1428, -1
-  %v1430 = add nsw i64 %v1235, 1
-  %v1233 = getelementptr double, ptr %v490, i64 %v1235
-  %v1431 = load double, ptr %v1233, align 8, !noalias !48
-  %v1432 = fcmp olt double %v1431, 5.000000e-01
-  br i1 %v1432, label %v1426, label %v1232
-
-v1268:
-  %v1433 = getelementptr double, ptr %v552, i64 %v1235
-  %v1434 = load double, ptr %v1433, align 8, !noalias !77
-  %v1435 = getelementptr double, ptr %v554, i64 %v1235
-  store double %v1434, ptr %v1435, align 8, !noalias !77
-  %v1436 = getelementptr i64, ptr %v556, i64 %v1235
-  %v1437 = load i64, ptr %v1436, align 8, !noalias !77
-  %v1438 = icmp slt i64 %v1437, %v93
-  br i1 %v1438, label %v1439, label %v1426
-
-v1439:
-  %v1440 = icmp slt i64 %v1437, 0
-  %v1441 = select i1 %v1440, i64 %v93, i64 0
-  %v1442 = getelementptr double, ptr %v92, i64 %v1437
-  %v1443 = getelementptr double, ptr %v1442, i64 %v1441
-  %v1444 = load double, ptr %v1443, align 8, !noalias !77
-  %v1445 = load double, ptr %v1433, align 8, !noalias !77
-  %v1446 = fcmp olt double %v1445, %v1444
-  %v1447 = select i1 %v1446, double %v1445, double %v1444
-  store double %v1447, ptr %v1435, align 8, !noalias !77
-  br label %v1426
-
-v1196:
-  br i1 %v1121, label %v1218, label %v1214
+v1198:
+  %v1199 = load double, ptr %v468, align 8, !noalias !11
+  %v1200 = fcmp ogt double %v1199, 5.000000e-01
+  br label %v1119
 
 v1119:
-  %v1448 = phi i1 [ %v641, %v1125 ], [ %v641, %v1110 ], [ true, %v1220 ], [ true, %v1426 ]
-  %v1449 = load i64, ptr %v557, align 8, !noalias !81
-  %v1450 = inttoptr i64 %v1449 to ptr
-  tail call void %v1450(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !81
-  br i1 %v558, label %v1451, label %v1452
+  %v1201 = phi i1 [ %v1115, %v1114 ], [ %v1200, %v1198 ]
+  br i1 %v1201, label %v1202, label %v1113
 
-v1453:
-  %v1454 = getelementptr double, ptr %v643, i64 %v1455
-  %v1456 = load double, ptr %v1454, align 8
-  %v1457 = fcmp ogt double %v1456, 5.000000e-01
-  br label %v1458
+v1202:
+  br i1 %v471, label %v1203, label %v1204
 
-v1458:
-  %v1459 = phi i1 [ true, %v1460 ], [ %v1457, %v1453 ]
-  br i1 %v1461, label %v1462, label %v1463
+v1203:
+  %v1205 = load i64, ptr %v6, align 8, !noalias !33
+  %v1206 = inttoptr i64 %v1205 to ptr
+  tail call void %v1206(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v474), !noalias !33
+  %v1207 = load i64, ptr %v475, align 8, !noalias !36
+  %v1208 = inttoptr i64 %v1207 to ptr
+  tail call void %v1208(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !36
+  %v1209 = load i64, ptr %v476, align 8, !noalias !39
+  %v1210 = inttoptr i64 %v1209 to ptr
+  tail call void %v1210(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !39
+  %v1211 = load i64, ptr %v6, align 8, !noalias !42
+  %v1212 = inttoptr i64 %v1211 to ptr
+  tail call void %v1212(ptr %v478, ptr %v480, ptr %v165, ptr %v172, ptr %v179, ptr %v482), !noalias !42
+  %v1213 = load i64, ptr %v483, align 8, !noalias !45
+  %v1214 = inttoptr i64 %v1213 to ptr
+  tail call void %v1214(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !45
+  br label %v1204
 
-v1463:
-  %v1464 = getelementptr double, ptr %v645, i64 %v1455
-  %v1465 = load double, ptr %v1464, align 8
-  %v1466 = fcmp ogt double %v1465, 5.000000e-01
-  br label %v1462
+v1204:
+  br i1 %v307, label %v1113, label %v1215
 
-v1462:
-  %v1467 = phi i1 [ true, %v1458 ], [ %v1466, %v1463 ]
-  %v1468 = icmp sgt i64 %v1469, 1
-  br i1 %v1468, label %v1460, label %v1470
+v1216:
+  store double 0.000000e+00, ptr %v1217, align 8, !noalias !48
+  %v1218 = getelementptr double, ptr %v490, i64 %v1219
+  store double 0.000000e+00, ptr %v1218, align 8, !noalias !48
+  %v1220 = getelementptr double, ptr %v492, i64 %v1219
+  store double 0.000000e+00, ptr %v1220, align 8, !noalias !48
+  %v1221 = getelementptr i64, ptr %v142, i64 %v1219
+  %v1222 = load i64, ptr %v1221, align 8, !noalias !48
+  %v1223 = icmp slt i64 %v1222, 0
+  %v1224 = select i1 %v1223, i64 %v125, i64 0
+  %v1225 = add i64 %v1224, %v1222
+  %v1226 = mul i64 %v1225, %v126
+  %v1227 = getelementptr i64, ptr %v124, i64 %v1226
+  %v1228 = getelementptr i8, ptr %v1227, i64 8
+  %v1229 = load i64, ptr %v1228, align 8, !noalias !48
+  %v1230 = add nsw i64 %v1229, %v494
+  store i64 %v1230, ptr %v1228, align 8, !noalias !48
+  %v1231 = load i64, ptr %v1221, align 8, !noalias !48
+  %v1232 = icmp slt i64 %v1231, 0
+  %v1233 = select i1 %v1232, i64 %v125, i64 0
+  %v1234 = add i64 %v1233, %v1231
+  %v1235 = mul i64 %v1234, %v126
+  %v1236 = getelementptr i64, ptr %v124, i64 %v1235
+  %v1237 = getelementptr i8, ptr %v1236, i64 16
+  %v1238 = load i64, ptr %v1237, align 8, !noalias !48
+  %v1239 = add nsw i64 %v1238, %v495
+  store i64 %v1239, ptr %v1237, align 8, !noalias !48
+  %v1240 = getelementptr double, ptr %v497, i64 %v1219
+  %v1241 = load double, ptr %v1240, align 8, !noalias !48
+  %v1242 = fcmp une double %v1241, 0.000000e+00
+  br i1 %v1242, label %v1243, label %v1244
+
+v1243:
+  %v1245 = load i64, ptr %v1221, align 8, !noalias !52
+  %v1246 = icmp sgt i64 %v1245, -1
+  br i1 %v1246, label %v1247, label %v1244
+
+v1247:
+  %v1248 = getelementptr i64, ptr %v110, i64 %v1245
+  %v1249 = load i64, ptr %v1248, align 8, !noalias !52
+  %v1250 = icmp eq i64 %v1249, 0
+  br i1 %v1250, label %v1251, label %v1244
+
+v1251:
+  store i64 3, ptr %v1248, align 8, !noalias !52
+  br label %v1244
+
+v1244:
+  br i1 %v498, label %v1252, label %v1253
+
+v1253:
+  %v1254 = load double, ptr %v500, align 8, !noalias !55
+  %v1255 = load double, ptr %v92, align 8, !noalias !55
+  %v1256 = fsub double %v1254, %v1255
+  %v1257 = fmul double %v1256, 1.000000e-13
+  %v1258 = load double, ptr %v133, align 8, !noalias !55
+  %v1259 = tail call double @llvm.fabs.f64(double %v1258)
+  %v1260 = fmul double %v1259, 4.000000e-15
+  %v1261 = fcmp ogt double %v1260, %v1257
+  %v1262 = select i1 %v1261, double %v1260, double %v1257
+  %v1263 = fadd double %v1258, %v1262
+  store double %v1263, ptr %v502, align 8, !noalias !62
+  %v1264 = load i64, ptr %v6, align 8, !noalias !63
+  %v1265 = inttoptr i64 %v1264 to ptr
+  tail call void %v1265(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v503), !noalias !63
+  br i1 %v505, label %v1266, label %v1267
+
+v1266:
+  %v1268 = load i64, ptr %v511, align 8, !noalias !66
+  %v1269 = inttoptr i64 %v1268 to ptr
+  tail call void %v1269(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v513), !noalias !66
+  br i1 %v514, label %v1270, label %v1271
+
+v1272:
+  store double 0.000000e+00, ptr %v1273, align 8, !noalias !66
+  %v1274 = icmp slt i64 %v1275, %v18
+  br i1 %v1274, label %v1276, label %v1277
+
+v1276:
+  %v1278 = getelementptr double, ptr %v515, i64 %v1275
+  %v1279 = load double, ptr %v1278, align 8, !noalias !66
+  %v1280 = add nsw i64 %v1275, %v17
+  %v1281 = icmp slt i64 %v1280, 0
+  %v1282 = select i1 %v1281, i64 %v166, i64 0
+  %v1283 = getelementptr double, ptr %v165, i64 %v1280
+  %v1284 = getelementptr double, ptr %v1283, i64 %v1282
+  %v1285 = load double, ptr %v1284, align 8, !noalias !66
+  %v1286 = fcmp une double %v1279, %v1285
+  br i1 %v1286, label %v1287, label %v1277
+
+v1287:
+  %v1288 = fcmp ord double %v1279, 0.000000e+00
+  br i1 %v1288, label %v1277, label %v1289
+
+v1289:
+  %v1290 = fcmp ord double %v1285, 0.000000e+00
+  %v1291 = select i1 %v1290, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v1277
+
+v1277:
+  %v1292 = phi double [ 0xFFF0000000000000, %v1272 ], [ 0xFFF0000000000000, %v1287 ], [ %v1291, %v1289 ], [ 0x7FF0000000000000, %v1276 ]
+  %v1293 = fcmp uno double %v1294, 0.000000e+00
+  br i1 %v1293, label %v1295, label %v1296
+
+v1295:
+  store double %v1292, ptr %v1297, align 8, !noalias !66
+  br label %v1296
+
+v1296:
+  %v1298 = icmp eq i64 %v207, %v1299
+  br i1 %v1298, label %v1270, label %v1271
+
+v1271:
+  %v1275 = phi i64 [ %v1299, %v1296 ], [ 0, %v1266 ]
+  %v1299 = add nsw i64 %v1275, 1
+  %v1297 = getelementptr double, ptr %v516, i64 %v1275
+  %v1294 = load double, ptr %v1297, align 8, !noalias !66
+  %v1300 = tail call double @llvm.fabs.f64(double %v1294)
+  %v1273 = getelementptr double, ptr %v518, i64 %v1275
+  %v1301 = load double, ptr %v1273, align 8, !noalias !66
+  %v1302 = fadd double %v1300, %v1301
+  %v1303 = fcmp ueq double %v1302, 0x7FF0000000000000
+  br i1 %v1303, label %v1272, label %v1296
+
+v1304:
+  %v1305 = phi i64 [ %v1306, %v1307 ], [ %v18, %v1308 ]
+  %v1309 = phi i64 [ %v1310, %v1307 ], [ %v529, %v1308 ]
+  %v1311 = icmp sgt i64 %v1309, 0
+  br i1 %v1311, label %v1307, label %v1252
+
+v1312:
+  %v1313 = getelementptr i64, ptr %v540, i64 %v1219
+  store i64 %v1305, ptr %v1313, align 8, !noalias !62
+  %v1314 = load i64, ptr %v1221, align 8, !noalias !70
+  %v1315 = icmp sgt i64 %v1314, -1
+  br i1 %v1315, label %v1316, label %v1317
+
+v1316:
+  %v1318 = getelementptr i64, ptr %v110, i64 %v1314
+  %v1319 = load i64, ptr %v1318, align 8, !noalias !70
+  %v1320 = icmp eq i64 %v1319, 0
+  br i1 %v1320, label %v1321, label %v1317
+
+v1321:
+  store i64 4, ptr %v1318, align 8, !noalias !70
+  br label %v1317
+
+v1317:
+  %v1322 = getelementptr double, ptr %v133, i64 %v1219
+  %v1323 = load double, ptr %v1322, align 8, !noalias !62
+  %v1324 = getelementptr double, ptr %v542, i64 %v1219
+  store double %v1323, ptr %v1324, align 8, !noalias !62
+  %v1325 = getelementptr double, ptr %v544, i64 %v1219
+  store double 0.000000e+00, ptr %v1325, align 8, !noalias !62
+  br label %v1252
+
+v1267:
+  %v1326 = phi i64 [ %v1327, %v1267 ], [ 0, %v1253 ]
+  %v1327 = add nsw i64 %v1326, 1
+  %v1328 = mul i64 %v1326, %v196
+  %v1329 = getelementptr double, ptr %v193, i64 %v1328
+  %v1330 = load double, ptr %v1329, align 8, !noalias !62
+  %v1331 = getelementptr double, ptr %v508, i64 %v1328
+  %v1332 = load double, ptr %v1331, align 8, !noalias !62
+  %v1333 = fmul double %v1262, %v1332
+  %v1334 = fadd double %v1330, %v1333
+  %v1335 = getelementptr double, ptr %v510, i64 %v1328
+  store double %v1334, ptr %v1335, align 8, !noalias !62
+  %v1336 = icmp eq i64 %v10, %v1327
+  br i1 %v1336, label %v1266, label %v1267
+
+v1270:
+  %v1337 = load i64, ptr %v511, align 8, !noalias !73
+  %v1338 = inttoptr i64 %v1337 to ptr
+  tail call void %v1338(ptr nonnull %v502, ptr %v520, ptr %v165, ptr %v172, ptr %v179, ptr %v522), !noalias !73
+  br i1 %v523, label %v1308, label %v1339
+
+v1308:
+  br label %v1304
+
+v1340:
+  store double 0.000000e+00, ptr %v1341, align 8, !noalias !73
+  %v1342 = icmp slt i64 %v1343, %v18
+  br i1 %v1342, label %v1344, label %v1345
+
+v1344:
+  %v1346 = getelementptr double, ptr %v524, i64 %v1343
+  %v1347 = load double, ptr %v1346, align 8, !noalias !73
+  %v1348 = add nsw i64 %v1343, %v17
+  %v1349 = icmp slt i64 %v1348, 0
+  %v1350 = select i1 %v1349, i64 %v166, i64 0
+  %v1351 = getelementptr double, ptr %v165, i64 %v1348
+  %v1352 = getelementptr double, ptr %v1351, i64 %v1350
+  %v1353 = load double, ptr %v1352, align 8, !noalias !73
+  %v1354 = fcmp une double %v1347, %v1353
+  br i1 %v1354, label %v1355, label %v1345
+
+v1355:
+  %v1356 = fcmp ord double %v1347, 0.000000e+00
+  br i1 %v1356, label %v1345, label %v1357
+
+v1357:
+  %v1358 = fcmp ord double %v1353, 0.000000e+00
+  %v1359 = select i1 %v1358, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v1345
+
+v1345:
+  %v1360 = phi double [ 0xFFF0000000000000, %v1340 ], [ 0xFFF0000000000000, %v1355 ], [ %v1359, %v1357 ], [ 0x7FF0000000000000, %v1344 ]
+  %v1361 = fcmp uno double %v1362, 0.000000e+00
+  br i1 %v1361, label %v1363, label %v1364
+
+v1363:
+  store double %v1360, ptr %v1365, align 8, !noalias !73
+  br label %v1364
+
+v1364:
+  %v1366 = icmp eq i64 %v207, %v1367
+  br i1 %v1366, label %v1308, label %v1339
+
+v1339:
+  %v1343 = phi i64 [ %v1367, %v1364 ], [ 0, %v1270 ]
+  %v1367 = add nsw i64 %v1343, 1
+  %v1365 = getelementptr double, ptr %v525, i64 %v1343
+  %v1362 = load double, ptr %v1365, align 8, !noalias !73
+  %v1368 = tail call double @llvm.fabs.f64(double %v1362)
+  %v1341 = getelementptr double, ptr %v527, i64 %v1343
+  %v1369 = load double, ptr %v1341, align 8, !noalias !73
+  %v1370 = fadd double %v1368, %v1369
+  %v1371 = fcmp ueq double %v1370, 0x7FF0000000000000
+  br i1 %v1371, label %v1340, label %v1364
+
+v1307:
+  %v1310 = add nsw i64 %v1309, -1
+  %v1306 = add i64 %v1305, 1
+  %v1372 = icmp slt i64 %v1305, 0
+  %v1373 = select i1 %v1372, i64 %v207, i64 0
+  %v1374 = add i64 %v1373, %v1305
+  %v1375 = getelementptr double, ptr %v533, i64 %v1374
+  %v1376 = load double, ptr %v1375, align 8, !noalias !62
+  %v1377 = getelementptr double, ptr %v536, i64 %v1374
+  %v1378 = load double, ptr %v1377, align 8, !noalias !62
+  %v1379 = fsub double %v1376, %v1378
+  %v1380 = tail call double @llvm.fabs.f64(double %v1379)
+  %v1381 = getelementptr double, ptr %v538, i64 %v1374
+  %v1382 = load double, ptr %v1381, align 8, !noalias !62
+  %v1383 = fcmp ueq double %v1380, 0x7FF0000000000000
+  %v1384 = fadd double %v1382, %v1380
+  %v1385 = select i1 %v1383, double %v1382, double %v1384
+  %v1386 = getelementptr double, ptr %v535, i64 %v1374
+  %v1387 = load double, ptr %v1386, align 8, !noalias !62
+  %v1388 = fneg double %v1385
+  %v1389 = fcmp ult double %v1387, %v1388
+  br i1 %v1389, label %v1312, label %v1304
+
+v1390:
+  %v1391 = icmp sgt i64 %v1392, 1
+  br i1 %v1391, label %v1215, label %v1113
+
+v1215:
+  %v1392 = phi i64 [ %v1393, %v1390 ], [ %v308, %v1204 ]
+  %v1219 = phi i64 [ %v1394, %v1390 ], [ 0, %v1204 ]
+  %v1393 = add nsw i64 %v1392, -1
+  %v1394 = add nsw i64 %v1219, 1
+  %v1217 = getelementptr double, ptr %v488, i64 %v1219
+  %v1395 = load double, ptr %v1217, align 8, !noalias !48
+  %v1396 = fcmp olt double %v1395, 5.000000e-01
+  br i1 %v1396, label %v1390, label %v1216
+
+v1252:
+  %v1397 = getelementptr double, ptr %v546, i64 %v1219
+  %v1398 = load double, ptr %v1397, align 8, !noalias !77
+  %v1399 = getelementptr double, ptr %v548, i64 %v1219
+  store double %v1398, ptr %v1399, align 8, !noalias !77
+  %v1400 = getelementptr i64, ptr %v550, i64 %v1219
+  %v1401 = load i64, ptr %v1400, align 8, !noalias !77
+  %v1402 = icmp slt i64 %v1401, %v93
+  br i1 %v1402, label %v1403, label %v1390
+
+v1403:
+  %v1404 = icmp slt i64 %v1401, 0
+  %v1405 = select i1 %v1404, i64 %v93, i64 0
+  %v1406 = getelementptr double, ptr %v92, i64 %v1401
+  %v1407 = getelementptr double, ptr %v1406, i64 %v1405
+  %v1408 = load double, ptr %v1407, align 8, !noalias !77
+  %v1409 = load double, ptr %v1397, align 8, !noalias !77
+  %v1410 = fcmp olt double %v1409, %v1408
+  %v1411 = select i1 %v1410, double %v1409, double %v1408
+  store double %v1411, ptr %v1399, align 8, !noalias !77
+  br label %v1390
+
+v1180:
+  br i1 %v1115, label %v1202, label %v1198
+
+v1113:
+  %v1412 = phi i1 [ %v635, %v1119 ], [ %v635, %v1104 ], [ true, %v1204 ], [ true, %v1390 ]
+  %v1413 = load i64, ptr %v551, align 8, !noalias !81
+  %v1414 = inttoptr i64 %v1413 to ptr
+  tail call void %v1414(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !81
+  br i1 %v552, label %v1415, label %v1416
+
+v1417:
+  %v1418 = getelementptr double, ptr %v637, i64 %v1419
+  %v1420 = load double, ptr %v1418, align 8
+  %v1421 = fcmp ogt double %v1420, 5.000000e-01
+  br label %v1422
+
+v1422:
+  %v1423 = phi i1 [ true, %v1424 ], [ %v1421, %v1417 ]
+  br i1 %v1425, label %v1426, label %v1427
+
+v1427:
+  %v1428 = getelementptr double, ptr %v639, i64 %v1419
+  %v1429 = load double, ptr %v1428, align 8
+  %v1430 = fcmp ogt double %v1429, 5.000000e-01
+  br label %v1426
+
+v1426:
+  %v1431 = phi i1 [ true, %v1422 ], [ %v1430, %v1427 ]
+  %v1432 = icmp sgt i64 %v1433, 1
+  br i1 %v1432, label %v1424, label %v1434
+
+v1434:
+  %v1435 = phi i1 [ false, %v1436 ], [ %v1423, %v1426 ]
+  %v1437 = phi i1 [ %v1412, %v1436 ], [ %v1431, %v1426 ]
+  %v1438 = xor i1 %v1437, true
+  %v1439 = or i1 %v307, %v1438
+  br i1 %v1439, label %v1440, label %v1441
+
+v1442:
+  br i1 %v307, label %v1440, label %v1443
+
+v1444:
+  %v1445 = getelementptr double, ptr %v641, i64 %v1446
+  %v1447 = load double, ptr %v1445, align 8, !noalias !87
+  %v1448 = fptosi double %v1447 to i64
+  %v1449 = getelementptr double, ptr %v643, i64 %v1446
+  %v1450 = load double, ptr %v1449, align 8, !noalias !87
+  %v1451 = fptosi double %v1450 to i64
+  %v1452 = mul i64 %v1453, %v126
+  %v1454 = getelementptr i64, ptr %v124, i64 %v1452
+  %v1455 = load i64, ptr %v1454, align 8, !noalias !87
+  %v1456 = add nsw i64 %v1455, %v1448
+  store i64 %v1456, ptr %v1454, align 8, !noalias !87
+  %v1457 = getelementptr i8, ptr %v1454, i64 24
+  %v1458 = load i64, ptr %v1457, align 8, !noalias !87
+  %v1459 = add nsw i64 %v1458, %v1451
+  store i64 %v1459, ptr %v1457, align 8, !noalias !87
+  %v1460 = getelementptr i8, ptr %v1454, i64 8
+  %v1461 = load i64, ptr %v1460, align 8, !noalias !87
+  %v1462 = add nsw i64 %v1451, %v1448
+  %v1463 = mul nsw i64 %v1462, %v611
+  %v1464 = add nsw i64 %v1463, %v1448
+  %v1465 = add nsw i64 %v1464, %v1461
+  store i64 %v1465, ptr %v1460, align 8, !noalias !87
+  store double 0.000000e+00, ptr %v1445, align 8, !noalias !87
+  store double 0.000000e+00, ptr %v1449, align 8, !noalias !87
+  %v1466 = getelementptr double, ptr %v645, i64 %v1446
+  %v1467 = load double, ptr %v1466, align 8, !noalias !87
+  %v1468 = sitofp i64 %v1462 to double
+  %v1469 = fsub double %v1467, %v1468
+  store double %v1469, ptr %v1466, align 8, !noalias !87
+  br label %v1470
 
 v1470:
-  %v1471 = phi i1 [ false, %v1472 ], [ %v1459, %v1462 ]
-  %v1473 = phi i1 [ %v1448, %v1472 ], [ %v1467, %v1462 ]
-  %v1474 = xor i1 %v1473, true
-  %v1475 = or i1 %v307, %v1474
-  br i1 %v1475, label %v1476, label %v1477
+  %v1471 = icmp sgt i64 %v1472, 1
+  br i1 %v1471, label %v1441, label %v1442
 
-v1478:
-  br i1 %v307, label %v1476, label %v1479
-
-v1480:
-  %v1481 = getelementptr double, ptr %v647, i64 %v1482
-  %v1483 = load double, ptr %v1481, align 8, !noalias !87
-  %v1484 = fptosi double %v1483 to i64
-  %v1485 = getelementptr double, ptr %v649, i64 %v1482
-  %v1486 = load double, ptr %v1485, align 8, !noalias !87
-  %v1487 = fptosi double %v1486 to i64
-  %v1488 = mul i64 %v1489, %v126
-  %v1490 = getelementptr i64, ptr %v124, i64 %v1488
-  %v1491 = load i64, ptr %v1490, align 8, !noalias !87
-  %v1492 = add nsw i64 %v1491, %v1484
-  store i64 %v1492, ptr %v1490, align 8, !noalias !87
-  %v1493 = getelementptr i8, ptr %v1490, i64 24
-  %v1494 = load i64, ptr %v1493, align 8, !noalias !87
-  %v1495 = add nsw i64 %v1494, %v1487
-  store i64 %v1495, ptr %v1493, align 8, !noalias !87
-  %v1496 = getelementptr i8, ptr %v1490, i64 8
-  %v1497 = load i64, ptr %v1496, align 8, !noalias !87
-  %v1498 = add nsw i64 %v1487, %v1484
-  %v1499 = mul nsw i64 %v1498, %v617
-  %v1500 = add nsw i64 %v1499, %v1484
-  %v1501 = add nsw i64 %v1500, %v1497
-  store i64 %v1501, ptr %v1496, align 8, !noalias !87
-  store double 0.000000e+00, ptr %v1481, align 8, !noalias !87
-  store double 0.000000e+00, ptr %v1485, align 8, !noalias !87
-  %v1502 = getelementptr double, ptr %v651, i64 %v1482
-  %v1503 = load double, ptr %v1502, align 8, !noalias !87
-  %v1504 = sitofp i64 %v1498 to double
-  %v1505 = fsub double %v1503, %v1504
-  store double %v1505, ptr %v1502, align 8, !noalias !87
-  br label %v1506
-
-v1506:
-  %v1507 = icmp sgt i64 %v1508, 1
-  br i1 %v1507, label %v1477, label %v1478
+v1441:
+  %v1472 = phi i64 [ %v1473, %v1470 ], [ %v308, %v1434 ]
+  %v1446 = phi i64 [ %v1474, %v1470 ], [ 0, %v1434 ]
+  %v1473 = add nsw i64 %v1472, -1
+  %v1474 = add nsw i64 %v1446, 1
+  %v1475 = getelementptr i64, ptr %v142, i64 %v1446
+  %v1453 = load i64, ptr %v1475, align 8, !noalias !87
+  %v1476 = icmp sgt i64 %v1453, -1
+  br i1 %v1476, label %v1444, label %v1470
 
 v1477:
-  %v1508 = phi i64 [ %v1509, %v1506 ], [ %v308, %v1470 ]
-  %v1482 = phi i64 [ %v1510, %v1506 ], [ 0, %v1470 ]
-  %v1509 = add nsw i64 %v1508, -1
-  %v1510 = add nsw i64 %v1482, 1
-  %v1511 = getelementptr i64, ptr %v142, i64 %v1482
-  %v1489 = load i64, ptr %v1511, align 8, !noalias !87
-  %v1512 = icmp sgt i64 %v1489, -1
-  br i1 %v1512, label %v1480, label %v1506
+  %v1478 = getelementptr double, ptr %v651, i64 %v1479
+  %v1480 = load double, ptr %v1478, align 8, !noalias !94
+  %v1481 = fcmp ogt double %v1480, 5.000000e-01
+  br i1 %v1481, label %v1482, label %v1483
 
-v1513:
-  %v1514 = getelementptr double, ptr %v657, i64 %v1515
-  %v1516 = load double, ptr %v1514, align 8, !noalias !94
-  %v1517 = fcmp ogt double %v1516, 5.000000e-01
-  br i1 %v1517, label %v1518, label %v1519
+v1482:
+  %v1484 = fptosi double %v1480 to i64
+  %v1485 = load i64, ptr %v1486, align 8, !noalias !95
+  %v1487 = icmp sgt i64 %v1485, -1
+  br i1 %v1487, label %v1488, label %v1483
 
-v1518:
-  %v1520 = fptosi double %v1516 to i64
-  %v1521 = load i64, ptr %v1522, align 8, !noalias !95
-  %v1523 = icmp sgt i64 %v1521, -1
-  br i1 %v1523, label %v1524, label %v1519
+v1483:
+  %v1489 = getelementptr double, ptr %v653, i64 %v1479
+  %v1490 = load double, ptr %v1489, align 8, !noalias !94
+  %v1491 = fcmp ogt double %v1490, 5.000000e-01
+  br i1 %v1491, label %v1492, label %v1493
 
-v1519:
-  %v1525 = getelementptr double, ptr %v659, i64 %v1515
-  %v1526 = load double, ptr %v1525, align 8, !noalias !94
-  %v1527 = fcmp ogt double %v1526, 5.000000e-01
-  br i1 %v1527, label %v1528, label %v1529
+v1492:
+  %v1494 = select i1 %v1495, i1 true, i1 %v304
+  %v1496 = icmp slt i64 %v1497, %v93
+  br i1 %v1496, label %v1498, label %v1499
 
-v1528:
-  %v1530 = select i1 %v1531, i1 true, i1 %v304
-  %v1532 = icmp slt i64 %v1533, %v93
-  br i1 %v1532, label %v1534, label %v1535
+v1498:
+  %v1500 = icmp slt i64 %v1497, 0
+  %v1501 = select i1 %v1500, i64 %v93, i64 0
+  %v1502 = getelementptr double, ptr %v92, i64 %v1497
+  %v1503 = getelementptr double, ptr %v1502, i64 %v1501
+  %v1504 = load double, ptr %v1503, align 8, !noalias !94
+  %v1505 = getelementptr double, ptr %v655, i64 %v1479
+  %v1506 = load double, ptr %v1505, align 8, !noalias !94
+  %v1507 = fcmp olt double %v1504, %v1506
+  br i1 %v1507, label %v1508, label %v1499
 
-v1534:
-  %v1536 = icmp slt i64 %v1533, 0
-  %v1537 = select i1 %v1536, i64 %v93, i64 0
-  %v1538 = getelementptr double, ptr %v92, i64 %v1533
-  %v1539 = getelementptr double, ptr %v1538, i64 %v1537
-  %v1540 = load double, ptr %v1539, align 8, !noalias !94
-  %v1541 = getelementptr double, ptr %v661, i64 %v1515
-  %v1542 = load double, ptr %v1541, align 8, !noalias !94
-  %v1543 = fcmp olt double %v1540, %v1542
-  br i1 %v1543, label %v1544, label %v1535
+v1508:
+  br label %v1499
 
-v1544:
-  br label %v1535
+v1499:
+  %v1509 = phi i1 [ true, %v1508 ], [ %v1494, %v1498 ], [ %v1494, %v1492 ]
+  %v1510 = mul i64 %v1511, %v126
+  %v1512 = getelementptr i64, ptr %v124, i64 %v1510
+  %v1513 = load i64, ptr %v1512, align 8, !noalias !94
+  %v1514 = and i64 %v1513, 127
+  %v1515 = icmp eq i64 %v1514, 0
+  br i1 %v1515, label %v1516, label %v1517
+
+v1517:
+  %v1518 = getelementptr double, ptr %v657, i64 %v1479
+  %v1519 = load double, ptr %v1518, align 8, !noalias !94
+  %v1520 = fcmp ogt double %v1519, 0.000000e+00
+  br i1 %v1520, label %v1516, label %v1493
+
+v1516:
+  store double 1.000000e+00, ptr %v1521, align 8, !noalias !94
+  br label %v1493
+
+v1493:
+  %v1522 = phi i1 [ %v1509, %v1516 ], [ %v1509, %v1517 ], [ %v1495, %v1483 ], [ %v1495, %v1443 ]
+  %v1523 = phi i1 [ true, %v1516 ], [ %v1524, %v1517 ], [ %v1524, %v1483 ], [ %v1524, %v1443 ]
+  %v1525 = icmp sgt i64 %v1526, 1
+  br i1 %v1525, label %v1443, label %v1527
+
+v1443:
+  %v1524 = phi i1 [ %v1523, %v1493 ], [ false, %v1442 ]
+  %v1495 = phi i1 [ %v1522, %v1493 ], [ false, %v1442 ]
+  %v1526 = phi i64 [ %v1528, %v1493 ], [ %v308, %v1442 ]
+  %v1479 = phi i64 [ %v1529, %v1493 ], [ 0, %v1442 ]
+  %v1528 = add nsw i64 %v1526, -1
+  %v1529 = add nsw i64 %v1479, 1
+  %v1486 = getelementptr i64, ptr %v142, i64 %v1479
+  %v1511 = load i64, ptr %v1486, align 8, !noalias !94
+  %v1530 = getelementptr i64, ptr %v647, i64 %v1479
+  %v1497 = load i64, ptr %v1530, align 8, !noalias !94
+  %v1521 = getelementptr double, ptr %v649, i64 %v1479
+  store double 0.000000e+00, ptr %v1521, align 8, !noalias !94
+  %v1531 = icmp sgt i64 %v1511, -1
+  br i1 %v1531, label %v1477, label %v1493
+
+v1488:
+  %v1532 = getelementptr i64, ptr %v110, i64 %v1485
+  %v1533 = load i64, ptr %v1532, align 8, !noalias !95
+  %v1534 = icmp eq i64 %v1533, 0
+  br i1 %v1534, label %v1535, label %v1483
 
 v1535:
-  %v1545 = phi i1 [ true, %v1544 ], [ %v1530, %v1534 ], [ %v1530, %v1528 ]
-  %v1546 = mul i64 %v1547, %v126
-  %v1548 = getelementptr i64, ptr %v124, i64 %v1546
-  %v1549 = load i64, ptr %v1548, align 8, !noalias !94
-  %v1550 = and i64 %v1549, 127
-  %v1551 = icmp eq i64 %v1550, 0
-  br i1 %v1551, label %v1552, label %v1553
+  store i64 %v1484, ptr %v1532, align 8, !noalias !95
+  br label %v1483
 
-v1553:
-  %v1554 = getelementptr double, ptr %v663, i64 %v1515
-  %v1555 = load double, ptr %v1554, align 8, !noalias !94
-  %v1556 = fcmp ogt double %v1555, 0.000000e+00
-  br i1 %v1556, label %v1552, label %v1529
+v1440:
+  %v1536 = phi i1 [ true, %v1434 ], [ true, %v1442 ], [ %v1537, %v1527 ]
+  %v1538 = phi i1 [ true, %v1434 ], [ true, %v1442 ], [ %v1539, %v1527 ]
+  %v1540 = and i1 %v658, %v1435
+  br i1 %v1540, label %v1541, label %v1542
 
-v1552:
-  store double 1.000000e+00, ptr %v1557, align 8, !noalias !94
-  br label %v1529
+v1541:
+  %v1543 = load i64, ptr %v6, align 8, !noalias !98
+  %v1544 = inttoptr i64 %v1543 to ptr
+  tail call void %v1544(ptr %v663, ptr %v666, ptr %v165, ptr %v172, ptr %v179, ptr %v668), !noalias !98
+  br label %v1542
 
-v1529:
-  %v1558 = phi i1 [ %v1545, %v1552 ], [ %v1545, %v1553 ], [ %v1531, %v1519 ], [ %v1531, %v1479 ]
-  %v1559 = phi i1 [ true, %v1552 ], [ %v1560, %v1553 ], [ %v1560, %v1519 ], [ %v1560, %v1479 ]
-  %v1561 = icmp sgt i64 %v1562, 1
-  br i1 %v1561, label %v1479, label %v1563
+v1542:
+  br i1 %v1538, label %v1545, label %v1546
 
-v1479:
-  %v1560 = phi i1 [ %v1559, %v1529 ], [ false, %v1478 ]
-  %v1531 = phi i1 [ %v1558, %v1529 ], [ false, %v1478 ]
-  %v1562 = phi i64 [ %v1564, %v1529 ], [ %v308, %v1478 ]
-  %v1515 = phi i64 [ %v1565, %v1529 ], [ 0, %v1478 ]
-  %v1564 = add nsw i64 %v1562, -1
-  %v1565 = add nsw i64 %v1515, 1
-  %v1522 = getelementptr i64, ptr %v142, i64 %v1515
-  %v1547 = load i64, ptr %v1522, align 8, !noalias !94
-  %v1566 = getelementptr i64, ptr %v653, i64 %v1515
-  %v1533 = load i64, ptr %v1566, align 8, !noalias !94
-  %v1557 = getelementptr double, ptr %v655, i64 %v1515
-  store double 0.000000e+00, ptr %v1557, align 8, !noalias !94
-  %v1567 = icmp sgt i64 %v1547, -1
-  br i1 %v1567, label %v1513, label %v1529
+v1546:
+  %v1547 = load i64, ptr %v669, align 8, !noalias !104
+  %v1548 = inttoptr i64 %v1547 to ptr
+  tail call void %v1548(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !104
+  br label %v1545
 
-v1524:
-  %v1568 = getelementptr i64, ptr %v110, i64 %v1521
-  %v1569 = load i64, ptr %v1568, align 8, !noalias !95
-  %v1570 = icmp eq i64 %v1569, 0
-  br i1 %v1570, label %v1571, label %v1519
+v1545:
+  %v1549 = select i1 %v1435, i1 %v304, i1 false
+  %v1550 = xor i1 %v1435, true
+  %v1551 = select i1 %v305, i1 %v1435, i1 false
+  %v1552 = xor i1 %v1551, true
+  %v1553 = select i1 %v1552, i1 true, i1 %v1549
+  %v1554 = select i1 %v305, i1 %v1435, i1 %v1549
+  br i1 %v1553, label %v1555, label %v1556
 
-v1571:
-  store i64 %v1520, ptr %v1568, align 8, !noalias !95
-  br label %v1519
+v1556:
+  %v1557 = load i64, ptr %v670, align 8, !noalias !107
+  %v1558 = inttoptr i64 %v1557 to ptr
+  tail call void %v1558(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !107
+  br label %v1559
 
-v1476:
-  %v1572 = phi i1 [ true, %v1470 ], [ true, %v1478 ], [ %v1573, %v1563 ]
-  %v1574 = phi i1 [ true, %v1470 ], [ true, %v1478 ], [ %v1575, %v1563 ]
-  %v1576 = and i1 %v664, %v1471
-  br i1 %v1576, label %v1577, label %v1578
+v1560:
+  %v1561 = icmp ne i64 %v1562, 0
+  %v1563 = zext i1 %v1561 to i64
+  %v1564 = add i64 %v1565, %v1563
+  %v1566 = sext i1 %v1561 to i64
+  %v1567 = add nsw i64 %v1562, %v1566
+  %v1568 = select i1 %v1561, i64 %v1565, i64 0
+  br i1 %v1561, label %v1559, label %v1569
 
-v1577:
-  %v1579 = load i64, ptr %v6, align 8, !noalias !98
-  %v1580 = inttoptr i64 %v1579 to ptr
-  tail call void %v1580(ptr %v669, ptr %v672, ptr %v165, ptr %v172, ptr %v179, ptr %v674), !noalias !98
-  br label %v1578
+v1559:
+  %v1570 = phi i64 [ 0, %v1556 ], [ %v1568, %v1560 ]
+  %v1562 = phi i64 [ 8, %v1556 ], [ %v1567, %v1560 ]
+  %v1565 = phi i64 [ 1, %v1556 ], [ %v1564, %v1560 ]
+  %v1571 = add i64 %v1570, 9
+  %v1572 = icmp ult i64 %v1571, 18
+  br i1 %v1572, label %v1573, label %v1569
+
+v1574:
+  store double 0.000000e+00, ptr %v1575, align 8, !noalias !110
+  %v1576 = icmp slt i64 %v1577, %v18
+  br i1 %v1576, label %v1578, label %v1579
 
 v1578:
-  br i1 %v1574, label %v1581, label %v1582
+  %v1580 = getelementptr double, ptr %v1581, i64 %v1577
+  %v1582 = load double, ptr %v1580, align 8, !noalias !110
+  %v1583 = add nsw i64 %v1577, %v17
+  %v1584 = icmp slt i64 %v1583, 0
+  %v1585 = select i1 %v1584, i64 %v166, i64 0
+  %v1586 = getelementptr double, ptr %v165, i64 %v1583
+  %v1587 = getelementptr double, ptr %v1586, i64 %v1585
+  %v1588 = load double, ptr %v1587, align 8, !noalias !110
+  %v1589 = fcmp une double %v1582, %v1588
+  br i1 %v1589, label %v1590, label %v1579
 
-v1582:
-  %v1583 = load i64, ptr %v675, align 8, !noalias !104
-  %v1584 = inttoptr i64 %v1583 to ptr
-  tail call void %v1584(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !104
-  br label %v1581
-
-v1581:
-  %v1585 = select i1 %v1471, i1 %v304, i1 false
-  %v1586 = xor i1 %v1471, true
-  %v1587 = select i1 %v305, i1 %v1471, i1 false
-  %v1588 = xor i1 %v1587, true
-  %v1589 = select i1 %v1588, i1 true, i1 %v1585
-  %v1590 = select i1 %v305, i1 %v1471, i1 %v1585
-  br i1 %v1589, label %v1591, label %v1592
+v1590:
+  %v1591 = fcmp ord double %v1582, 0.000000e+00
+  br i1 %v1591, label %v1579, label %v1592
 
 v1592:
-  %v1593 = load i64, ptr %v676, align 8, !noalias !107
-  %v1594 = inttoptr i64 %v1593 to ptr
-  tail call void %v1594(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !107
-  br label %v1595
+  %v1593 = fcmp ord double %v1588, 0.000000e+00
+  %v1594 = select i1 %v1593, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v1579
 
-v1596:
-  %v1597 = icmp ne i64 %v1598, 0
-  %v1599 = zext i1 %v1597 to i64
-  %v1600 = add i64 %v1601, %v1599
-  %v1602 = sext i1 %v1597 to i64
-  %v1603 = add nsw i64 %v1598, %v1602
-  %v1604 = select i1 %v1597, i64 %v1601, i64 0
-  br i1 %v1597, label %v1595, label %v1605
+v1579:
+  %v1595 = phi double [ 0xFFF0000000000000, %v1574 ], [ 0xFFF0000000000000, %v1590 ], [ %v1594, %v1592 ], [ 0x7FF0000000000000, %v1578 ]
+  %v1596 = fcmp uno double %v1597, 0.000000e+00
+  br i1 %v1596, label %v1598, label %v1599
 
-v1595:
-  %v1606 = phi i64 [ 0, %v1592 ], [ %v1604, %v1596 ]
-  %v1598 = phi i64 [ 8, %v1592 ], [ %v1603, %v1596 ]
-  %v1601 = phi i64 [ 1, %v1592 ], [ %v1600, %v1596 ]
-  %v1607 = add i64 %v1606, 9
-  %v1608 = icmp ult i64 %v1607, 18
-  br i1 %v1608, label %v1609, label %v1605
+v1598:
+  store double %v1595, ptr %v1600, align 8, !noalias !110
+  br label %v1599
 
-v1610:
-  %v1611 = tail call double @llvm.fabs.f64(double %v1612)
-  %v1613 = getelementptr double, ptr %v1614, i64 %v1615
-  %v1616 = load double, ptr %v1613, align 8, !noalias !110
-  %v1617 = fadd double %v1611, %v1616
-  %v1618 = fcmp ueq double %v1617, 0x7FF0000000000000
-  br i1 %v1618, label %v1619, label %v1620
+v1599:
+  %v1601 = icmp eq i64 %v207, %v1602
+  br i1 %v1601, label %v1560, label %v1603
 
-v1619:
-  %v1621 = fcmp une double %v1612, 0.000000e+00
-  br i1 %v1621, label %v1622, label %v1623
+v1603:
+  %v1577 = phi i64 [ 0, %v1604 ], [ %v1602, %v1599 ]
+  %v1602 = add nsw i64 %v1577, 1
+  %v1600 = getelementptr double, ptr %v1605, i64 %v1577
+  %v1597 = load double, ptr %v1600, align 8, !noalias !110
+  %v1606 = tail call double @llvm.fabs.f64(double %v1597)
+  %v1575 = getelementptr double, ptr %v1607, i64 %v1577
+  %v1608 = load double, ptr %v1575, align 8, !noalias !110
+  %v1609 = fadd double %v1606, %v1608
+  %v1610 = fcmp ueq double %v1609, 0x7FF0000000000000
+  br i1 %v1610, label %v1574, label %v1599
 
-v1622:
-  %v1624 = getelementptr double, ptr %v1614, i64 %v1615
-  store double 0.000000e+00, ptr %v1624, align 8, !noalias !110
-  br label %v1623
+v1573:
+  %v1611 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1571
+  %v1612 = load double, ptr %v1611, align 8
+  %v1613 = load double, ptr %v133, align 8, !noalias !120
+  %v1614 = load double, ptr %v673, align 8, !noalias !120
+  %v1615 = fmul double %v1612, %v1614
+  %v1616 = fadd double %v1613, %v1615
+  store double %v1616, ptr %v675, align 8, !noalias !120
+  br i1 %v677, label %v1617, label %v1618
 
-v1623:
-  %v1625 = icmp slt i64 %v1615, %v18
-  br i1 %v1625, label %v1626, label %v1627
-
-v1626:
-  %v1628 = getelementptr double, ptr %v1629, i64 %v1615
-  %v1630 = load double, ptr %v1628, align 8, !noalias !110
-  %v1631 = add nsw i64 %v1615, %v17
-  %v1632 = icmp slt i64 %v1631, 0
-  %v1633 = select i1 %v1632, i64 %v166, i64 0
-  %v1634 = getelementptr double, ptr %v165, i64 %v1631
-  %v1635 = getelementptr double, ptr %v1634, i64 %v1633
-  %v1636 = load double, ptr %v1635, align 8, !noalias !110
-  %v1637 = fcmp une double %v1630, %v1636
-  br i1 %v1637, label %v1638, label %v1627
-
-v1638:
-  %v1639 = fcmp ord double %v1630, 0.000000e+00
-  br i1 %v1639, label %v1627, label %v1640
-
-v1640:
-  %v1641 = fcmp ord double %v1636, 0.000000e+00
-  br label %v1627
-
-v1627:
-  %v1642 = phi i1 [ true, %v1623 ], [ true, %v1638 ], [ %v1641, %v1640 ], [ false, %v1626 ]
-  %v1643 = fcmp uno double %v1612, 0.000000e+00
-  br i1 %v1643, label %v1644, label %v1645
-
-v1645:
-  %v1646 = fcmp oeq double %v1612, 0.000000e+00
-  %v1647 = and i1 %v1646, %v1642
-  %v1648 = and i1 %v1625, %v1647
-  br i1 %v1648, label %v1644, label %v1620
-
-v1644:
-  %v1649 = select i1 %v1642, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v1649, ptr %v1650, align 8, !noalias !110
+v1618:
+  %v1619 = fsub double 1.000000e+00, %v1612
   br label %v1620
 
 v1620:
-  %v1651 = icmp eq i64 %v207, %v1652
-  br i1 %v1651, label %v1596, label %v1653
+  %v1621 = phi i64 [ 0, %v1618 ], [ %v1622, %v1620 ]
+  %v1623 = mul i64 %v1621, %v196
+  %v1624 = getelementptr double, ptr %v193, i64 %v1623
+  %v1625 = getelementptr i8, ptr %v1624, i64 %v684
+  %v1626 = load double, ptr %v1625, align 8, !noalias !124
+  %v1627 = fadd double %v1626, 0.000000e+00
+  %v1628 = fmul double %v1612, %v1627
+  %v1629 = getelementptr i8, ptr %v1624, i64 %v685
+  %v1630 = load double, ptr %v1629, align 8, !noalias !124
+  %v1631 = fadd double %v1630, %v1628
+  %v1632 = fmul double %v1619, %v1631
+  %v1633 = getelementptr i8, ptr %v1624, i64 %v686
+  %v1634 = load double, ptr %v1633, align 8, !noalias !124
+  %v1635 = fadd double %v1634, %v1632
+  %v1636 = fmul double %v1612, %v1635
+  %v1637 = getelementptr i8, ptr %v1624, i64 %v687
+  %v1638 = load double, ptr %v1637, align 8, !noalias !124
+  %v1639 = fadd double %v1638, %v1636
+  %v1640 = fmul double %v1619, %v1639
+  %v1641 = getelementptr i8, ptr %v1624, i64 %v688
+  %v1642 = load double, ptr %v1641, align 8, !noalias !124
+  %v1643 = fadd double %v1642, %v1640
+  %v1644 = fmul double %v1612, %v1643
+  %v1645 = getelementptr i8, ptr %v1624, i64 %v689
+  %v1646 = load double, ptr %v1645, align 8, !noalias !124
+  %v1647 = fadd double %v1646, %v1644
+  %v1648 = fmul double %v1619, %v1647
+  %v1649 = getelementptr i8, ptr %v1624, i64 %v690
+  %v1650 = load double, ptr %v1649, align 8, !noalias !124
+  %v1651 = fadd double %v1650, %v1648
+  %v1652 = fmul double %v1612, %v1651
+  %v1622 = add nsw i64 %v1621, 1
+  %v1653 = load double, ptr %v1624, align 8, !noalias !124
+  %v1654 = fadd double %v1653, %v1652
+  %v1655 = getelementptr double, ptr %v678, i64 %v1623
+  store double %v1654, ptr %v1655, align 8, !noalias !120
+  %v1656 = icmp eq i64 %v10, %v1622
+  br i1 %v1656, label %v1617, label %v1620
 
-v1653:
-  %v1615 = phi i64 [ 0, %v1654 ], [ %v1652, %v1620 ]
-  %v1652 = add nsw i64 %v1615, 1
-  %v1650 = getelementptr double, ptr %v1655, i64 %v1615
-  %v1612 = load double, ptr %v1650, align 8, !noalias !110
-  %v1656 = fcmp ueq double %v1612, 0.000000e+00
-  br i1 %v1656, label %v1619, label %v1610
+v1617:
+  %v1657 = icmp slt i64 %v1570, 8
+  %v1658 = select i1 %v1657, i64 16, i64 17
+  %v1659 = mul i64 %v679, %v1570
+  %v1660 = load i64, ptr %v680, align 8, !noalias !110
+  %v1661 = mul nsw i64 %v1658, %v10
+  %v1662 = getelementptr double, ptr %v158, i64 %v1661
+  %v1663 = getelementptr double, ptr %v186, i64 %v1659
+  %v1664 = inttoptr i64 %v1660 to ptr
+  tail call void %v1664(ptr nonnull %v675, ptr %v1662, ptr %v165, ptr %v172, ptr %v179, ptr %v1663), !noalias !110
+  br i1 %v681, label %v1560, label %v1604
 
-v1609:
-  %v1657 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1607
-  %v1658 = load double, ptr %v1657, align 8
-  %v1659 = load double, ptr %v133, align 8, !noalias !120
-  %v1660 = load double, ptr %v679, align 8, !noalias !120
-  %v1661 = fmul double %v1658, %v1660
-  %v1662 = fadd double %v1659, %v1661
-  store double %v1662, ptr %v681, align 8, !noalias !120
-  br i1 %v683, label %v1663, label %v1664
+v1604:
+  %v1665 = icmp slt i64 %v1570, 0
+  %v1666 = select i1 %v1665, i64 %v205, i64 0
+  %v1667 = add i64 %v1666, %v1570
+  %v1668 = mul i64 %v1667, %v682
+  %v1581 = getelementptr double, ptr %v204, i64 %v1668
+  %v1605 = getelementptr double, ptr %v1581, i64 %v207
+  %v1607 = getelementptr i8, ptr %v1581, i64 %v683
+  br label %v1603
 
-v1664:
-  %v1665 = fsub double 1.000000e+00, %v1658
-  br label %v1666
+v1569:
+  %v1669 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1559 ], [ null, %v1560 ]
+  %v1670 = phi i32 [ 1, %v1559 ], [ 0, %v1560 ]
+  br i1 %v1572, label %v1671, label %v1672, !prof !128
 
-v1666:
-  %v1667 = phi i64 [ 0, %v1664 ], [ %v1668, %v1666 ]
-  %v1669 = mul i64 %v1667, %v196
-  %v1670 = getelementptr double, ptr %v193, i64 %v1669
-  %v1671 = getelementptr i8, ptr %v1670, i64 %v690
-  %v1672 = load double, ptr %v1671, align 8, !noalias !124
-  %v1673 = fadd double %v1672, 0.000000e+00
-  %v1674 = fmul double %v1658, %v1673
-  %v1675 = getelementptr i8, ptr %v1670, i64 %v691
-  %v1676 = load double, ptr %v1675, align 8, !noalias !124
-  %v1677 = fadd double %v1676, %v1674
-  %v1678 = fmul double %v1665, %v1677
-  %v1679 = getelementptr i8, ptr %v1670, i64 %v692
-  %v1680 = load double, ptr %v1679, align 8, !noalias !124
-  %v1681 = fadd double %v1680, %v1678
-  %v1682 = fmul double %v1658, %v1681
-  %v1683 = getelementptr i8, ptr %v1670, i64 %v693
-  %v1684 = load double, ptr %v1683, align 8, !noalias !124
-  %v1685 = fadd double %v1684, %v1682
-  %v1686 = fmul double %v1665, %v1685
-  %v1687 = getelementptr i8, ptr %v1670, i64 %v694
-  %v1688 = load double, ptr %v1687, align 8, !noalias !124
-  %v1689 = fadd double %v1688, %v1686
-  %v1690 = fmul double %v1658, %v1689
-  %v1691 = getelementptr i8, ptr %v1670, i64 %v695
-  %v1692 = load double, ptr %v1691, align 8, !noalias !124
-  %v1693 = fadd double %v1692, %v1690
-  %v1694 = fmul double %v1665, %v1693
-  %v1695 = getelementptr i8, ptr %v1670, i64 %v696
-  %v1696 = load double, ptr %v1695, align 8, !noalias !124
-  %v1697 = fadd double %v1696, %v1694
-  %v1698 = fmul double %v1658, %v1697
-  %v1668 = add nsw i64 %v1667, 1
-  %v1699 = load double, ptr %v1670, align 8, !noalias !124
-  %v1700 = fadd double %v1699, %v1698
-  %v1701 = getelementptr double, ptr %v684, i64 %v1669
-  store double %v1700, ptr %v1701, align 8, !noalias !120
-  %v1702 = icmp eq i64 %v10, %v1668
-  br i1 %v1702, label %v1663, label %v1666
+v1555:
+  %v1673 = phi i1 [ %v1554, %v1545 ], [ %v1674, %v1672 ]
+  %v1675 = xor i1 %v1536, true
+  %v1676 = select i1 %v1675, i1 true, i1 %v1673
+  br i1 %v1676, label %v1677, label %v1678
 
-v1663:
-  %v1703 = icmp slt i64 %v1606, 8
-  %v1704 = select i1 %v1703, i64 16, i64 17
-  %v1705 = mul i64 %v685, %v1606
-  %v1706 = load i64, ptr %v686, align 8, !noalias !110
-  %v1707 = mul nsw i64 %v1704, %v10
-  %v1708 = getelementptr double, ptr %v158, i64 %v1707
-  %v1709 = getelementptr double, ptr %v186, i64 %v1705
-  %v1710 = inttoptr i64 %v1706 to ptr
-  tail call void %v1710(ptr nonnull %v681, ptr %v1708, ptr %v165, ptr %v172, ptr %v179, ptr %v1709), !noalias !110
-  br i1 %v687, label %v1596, label %v1654
+v1677:
+  br i1 %v698, label %v1679, label %v1680
 
-v1654:
-  %v1711 = icmp slt i64 %v1606, 0
-  %v1712 = select i1 %v1711, i64 %v205, i64 0
-  %v1713 = add i64 %v1712, %v1606
-  %v1714 = mul i64 %v1713, %v688
-  %v1629 = getelementptr double, ptr %v204, i64 %v1714
-  %v1655 = getelementptr double, ptr %v1629, i64 %v207
-  %v1614 = getelementptr i8, ptr %v1629, i64 %v689
-  br label %v1653
+v1681:
+  %v1682 = load i64, ptr %v709, align 8, !noalias !129
+  %v1683 = inttoptr i64 %v1682 to ptr
+  tail call void %v1683(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !129
+  br label %v1680
 
-v1605:
-  %v1715 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1595 ], [ null, %v1596 ]
-  %v1716 = phi i32 [ 1, %v1595 ], [ 0, %v1596 ]
-  br i1 %v1608, label %v1717, label %v1718, !prof !128
+v1679:
+  %v1684 = phi i64 [ %v1685, %v1679 ], [ 1, %v1677 ]
+  %v1685 = add i64 %v1684, 1
+  %v1686 = add nsw i64 %v699, %v1684
+  %v1687 = icmp slt i64 %v1686, 0
+  %v1688 = select i1 %v1687, i64 %v7, i64 0
+  %v1689 = getelementptr i64, ptr %v6, i64 %v1686
+  %v1690 = getelementptr i64, ptr %v1689, i64 %v1688
+  %v1691 = load i64, ptr %v1690, align 8, !noalias !135
+  %v1692 = inttoptr i64 %v1691 to ptr
+  tail call void %v1692(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !135
+  %v1693 = add nsw i64 %v1684, 13
+  %v1694 = load i64, ptr %v6, align 8, !noalias !138
+  %v1695 = mul nsw i64 %v1693, %v702
+  %v1696 = getelementptr double, ptr %v158, i64 %v1695
+  %v1697 = inttoptr i64 %v1694 to ptr
+  tail call void %v1697(ptr %v701, ptr %v704, ptr %v165, ptr %v172, ptr %v179, ptr %v1696), !noalias !138
+  %v1698 = icmp eq i64 %v1684, %v12
+  br i1 %v1698, label %v1681, label %v1679
 
-v1591:
-  %v1719 = phi i1 [ %v1590, %v1581 ], [ %v1720, %v1718 ]
-  %v1721 = xor i1 %v1572, true
-  %v1722 = select i1 %v1721, i1 true, i1 %v1719
-  br i1 %v1722, label %v1723, label %v1724
+v1680:
+  %v1699 = load i64, ptr %v710, align 8, !noalias !141
+  %v1700 = inttoptr i64 %v1699 to ptr
+  tail call void %v1700(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !141
+  %v1701 = select i1 %v661, i1 true, i1 %v1550
+  %v1702 = or i1 %v1701, %v307
+  br i1 %v1702, label %v1703, label %v1704
+
+v1705:
+  %v1706 = getelementptr double, ptr %v714, i64 %v1707
+  %v1708 = load double, ptr %v1706, align 8, !noalias !144
+  %v1709 = fcmp uge double %v1708, 5.000000e-01
+  %v1710 = icmp slt i64 %v1711, %v93
+  %v1712 = select i1 %v1709, i1 %v1710, i1 false
+  br i1 %v1712, label %v1713, label %v1714
+
+v1713:
+  %v1715 = icmp slt i64 %v1711, 0
+  %v1716 = select i1 %v1715, i64 %v93, i64 0
+  %v1717 = getelementptr double, ptr %v92, i64 %v1711
+  %v1718 = getelementptr double, ptr %v1717, i64 %v1716
+  %v1719 = load double, ptr %v1718, align 8, !noalias !144
+  %v1720 = getelementptr double, ptr %v716, i64 %v1707
+  %v1721 = load double, ptr %v1720, align 8, !noalias !144
+  %v1722 = fcmp olt double %v1719, %v1721
+  br i1 %v1722, label %v1723, label %v1714
 
 v1723:
-  br i1 %v704, label %v1725, label %v1726
+  %v1724 = getelementptr double, ptr %v718, i64 %v1707
+  %v1725 = load double, ptr %v1724, align 8, !noalias !144
+  %v1726 = fcmp ogt double %v1725, 1.000000e+00
+  br i1 %v1726, label %v1727, label %v1714
 
 v1727:
-  %v1728 = load i64, ptr %v715, align 8, !noalias !129
-  %v1729 = inttoptr i64 %v1728 to ptr
-  tail call void %v1729(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !129
-  br label %v1726
+  %v1728 = getelementptr double, ptr %v720, i64 %v1707
+  %v1729 = load double, ptr %v1728, align 8, !noalias !144
+  store double 0.000000e+00, ptr %v1706, align 8, !noalias !148
+  %v1730 = getelementptr double, ptr %v722, i64 %v1707
+  store double 0.000000e+00, ptr %v1730, align 8, !noalias !148
+  %v1731 = getelementptr double, ptr %v723, i64 %v1707
+  store double %v1729, ptr %v1731, align 8, !noalias !148
+  %v1732 = load i64, ptr %v1733, align 8, !noalias !148
+  %v1734 = icmp slt i64 %v1732, 0
+  %v1735 = select i1 %v1734, i64 %v125, i64 0
+  %v1736 = add i64 %v1735, %v1732
+  %v1737 = mul i64 %v1736, %v126
+  %v1738 = getelementptr i64, ptr %v124, i64 %v1737
+  %v1739 = load i64, ptr %v1738, align 8, !noalias !148
+  %v1740 = add nsw i64 %v1739, -1
+  store i64 %v1740, ptr %v1738, align 8, !noalias !148
+  %v1741 = load i64, ptr %v1733, align 8, !noalias !148
+  %v1742 = icmp slt i64 %v1741, 0
+  %v1743 = select i1 %v1742, i64 %v125, i64 0
+  %v1744 = add i64 %v1743, %v1741
+  %v1745 = mul i64 %v1744, %v126
+  %v1746 = getelementptr i64, ptr %v124, i64 %v1745
+  %v1747 = getelementptr i8, ptr %v1746, i64 24
+  %v1748 = load i64, ptr %v1747, align 8, !noalias !148
+  %v1749 = add nsw i64 %v1748, 1
+  store i64 %v1749, ptr %v1747, align 8, !noalias !148
+  %v1750 = load double, ptr %v1718, align 8, !noalias !144
+  %v1751 = getelementptr double, ptr %v725, i64 %v1707
+  store double %v1750, ptr %v1751, align 8, !noalias !144
+  %v1752 = mul i64 %v1753, %v126
+  %v1754 = getelementptr i64, ptr %v124, i64 %v1752
+  %v1755 = getelementptr i8, ptr %v1754, i64 8
+  %v1756 = load i64, ptr %v1755, align 8, !noalias !144
+  %v1757 = add nsw i64 %v1756, %v12
+  store i64 %v1757, ptr %v1755, align 8, !noalias !144
+  br label %v1714
 
-v1725:
-  %v1730 = phi i64 [ %v1731, %v1725 ], [ 1, %v1723 ]
-  %v1731 = add i64 %v1730, 1
-  %v1732 = add nsw i64 %v705, %v1730
-  %v1733 = icmp slt i64 %v1732, 0
-  %v1734 = select i1 %v1733, i64 %v7, i64 0
-  %v1735 = getelementptr i64, ptr %v6, i64 %v1732
-  %v1736 = getelementptr i64, ptr %v1735, i64 %v1734
-  %v1737 = load i64, ptr %v1736, align 8, !noalias !135
-  %v1738 = inttoptr i64 %v1737 to ptr
-  tail call void %v1738(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !135
-  %v1739 = add nsw i64 %v1730, 13
-  %v1740 = load i64, ptr %v6, align 8, !noalias !138
-  %v1741 = mul nsw i64 %v1739, %v708
-  %v1742 = getelementptr double, ptr %v158, i64 %v1741
-  %v1743 = inttoptr i64 %v1740 to ptr
-  tail call void %v1743(ptr %v707, ptr %v710, ptr %v165, ptr %v172, ptr %v179, ptr %v1742), !noalias !138
-  %v1744 = icmp eq i64 %v1730, %v12
-  br i1 %v1744, label %v1727, label %v1725
+v1714:
+  %v1758 = icmp sgt i64 %v1759, 1
+  br i1 %v1758, label %v1704, label %v1703
 
-v1726:
-  %v1745 = load i64, ptr %v716, align 8, !noalias !141
-  %v1746 = inttoptr i64 %v1745 to ptr
-  tail call void %v1746(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !141
-  %v1747 = select i1 %v667, i1 true, i1 %v1586
-  %v1748 = or i1 %v1747, %v307
-  br i1 %v1748, label %v1749, label %v1750
+v1704:
+  %v1759 = phi i64 [ %v1760, %v1714 ], [ %v308, %v1680 ]
+  %v1707 = phi i64 [ %v1761, %v1714 ], [ 0, %v1680 ]
+  %v1760 = add nsw i64 %v1759, -1
+  %v1761 = add nsw i64 %v1707, 1
+  %v1733 = getelementptr i64, ptr %v142, i64 %v1707
+  %v1753 = load i64, ptr %v1733, align 8, !noalias !144
+  %v1762 = getelementptr i64, ptr %v712, i64 %v1707
+  %v1711 = load i64, ptr %v1762, align 8, !noalias !144
+  %v1763 = icmp slt i64 %v1753, 0
+  br i1 %v1763, label %v1714, label %v1705
 
-v1751:
-  %v1752 = getelementptr double, ptr %v720, i64 %v1753
-  %v1754 = load double, ptr %v1752, align 8, !noalias !144
-  %v1755 = fcmp uge double %v1754, 5.000000e-01
-  %v1756 = icmp slt i64 %v1757, %v93
-  %v1758 = select i1 %v1755, i1 %v1756, i1 false
-  br i1 %v1758, label %v1759, label %v1760
+v1703:
+  br i1 %v1673, label %v1764, label %v1765
 
-v1759:
-  %v1761 = icmp slt i64 %v1757, 0
-  %v1762 = select i1 %v1761, i64 %v93, i64 0
-  %v1763 = getelementptr double, ptr %v92, i64 %v1757
-  %v1764 = getelementptr double, ptr %v1763, i64 %v1762
-  %v1765 = load double, ptr %v1764, align 8, !noalias !144
-  %v1766 = getelementptr double, ptr %v722, i64 %v1753
-  %v1767 = load double, ptr %v1766, align 8, !noalias !144
-  %v1768 = fcmp olt double %v1765, %v1767
-  br i1 %v1768, label %v1769, label %v1760
-
-v1769:
-  %v1770 = getelementptr double, ptr %v724, i64 %v1753
-  %v1771 = load double, ptr %v1770, align 8, !noalias !144
-  %v1772 = fcmp ogt double %v1771, 1.000000e+00
-  br i1 %v1772, label %v1773, label %v1760
-
-v1773:
-  %v1774 = getelementptr double, ptr %v726, i64 %v1753
-  %v1775 = load double, ptr %v1774, align 8, !noalias !144
-  store double 0.000000e+00, ptr %v1752, align 8, !noalias !148
-  %v1776 = getelementptr double, ptr %v728, i64 %v1753
-  store double 0.000000e+00, ptr %v1776, align 8, !noalias !148
-  %v1777 = getelementptr double, ptr %v729, i64 %v1753
-  store double %v1775, ptr %v1777, align 8, !noalias !148
-  %v1778 = load i64, ptr %v1779, align 8, !noalias !148
-  %v1780 = icmp slt i64 %v1778, 0
-  %v1781 = select i1 %v1780, i64 %v125, i64 0
-  %v1782 = add i64 %v1781, %v1778
-  %v1783 = mul i64 %v1782, %v126
-  %v1784 = getelementptr i64, ptr %v124, i64 %v1783
-  %v1785 = load i64, ptr %v1784, align 8, !noalias !148
-  %v1786 = add nsw i64 %v1785, -1
-  store i64 %v1786, ptr %v1784, align 8, !noalias !148
-  %v1787 = load i64, ptr %v1779, align 8, !noalias !148
-  %v1788 = icmp slt i64 %v1787, 0
-  %v1789 = select i1 %v1788, i64 %v125, i64 0
-  %v1790 = add i64 %v1789, %v1787
-  %v1791 = mul i64 %v1790, %v126
-  %v1792 = getelementptr i64, ptr %v124, i64 %v1791
-  %v1793 = getelementptr i8, ptr %v1792, i64 24
-  %v1794 = load i64, ptr %v1793, align 8, !noalias !148
-  %v1795 = add nsw i64 %v1794, 1
-  store i64 %v1795, ptr %v1793, align 8, !noalias !148
-  %v1796 = load double, ptr %v1764, align 8, !noalias !144
-  %v1797 = getelementptr double, ptr %v731, i64 %v1753
-  store double %v1796, ptr %v1797, align 8, !noalias !144
-  %v1798 = mul i64 %v1799, %v126
-  %v1800 = getelementptr i64, ptr %v124, i64 %v1798
-  %v1801 = getelementptr i8, ptr %v1800, i64 8
-  %v1802 = load i64, ptr %v1801, align 8, !noalias !144
-  %v1803 = add nsw i64 %v1802, %v12
-  store i64 %v1803, ptr %v1801, align 8, !noalias !144
-  br label %v1760
-
-v1760:
-  %v1804 = icmp sgt i64 %v1805, 1
-  br i1 %v1804, label %v1750, label %v1749
-
-v1750:
-  %v1805 = phi i64 [ %v1806, %v1760 ], [ %v308, %v1726 ]
-  %v1753 = phi i64 [ %v1807, %v1760 ], [ 0, %v1726 ]
-  %v1806 = add nsw i64 %v1805, -1
-  %v1807 = add nsw i64 %v1753, 1
-  %v1779 = getelementptr i64, ptr %v142, i64 %v1753
-  %v1799 = load i64, ptr %v1779, align 8, !noalias !144
-  %v1808 = getelementptr i64, ptr %v718, i64 %v1753
-  %v1757 = load i64, ptr %v1808, align 8, !noalias !144
-  %v1809 = icmp slt i64 %v1799, 0
-  br i1 %v1809, label %v1760, label %v1751
-
-v1749:
-  br i1 %v1719, label %v1810, label %v1811
-
-v1810:
+v1764:
   call void @llvm.lifetime.start.p0(ptr nonnull %v302), !noalias !151
   call void @llvm.lifetime.start.p0(ptr nonnull %v303), !noalias !151
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v302, i8 0, i64 32, i1 false), !noalias !155
   store ptr null, ptr %v303, align 8, !noalias !155
-  br label %v1812
+  br label %v1766
 
-v1813:
-  %v1814 = icmp ne i64 %v1815, 0
-  %v1816 = zext i1 %v1814 to i64
-  %v1817 = add i64 %v1818, %v1816
-  %v1819 = sext i1 %v1814 to i64
-  %v1820 = add nsw i64 %v1815, %v1819
-  %v1821 = select i1 %v1814, i64 %v1818, i64 0
-  br i1 %v1814, label %v1812, label %v1822
+v1767:
+  %v1768 = icmp ne i64 %v1769, 0
+  %v1770 = zext i1 %v1768 to i64
+  %v1771 = add i64 %v1772, %v1770
+  %v1773 = sext i1 %v1768 to i64
+  %v1774 = add nsw i64 %v1769, %v1773
+  %v1775 = select i1 %v1768, i64 %v1772, i64 0
+  br i1 %v1768, label %v1766, label %v1776
 
-v1812:
-  %v1823 = phi i64 [ 0, %v1810 ], [ %v1821, %v1813 ]
-  %v1815 = phi i64 [ 8, %v1810 ], [ %v1820, %v1813 ]
-  %v1818 = phi i64 [ 1, %v1810 ], [ %v1817, %v1813 ]
-  %v1824 = add i64 %v1823, 9
-  %v1825 = icmp ult i64 %v1824, 18
-  br i1 %v1825, label %v1826, label %v1822
+v1766:
+  %v1777 = phi i64 [ 0, %v1764 ], [ %v1775, %v1767 ]
+  %v1769 = phi i64 [ 8, %v1764 ], [ %v1774, %v1767 ]
+  %v1772 = phi i64 [ 1, %v1764 ], [ %v1771, %v1767 ]
+  %v1778 = add i64 %v1777, 9
+  %v1779 = icmp ult i64 %v1778, 18
+  br i1 %v1779, label %v1780, label %v1776
+
+v1781:
+  store double 0.000000e+00, ptr %v1782, align 8, !noalias !159
+  %v1783 = icmp slt i64 %v1784, %v18
+  br i1 %v1783, label %v1785, label %v1786
+
+v1785:
+  %v1787 = getelementptr double, ptr %v1788, i64 %v1784
+  %v1789 = load double, ptr %v1787, align 8, !noalias !159
+  %v1790 = add nsw i64 %v1784, %v17
+  %v1791 = icmp slt i64 %v1790, 0
+  %v1792 = select i1 %v1791, i64 %v166, i64 0
+  %v1793 = getelementptr double, ptr %v165, i64 %v1790
+  %v1794 = getelementptr double, ptr %v1793, i64 %v1792
+  %v1795 = load double, ptr %v1794, align 8, !noalias !159
+  %v1796 = fcmp une double %v1789, %v1795
+  br i1 %v1796, label %v1797, label %v1786
+
+v1797:
+  %v1798 = fcmp ord double %v1789, 0.000000e+00
+  br i1 %v1798, label %v1786, label %v1799
+
+v1799:
+  %v1800 = fcmp ord double %v1795, 0.000000e+00
+  %v1801 = select i1 %v1800, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v1786
+
+v1786:
+  %v1802 = phi double [ 0xFFF0000000000000, %v1781 ], [ 0xFFF0000000000000, %v1797 ], [ %v1801, %v1799 ], [ 0x7FF0000000000000, %v1785 ]
+  %v1803 = fcmp uno double %v1804, 0.000000e+00
+  br i1 %v1803, label %v1805, label %v1806
+
+v1805:
+  store double %v1802, ptr %v1807, align 8, !noalias !159
+  br label %v1806
+
+v1806:
+  %v1808 = icmp eq i64 %v207, %v1809
+  br i1 %v1808, label %v1767, label %v1810
+
+v1810:
+  %v1784 = phi i64 [ 0, %v1811 ], [ %v1809, %v1806 ]
+  %v1809 = add nsw i64 %v1784, 1
+  %v1807 = getelementptr double, ptr %v1812, i64 %v1784
+  %v1804 = load double, ptr %v1807, align 8, !noalias !159
+  %v1813 = tail call double @llvm.fabs.f64(double %v1804)
+  %v1782 = getelementptr double, ptr %v1814, i64 %v1784
+  %v1815 = load double, ptr %v1782, align 8, !noalias !159
+  %v1816 = fadd double %v1813, %v1815
+  %v1817 = fcmp ueq double %v1816, 0x7FF0000000000000
+  br i1 %v1817, label %v1781, label %v1806
+
+v1780:
+  %v1818 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1778
+  %v1819 = load double, ptr %v1818, align 8
+  %v1820 = load double, ptr %v133, align 8, !noalias !166
+  %v1821 = load double, ptr %v731, align 8, !noalias !166
+  %v1822 = fmul double %v1819, %v1821
+  %v1823 = fadd double %v1820, %v1822
+  store double %v1823, ptr %v733, align 8, !noalias !166
+  br i1 %v735, label %v1824, label %v1825
+
+v1824:
+  %v1826 = fsub double 1.000000e+00, %v1819
+  br label %v1827
 
 v1827:
-  %v1828 = tail call double @llvm.fabs.f64(double %v1829)
-  %v1830 = getelementptr double, ptr %v1831, i64 %v1832
-  %v1833 = load double, ptr %v1830, align 8, !noalias !159
-  %v1834 = fadd double %v1828, %v1833
-  %v1835 = fcmp ueq double %v1834, 0x7FF0000000000000
-  br i1 %v1835, label %v1836, label %v1837
+  %v1828 = phi i64 [ 0, %v1824 ], [ %v1829, %v1827 ]
+  %v1830 = mul i64 %v1828, %v196
+  %v1831 = getelementptr double, ptr %v193, i64 %v1830
+  %v1832 = getelementptr i8, ptr %v1831, i64 %v742
+  %v1833 = load double, ptr %v1832, align 8, !noalias !170
+  %v1834 = fadd double %v1833, 0.000000e+00
+  %v1835 = fmul double %v1819, %v1834
+  %v1836 = getelementptr i8, ptr %v1831, i64 %v743
+  %v1837 = load double, ptr %v1836, align 8, !noalias !170
+  %v1838 = fadd double %v1837, %v1835
+  %v1839 = fmul double %v1826, %v1838
+  %v1840 = getelementptr i8, ptr %v1831, i64 %v744
+  %v1841 = load double, ptr %v1840, align 8, !noalias !170
+  %v1842 = fadd double %v1841, %v1839
+  %v1843 = fmul double %v1819, %v1842
+  %v1844 = getelementptr i8, ptr %v1831, i64 %v745
+  %v1845 = load double, ptr %v1844, align 8, !noalias !170
+  %v1846 = fadd double %v1845, %v1843
+  %v1847 = fmul double %v1826, %v1846
+  %v1848 = getelementptr i8, ptr %v1831, i64 %v746
+  %v1849 = load double, ptr %v1848, align 8, !noalias !170
+  %v1850 = fadd double %v1849, %v1847
+  %v1851 = fmul double %v1819, %v1850
+  %v1852 = getelementptr i8, ptr %v1831, i64 %v747
+  %v1853 = load double, ptr %v1852, align 8, !noalias !170
+  %v1854 = fadd double %v1853, %v1851
+  %v1855 = fmul double %v1826, %v1854
+  %v1856 = getelementptr i8, ptr %v1831, i64 %v748
+  %v1857 = load double, ptr %v1856, align 8, !noalias !170
+  %v1858 = fadd double %v1857, %v1855
+  %v1859 = fmul double %v1819, %v1858
+  %v1829 = add nsw i64 %v1828, 1
+  %v1860 = load double, ptr %v1831, align 8, !noalias !170
+  %v1861 = fadd double %v1860, %v1859
+  %v1862 = getelementptr double, ptr %v736, i64 %v1830
+  store double %v1861, ptr %v1862, align 8, !noalias !166
+  %v1863 = icmp eq i64 %v10, %v1829
+  br i1 %v1863, label %v1825, label %v1827
 
-v1836:
-  %v1838 = fcmp une double %v1829, 0.000000e+00
-  br i1 %v1838, label %v1839, label %v1840
+v1825:
+  %v1864 = icmp slt i64 %v1777, 8
+  %v1865 = select i1 %v1864, i64 16, i64 17
+  %v1866 = mul i64 %v1777, %v737
+  %v1867 = load i64, ptr %v738, align 8, !noalias !159
+  %v1868 = mul nsw i64 %v1865, %v10
+  %v1869 = getelementptr double, ptr %v158, i64 %v1868
+  %v1870 = getelementptr double, ptr %v186, i64 %v1866
+  %v1871 = inttoptr i64 %v1867 to ptr
+  tail call void %v1871(ptr nonnull %v733, ptr %v1869, ptr %v165, ptr %v172, ptr %v179, ptr %v1870), !noalias !159
+  br i1 %v739, label %v1811, label %v1767
 
-v1839:
-  %v1841 = getelementptr double, ptr %v1831, i64 %v1832
-  store double 0.000000e+00, ptr %v1841, align 8, !noalias !159
-  br label %v1840
+v1811:
+  %v1872 = icmp slt i64 %v1777, 0
+  %v1873 = select i1 %v1872, i64 %v205, i64 0
+  %v1874 = add i64 %v1873, %v1777
+  %v1875 = mul i64 %v1874, %v740
+  %v1788 = getelementptr double, ptr %v204, i64 %v1875
+  %v1812 = getelementptr double, ptr %v1788, i64 %v207
+  %v1814 = getelementptr i8, ptr %v1788, i64 %v741
+  br label %v1810
 
-v1840:
-  %v1842 = icmp slt i64 %v1832, %v18
-  br i1 %v1842, label %v1843, label %v1844
+v1776:
+  %v1876 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1766 ], [ null, %v1767 ]
+  %v1877 = phi i32 [ 1, %v1766 ], [ 0, %v1767 ]
+  br i1 %v1779, label %v1878, label %v1879, !prof !128
 
-v1843:
-  %v1845 = getelementptr double, ptr %v1846, i64 %v1832
-  %v1847 = load double, ptr %v1845, align 8, !noalias !159
-  %v1848 = add nsw i64 %v1832, %v17
-  %v1849 = icmp slt i64 %v1848, 0
-  %v1850 = select i1 %v1849, i64 %v166, i64 0
-  %v1851 = getelementptr double, ptr %v165, i64 %v1848
-  %v1852 = getelementptr double, ptr %v1851, i64 %v1850
-  %v1853 = load double, ptr %v1852, align 8, !noalias !159
-  %v1854 = fcmp une double %v1847, %v1853
-  br i1 %v1854, label %v1855, label %v1844
+v1878:
+  %v1880 = load double, ptr %v750, align 8, !noalias !174
+  %v1881 = load double, ptr %v92, align 8, !noalias !174
+  %v1882 = fsub double %v1880, %v1881
+  %v1883 = fmul double %v1882, 1.000000e-13
+  %v1884 = load double, ptr %v133, align 8, !noalias !174
+  %v1885 = tail call double @llvm.fabs.f64(double %v1884)
+  %v1886 = fmul double %v1885, 4.000000e-15
+  %v1887 = fcmp ogt double %v1886, %v1883
+  %v1888 = select i1 %v1887, double %v1886, double %v1883
+  %v1889 = load double, ptr %v731, align 8, !noalias !181
+  %v1890 = fdiv double %v1888, %v1889
+  %v1891 = fcmp olt double %v1890, 1.000000e+00
+  %v1892 = select i1 %v1891, double %v1890, double 1.000000e+00
+  br i1 %v751, label %v1893, label %v1894
 
-v1855:
-  %v1856 = fcmp ord double %v1847, 0.000000e+00
-  br i1 %v1856, label %v1844, label %v1857
+v1895:
+  %v1896 = fcmp olt double %v1897, %v1898
+  %v1899 = select i1 %v1896, double %v1897, double %v1898
+  %v1900 = fcmp ogt double %v1897, %v1901
+  %v1902 = select i1 %v1900, double %v1897, double %v1901
+  br label %v1903
 
-v1857:
-  %v1858 = fcmp ord double %v1853, 0.000000e+00
-  br label %v1844
+v1903:
+  %v1904 = phi double [ %v1902, %v1895 ], [ %v1901, %v1894 ]
+  %v1905 = phi double [ %v1899, %v1895 ], [ %v1898, %v1894 ]
+  %v1906 = getelementptr double, ptr %v759, i64 %v1907
+  %v1908 = load double, ptr %v1906, align 8, !noalias !181
+  %v1909 = fcmp ogt double %v1908, %v1910
+  %v1911 = select i1 %v1909, double %v1908, double %v1910
+  %v1912 = getelementptr double, ptr %v760, i64 %v1907
+  %v1913 = load double, ptr %v1912, align 8, !noalias !181
+  %v1914 = tail call double @llvm.fabs.f64(double %v1913)
+  %v1915 = fcmp ueq double %v1914, 0x7FF0000000000000
+  br i1 %v1915, label %v1916, label %v1917
 
-v1844:
-  %v1859 = phi i1 [ true, %v1840 ], [ true, %v1855 ], [ %v1858, %v1857 ], [ false, %v1843 ]
-  %v1860 = fcmp uno double %v1829, 0.000000e+00
-  br i1 %v1860, label %v1861, label %v1862
+v1917:
+  %v1918 = fcmp olt double %v1913, %v1905
+  %v1919 = select i1 %v1918, double %v1913, double %v1905
+  %v1920 = fcmp ogt double %v1913, %v1904
+  %v1921 = select i1 %v1920, double %v1913, double %v1904
+  br label %v1916
 
-v1862:
-  %v1863 = fcmp oeq double %v1829, 0.000000e+00
-  %v1864 = and i1 %v1863, %v1859
-  %v1865 = and i1 %v1842, %v1864
-  br i1 %v1865, label %v1861, label %v1837
+v1916:
+  %v1922 = phi double [ %v1921, %v1917 ], [ %v1904, %v1903 ]
+  %v1923 = phi double [ %v1919, %v1917 ], [ %v1905, %v1903 ]
+  %v1924 = getelementptr double, ptr %v763, i64 %v1907
+  %v1925 = load double, ptr %v1924, align 8, !noalias !181
+  %v1926 = fcmp ogt double %v1925, %v1911
+  %v1927 = select i1 %v1926, double %v1925, double %v1911
+  %v1928 = getelementptr double, ptr %v764, i64 %v1907
+  %v1929 = load double, ptr %v1928, align 8, !noalias !181
+  %v1930 = tail call double @llvm.fabs.f64(double %v1929)
+  %v1931 = fcmp ueq double %v1930, 0x7FF0000000000000
+  br i1 %v1931, label %v1932, label %v1933
 
-v1861:
-  %v1866 = select i1 %v1859, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v1866, ptr %v1867, align 8, !noalias !159
-  br label %v1837
+v1933:
+  %v1934 = fcmp olt double %v1929, %v1923
+  %v1935 = select i1 %v1934, double %v1929, double %v1923
+  %v1936 = fcmp ogt double %v1929, %v1922
+  %v1937 = select i1 %v1936, double %v1929, double %v1922
+  br label %v1932
 
-v1837:
-  %v1868 = icmp eq i64 %v207, %v1869
-  br i1 %v1868, label %v1813, label %v1870
-
-v1870:
-  %v1832 = phi i64 [ 0, %v1871 ], [ %v1869, %v1837 ]
-  %v1869 = add nsw i64 %v1832, 1
-  %v1867 = getelementptr double, ptr %v1872, i64 %v1832
-  %v1829 = load double, ptr %v1867, align 8, !noalias !159
-  %v1873 = fcmp ueq double %v1829, 0.000000e+00
-  br i1 %v1873, label %v1836, label %v1827
-
-v1826:
-  %v1874 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v1824
-  %v1875 = load double, ptr %v1874, align 8
-  %v1876 = load double, ptr %v133, align 8, !noalias !166
-  %v1877 = load double, ptr %v737, align 8, !noalias !166
-  %v1878 = fmul double %v1875, %v1877
-  %v1879 = fadd double %v1876, %v1878
-  store double %v1879, ptr %v739, align 8, !noalias !166
-  br i1 %v741, label %v1880, label %v1881
-
-v1880:
-  %v1882 = fsub double 1.000000e+00, %v1875
-  br label %v1883
-
-v1883:
-  %v1884 = phi i64 [ 0, %v1880 ], [ %v1885, %v1883 ]
-  %v1886 = mul i64 %v1884, %v196
-  %v1887 = getelementptr double, ptr %v193, i64 %v1886
-  %v1888 = getelementptr i8, ptr %v1887, i64 %v748
-  %v1889 = load double, ptr %v1888, align 8, !noalias !170
-  %v1890 = fadd double %v1889, 0.000000e+00
-  %v1891 = fmul double %v1875, %v1890
-  %v1892 = getelementptr i8, ptr %v1887, i64 %v749
-  %v1893 = load double, ptr %v1892, align 8, !noalias !170
-  %v1894 = fadd double %v1893, %v1891
-  %v1895 = fmul double %v1882, %v1894
-  %v1896 = getelementptr i8, ptr %v1887, i64 %v750
-  %v1897 = load double, ptr %v1896, align 8, !noalias !170
-  %v1898 = fadd double %v1897, %v1895
-  %v1899 = fmul double %v1875, %v1898
-  %v1900 = getelementptr i8, ptr %v1887, i64 %v751
-  %v1901 = load double, ptr %v1900, align 8, !noalias !170
-  %v1902 = fadd double %v1901, %v1899
-  %v1903 = fmul double %v1882, %v1902
-  %v1904 = getelementptr i8, ptr %v1887, i64 %v752
-  %v1905 = load double, ptr %v1904, align 8, !noalias !170
-  %v1906 = fadd double %v1905, %v1903
-  %v1907 = fmul double %v1875, %v1906
-  %v1908 = getelementptr i8, ptr %v1887, i64 %v753
-  %v1909 = load double, ptr %v1908, align 8, !noalias !170
-  %v1910 = fadd double %v1909, %v1907
-  %v1911 = fmul double %v1882, %v1910
-  %v1912 = getelementptr i8, ptr %v1887, i64 %v754
-  %v1913 = load double, ptr %v1912, align 8, !noalias !170
-  %v1914 = fadd double %v1913, %v1911
-  %v1915 = fmul double %v1875, %v1914
-  %v1885 = add nsw i64 %v1884, 1
-  %v1916 = load double, ptr %v1887, align 8, !noalias !170
-  %v1917 = fadd double %v1916, %v1915
-  %v1918 = getelementptr double, ptr %v742, i64 %v1886
-  store double %v1917, ptr %v1918, align 8, !noalias !166
-  %v1919 = icmp eq i64 %v10, %v1885
-  br i1 %v1919, label %v1881, label %v1883
-
-v1881:
-  %v1920 = icmp slt i64 %v1823, 8
-  %v1921 = select i1 %v1920, i64 16, i64 17
-  %v1922 = mul i64 %v1823, %v743
-  %v1923 = load i64, ptr %v744, align 8, !noalias !159
-  %v1924 = mul nsw i64 %v1921, %v10
-  %v1925 = getelementptr double, ptr %v158, i64 %v1924
-  %v1926 = getelementptr double, ptr %v186, i64 %v1922
-  %v1927 = inttoptr i64 %v1923 to ptr
-  tail call void %v1927(ptr nonnull %v739, ptr %v1925, ptr %v165, ptr %v172, ptr %v179, ptr %v1926), !noalias !159
-  br i1 %v745, label %v1871, label %v1813
-
-v1871:
-  %v1928 = icmp slt i64 %v1823, 0
-  %v1929 = select i1 %v1928, i64 %v205, i64 0
-  %v1930 = add i64 %v1929, %v1823
-  %v1931 = mul i64 %v1930, %v746
-  %v1846 = getelementptr double, ptr %v204, i64 %v1931
-  %v1872 = getelementptr double, ptr %v1846, i64 %v207
-  %v1831 = getelementptr i8, ptr %v1846, i64 %v747
-  br label %v1870
-
-v1822:
-  %v1932 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v1812 ], [ null, %v1813 ]
-  %v1933 = phi i32 [ 1, %v1812 ], [ 0, %v1813 ]
-  br i1 %v1825, label %v1934, label %v1935, !prof !128
-
-v1934:
-  %v1936 = load double, ptr %v756, align 8, !noalias !174
-  %v1937 = load double, ptr %v92, align 8, !noalias !174
-  %v1938 = fsub double %v1936, %v1937
-  %v1939 = fmul double %v1938, 1.000000e-13
-  %v1940 = load double, ptr %v133, align 8, !noalias !174
-  %v1941 = tail call double @llvm.fabs.f64(double %v1940)
-  %v1942 = fmul double %v1941, 4.000000e-15
-  %v1943 = fcmp ogt double %v1942, %v1939
-  %v1944 = select i1 %v1943, double %v1942, double %v1939
-  %v1945 = load double, ptr %v737, align 8, !noalias !181
-  %v1946 = fdiv double %v1944, %v1945
-  %v1947 = fcmp olt double %v1946, 1.000000e+00
-  %v1948 = select i1 %v1947, double %v1946, double 1.000000e+00
-  br i1 %v757, label %v1949, label %v1950
-
-v1951:
-  %v1952 = fcmp olt double %v1953, %v1954
-  %v1955 = select i1 %v1952, double %v1953, double %v1954
-  %v1956 = fcmp ogt double %v1953, %v1957
-  %v1958 = select i1 %v1956, double %v1953, double %v1957
-  br label %v1959
-
-v1959:
-  %v1960 = phi double [ %v1958, %v1951 ], [ %v1957, %v1950 ]
-  %v1961 = phi double [ %v1955, %v1951 ], [ %v1954, %v1950 ]
-  %v1962 = getelementptr double, ptr %v765, i64 %v1963
-  %v1964 = load double, ptr %v1962, align 8, !noalias !181
-  %v1965 = fcmp ogt double %v1964, %v1966
-  %v1967 = select i1 %v1965, double %v1964, double %v1966
-  %v1968 = getelementptr double, ptr %v766, i64 %v1963
-  %v1969 = load double, ptr %v1968, align 8, !noalias !181
-  %v1970 = tail call double @llvm.fabs.f64(double %v1969)
-  %v1971 = fcmp ueq double %v1970, 0x7FF0000000000000
-  br i1 %v1971, label %v1972, label %v1973
-
-v1973:
-  %v1974 = fcmp olt double %v1969, %v1961
-  %v1975 = select i1 %v1974, double %v1969, double %v1961
-  %v1976 = fcmp ogt double %v1969, %v1960
-  %v1977 = select i1 %v1976, double %v1969, double %v1960
-  br label %v1972
-
-v1972:
-  %v1978 = phi double [ %v1977, %v1973 ], [ %v1960, %v1959 ]
-  %v1979 = phi double [ %v1975, %v1973 ], [ %v1961, %v1959 ]
-  %v1980 = getelementptr double, ptr %v769, i64 %v1963
-  %v1981 = load double, ptr %v1980, align 8, !noalias !181
-  %v1982 = fcmp ogt double %v1981, %v1967
-  %v1983 = select i1 %v1982, double %v1981, double %v1967
-  %v1984 = getelementptr double, ptr %v770, i64 %v1963
-  %v1985 = load double, ptr %v1984, align 8, !noalias !181
-  %v1986 = tail call double @llvm.fabs.f64(double %v1985)
-  %v1987 = fcmp ueq double %v1986, 0x7FF0000000000000
-  br i1 %v1987, label %v1988, label %v1989
-
-v1989:
-  %v1990 = fcmp olt double %v1985, %v1979
-  %v1991 = select i1 %v1990, double %v1985, double %v1979
-  %v1992 = fcmp ogt double %v1985, %v1978
-  %v1993 = select i1 %v1992, double %v1985, double %v1978
-  br label %v1988
-
-v1988:
-  %v1994 = phi double [ %v1993, %v1989 ], [ %v1978, %v1972 ]
-  %v1995 = phi double [ %v1991, %v1989 ], [ %v1979, %v1972 ]
-  %v1996 = getelementptr double, ptr %v773, i64 %v1963
-  %v1997 = load double, ptr %v1996, align 8, !noalias !181
-  %v1998 = fcmp ogt double %v1997, %v1983
-  %v1999 = select i1 %v1998, double %v1997, double %v1983
-  %v2000 = getelementptr double, ptr %v774, i64 %v1963
-  %v2001 = load double, ptr %v2000, align 8, !noalias !181
-  %v2002 = tail call double @llvm.fabs.f64(double %v2001)
-  %v2003 = fcmp ueq double %v2002, 0x7FF0000000000000
-  br i1 %v2003, label %v2004, label %v2005
-
-v2005:
-  %v2006 = fcmp olt double %v2001, %v1995
-  %v2007 = select i1 %v2006, double %v2001, double %v1995
-  %v2008 = fcmp ogt double %v2001, %v1994
-  %v2009 = select i1 %v2008, double %v2001, double %v1994
-  br label %v2004
-
-v2004:
-  %v2010 = phi double [ %v2009, %v2005 ], [ %v1994, %v1988 ]
-  %v2011 = phi double [ %v2007, %v2005 ], [ %v1995, %v1988 ]
-  %v2012 = getelementptr double, ptr %v777, i64 %v1963
-  %v2013 = load double, ptr %v2012, align 8, !noalias !181
-  %v2014 = fcmp ogt double %v2013, %v1999
-  %v2015 = select i1 %v2014, double %v2013, double %v1999
-  %v2016 = getelementptr double, ptr %v778, i64 %v1963
-  %v2017 = load double, ptr %v2016, align 8, !noalias !181
-  %v2018 = tail call double @llvm.fabs.f64(double %v2017)
-  %v2019 = fcmp ueq double %v2018, 0x7FF0000000000000
-  br i1 %v2019, label %v2020, label %v2021
-
-v2021:
-  %v2022 = fcmp olt double %v2017, %v2011
-  %v2023 = select i1 %v2022, double %v2017, double %v2011
-  %v2024 = fcmp ogt double %v2017, %v2010
-  %v2025 = select i1 %v2024, double %v2017, double %v2010
-  br label %v2020
-
-v2020:
-  %v2026 = phi double [ %v2025, %v2021 ], [ %v2010, %v2004 ]
-  %v2027 = phi double [ %v2023, %v2021 ], [ %v2011, %v2004 ]
-  %v2028 = getelementptr double, ptr %v781, i64 %v1963
-  %v2029 = load double, ptr %v2028, align 8, !noalias !181
-  %v2030 = fcmp ogt double %v2029, %v2015
-  %v2031 = select i1 %v2030, double %v2029, double %v2015
-  %v2032 = getelementptr double, ptr %v782, i64 %v1963
-  %v2033 = load double, ptr %v2032, align 8, !noalias !181
-  %v2034 = tail call double @llvm.fabs.f64(double %v2033)
-  %v2035 = fcmp ueq double %v2034, 0x7FF0000000000000
-  br i1 %v2035, label %v2036, label %v2037
-
-v2037:
-  %v2038 = fcmp olt double %v2033, %v2027
-  %v2039 = select i1 %v2038, double %v2033, double %v2027
-  %v2040 = fcmp ogt double %v2033, %v2026
-  %v2041 = select i1 %v2040, double %v2033, double %v2026
-  br label %v2036
-
-v2036:
-  %v2042 = phi double [ %v2041, %v2037 ], [ %v2026, %v2020 ]
-  %v2043 = phi double [ %v2039, %v2037 ], [ %v2027, %v2020 ]
-  %v2044 = getelementptr double, ptr %v785, i64 %v1963
-  %v2045 = load double, ptr %v2044, align 8, !noalias !181
-  %v2046 = fcmp ogt double %v2045, %v2031
-  %v2047 = select i1 %v2046, double %v2045, double %v2031
-  %v2048 = getelementptr double, ptr %v786, i64 %v1963
-  %v2049 = load double, ptr %v2048, align 8, !noalias !181
-  %v2050 = tail call double @llvm.fabs.f64(double %v2049)
-  %v2051 = fcmp ueq double %v2050, 0x7FF0000000000000
-  br i1 %v2051, label %v2052, label %v2053
-
-v2053:
-  %v2054 = fcmp olt double %v2049, %v2043
-  %v2055 = select i1 %v2054, double %v2049, double %v2043
-  %v2056 = fcmp ogt double %v2049, %v2042
-  %v2057 = select i1 %v2056, double %v2049, double %v2042
-  br label %v2052
-
-v2052:
-  %v2058 = phi double [ %v2057, %v2053 ], [ %v2042, %v2036 ]
-  %v2059 = phi double [ %v2055, %v2053 ], [ %v2043, %v2036 ]
-  %v2060 = getelementptr double, ptr %v789, i64 %v1963
-  %v2061 = load double, ptr %v2060, align 8, !noalias !181
-  %v2062 = fcmp ogt double %v2061, %v2047
-  %v2063 = select i1 %v2062, double %v2061, double %v2047
-  %v2064 = getelementptr double, ptr %v790, i64 %v1963
-  %v2065 = load double, ptr %v2064, align 8, !noalias !181
-  %v2066 = tail call double @llvm.fabs.f64(double %v2065)
-  %v2067 = fcmp ueq double %v2066, 0x7FF0000000000000
-  br i1 %v2067, label %v2068, label %v2069
-
-v2069:
-  %v2070 = fcmp olt double %v2065, %v2059
-  %v2071 = select i1 %v2070, double %v2065, double %v2059
-  %v2072 = fcmp ogt double %v2065, %v2058
-  %v2073 = select i1 %v2072, double %v2065, double %v2058
-  br label %v2068
-
-v2068:
-  %v2074 = phi double [ %v2073, %v2069 ], [ %v2058, %v2052 ]
-  %v2075 = phi double [ %v2071, %v2069 ], [ %v2059, %v2052 ]
-  %v2076 = fsub double %v2074, %v2075
-  %v2077 = fmul double %v1948, %v2076
-  %v2078 = fcmp ueq double %v2077, 0x7FF0000000000000
-  %v2079 = fadd double %v2063, %v2077
-  %v2080 = select i1 %v2078, double %v2063, double %v2079
-  %v2081 = sub nsw i64 %v2082, %v18
-  %v2083 = getelementptr double, ptr %v215, i64 %v2081
-  %v2084 = load double, ptr %v2083, align 8, !noalias !181
-  store double %v2080, ptr %v2085, align 8, !noalias !181
-  %v2086 = fcmp ule double %v2084, 5.000000e-01
-  %v2087 = fcmp ule double %v2088, 0.000000e+00
-  %v2089 = select i1 %v2086, i1 true, i1 %v2087
-  %v2090 = select i1 %v2089, double %v2080, double 0.000000e+00
-  %v2091 = getelementptr double, ptr %v2085, i64 %v746
-  store double %v2090, ptr %v2091, align 8, !noalias !181
-  %v2092 = getelementptr i8, ptr %v2085, i64 %v763
-  store double %v2090, ptr %v2092, align 8, !noalias !181
-  %v2093 = getelementptr i8, ptr %v2085, i64 %v767
-  store double %v2090, ptr %v2093, align 8, !noalias !181
-  %v2094 = getelementptr i8, ptr %v2085, i64 %v771
-  store double %v2090, ptr %v2094, align 8, !noalias !181
-  %v2095 = getelementptr i8, ptr %v2085, i64 %v775
-  store double %v2090, ptr %v2095, align 8, !noalias !181
-  %v2096 = getelementptr i8, ptr %v2085, i64 %v779
-  store double %v2090, ptr %v2096, align 8, !noalias !181
-  %v2097 = getelementptr i8, ptr %v2085, i64 %v783
-  store double %v2090, ptr %v2097, align 8, !noalias !181
-  %v2098 = getelementptr i8, ptr %v2085, i64 %v787
-  store double %v2090, ptr %v2098, align 8, !noalias !181
-  %v2099 = add nsw i64 %v2100, -1
-  %v2101 = add i64 %v2082, 1
-  %v2102 = icmp sgt i64 %v2100, 1
-  br i1 %v2102, label %v1950, label %v1949
-
-v1950:
-  %v2100 = phi i64 [ %v2099, %v2068 ], [ %v15, %v1934 ]
-  %v2082 = phi i64 [ %v2101, %v2068 ], [ %v18, %v1934 ]
-  %v2103 = icmp slt i64 %v2082, 0
-  %v2104 = select i1 %v2103, i64 %v207, i64 0
-  %v1963 = add i64 %v2104, %v2082
-  %v2085 = getelementptr double, ptr %v759, i64 %v1963
-  %v2105 = load double, ptr %v2085, align 8, !noalias !181
-  %v2106 = fcmp ogt double %v2105, 0.000000e+00
-  %v2107 = select i1 %v2106, double %v2105, double 0.000000e+00
-  %v2108 = getelementptr double, ptr %v758, i64 %v1963
-  %v2088 = load double, ptr %v2108, align 8, !noalias !181
-  %v2109 = tail call double @llvm.fabs.f64(double %v2088)
-  %v2110 = fcmp ueq double %v2109, 0x7FF0000000000000
-  %v1957 = select i1 %v2110, double 0xFFF0000000000000, double %v2088
-  %v1954 = select i1 %v2110, double 0x7FF0000000000000, double %v2088
-  %v2111 = getelementptr double, ptr %v761, i64 %v1963
-  %v2112 = load double, ptr %v2111, align 8, !noalias !181
-  %v2113 = fcmp ogt double %v2112, %v2107
-  %v1966 = select i1 %v2113, double %v2112, double %v2107
-  %v2114 = getelementptr double, ptr %v762, i64 %v1963
-  %v1953 = load double, ptr %v2114, align 8, !noalias !181
-  %v2115 = tail call double @llvm.fabs.f64(double %v1953)
-  %v2116 = fcmp ueq double %v2115, 0x7FF0000000000000
-  br i1 %v2116, label %v1959, label %v1951
+v1932:
+  %v1938 = phi double [ %v1937, %v1933 ], [ %v1922, %v1916 ]
+  %v1939 = phi double [ %v1935, %v1933 ], [ %v1923, %v1916 ]
+  %v1940 = getelementptr double, ptr %v767, i64 %v1907
+  %v1941 = load double, ptr %v1940, align 8, !noalias !181
+  %v1942 = fcmp ogt double %v1941, %v1927
+  %v1943 = select i1 %v1942, double %v1941, double %v1927
+  %v1944 = getelementptr double, ptr %v768, i64 %v1907
+  %v1945 = load double, ptr %v1944, align 8, !noalias !181
+  %v1946 = tail call double @llvm.fabs.f64(double %v1945)
+  %v1947 = fcmp ueq double %v1946, 0x7FF0000000000000
+  br i1 %v1947, label %v1948, label %v1949
 
 v1949:
+  %v1950 = fcmp olt double %v1945, %v1939
+  %v1951 = select i1 %v1950, double %v1945, double %v1939
+  %v1952 = fcmp ogt double %v1945, %v1938
+  %v1953 = select i1 %v1952, double %v1945, double %v1938
+  br label %v1948
+
+v1948:
+  %v1954 = phi double [ %v1953, %v1949 ], [ %v1938, %v1932 ]
+  %v1955 = phi double [ %v1951, %v1949 ], [ %v1939, %v1932 ]
+  %v1956 = getelementptr double, ptr %v771, i64 %v1907
+  %v1957 = load double, ptr %v1956, align 8, !noalias !181
+  %v1958 = fcmp ogt double %v1957, %v1943
+  %v1959 = select i1 %v1958, double %v1957, double %v1943
+  %v1960 = getelementptr double, ptr %v772, i64 %v1907
+  %v1961 = load double, ptr %v1960, align 8, !noalias !181
+  %v1962 = tail call double @llvm.fabs.f64(double %v1961)
+  %v1963 = fcmp ueq double %v1962, 0x7FF0000000000000
+  br i1 %v1963, label %v1964, label %v1965
+
+v1965:
+  %v1966 = fcmp olt double %v1961, %v1955
+  %v1967 = select i1 %v1966, double %v1961, double %v1955
+  %v1968 = fcmp ogt double %v1961, %v1954
+  %v1969 = select i1 %v1968, double %v1961, double %v1954
+  br label %v1964
+
+v1964:
+  %v1970 = phi double [ %v1969, %v1965 ], [ %v1954, %v1948 ]
+  %v1971 = phi double [ %v1967, %v1965 ], [ %v1955, %v1948 ]
+  %v1972 = getelementptr double, ptr %v775, i64 %v1907
+  %v1973 = load double, ptr %v1972, align 8, !noalias !181
+  %v1974 = fcmp ogt double %v1973, %v1959
+  %v1975 = select i1 %v1974, double %v1973, double %v1959
+  %v1976 = getelementptr double, ptr %v776, i64 %v1907
+  %v1977 = load double, ptr %v1976, align 8, !noalias !181
+  %v1978 = tail call double @llvm.fabs.f64(double %v1977)
+  %v1979 = fcmp ueq double %v1978, 0x7FF0000000000000
+  br i1 %v1979, label %v1980, label %v1981
+
+v1981:
+  %v1982 = fcmp olt double %v1977, %v1971
+  %v1983 = select i1 %v1982, double %v1977, double %v1971
+  %v1984 = fcmp ogt double %v1977, %v1970
+  %v1985 = select i1 %v1984, double %v1977, double %v1970
+  br label %v1980
+
+v1980:
+  %v1986 = phi double [ %v1985, %v1981 ], [ %v1970, %v1964 ]
+  %v1987 = phi double [ %v1983, %v1981 ], [ %v1971, %v1964 ]
+  %v1988 = getelementptr double, ptr %v779, i64 %v1907
+  %v1989 = load double, ptr %v1988, align 8, !noalias !181
+  %v1990 = fcmp ogt double %v1989, %v1975
+  %v1991 = select i1 %v1990, double %v1989, double %v1975
+  %v1992 = getelementptr double, ptr %v780, i64 %v1907
+  %v1993 = load double, ptr %v1992, align 8, !noalias !181
+  %v1994 = tail call double @llvm.fabs.f64(double %v1993)
+  %v1995 = fcmp ueq double %v1994, 0x7FF0000000000000
+  br i1 %v1995, label %v1996, label %v1997
+
+v1997:
+  %v1998 = fcmp olt double %v1993, %v1987
+  %v1999 = select i1 %v1998, double %v1993, double %v1987
+  %v2000 = fcmp ogt double %v1993, %v1986
+  %v2001 = select i1 %v2000, double %v1993, double %v1986
+  br label %v1996
+
+v1996:
+  %v2002 = phi double [ %v2001, %v1997 ], [ %v1986, %v1980 ]
+  %v2003 = phi double [ %v1999, %v1997 ], [ %v1987, %v1980 ]
+  %v2004 = getelementptr double, ptr %v783, i64 %v1907
+  %v2005 = load double, ptr %v2004, align 8, !noalias !181
+  %v2006 = fcmp ogt double %v2005, %v1991
+  %v2007 = select i1 %v2006, double %v2005, double %v1991
+  %v2008 = getelementptr double, ptr %v784, i64 %v1907
+  %v2009 = load double, ptr %v2008, align 8, !noalias !181
+  %v2010 = tail call double @llvm.fabs.f64(double %v2009)
+  %v2011 = fcmp ueq double %v2010, 0x7FF0000000000000
+  br i1 %v2011, label %v2012, label %v2013
+
+v2013:
+  %v2014 = fcmp olt double %v2009, %v2003
+  %v2015 = select i1 %v2014, double %v2009, double %v2003
+  %v2016 = fcmp ogt double %v2009, %v2002
+  %v2017 = select i1 %v2016, double %v2009, double %v2002
+  br label %v2012
+
+v2012:
+  %v2018 = phi double [ %v2017, %v2013 ], [ %v2002, %v1996 ]
+  %v2019 = phi double [ %v2015, %v2013 ], [ %v2003, %v1996 ]
+  %v2020 = fsub double %v2018, %v2019
+  %v2021 = fmul double %v1892, %v2020
+  %v2022 = fcmp ueq double %v2021, 0x7FF0000000000000
+  %v2023 = fadd double %v2007, %v2021
+  %v2024 = select i1 %v2022, double %v2007, double %v2023
+  %v2025 = sub nsw i64 %v2026, %v18
+  %v2027 = getelementptr double, ptr %v215, i64 %v2025
+  %v2028 = load double, ptr %v2027, align 8, !noalias !181
+  store double %v2024, ptr %v2029, align 8, !noalias !181
+  %v2030 = fcmp ule double %v2028, 5.000000e-01
+  %v2031 = fcmp ule double %v2032, 0.000000e+00
+  %v2033 = select i1 %v2030, i1 true, i1 %v2031
+  %v2034 = select i1 %v2033, double %v2024, double 0.000000e+00
+  %v2035 = getelementptr double, ptr %v2029, i64 %v740
+  store double %v2034, ptr %v2035, align 8, !noalias !181
+  %v2036 = getelementptr i8, ptr %v2029, i64 %v757
+  store double %v2034, ptr %v2036, align 8, !noalias !181
+  %v2037 = getelementptr i8, ptr %v2029, i64 %v761
+  store double %v2034, ptr %v2037, align 8, !noalias !181
+  %v2038 = getelementptr i8, ptr %v2029, i64 %v765
+  store double %v2034, ptr %v2038, align 8, !noalias !181
+  %v2039 = getelementptr i8, ptr %v2029, i64 %v769
+  store double %v2034, ptr %v2039, align 8, !noalias !181
+  %v2040 = getelementptr i8, ptr %v2029, i64 %v773
+  store double %v2034, ptr %v2040, align 8, !noalias !181
+  %v2041 = getelementptr i8, ptr %v2029, i64 %v777
+  store double %v2034, ptr %v2041, align 8, !noalias !181
+  %v2042 = getelementptr i8, ptr %v2029, i64 %v781
+  store double %v2034, ptr %v2042, align 8, !noalias !181
+  %v2043 = add nsw i64 %v2044, -1
+  %v2045 = add i64 %v2026, 1
+  %v2046 = icmp sgt i64 %v2044, 1
+  br i1 %v2046, label %v1894, label %v1893
+
+v1894:
+  %v2044 = phi i64 [ %v2043, %v2012 ], [ %v15, %v1878 ]
+  %v2026 = phi i64 [ %v2045, %v2012 ], [ %v18, %v1878 ]
+  %v2047 = icmp slt i64 %v2026, 0
+  %v2048 = select i1 %v2047, i64 %v207, i64 0
+  %v1907 = add i64 %v2048, %v2026
+  %v2029 = getelementptr double, ptr %v753, i64 %v1907
+  %v2049 = load double, ptr %v2029, align 8, !noalias !181
+  %v2050 = fcmp ogt double %v2049, 0.000000e+00
+  %v2051 = select i1 %v2050, double %v2049, double 0.000000e+00
+  %v2052 = getelementptr double, ptr %v752, i64 %v1907
+  %v2032 = load double, ptr %v2052, align 8, !noalias !181
+  %v2053 = tail call double @llvm.fabs.f64(double %v2032)
+  %v2054 = fcmp ueq double %v2053, 0x7FF0000000000000
+  %v1901 = select i1 %v2054, double 0xFFF0000000000000, double %v2032
+  %v1898 = select i1 %v2054, double 0x7FF0000000000000, double %v2032
+  %v2055 = getelementptr double, ptr %v755, i64 %v1907
+  %v2056 = load double, ptr %v2055, align 8, !noalias !181
+  %v2057 = fcmp ogt double %v2056, %v2051
+  %v1910 = select i1 %v2057, double %v2056, double %v2051
+  %v2058 = getelementptr double, ptr %v756, i64 %v1907
+  %v1897 = load double, ptr %v2058, align 8, !noalias !181
+  %v2059 = tail call double @llvm.fabs.f64(double %v1897)
+  %v2060 = fcmp ueq double %v2059, 0x7FF0000000000000
+  br i1 %v2060, label %v1903, label %v1895
+
+v1893:
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v302, i8 0, i64 32, i1 false), !noalias !155
-  %v2117 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
-  %v2118 = icmp eq i32 %v2117, 0
-  br i1 %v2118, label %v2119, label %v2120, !prof !128
+  %v2061 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v302, ptr %v303, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double 0.000000e+00)
+  %v2062 = icmp eq i32 %v2061, 0
+  br i1 %v2062, label %v2063, label %v2064, !prof !128
 
-v2120:
-  %v2121 = load ptr, ptr %v303, align 8, !noalias !155
-  br label %v1935
+v2064:
+  %v2065 = load ptr, ptr %v303, align 8, !noalias !155
+  br label %v1879
 
-v2119:
-  %v2122 = load double, ptr %v302, align 8, !noalias !155
-  %v2123 = load double, ptr %v732, align 8, !noalias !155
-  %v2124 = load double, ptr %v733, align 8, !noalias !155
-  %v2125 = load double, ptr %v734, align 8, !noalias !155
-  br label %v1935
+v2063:
+  %v2066 = load double, ptr %v302, align 8, !noalias !155
+  %v2067 = load double, ptr %v726, align 8, !noalias !155
+  %v2068 = load double, ptr %v727, align 8, !noalias !155
+  %v2069 = load double, ptr %v728, align 8, !noalias !155
+  br label %v1879
 
-v1935:
-  %v2126 = phi double [ %v2125, %v2119 ], [ 0.000000e+00, %v2120 ], [ 0.000000e+00, %v1822 ]
-  %v2127 = phi double [ %v2124, %v2119 ], [ 0.000000e+00, %v2120 ], [ 0.000000e+00, %v1822 ]
-  %v2128 = phi double [ %v2123, %v2119 ], [ 0.000000e+00, %v2120 ], [ 0.000000e+00, %v1822 ]
-  %v2129 = phi double [ %v2122, %v2119 ], [ 0.000000e+00, %v2120 ], [ 0.000000e+00, %v1822 ]
-  %v2130 = phi ptr [ null, %v2119 ], [ %v2121, %v2120 ], [ %v1932, %v1822 ]
-  %v2131 = phi i32 [ 0, %v2119 ], [ 1, %v2120 ], [ %v1933, %v1822 ]
+v1879:
+  %v2070 = phi double [ %v2069, %v2063 ], [ 0.000000e+00, %v2064 ], [ 0.000000e+00, %v1776 ]
+  %v2071 = phi double [ %v2068, %v2063 ], [ 0.000000e+00, %v2064 ], [ 0.000000e+00, %v1776 ]
+  %v2072 = phi double [ %v2067, %v2063 ], [ 0.000000e+00, %v2064 ], [ 0.000000e+00, %v1776 ]
+  %v2073 = phi double [ %v2066, %v2063 ], [ 0.000000e+00, %v2064 ], [ 0.000000e+00, %v1776 ]
+  %v2074 = phi ptr [ null, %v2063 ], [ %v2065, %v2064 ], [ %v1876, %v1776 ]
+  %v2075 = phi i32 [ 0, %v2063 ], [ 1, %v2064 ], [ %v1877, %v1776 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v302), !noalias !151
   call void @llvm.lifetime.end.p0(ptr nonnull %v303), !noalias !151
-  %v2132 = icmp eq i32 %v2131, 0
-  br i1 %v2132, label %v2133, label %v2134, !prof !128
+  %v2076 = icmp eq i32 %v2075, 0
+  br i1 %v2076, label %v2077, label %v2078, !prof !128
 
-v2135:
-  %v2136 = load double, ptr %v737, align 8, !noalias !151
-  %v2137 = load double, ptr %v794, align 8, !noalias !151
-  %v2138 = load double, ptr %v92, align 8, !noalias !151
-  %v2139 = fsub double %v2137, %v2138
-  %v2140 = load double, ptr %v796, align 8, !noalias !151
-  %v2141 = load double, ptr %v798, align 8, !noalias !151
-  %v2142 = fsub double %v2140, %v2141
-  %v2143 = fmul double %v2139, 5.000000e-06
-  %v2144 = fcmp olt double %v2142, %v2143
-  br label %v2145
+v2079:
+  %v2080 = load double, ptr %v731, align 8, !noalias !151
+  %v2081 = load double, ptr %v788, align 8, !noalias !151
+  %v2082 = load double, ptr %v92, align 8, !noalias !151
+  %v2083 = fsub double %v2081, %v2082
+  %v2084 = load double, ptr %v790, align 8, !noalias !151
+  %v2085 = load double, ptr %v792, align 8, !noalias !151
+  %v2086 = fsub double %v2084, %v2085
+  %v2087 = fmul double %v2083, 5.000000e-06
+  %v2088 = fcmp olt double %v2086, %v2087
+  br label %v2089
 
-v2146:
-  %v2147 = sub nsw i64 45, %v2148
-  br label %v2149
+v2090:
+  %v2091 = sub nsw i64 45, %v2092
+  br label %v2093
 
-v2149:
-  %v2150 = phi double [ %v2151, %v2149 ], [ 1.000000e+00, %v2146 ]
-  %v2152 = phi double [ %v2153, %v2149 ], [ 2.000000e+00, %v2146 ]
-  %v2154 = phi i64 [ %v2155, %v2149 ], [ %v2147, %v2146 ]
-  %v2156 = and i64 %v2154, 1
-  %v2157 = icmp eq i64 %v2156, 0
-  %v2158 = fmul double %v2150, %v2152
-  %v2151 = select i1 %v2157, double %v2150, double %v2158
-  %v2155 = lshr i64 %v2154, 1
-  %v2153 = fmul double %v2152, %v2152
-  %v2159 = icmp eq i64 %v2155, 0
-  br i1 %v2159, label %v2160, label %v2149
+v2093:
+  %v2094 = phi double [ %v2095, %v2093 ], [ 1.000000e+00, %v2090 ]
+  %v2096 = phi double [ %v2097, %v2093 ], [ 2.000000e+00, %v2090 ]
+  %v2098 = phi i64 [ %v2099, %v2093 ], [ %v2091, %v2090 ]
+  %v2100 = and i64 %v2098, 1
+  %v2101 = icmp eq i64 %v2100, 0
+  %v2102 = fmul double %v2094, %v2096
+  %v2095 = select i1 %v2101, double %v2094, double %v2102
+  %v2099 = lshr i64 %v2098, 1
+  %v2097 = fmul double %v2096, %v2096
+  %v2103 = icmp eq i64 %v2099, 0
+  br i1 %v2103, label %v2104, label %v2093
+
+v2105:
+  %v2106 = fcmp olt double %v2107, 0.000000e+00
+  %v2108 = select i1 %v2106, double 0.000000e+00, double %v2107
+  %v2109 = fmul double %v2110, %v2108
+  %v2111 = fsub double %v2112, %v2109
+  br label %v2113
+
+v2104:
+  %v2114 = fadd double %v2115, %v2116
+  %v2112 = fmul double %v2114, 5.000000e-01
+  %v2117 = fmul double %v2095, 1.000000e-13
+  %v2118 = fsub double %v2117, %v2119
+  %v2107 = fmul double %v2118, 5.000000e-01
+  %v2120 = fmul double %v2121, %v2116
+  %v2122 = fmul double %v2123, %v2115
+  %v2124 = fsub double %v2120, %v2122
+  %v2125 = fsub double %v2121, %v2123
+  %v2126 = fdiv double %v2124, %v2125
+  %v2127 = fcmp olt double %v2116, %v2126
+  %v2128 = fcmp olt double %v2126, %v2115
+  %v2129 = and i1 %v2127, %v2128
+  %v2130 = select i1 %v2129, double %v2126, double %v2112
+  %v2131 = fsub double %v2112, %v2130
+  %v2110 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2131)
+  %v2132 = fmul double %v2119, %v2119
+  %v2133 = tail call double @llvm.fabs.f64(double %v2131)
+  %v2134 = fcmp olt double %v2133, %v2132
+  %v2135 = select i1 %v2134, double %v2133, double %v2132
+  %v2136 = fmul double %v2110, %v2135
+  %v2137 = fadd double %v2130, %v2136
+  %v2138 = fsub double %v2137, %v2112
+  %v2139 = tail call double @llvm.fabs.f64(double %v2138)
+  %v2140 = fcmp ugt double %v2139, %v2107
+  br i1 %v2140, label %v2105, label %v2113
+
+v2141:
+  br label %v2142
+
+v2142:
+  %v2143 = phi double [ %v2144, %v2141 ], [ %v2116, %v2145 ]
+  %v2146 = phi double [ %v2147, %v2141 ], [ %v2123, %v2145 ]
+  %v2148 = phi double [ %v2121, %v2141 ], [ %v2147, %v2145 ]
+  %v2149 = phi double [ %v2115, %v2141 ], [ %v2144, %v2145 ]
+  %v2150 = icmp eq i64 %v2151, 45
+  br i1 %v2150, label %v2152, label %v2089
+
+v2089:
+  %v2121 = phi double [ %v2070, %v2079 ], [ %v2148, %v2142 ]
+  %v2123 = phi double [ %v2071, %v2079 ], [ %v2146, %v2142 ]
+  %v2115 = phi double [ %v2072, %v2079 ], [ %v2149, %v2142 ]
+  %v2116 = phi double [ %v2073, %v2079 ], [ %v2143, %v2142 ]
+  %v2092 = phi i64 [ 0, %v2079 ], [ %v2151, %v2142 ]
+  %v2151 = add nsw i64 %v2092, 1
+  %v2119 = fsub double %v2115, %v2116
+  %v2153 = fcmp ugt double %v2119, 1.000000e-13
+  br i1 %v2153, label %v2090, label %v2152
+
+v2113:
+  %v2144 = phi double [ %v2137, %v2104 ], [ %v2111, %v2105 ]
+  %v2154 = load double, ptr %v133, align 8, !noalias !182
+  %v2155 = load double, ptr %v731, align 8, !noalias !182
+  %v2156 = fmul double %v2144, %v2155
+  %v2157 = fadd double %v2154, %v2156
+  store double %v2157, ptr %v733, align 8, !noalias !182
+  br i1 %v735, label %v2158, label %v2159
+
+v2158:
+  %v2160 = fsub double 1.000000e+00, %v2144
+  br label %v2161
 
 v2161:
-  %v2162 = fcmp olt double %v2163, 0.000000e+00
-  %v2164 = select i1 %v2162, double 0.000000e+00, double %v2163
-  %v2165 = fmul double %v2166, %v2164
-  %v2167 = fsub double %v2168, %v2165
-  br label %v2169
-
-v2160:
-  %v2170 = fadd double %v2171, %v2172
-  %v2168 = fmul double %v2170, 5.000000e-01
-  %v2173 = fmul double %v2151, 1.000000e-13
-  %v2174 = fsub double %v2173, %v2175
-  %v2163 = fmul double %v2174, 5.000000e-01
-  %v2176 = fmul double %v2177, %v2172
-  %v2178 = fmul double %v2179, %v2171
-  %v2180 = fsub double %v2176, %v2178
-  %v2181 = fsub double %v2177, %v2179
-  %v2182 = fdiv double %v2180, %v2181
-  %v2183 = fcmp olt double %v2172, %v2182
-  %v2184 = fcmp olt double %v2182, %v2171
-  %v2185 = and i1 %v2183, %v2184
-  %v2186 = select i1 %v2185, double %v2182, double %v2168
-  %v2187 = fsub double %v2168, %v2186
-  %v2166 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2187)
-  %v2188 = fmul double %v2175, %v2175
-  %v2189 = tail call double @llvm.fabs.f64(double %v2187)
-  %v2190 = fcmp olt double %v2189, %v2188
-  %v2191 = select i1 %v2190, double %v2189, double %v2188
-  %v2192 = fmul double %v2166, %v2191
-  %v2193 = fadd double %v2186, %v2192
-  %v2194 = fsub double %v2193, %v2168
-  %v2195 = tail call double @llvm.fabs.f64(double %v2194)
-  %v2196 = fcmp ugt double %v2195, %v2163
-  br i1 %v2196, label %v2161, label %v2169
-
-v2197:
-  br label %v2198
+  %v2162 = phi i64 [ 0, %v2158 ], [ %v2163, %v2161 ]
+  %v2164 = mul i64 %v2162, %v196
+  %v2165 = getelementptr double, ptr %v193, i64 %v2164
+  %v2166 = getelementptr i8, ptr %v2165, i64 %v742
+  %v2167 = load double, ptr %v2166, align 8, !noalias !191
+  %v2168 = fadd double %v2167, 0.000000e+00
+  %v2169 = fmul double %v2144, %v2168
+  %v2170 = getelementptr i8, ptr %v2165, i64 %v743
+  %v2171 = load double, ptr %v2170, align 8, !noalias !191
+  %v2172 = fadd double %v2171, %v2169
+  %v2173 = fmul double %v2160, %v2172
+  %v2174 = getelementptr i8, ptr %v2165, i64 %v744
+  %v2175 = load double, ptr %v2174, align 8, !noalias !191
+  %v2176 = fadd double %v2175, %v2173
+  %v2177 = fmul double %v2144, %v2176
+  %v2178 = getelementptr i8, ptr %v2165, i64 %v745
+  %v2179 = load double, ptr %v2178, align 8, !noalias !191
+  %v2180 = fadd double %v2179, %v2177
+  %v2181 = fmul double %v2160, %v2180
+  %v2182 = getelementptr i8, ptr %v2165, i64 %v746
+  %v2183 = load double, ptr %v2182, align 8, !noalias !191
+  %v2184 = fadd double %v2183, %v2181
+  %v2185 = fmul double %v2144, %v2184
+  %v2186 = getelementptr i8, ptr %v2165, i64 %v747
+  %v2187 = load double, ptr %v2186, align 8, !noalias !191
+  %v2188 = fadd double %v2187, %v2185
+  %v2189 = fmul double %v2160, %v2188
+  %v2190 = getelementptr i8, ptr %v2165, i64 %v748
+  %v2191 = load double, ptr %v2190, align 8, !noalias !191
+  %v2192 = fadd double %v2191, %v2189
+  %v2193 = fmul double %v2144, %v2192
+  %v2163 = add nsw i64 %v2162, 1
+  %v2194 = load double, ptr %v2165, align 8, !noalias !191
+  %v2195 = fadd double %v2194, %v2193
+  %v2196 = getelementptr double, ptr %v736, i64 %v2164
+  store double %v2195, ptr %v2196, align 8, !noalias !182
+  %v2197 = icmp eq i64 %v10, %v2163
+  br i1 %v2197, label %v2159, label %v2161
 
 v2198:
-  %v2199 = phi double [ %v2200, %v2197 ], [ %v2172, %v2201 ]
-  %v2202 = phi double [ %v2203, %v2197 ], [ %v2179, %v2201 ]
-  %v2204 = phi double [ %v2177, %v2197 ], [ %v2203, %v2201 ]
-  %v2205 = phi double [ %v2171, %v2197 ], [ %v2200, %v2201 ]
-  %v2206 = icmp eq i64 %v2207, 45
-  br i1 %v2206, label %v2208, label %v2145
+  br i1 %v739, label %v2199, label %v2145
+
+v2159:
+  %v2200 = load i64, ptr %v738, align 8, !noalias !195
+  %v2201 = inttoptr i64 %v2200 to ptr
+  tail call void %v2201(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !195
+  br i1 %v739, label %v2202, label %v2203
+
+v2204:
+  store double 0.000000e+00, ptr %v2205, align 8, !noalias !195
+  %v2206 = icmp slt i64 %v2207, %v18
+  br i1 %v2206, label %v2208, label %v2209
+
+v2208:
+  %v2210 = getelementptr double, ptr %v798, i64 %v2207
+  %v2211 = load double, ptr %v2210, align 8, !noalias !195
+  %v2212 = add nsw i64 %v2207, %v17
+  %v2213 = icmp slt i64 %v2212, 0
+  %v2214 = select i1 %v2213, i64 %v166, i64 0
+  %v2215 = getelementptr double, ptr %v165, i64 %v2212
+  %v2216 = getelementptr double, ptr %v2215, i64 %v2214
+  %v2217 = load double, ptr %v2216, align 8, !noalias !195
+  %v2218 = fcmp une double %v2211, %v2217
+  br i1 %v2218, label %v2219, label %v2209
+
+v2219:
+  %v2220 = fcmp ord double %v2211, 0.000000e+00
+  br i1 %v2220, label %v2209, label %v2221
+
+v2221:
+  %v2222 = fcmp ord double %v2217, 0.000000e+00
+  %v2223 = select i1 %v2222, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v2209
+
+v2209:
+  %v2224 = phi double [ 0xFFF0000000000000, %v2204 ], [ 0xFFF0000000000000, %v2219 ], [ %v2223, %v2221 ], [ 0x7FF0000000000000, %v2208 ]
+  %v2225 = fcmp uno double %v2226, 0.000000e+00
+  br i1 %v2225, label %v2227, label %v2228
+
+v2227:
+  store double %v2224, ptr %v2229, align 8, !noalias !195
+  br label %v2228
+
+v2228:
+  %v2230 = icmp eq i64 %v207, %v2231
+  br i1 %v2230, label %v2203, label %v2202
+
+v2202:
+  %v2207 = phi i64 [ %v2231, %v2228 ], [ 0, %v2159 ]
+  %v2231 = add nsw i64 %v2207, 1
+  %v2229 = getelementptr double, ptr %v799, i64 %v2207
+  %v2226 = load double, ptr %v2229, align 8, !noalias !195
+  %v2232 = tail call double @llvm.fabs.f64(double %v2226)
+  %v2205 = getelementptr double, ptr %v800, i64 %v2207
+  %v2233 = load double, ptr %v2205, align 8, !noalias !195
+  %v2234 = fadd double %v2232, %v2233
+  %v2235 = fcmp ueq double %v2234, 0x7FF0000000000000
+  br i1 %v2235, label %v2204, label %v2228
+
+v2203:
+  br i1 %v803, label %v2236, label %v2198
+
+v2236:
+  %v2237 = phi i64 [ %v2238, %v2236 ], [ %v802, %v2203 ]
+  %v2239 = phi i64 [ %v2240, %v2236 ], [ %v18, %v2203 ]
+  %v2238 = add nsw i64 %v2237, -1
+  %v2240 = add i64 %v2239, 1
+  %v2241 = icmp slt i64 %v2239, 0
+  %v2242 = select i1 %v2241, i64 %v207, i64 0
+  %v2243 = add i64 %v2242, %v2239
+  %v2244 = getelementptr double, ptr %v806, i64 %v2243
+  %v2245 = load double, ptr %v2244, align 8, !noalias !199
+  %v2246 = getelementptr double, ptr %v800, i64 %v2243
+  store double %v2245, ptr %v2246, align 8, !noalias !199
+  %v2247 = icmp sgt i64 %v2237, 1
+  br i1 %v2247, label %v2236, label %v2198
+
+v2199:
+  %v2248 = phi double [ %v2249, %v2199 ], [ 0x7FF0000000000000, %v2198 ]
+  %v2250 = phi i64 [ %v2251, %v2199 ], [ 0, %v2198 ]
+  %v2251 = add nsw i64 %v2250, 1
+  %v2252 = getelementptr double, ptr %v799, i64 %v2250
+  %v2253 = load double, ptr %v2252, align 8, !noalias !200
+  %v2254 = getelementptr double, ptr %v800, i64 %v2250
+  %v2255 = load double, ptr %v2254, align 8, !noalias !200
+  %v2256 = fadd double %v2253, %v2255
+  %v2257 = fcmp olt double %v2256, %v2248
+  %v2249 = select i1 %v2257, double %v2256, double %v2248
+  %v2258 = icmp eq i64 %v207, %v2251
+  br i1 %v2258, label %v2145, label %v2199
 
 v2145:
-  %v2177 = phi double [ %v2126, %v2135 ], [ %v2204, %v2198 ]
-  %v2179 = phi double [ %v2127, %v2135 ], [ %v2202, %v2198 ]
-  %v2171 = phi double [ %v2128, %v2135 ], [ %v2205, %v2198 ]
-  %v2172 = phi double [ %v2129, %v2135 ], [ %v2199, %v2198 ]
-  %v2148 = phi i64 [ 0, %v2135 ], [ %v2207, %v2198 ]
-  %v2207 = add nsw i64 %v2148, 1
-  %v2175 = fsub double %v2171, %v2172
-  %v2209 = fcmp ugt double %v2175, 1.000000e-13
-  br i1 %v2209, label %v2146, label %v2208
-
-v2169:
-  %v2200 = phi double [ %v2193, %v2160 ], [ %v2167, %v2161 ]
-  %v2210 = load double, ptr %v133, align 8, !noalias !182
-  %v2211 = load double, ptr %v737, align 8, !noalias !182
-  %v2212 = fmul double %v2200, %v2211
-  %v2213 = fadd double %v2210, %v2212
-  store double %v2213, ptr %v739, align 8, !noalias !182
-  br i1 %v741, label %v2214, label %v2215
-
-v2214:
-  %v2216 = fsub double 1.000000e+00, %v2200
-  br label %v2217
-
-v2217:
-  %v2218 = phi i64 [ 0, %v2214 ], [ %v2219, %v2217 ]
-  %v2220 = mul i64 %v2218, %v196
-  %v2221 = getelementptr double, ptr %v193, i64 %v2220
-  %v2222 = getelementptr i8, ptr %v2221, i64 %v748
-  %v2223 = load double, ptr %v2222, align 8, !noalias !191
-  %v2224 = fadd double %v2223, 0.000000e+00
-  %v2225 = fmul double %v2200, %v2224
-  %v2226 = getelementptr i8, ptr %v2221, i64 %v749
-  %v2227 = load double, ptr %v2226, align 8, !noalias !191
-  %v2228 = fadd double %v2227, %v2225
-  %v2229 = fmul double %v2216, %v2228
-  %v2230 = getelementptr i8, ptr %v2221, i64 %v750
-  %v2231 = load double, ptr %v2230, align 8, !noalias !191
-  %v2232 = fadd double %v2231, %v2229
-  %v2233 = fmul double %v2200, %v2232
-  %v2234 = getelementptr i8, ptr %v2221, i64 %v751
-  %v2235 = load double, ptr %v2234, align 8, !noalias !191
-  %v2236 = fadd double %v2235, %v2233
-  %v2237 = fmul double %v2216, %v2236
-  %v2238 = getelementptr i8, ptr %v2221, i64 %v752
-  %v2239 = load double, ptr %v2238, align 8, !noalias !191
-  %v2240 = fadd double %v2239, %v2237
-  %v2241 = fmul double %v2200, %v2240
-  %v2242 = getelementptr i8, ptr %v2221, i64 %v753
-  %v2243 = load double, ptr %v2242, align 8, !noalias !191
-  %v2244 = fadd double %v2243, %v2241
-  %v2245 = fmul double %v2216, %v2244
-  %v2246 = getelementptr i8, ptr %v2221, i64 %v754
-  %v2247 = load double, ptr %v2246, align 8, !noalias !191
-  %v2248 = fadd double %v2247, %v2245
-  %v2249 = fmul double %v2200, %v2248
-  %v2219 = add nsw i64 %v2218, 1
-  %v2250 = load double, ptr %v2221, align 8, !noalias !191
-  %v2251 = fadd double %v2250, %v2249
-  %v2252 = getelementptr double, ptr %v742, i64 %v2220
-  store double %v2251, ptr %v2252, align 8, !noalias !182
-  %v2253 = icmp eq i64 %v10, %v2219
-  br i1 %v2253, label %v2215, label %v2217
-
-v2254:
-  br i1 %v745, label %v2255, label %v2201
-
-v2215:
-  %v2256 = load i64, ptr %v744, align 8, !noalias !195
-  %v2257 = inttoptr i64 %v2256 to ptr
-  tail call void %v2257(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !195
-  br i1 %v745, label %v2258, label %v2259
+  %v2147 = phi double [ 0x7FF0000000000000, %v2198 ], [ %v2249, %v2199 ]
+  %v2259 = fcmp olt double %v2147, 0.000000e+00
+  br i1 %v2259, label %v2142, label %v2141
 
 v2260:
-  %v2261 = tail call double @llvm.fabs.f64(double %v2262)
-  %v2263 = getelementptr double, ptr %v806, i64 %v2264
-  %v2265 = load double, ptr %v2263, align 8, !noalias !195
-  %v2266 = fadd double %v2261, %v2265
-  %v2267 = fcmp ueq double %v2266, 0x7FF0000000000000
-  br i1 %v2267, label %v2268, label %v2269
+  %v2261 = load double, ptr %v133, align 8, !noalias !204
+  %v2262 = load double, ptr %v731, align 8, !noalias !204
+  %v2263 = fmul double %v2264, %v2262
+  %v2265 = fadd double %v2261, %v2263
+  store double %v2265, ptr %v733, align 8, !noalias !204
+  br i1 %v735, label %v2266, label %v2267
 
-v2268:
-  %v2270 = fcmp une double %v2262, 0.000000e+00
-  br i1 %v2270, label %v2271, label %v2272
-
-v2271:
-  %v2273 = getelementptr double, ptr %v806, i64 %v2264
-  store double 0.000000e+00, ptr %v2273, align 8, !noalias !195
-  br label %v2272
-
-v2272:
-  %v2274 = icmp slt i64 %v2264, %v18
-  br i1 %v2274, label %v2275, label %v2276
-
-v2275:
-  %v2277 = getelementptr double, ptr %v804, i64 %v2264
-  %v2278 = load double, ptr %v2277, align 8, !noalias !195
-  %v2279 = add nsw i64 %v2264, %v17
-  %v2280 = icmp slt i64 %v2279, 0
-  %v2281 = select i1 %v2280, i64 %v166, i64 0
-  %v2282 = getelementptr double, ptr %v165, i64 %v2279
-  %v2283 = getelementptr double, ptr %v2282, i64 %v2281
-  %v2284 = load double, ptr %v2283, align 8, !noalias !195
-  %v2285 = fcmp une double %v2278, %v2284
-  br i1 %v2285, label %v2286, label %v2276
-
-v2286:
-  %v2287 = fcmp ord double %v2278, 0.000000e+00
-  br i1 %v2287, label %v2276, label %v2288
-
-v2288:
-  %v2289 = fcmp ord double %v2284, 0.000000e+00
-  br label %v2276
-
-v2276:
-  %v2290 = phi i1 [ true, %v2272 ], [ true, %v2286 ], [ %v2289, %v2288 ], [ false, %v2275 ]
-  %v2291 = fcmp uno double %v2262, 0.000000e+00
-  br i1 %v2291, label %v2292, label %v2293
-
-v2293:
-  %v2294 = fcmp oeq double %v2262, 0.000000e+00
-  %v2295 = and i1 %v2294, %v2290
-  %v2296 = and i1 %v2274, %v2295
-  br i1 %v2296, label %v2292, label %v2269
-
-v2292:
-  %v2297 = select i1 %v2290, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v2297, ptr %v2298, align 8, !noalias !195
+v2266:
+  %v2268 = fsub double 1.000000e+00, %v2264
   br label %v2269
 
 v2269:
-  %v2299 = icmp eq i64 %v207, %v2300
-  br i1 %v2299, label %v2259, label %v2258
+  %v2270 = phi i64 [ 0, %v2266 ], [ %v2271, %v2269 ]
+  %v2272 = mul i64 %v2270, %v196
+  %v2273 = getelementptr double, ptr %v193, i64 %v2272
+  %v2274 = getelementptr i8, ptr %v2273, i64 %v742
+  %v2275 = load double, ptr %v2274, align 8, !noalias !214
+  %v2276 = fadd double %v2275, 0.000000e+00
+  %v2277 = fmul double %v2264, %v2276
+  %v2278 = getelementptr i8, ptr %v2273, i64 %v743
+  %v2279 = load double, ptr %v2278, align 8, !noalias !214
+  %v2280 = fadd double %v2279, %v2277
+  %v2281 = fmul double %v2268, %v2280
+  %v2282 = getelementptr i8, ptr %v2273, i64 %v744
+  %v2283 = load double, ptr %v2282, align 8, !noalias !214
+  %v2284 = fadd double %v2283, %v2281
+  %v2285 = fmul double %v2264, %v2284
+  %v2286 = getelementptr i8, ptr %v2273, i64 %v745
+  %v2287 = load double, ptr %v2286, align 8, !noalias !214
+  %v2288 = fadd double %v2287, %v2285
+  %v2289 = fmul double %v2268, %v2288
+  %v2290 = getelementptr i8, ptr %v2273, i64 %v746
+  %v2291 = load double, ptr %v2290, align 8, !noalias !214
+  %v2292 = fadd double %v2291, %v2289
+  %v2293 = fmul double %v2264, %v2292
+  %v2294 = getelementptr i8, ptr %v2273, i64 %v747
+  %v2295 = load double, ptr %v2294, align 8, !noalias !214
+  %v2296 = fadd double %v2295, %v2293
+  %v2297 = fmul double %v2268, %v2296
+  %v2298 = getelementptr i8, ptr %v2273, i64 %v748
+  %v2299 = load double, ptr %v2298, align 8, !noalias !214
+  %v2300 = fadd double %v2299, %v2297
+  %v2301 = fmul double %v2264, %v2300
+  %v2271 = add nsw i64 %v2270, 1
+  %v2302 = load double, ptr %v2273, align 8, !noalias !214
+  %v2303 = fadd double %v2302, %v2301
+  %v2304 = getelementptr double, ptr %v736, i64 %v2272
+  store double %v2303, ptr %v2304, align 8, !noalias !204
+  %v2305 = icmp eq i64 %v10, %v2271
+  br i1 %v2305, label %v2267, label %v2269
 
-v2258:
-  %v2264 = phi i64 [ %v2300, %v2269 ], [ 0, %v2215 ]
-  %v2300 = add nsw i64 %v2264, 1
-  %v2298 = getelementptr double, ptr %v805, i64 %v2264
-  %v2262 = load double, ptr %v2298, align 8, !noalias !195
-  %v2301 = fcmp ueq double %v2262, 0.000000e+00
-  br i1 %v2301, label %v2268, label %v2260
+v2267:
+  %v2306 = load i64, ptr %v738, align 8, !noalias !218
+  %v2307 = inttoptr i64 %v2306 to ptr
+  tail call void %v2307(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !218
+  br i1 %v739, label %v2308, label %v2309
 
-v2259:
-  br i1 %v809, label %v2302, label %v2254
+v2310:
+  store double 0.000000e+00, ptr %v2311, align 8, !noalias !218
+  %v2312 = icmp slt i64 %v2313, %v18
+  br i1 %v2312, label %v2314, label %v2315
 
-v2302:
-  %v2303 = phi i64 [ %v2304, %v2302 ], [ %v808, %v2259 ]
-  %v2305 = phi i64 [ %v2306, %v2302 ], [ %v18, %v2259 ]
-  %v2304 = add nsw i64 %v2303, -1
-  %v2306 = add i64 %v2305, 1
-  %v2307 = icmp slt i64 %v2305, 0
-  %v2308 = select i1 %v2307, i64 %v207, i64 0
-  %v2309 = add i64 %v2308, %v2305
-  %v2310 = getelementptr double, ptr %v812, i64 %v2309
-  %v2311 = load double, ptr %v2310, align 8, !noalias !199
-  %v2312 = getelementptr double, ptr %v806, i64 %v2309
-  store double %v2311, ptr %v2312, align 8, !noalias !199
-  %v2313 = icmp sgt i64 %v2303, 1
-  br i1 %v2313, label %v2302, label %v2254
+v2314:
+  %v2316 = getelementptr double, ptr %v798, i64 %v2313
+  %v2317 = load double, ptr %v2316, align 8, !noalias !218
+  %v2318 = add nsw i64 %v2313, %v17
+  %v2319 = icmp slt i64 %v2318, 0
+  %v2320 = select i1 %v2319, i64 %v166, i64 0
+  %v2321 = getelementptr double, ptr %v165, i64 %v2318
+  %v2322 = getelementptr double, ptr %v2321, i64 %v2320
+  %v2323 = load double, ptr %v2322, align 8, !noalias !218
+  %v2324 = fcmp une double %v2317, %v2323
+  br i1 %v2324, label %v2325, label %v2315
 
-v2255:
-  %v2314 = phi double [ %v2315, %v2255 ], [ 0x7FF0000000000000, %v2254 ]
-  %v2316 = phi i64 [ %v2317, %v2255 ], [ 0, %v2254 ]
-  %v2317 = add nsw i64 %v2316, 1
-  %v2318 = getelementptr double, ptr %v805, i64 %v2316
-  %v2319 = load double, ptr %v2318, align 8, !noalias !200
-  %v2320 = getelementptr double, ptr %v806, i64 %v2316
-  %v2321 = load double, ptr %v2320, align 8, !noalias !200
-  %v2322 = fadd double %v2319, %v2321
-  %v2323 = fcmp olt double %v2322, %v2314
-  %v2315 = select i1 %v2323, double %v2322, double %v2314
-  %v2324 = icmp eq i64 %v207, %v2317
-  br i1 %v2324, label %v2201, label %v2255
+v2325:
+  %v2326 = fcmp ord double %v2317, 0.000000e+00
+  br i1 %v2326, label %v2315, label %v2327
 
-v2201:
-  %v2203 = phi double [ 0x7FF0000000000000, %v2254 ], [ %v2315, %v2255 ]
-  %v2325 = fcmp olt double %v2203, 0.000000e+00
-  br i1 %v2325, label %v2198, label %v2197
+v2327:
+  %v2328 = fcmp ord double %v2323, 0.000000e+00
+  %v2329 = select i1 %v2328, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v2315
 
-v2326:
-  %v2327 = load double, ptr %v133, align 8, !noalias !204
-  %v2328 = load double, ptr %v737, align 8, !noalias !204
-  %v2329 = fmul double %v2330, %v2328
-  %v2331 = fadd double %v2327, %v2329
-  store double %v2331, ptr %v739, align 8, !noalias !204
-  br i1 %v741, label %v2332, label %v2333
-
-v2332:
-  %v2334 = fsub double 1.000000e+00, %v2330
-  br label %v2335
-
-v2335:
-  %v2336 = phi i64 [ 0, %v2332 ], [ %v2337, %v2335 ]
-  %v2338 = mul i64 %v2336, %v196
-  %v2339 = getelementptr double, ptr %v193, i64 %v2338
-  %v2340 = getelementptr i8, ptr %v2339, i64 %v748
-  %v2341 = load double, ptr %v2340, align 8, !noalias !214
-  %v2342 = fadd double %v2341, 0.000000e+00
-  %v2343 = fmul double %v2330, %v2342
-  %v2344 = getelementptr i8, ptr %v2339, i64 %v749
-  %v2345 = load double, ptr %v2344, align 8, !noalias !214
-  %v2346 = fadd double %v2345, %v2343
-  %v2347 = fmul double %v2334, %v2346
-  %v2348 = getelementptr i8, ptr %v2339, i64 %v750
-  %v2349 = load double, ptr %v2348, align 8, !noalias !214
-  %v2350 = fadd double %v2349, %v2347
-  %v2351 = fmul double %v2330, %v2350
-  %v2352 = getelementptr i8, ptr %v2339, i64 %v751
-  %v2353 = load double, ptr %v2352, align 8, !noalias !214
-  %v2354 = fadd double %v2353, %v2351
-  %v2355 = fmul double %v2334, %v2354
-  %v2356 = getelementptr i8, ptr %v2339, i64 %v752
-  %v2357 = load double, ptr %v2356, align 8, !noalias !214
-  %v2358 = fadd double %v2357, %v2355
-  %v2359 = fmul double %v2330, %v2358
-  %v2360 = getelementptr i8, ptr %v2339, i64 %v753
-  %v2361 = load double, ptr %v2360, align 8, !noalias !214
-  %v2362 = fadd double %v2361, %v2359
-  %v2363 = fmul double %v2334, %v2362
-  %v2364 = getelementptr i8, ptr %v2339, i64 %v754
-  %v2365 = load double, ptr %v2364, align 8, !noalias !214
-  %v2366 = fadd double %v2365, %v2363
-  %v2367 = fmul double %v2330, %v2366
-  %v2337 = add nsw i64 %v2336, 1
-  %v2368 = load double, ptr %v2339, align 8, !noalias !214
-  %v2369 = fadd double %v2368, %v2367
-  %v2370 = getelementptr double, ptr %v742, i64 %v2338
-  store double %v2369, ptr %v2370, align 8, !noalias !204
-  %v2371 = icmp eq i64 %v10, %v2337
-  br i1 %v2371, label %v2333, label %v2335
+v2315:
+  %v2330 = phi double [ 0xFFF0000000000000, %v2310 ], [ 0xFFF0000000000000, %v2325 ], [ %v2329, %v2327 ], [ 0x7FF0000000000000, %v2314 ]
+  %v2331 = fcmp uno double %v2332, 0.000000e+00
+  br i1 %v2331, label %v2333, label %v2334
 
 v2333:
-  %v2372 = load i64, ptr %v744, align 8, !noalias !218
-  %v2373 = inttoptr i64 %v2372 to ptr
-  tail call void %v2373(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !218
-  br i1 %v745, label %v2374, label %v2375
+  store double %v2330, ptr %v2335, align 8, !noalias !218
+  br label %v2334
 
-v2376:
-  %v2377 = tail call double @llvm.fabs.f64(double %v2378)
-  %v2379 = getelementptr double, ptr %v806, i64 %v2380
-  %v2381 = load double, ptr %v2379, align 8, !noalias !218
-  %v2382 = fadd double %v2377, %v2381
-  %v2383 = fcmp ueq double %v2382, 0x7FF0000000000000
-  br i1 %v2383, label %v2384, label %v2385
+v2334:
+  %v2336 = icmp eq i64 %v207, %v2337
+  br i1 %v2336, label %v2309, label %v2308
 
-v2384:
-  %v2386 = fcmp une double %v2378, 0.000000e+00
-  br i1 %v2386, label %v2387, label %v2388
+v2308:
+  %v2313 = phi i64 [ %v2337, %v2334 ], [ 0, %v2267 ]
+  %v2337 = add nsw i64 %v2313, 1
+  %v2335 = getelementptr double, ptr %v799, i64 %v2313
+  %v2332 = load double, ptr %v2335, align 8, !noalias !218
+  %v2338 = tail call double @llvm.fabs.f64(double %v2332)
+  %v2311 = getelementptr double, ptr %v800, i64 %v2313
+  %v2339 = load double, ptr %v2311, align 8, !noalias !218
+  %v2340 = fadd double %v2338, %v2339
+  %v2341 = fcmp ueq double %v2340, 0x7FF0000000000000
+  br i1 %v2341, label %v2310, label %v2334
 
-v2387:
-  %v2389 = getelementptr double, ptr %v806, i64 %v2380
-  store double 0.000000e+00, ptr %v2389, align 8, !noalias !218
-  br label %v2388
+v2309:
+  br i1 %v803, label %v2342, label %v2343
 
-v2388:
-  %v2390 = icmp slt i64 %v2380, %v18
-  br i1 %v2390, label %v2391, label %v2392
+v2343:
+  br label %v2344
 
-v2391:
-  %v2393 = getelementptr double, ptr %v804, i64 %v2380
-  %v2394 = load double, ptr %v2393, align 8, !noalias !218
-  %v2395 = add nsw i64 %v2380, %v17
-  %v2396 = icmp slt i64 %v2395, 0
-  %v2397 = select i1 %v2396, i64 %v166, i64 0
-  %v2398 = getelementptr double, ptr %v165, i64 %v2395
-  %v2399 = getelementptr double, ptr %v2398, i64 %v2397
-  %v2400 = load double, ptr %v2399, align 8, !noalias !218
-  %v2401 = fcmp une double %v2394, %v2400
-  br i1 %v2401, label %v2402, label %v2392
+v2342:
+  %v2345 = phi i64 [ %v2346, %v2342 ], [ %v802, %v2309 ]
+  %v2347 = phi i64 [ %v2348, %v2342 ], [ %v18, %v2309 ]
+  %v2346 = add nsw i64 %v2345, -1
+  %v2348 = add i64 %v2347, 1
+  %v2349 = icmp slt i64 %v2347, 0
+  %v2350 = select i1 %v2349, i64 %v207, i64 0
+  %v2351 = add i64 %v2350, %v2347
+  %v2352 = getelementptr double, ptr %v806, i64 %v2351
+  %v2353 = load double, ptr %v2352, align 8, !noalias !222
+  %v2354 = getelementptr double, ptr %v800, i64 %v2351
+  store double %v2353, ptr %v2354, align 8, !noalias !222
+  %v2355 = icmp sgt i64 %v2345, 1
+  br i1 %v2355, label %v2342, label %v2343
 
-v2402:
-  %v2403 = fcmp ord double %v2394, 0.000000e+00
-  br i1 %v2403, label %v2392, label %v2404
+v2356:
+  %v2357 = icmp slt i64 %v2358, 0
+  %v2359 = select i1 %v2357, i64 %v207, i64 0
+  %v2360 = add i64 %v2359, %v2358
+  %v2361 = getelementptr double, ptr %v799, i64 %v2360
+  %v2362 = load double, ptr %v2361, align 8, !noalias !223
+  br label %v2363
+
+v2364:
+  %v2365 = phi i64 [ 0, %v2366 ], [ %v2367, %v2364 ]
+  %v2368 = mul i64 %v2365, %v196
+  %v2369 = getelementptr double, ptr %v193, i64 %v2368
+  %v2370 = getelementptr i8, ptr %v2369, i64 %v742
+  %v2371 = load double, ptr %v2370, align 8, !noalias !224
+  %v2372 = fadd double %v2371, 0.000000e+00
+  %v2373 = fmul double %v2374, %v2372
+  %v2375 = getelementptr i8, ptr %v2369, i64 %v743
+  %v2376 = load double, ptr %v2375, align 8, !noalias !224
+  %v2377 = fadd double %v2376, %v2373
+  %v2378 = fmul double %v2379, %v2377
+  %v2380 = getelementptr i8, ptr %v2369, i64 %v744
+  %v2381 = load double, ptr %v2380, align 8, !noalias !224
+  %v2382 = fadd double %v2381, %v2378
+  %v2383 = fmul double %v2374, %v2382
+  %v2384 = getelementptr i8, ptr %v2369, i64 %v745
+  %v2385 = load double, ptr %v2384, align 8, !noalias !224
+  %v2386 = fadd double %v2385, %v2383
+  %v2387 = fmul double %v2379, %v2386
+  %v2388 = getelementptr i8, ptr %v2369, i64 %v746
+  %v2389 = load double, ptr %v2388, align 8, !noalias !224
+  %v2390 = fadd double %v2389, %v2387
+  %v2391 = fmul double %v2374, %v2390
+  %v2392 = getelementptr i8, ptr %v2369, i64 %v747
+  %v2393 = load double, ptr %v2392, align 8, !noalias !224
+  %v2394 = fadd double %v2393, %v2391
+  %v2395 = fmul double %v2379, %v2394
+  %v2396 = getelementptr i8, ptr %v2369, i64 %v748
+  %v2397 = load double, ptr %v2396, align 8, !noalias !224
+  %v2398 = fadd double %v2397, %v2395
+  %v2399 = fmul double %v2374, %v2398
+  %v2367 = add nsw i64 %v2365, 1
+  %v2400 = load double, ptr %v2369, align 8, !noalias !224
+  %v2401 = fadd double %v2400, %v2399
+  %v2402 = getelementptr double, ptr %v736, i64 %v2368
+  store double %v2401, ptr %v2402, align 8, !noalias !234
+  %v2403 = icmp eq i64 %v10, %v2367
+  br i1 %v2403, label %v2404, label %v2364
 
 v2404:
-  %v2405 = fcmp ord double %v2400, 0.000000e+00
-  br label %v2392
+  %v2405 = load i64, ptr %v738, align 8, !noalias !235
+  %v2406 = inttoptr i64 %v2405 to ptr
+  tail call void %v2406(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !235
+  br i1 %v841, label %v2407, label %v2408
 
-v2392:
-  %v2406 = phi i1 [ true, %v2388 ], [ true, %v2402 ], [ %v2405, %v2404 ], [ false, %v2391 ]
-  %v2407 = fcmp uno double %v2378, 0.000000e+00
-  br i1 %v2407, label %v2408, label %v2409
+v2407:
+  br i1 %v842, label %v2409, label %v2410
 
-v2409:
-  %v2410 = fcmp oeq double %v2378, 0.000000e+00
-  %v2411 = and i1 %v2410, %v2406
-  %v2412 = and i1 %v2390, %v2411
-  br i1 %v2412, label %v2408, label %v2385
+v2411:
+  store double 0.000000e+00, ptr %v2412, align 8, !noalias !235
+  %v2413 = icmp slt i64 %v2414, %v18
+  br i1 %v2413, label %v2415, label %v2416
+
+v2415:
+  %v2417 = getelementptr double, ptr %v798, i64 %v2414
+  %v2418 = load double, ptr %v2417, align 8, !noalias !235
+  %v2419 = add nsw i64 %v2414, %v17
+  %v2420 = icmp slt i64 %v2419, 0
+  %v2421 = select i1 %v2420, i64 %v166, i64 0
+  %v2422 = getelementptr double, ptr %v165, i64 %v2419
+  %v2423 = getelementptr double, ptr %v2422, i64 %v2421
+  %v2424 = load double, ptr %v2423, align 8, !noalias !235
+  %v2425 = fcmp une double %v2418, %v2424
+  br i1 %v2425, label %v2426, label %v2416
+
+v2426:
+  %v2427 = fcmp ord double %v2418, 0.000000e+00
+  br i1 %v2427, label %v2416, label %v2428
+
+v2428:
+  %v2429 = fcmp ord double %v2424, 0.000000e+00
+  %v2430 = select i1 %v2429, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v2416
+
+v2416:
+  %v2431 = phi double [ 0xFFF0000000000000, %v2411 ], [ 0xFFF0000000000000, %v2426 ], [ %v2430, %v2428 ], [ 0x7FF0000000000000, %v2415 ]
+  %v2432 = fcmp uno double %v2433, 0.000000e+00
+  br i1 %v2432, label %v2434, label %v2435
+
+v2434:
+  store double %v2431, ptr %v2436, align 8, !noalias !235
+  br label %v2435
+
+v2435:
+  %v2437 = icmp eq i64 %v207, %v2438
+  br i1 %v2437, label %v2407, label %v2408
 
 v2408:
-  %v2413 = select i1 %v2406, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v2413, ptr %v2414, align 8, !noalias !218
-  br label %v2385
+  %v2414 = phi i64 [ %v2438, %v2435 ], [ 0, %v2404 ]
+  %v2438 = add nsw i64 %v2414, 1
+  %v2436 = getelementptr double, ptr %v799, i64 %v2414
+  %v2433 = load double, ptr %v2436, align 8, !noalias !235
+  %v2439 = tail call double @llvm.fabs.f64(double %v2433)
+  %v2412 = getelementptr double, ptr %v800, i64 %v2414
+  %v2440 = load double, ptr %v2412, align 8, !noalias !235
+  %v2441 = fadd double %v2439, %v2440
+  %v2442 = fcmp ueq double %v2441, 0x7FF0000000000000
+  br i1 %v2442, label %v2411, label %v2435
 
-v2385:
-  %v2415 = icmp eq i64 %v207, %v2416
-  br i1 %v2415, label %v2375, label %v2374
+v2410:
+  %v2443 = phi i64 [ %v2444, %v2410 ], [ %v802, %v2407 ]
+  %v2445 = phi i64 [ %v2446, %v2410 ], [ %v18, %v2407 ]
+  %v2444 = add nsw i64 %v2443, -1
+  %v2446 = add i64 %v2445, 1
+  %v2447 = icmp slt i64 %v2445, 0
+  %v2448 = select i1 %v2447, i64 %v207, i64 0
+  %v2449 = add i64 %v2448, %v2445
+  %v2450 = getelementptr double, ptr %v806, i64 %v2449
+  %v2451 = load double, ptr %v2450, align 8, !noalias !239
+  %v2452 = getelementptr double, ptr %v800, i64 %v2449
+  store double %v2451, ptr %v2452, align 8, !noalias !239
+  %v2453 = icmp sgt i64 %v2443, 1
+  br i1 %v2453, label %v2410, label %v2409
 
-v2374:
-  %v2380 = phi i64 [ %v2416, %v2385 ], [ 0, %v2333 ]
-  %v2416 = add nsw i64 %v2380, 1
-  %v2414 = getelementptr double, ptr %v805, i64 %v2380
-  %v2378 = load double, ptr %v2414, align 8, !noalias !218
-  %v2417 = fcmp ueq double %v2378, 0.000000e+00
-  br i1 %v2417, label %v2384, label %v2376
+v2454:
+  %v2455 = select i1 %v2456, double %v2264, double %v2374
+  %v2457 = fmul double %v2455, 5.000000e-01
+  %v2458 = icmp eq i64 %v2459, 45
+  br i1 %v2458, label %v2460, label %v2363
 
-v2375:
-  br i1 %v809, label %v2418, label %v2419
+v2461:
+  %v2462 = getelementptr double, ptr %v806, i64 %v2360
+  store double 0.000000e+00, ptr %v2462, align 8, !noalias !223
+  br label %v2463
 
-v2419:
-  br label %v2420
+v2464:
+  %v2465 = sub nsw i64 45, %v2466
+  br label %v2467
 
-v2418:
-  %v2421 = phi i64 [ %v2422, %v2418 ], [ %v808, %v2375 ]
-  %v2423 = phi i64 [ %v2424, %v2418 ], [ %v18, %v2375 ]
-  %v2422 = add nsw i64 %v2421, -1
-  %v2424 = add i64 %v2423, 1
-  %v2425 = icmp slt i64 %v2423, 0
-  %v2426 = select i1 %v2425, i64 %v207, i64 0
-  %v2427 = add i64 %v2426, %v2423
-  %v2428 = getelementptr double, ptr %v812, i64 %v2427
-  %v2429 = load double, ptr %v2428, align 8, !noalias !222
-  %v2430 = getelementptr double, ptr %v806, i64 %v2427
-  store double %v2429, ptr %v2430, align 8, !noalias !222
-  %v2431 = icmp sgt i64 %v2421, 1
-  br i1 %v2431, label %v2418, label %v2419
+v2467:
+  %v2468 = phi double [ %v2469, %v2467 ], [ 1.000000e+00, %v2464 ]
+  %v2470 = phi double [ %v2471, %v2467 ], [ 2.000000e+00, %v2464 ]
+  %v2472 = phi i64 [ %v2473, %v2467 ], [ %v2465, %v2464 ]
+  %v2474 = and i64 %v2472, 1
+  %v2475 = icmp eq i64 %v2474, 0
+  %v2476 = fmul double %v2468, %v2470
+  %v2469 = select i1 %v2475, double %v2468, double %v2476
+  %v2473 = lshr i64 %v2472, 1
+  %v2471 = fmul double %v2470, %v2470
+  %v2477 = icmp eq i64 %v2473, 0
+  br i1 %v2477, label %v2478, label %v2467
 
-v2432:
-  %v2433 = icmp slt i64 %v2434, 0
-  %v2435 = select i1 %v2433, i64 %v207, i64 0
-  %v2436 = add i64 %v2435, %v2434
-  %v2437 = getelementptr double, ptr %v805, i64 %v2436
-  %v2438 = load double, ptr %v2437, align 8, !noalias !223
-  br label %v2439
+v2479:
+  %v2480 = fcmp olt double %v2481, 0.000000e+00
+  %v2482 = select i1 %v2480, double 0.000000e+00, double %v2481
+  %v2483 = fmul double %v2484, %v2482
+  %v2485 = fsub double %v2486, %v2483
+  br label %v2487
 
-v2439:
-  %v2440 = phi double [ %v2330, %v2432 ], [ %v2441, %v2442 ]
-  %v2443 = phi i64 [ 44, %v2432 ], [ %v2444, %v2442 ]
-  %v2445 = phi double [ %v2129, %v2432 ], [ %v2441, %v2442 ]
-  %v2446 = load double, ptr %v133, align 8, !noalias !224
-  %v2447 = load double, ptr %v737, align 8, !noalias !224
-  %v2448 = fmul double %v2445, %v2447
-  %v2449 = fadd double %v2446, %v2448
-  store double %v2449, ptr %v739, align 8, !noalias !224
-  br i1 %v846, label %v2450, label %v2451
+v2478:
+  %v2488 = fadd double %v2489, %v2490
+  %v2486 = fmul double %v2488, 5.000000e-01
+  %v2491 = fmul double %v2469, 0x3D06849B86A12B9B
+  %v2492 = fsub double %v2491, %v2493
+  %v2481 = fmul double %v2492, 5.000000e-01
+  %v2494 = fmul double %v2495, %v2490
+  %v2496 = fmul double %v2497, %v2489
+  %v2498 = fsub double %v2494, %v2496
+  %v2499 = fsub double %v2495, %v2497
+  %v2500 = fdiv double %v2498, %v2499
+  %v2501 = fcmp olt double %v2490, %v2500
+  %v2502 = fcmp olt double %v2500, %v2489
+  %v2503 = and i1 %v2501, %v2502
+  %v2504 = select i1 %v2503, double %v2500, double %v2486
+  %v2505 = fsub double %v2486, %v2504
+  %v2484 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2505)
+  %v2506 = fmul double %v2493, %v2493
+  %v2507 = tail call double @llvm.fabs.f64(double %v2505)
+  %v2508 = fcmp olt double %v2507, %v2506
+  %v2509 = select i1 %v2508, double %v2507, double %v2506
+  %v2510 = fmul double %v2484, %v2509
+  %v2511 = fadd double %v2504, %v2510
+  %v2512 = fsub double %v2511, %v2486
+  %v2513 = tail call double @llvm.fabs.f64(double %v2512)
+  %v2514 = fcmp ugt double %v2513, %v2481
+  br i1 %v2514, label %v2479, label %v2487
 
-v2451:
-  %v2452 = fsub double 1.000000e+00, %v2445
-  br label %v2453
+v2515:
+  br label %v2516
 
-v2453:
-  %v2454 = phi i64 [ 0, %v2451 ], [ %v2455, %v2453 ]
-  %v2456 = mul i64 %v2454, %v196
-  %v2457 = getelementptr double, ptr %v193, i64 %v2456
-  %v2458 = getelementptr i8, ptr %v2457, i64 %v748
-  %v2459 = load double, ptr %v2458, align 8, !noalias !231
-  %v2460 = fadd double %v2459, 0.000000e+00
-  %v2461 = fmul double %v2445, %v2460
-  %v2462 = getelementptr i8, ptr %v2457, i64 %v749
-  %v2463 = load double, ptr %v2462, align 8, !noalias !231
-  %v2464 = fadd double %v2463, %v2461
-  %v2465 = fmul double %v2452, %v2464
-  %v2466 = getelementptr i8, ptr %v2457, i64 %v750
-  %v2467 = load double, ptr %v2466, align 8, !noalias !231
-  %v2468 = fadd double %v2467, %v2465
-  %v2469 = fmul double %v2445, %v2468
-  %v2470 = getelementptr i8, ptr %v2457, i64 %v751
-  %v2471 = load double, ptr %v2470, align 8, !noalias !231
-  %v2472 = fadd double %v2471, %v2469
-  %v2473 = fmul double %v2452, %v2472
-  %v2474 = getelementptr i8, ptr %v2457, i64 %v752
-  %v2475 = load double, ptr %v2474, align 8, !noalias !231
-  %v2476 = fadd double %v2475, %v2473
-  %v2477 = fmul double %v2445, %v2476
-  %v2478 = getelementptr i8, ptr %v2457, i64 %v753
-  %v2479 = load double, ptr %v2478, align 8, !noalias !231
-  %v2480 = fadd double %v2479, %v2477
-  %v2481 = fmul double %v2452, %v2480
-  %v2482 = getelementptr i8, ptr %v2457, i64 %v754
-  %v2483 = load double, ptr %v2482, align 8, !noalias !231
-  %v2484 = fadd double %v2483, %v2481
-  %v2485 = fmul double %v2445, %v2484
-  %v2455 = add nsw i64 %v2454, 1
-  %v2486 = load double, ptr %v2457, align 8, !noalias !231
-  %v2487 = fadd double %v2486, %v2485
-  %v2488 = getelementptr double, ptr %v742, i64 %v2456
-  store double %v2487, ptr %v2488, align 8, !noalias !224
-  %v2489 = icmp eq i64 %v10, %v2455
-  br i1 %v2489, label %v2450, label %v2453
+v2516:
+  %v2517 = phi double [ %v2518, %v2515 ], [ %v2490, %v2519 ]
+  %v2520 = phi double [ %v2521, %v2515 ], [ %v2497, %v2519 ]
+  %v2522 = phi double [ %v2495, %v2515 ], [ %v2521, %v2519 ]
+  %v2523 = phi double [ %v2489, %v2515 ], [ %v2518, %v2519 ]
+  %v2524 = icmp eq i64 %v2525, 45
+  br i1 %v2524, label %v2460, label %v2463
 
-v2450:
-  %v2490 = load i64, ptr %v744, align 8, !noalias !235
-  %v2491 = inttoptr i64 %v2490 to ptr
-  tail call void %v2491(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !235
-  br i1 %v847, label %v2492, label %v2493
+v2463:
+  %v2495 = phi double [ %v2362, %v2461 ], [ %v2522, %v2516 ]
+  %v2497 = phi double [ %v2526, %v2461 ], [ %v2520, %v2516 ]
+  %v2489 = phi double [ %v2264, %v2461 ], [ %v2523, %v2516 ]
+  %v2490 = phi double [ %v2374, %v2461 ], [ %v2517, %v2516 ]
+  %v2466 = phi i64 [ 0, %v2461 ], [ %v2525, %v2516 ]
+  %v2525 = add nsw i64 %v2466, 1
+  %v2493 = fsub double %v2489, %v2490
+  %v2527 = fcmp ugt double %v2493, 0x3D06849B86A12B9B
+  br i1 %v2527, label %v2464, label %v2460
 
-v2492:
-  br i1 %v848, label %v2494, label %v2495
+v2487:
+  %v2518 = phi double [ %v2511, %v2478 ], [ %v2485, %v2479 ]
+  %v2528 = load double, ptr %v133, align 8, !noalias !240
+  %v2529 = load double, ptr %v731, align 8, !noalias !240
+  %v2530 = fmul double %v2518, %v2529
+  %v2531 = fadd double %v2528, %v2530
+  store double %v2531, ptr %v733, align 8, !noalias !240
+  br i1 %v735, label %v2532, label %v2533
 
-v2496:
-  %v2497 = tail call double @llvm.fabs.f64(double %v2498)
-  %v2499 = getelementptr double, ptr %v806, i64 %v2500
-  %v2501 = load double, ptr %v2499, align 8, !noalias !235
-  %v2502 = fadd double %v2497, %v2501
-  %v2503 = fcmp ueq double %v2502, 0x7FF0000000000000
-  br i1 %v2503, label %v2504, label %v2505
+v2532:
+  %v2534 = fsub double 1.000000e+00, %v2518
+  br label %v2535
 
-v2504:
-  %v2506 = fcmp une double %v2498, 0.000000e+00
-  br i1 %v2506, label %v2507, label %v2508
+v2535:
+  %v2536 = phi i64 [ 0, %v2532 ], [ %v2537, %v2535 ]
+  %v2538 = mul i64 %v2536, %v196
+  %v2539 = getelementptr double, ptr %v193, i64 %v2538
+  %v2540 = getelementptr i8, ptr %v2539, i64 %v742
+  %v2541 = load double, ptr %v2540, align 8, !noalias !249
+  %v2542 = fadd double %v2541, 0.000000e+00
+  %v2543 = fmul double %v2518, %v2542
+  %v2544 = getelementptr i8, ptr %v2539, i64 %v743
+  %v2545 = load double, ptr %v2544, align 8, !noalias !249
+  %v2546 = fadd double %v2545, %v2543
+  %v2547 = fmul double %v2534, %v2546
+  %v2548 = getelementptr i8, ptr %v2539, i64 %v744
+  %v2549 = load double, ptr %v2548, align 8, !noalias !249
+  %v2550 = fadd double %v2549, %v2547
+  %v2551 = fmul double %v2518, %v2550
+  %v2552 = getelementptr i8, ptr %v2539, i64 %v745
+  %v2553 = load double, ptr %v2552, align 8, !noalias !249
+  %v2554 = fadd double %v2553, %v2551
+  %v2555 = fmul double %v2534, %v2554
+  %v2556 = getelementptr i8, ptr %v2539, i64 %v746
+  %v2557 = load double, ptr %v2556, align 8, !noalias !249
+  %v2558 = fadd double %v2557, %v2555
+  %v2559 = fmul double %v2518, %v2558
+  %v2560 = getelementptr i8, ptr %v2539, i64 %v747
+  %v2561 = load double, ptr %v2560, align 8, !noalias !249
+  %v2562 = fadd double %v2561, %v2559
+  %v2563 = fmul double %v2534, %v2562
+  %v2564 = getelementptr i8, ptr %v2539, i64 %v748
+  %v2565 = load double, ptr %v2564, align 8, !noalias !249
+  %v2566 = fadd double %v2565, %v2563
+  %v2567 = fmul double %v2518, %v2566
+  %v2537 = add nsw i64 %v2536, 1
+  %v2568 = load double, ptr %v2539, align 8, !noalias !249
+  %v2569 = fadd double %v2568, %v2567
+  %v2570 = getelementptr double, ptr %v736, i64 %v2538
+  store double %v2569, ptr %v2570, align 8, !noalias !240
+  %v2571 = icmp eq i64 %v10, %v2537
+  br i1 %v2571, label %v2533, label %v2535
 
-v2507:
-  %v2509 = getelementptr double, ptr %v806, i64 %v2500
-  store double 0.000000e+00, ptr %v2509, align 8, !noalias !235
-  br label %v2508
+v2572:
+  br i1 %v739, label %v2573, label %v2519
 
-v2508:
-  %v2510 = icmp slt i64 %v2500, %v18
-  br i1 %v2510, label %v2511, label %v2512
-
-v2511:
-  %v2513 = getelementptr double, ptr %v804, i64 %v2500
-  %v2514 = load double, ptr %v2513, align 8, !noalias !235
-  %v2515 = add nsw i64 %v2500, %v17
-  %v2516 = icmp slt i64 %v2515, 0
-  %v2517 = select i1 %v2516, i64 %v166, i64 0
-  %v2518 = getelementptr double, ptr %v165, i64 %v2515
-  %v2519 = getelementptr double, ptr %v2518, i64 %v2517
-  %v2520 = load double, ptr %v2519, align 8, !noalias !235
-  %v2521 = fcmp une double %v2514, %v2520
-  br i1 %v2521, label %v2522, label %v2512
-
-v2522:
-  %v2523 = fcmp ord double %v2514, 0.000000e+00
-  br i1 %v2523, label %v2512, label %v2524
-
-v2524:
-  %v2525 = fcmp ord double %v2520, 0.000000e+00
-  br label %v2512
-
-v2512:
-  %v2526 = phi i1 [ true, %v2508 ], [ true, %v2522 ], [ %v2525, %v2524 ], [ false, %v2511 ]
-  %v2527 = fcmp uno double %v2498, 0.000000e+00
-  br i1 %v2527, label %v2528, label %v2529
-
-v2529:
-  %v2530 = fcmp oeq double %v2498, 0.000000e+00
-  %v2531 = and i1 %v2530, %v2526
-  %v2532 = and i1 %v2510, %v2531
-  br i1 %v2532, label %v2528, label %v2505
-
-v2528:
-  %v2533 = select i1 %v2526, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v2533, ptr %v2534, align 8, !noalias !235
-  br label %v2505
-
-v2505:
-  %v2535 = icmp eq i64 %v207, %v2536
-  br i1 %v2535, label %v2492, label %v2493
-
-v2493:
-  %v2500 = phi i64 [ %v2536, %v2505 ], [ 0, %v2450 ]
-  %v2536 = add nsw i64 %v2500, 1
-  %v2534 = getelementptr double, ptr %v805, i64 %v2500
-  %v2498 = load double, ptr %v2534, align 8, !noalias !235
-  %v2537 = fcmp ueq double %v2498, 0.000000e+00
-  br i1 %v2537, label %v2504, label %v2496
-
-v2495:
-  %v2538 = phi i64 [ %v2539, %v2495 ], [ %v808, %v2492 ]
-  %v2540 = phi i64 [ %v2541, %v2495 ], [ %v18, %v2492 ]
-  %v2539 = add nsw i64 %v2538, -1
-  %v2541 = add i64 %v2540, 1
-  %v2542 = icmp slt i64 %v2540, 0
-  %v2543 = select i1 %v2542, i64 %v207, i64 0
-  %v2544 = add i64 %v2543, %v2540
-  %v2545 = getelementptr double, ptr %v812, i64 %v2544
-  %v2546 = load double, ptr %v2545, align 8, !noalias !239
-  %v2547 = getelementptr double, ptr %v806, i64 %v2544
-  store double %v2546, ptr %v2547, align 8, !noalias !239
-  %v2548 = icmp sgt i64 %v2538, 1
-  br i1 %v2548, label %v2495, label %v2494
-
-v2442:
-  %v2441 = fmul double %v2440, 5.000000e-01
-  %v2549 = icmp ne i64 %v2443, 0
-  %v2550 = sext i1 %v2549 to i64
-  %v2444 = add nsw i64 %v2443, %v2550
-  br i1 %v2549, label %v2439, label %v2551
-
-v2552:
-  %v2553 = getelementptr double, ptr %v812, i64 %v2436
-  store double 0.000000e+00, ptr %v2553, align 8, !noalias !223
-  br label %v2554
-
-v2555:
-  %v2556 = sub nsw i64 45, %v2557
-  br label %v2558
-
-v2558:
-  %v2559 = phi double [ %v2560, %v2558 ], [ 1.000000e+00, %v2555 ]
-  %v2561 = phi double [ %v2562, %v2558 ], [ 2.000000e+00, %v2555 ]
-  %v2563 = phi i64 [ %v2564, %v2558 ], [ %v2556, %v2555 ]
-  %v2565 = and i64 %v2563, 1
-  %v2566 = icmp eq i64 %v2565, 0
-  %v2567 = fmul double %v2559, %v2561
-  %v2560 = select i1 %v2566, double %v2559, double %v2567
-  %v2564 = lshr i64 %v2563, 1
-  %v2562 = fmul double %v2561, %v2561
-  %v2568 = icmp eq i64 %v2564, 0
-  br i1 %v2568, label %v2569, label %v2558
-
-v2570:
-  %v2571 = fcmp olt double %v2572, 0.000000e+00
-  %v2573 = select i1 %v2571, double 0.000000e+00, double %v2572
-  %v2574 = fmul double %v2575, %v2573
-  %v2576 = fsub double %v2577, %v2574
-  br label %v2578
-
-v2569:
-  %v2579 = fadd double %v2580, %v2581
-  %v2577 = fmul double %v2579, 5.000000e-01
-  %v2582 = fmul double %v2560, 0x3D06849B86A12B9B
-  %v2583 = fsub double %v2582, %v2584
-  %v2572 = fmul double %v2583, 5.000000e-01
-  %v2585 = fmul double %v2586, %v2581
-  %v2587 = fmul double %v2588, %v2580
-  %v2589 = fsub double %v2585, %v2587
-  %v2590 = fsub double %v2586, %v2588
-  %v2591 = fdiv double %v2589, %v2590
-  %v2592 = fcmp olt double %v2581, %v2591
-  %v2593 = fcmp olt double %v2591, %v2580
-  %v2594 = and i1 %v2592, %v2593
-  %v2595 = select i1 %v2594, double %v2591, double %v2577
-  %v2596 = fsub double %v2577, %v2595
-  %v2575 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2596)
-  %v2597 = fmul double %v2584, %v2584
-  %v2598 = tail call double @llvm.fabs.f64(double %v2596)
-  %v2599 = fcmp olt double %v2598, %v2597
-  %v2600 = select i1 %v2599, double %v2598, double %v2597
-  %v2601 = fmul double %v2575, %v2600
-  %v2602 = fadd double %v2595, %v2601
-  %v2603 = fsub double %v2602, %v2577
-  %v2604 = tail call double @llvm.fabs.f64(double %v2603)
-  %v2605 = fcmp ugt double %v2604, %v2572
-  br i1 %v2605, label %v2570, label %v2578
-
-v2606:
-  br label %v2607
-
-v2607:
-  %v2608 = phi double [ %v2609, %v2606 ], [ %v2581, %v2610 ]
-  %v2611 = phi double [ %v2612, %v2606 ], [ %v2588, %v2610 ]
-  %v2613 = phi double [ %v2586, %v2606 ], [ %v2612, %v2610 ]
-  %v2614 = phi double [ %v2580, %v2606 ], [ %v2609, %v2610 ]
-  %v2615 = icmp eq i64 %v2616, 45
-  br i1 %v2615, label %v2551, label %v2554
-
-v2554:
-  %v2586 = phi double [ %v2438, %v2552 ], [ %v2613, %v2607 ]
-  %v2588 = phi double [ %v2617, %v2552 ], [ %v2611, %v2607 ]
-  %v2580 = phi double [ %v2330, %v2552 ], [ %v2614, %v2607 ]
-  %v2581 = phi double [ %v2445, %v2552 ], [ %v2608, %v2607 ]
-  %v2557 = phi i64 [ 0, %v2552 ], [ %v2616, %v2607 ]
-  %v2616 = add nsw i64 %v2557, 1
-  %v2584 = fsub double %v2580, %v2581
-  %v2618 = fcmp ugt double %v2584, 0x3D06849B86A12B9B
-  br i1 %v2618, label %v2555, label %v2551
+v2533:
+  %v2574 = load i64, ptr %v738, align 8, !noalias !253
+  %v2575 = inttoptr i64 %v2574 to ptr
+  tail call void %v2575(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !253
+  br i1 %v739, label %v2576, label %v2577
 
 v2578:
-  %v2609 = phi double [ %v2602, %v2569 ], [ %v2576, %v2570 ]
-  %v2619 = load double, ptr %v133, align 8, !noalias !240
-  %v2620 = load double, ptr %v737, align 8, !noalias !240
-  %v2621 = fmul double %v2609, %v2620
-  %v2622 = fadd double %v2619, %v2621
-  store double %v2622, ptr %v739, align 8, !noalias !240
-  br i1 %v741, label %v2623, label %v2624
+  store double 0.000000e+00, ptr %v2579, align 8, !noalias !253
+  %v2580 = icmp slt i64 %v2581, %v18
+  br i1 %v2580, label %v2582, label %v2583
 
-v2623:
-  %v2625 = fsub double 1.000000e+00, %v2609
-  br label %v2626
+v2582:
+  %v2584 = getelementptr double, ptr %v798, i64 %v2581
+  %v2585 = load double, ptr %v2584, align 8, !noalias !253
+  %v2586 = add nsw i64 %v2581, %v17
+  %v2587 = icmp slt i64 %v2586, 0
+  %v2588 = select i1 %v2587, i64 %v166, i64 0
+  %v2589 = getelementptr double, ptr %v165, i64 %v2586
+  %v2590 = getelementptr double, ptr %v2589, i64 %v2588
+  %v2591 = load double, ptr %v2590, align 8, !noalias !253
+  %v2592 = fcmp une double %v2585, %v2591
+  br i1 %v2592, label %v2593, label %v2583
 
-v2626:
-  %v2627 = phi i64 [ 0, %v2623 ], [ %v2628, %v2626 ]
-  %v2629 = mul i64 %v2627, %v196
-  %v2630 = getelementptr double, ptr %v193, i64 %v2629
-  %v2631 = getelementptr i8, ptr %v2630, i64 %v748
-  %v2632 = load double, ptr %v2631, align 8, !noalias !249
-  %v2633 = fadd double %v2632, 0.000000e+00
-  %v2634 = fmul double %v2609, %v2633
-  %v2635 = getelementptr i8, ptr %v2630, i64 %v749
-  %v2636 = load double, ptr %v2635, align 8, !noalias !249
-  %v2637 = fadd double %v2636, %v2634
-  %v2638 = fmul double %v2625, %v2637
-  %v2639 = getelementptr i8, ptr %v2630, i64 %v750
-  %v2640 = load double, ptr %v2639, align 8, !noalias !249
-  %v2641 = fadd double %v2640, %v2638
-  %v2642 = fmul double %v2609, %v2641
-  %v2643 = getelementptr i8, ptr %v2630, i64 %v751
-  %v2644 = load double, ptr %v2643, align 8, !noalias !249
-  %v2645 = fadd double %v2644, %v2642
-  %v2646 = fmul double %v2625, %v2645
-  %v2647 = getelementptr i8, ptr %v2630, i64 %v752
-  %v2648 = load double, ptr %v2647, align 8, !noalias !249
-  %v2649 = fadd double %v2648, %v2646
-  %v2650 = fmul double %v2609, %v2649
-  %v2651 = getelementptr i8, ptr %v2630, i64 %v753
-  %v2652 = load double, ptr %v2651, align 8, !noalias !249
-  %v2653 = fadd double %v2652, %v2650
-  %v2654 = fmul double %v2625, %v2653
-  %v2655 = getelementptr i8, ptr %v2630, i64 %v754
-  %v2656 = load double, ptr %v2655, align 8, !noalias !249
-  %v2657 = fadd double %v2656, %v2654
-  %v2658 = fmul double %v2609, %v2657
-  %v2628 = add nsw i64 %v2627, 1
-  %v2659 = load double, ptr %v2630, align 8, !noalias !249
-  %v2660 = fadd double %v2659, %v2658
-  %v2661 = getelementptr double, ptr %v742, i64 %v2629
-  store double %v2660, ptr %v2661, align 8, !noalias !240
-  %v2662 = icmp eq i64 %v10, %v2628
-  br i1 %v2662, label %v2624, label %v2626
+v2593:
+  %v2594 = fcmp ord double %v2585, 0.000000e+00
+  br i1 %v2594, label %v2583, label %v2595
 
-v2663:
-  br i1 %v745, label %v2664, label %v2610
+v2595:
+  %v2596 = fcmp ord double %v2591, 0.000000e+00
+  %v2597 = select i1 %v2596, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v2583
 
-v2624:
-  %v2665 = load i64, ptr %v744, align 8, !noalias !253
-  %v2666 = inttoptr i64 %v2665 to ptr
-  tail call void %v2666(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !253
-  br i1 %v745, label %v2667, label %v2668
+v2583:
+  %v2598 = phi double [ 0xFFF0000000000000, %v2578 ], [ 0xFFF0000000000000, %v2593 ], [ %v2597, %v2595 ], [ 0x7FF0000000000000, %v2582 ]
+  %v2599 = fcmp uno double %v2600, 0.000000e+00
+  br i1 %v2599, label %v2601, label %v2602
 
-v2669:
-  %v2670 = tail call double @llvm.fabs.f64(double %v2671)
-  %v2672 = getelementptr double, ptr %v806, i64 %v2673
-  %v2674 = load double, ptr %v2672, align 8, !noalias !253
-  %v2675 = fadd double %v2670, %v2674
-  %v2676 = fcmp ueq double %v2675, 0x7FF0000000000000
-  br i1 %v2676, label %v2677, label %v2678
+v2601:
+  store double %v2598, ptr %v2603, align 8, !noalias !253
+  br label %v2602
 
-v2677:
-  %v2679 = fcmp une double %v2671, 0.000000e+00
-  br i1 %v2679, label %v2680, label %v2681
+v2602:
+  %v2604 = icmp eq i64 %v207, %v2605
+  br i1 %v2604, label %v2577, label %v2576
 
-v2680:
-  %v2682 = getelementptr double, ptr %v806, i64 %v2673
-  store double 0.000000e+00, ptr %v2682, align 8, !noalias !253
-  br label %v2681
+v2576:
+  %v2581 = phi i64 [ %v2605, %v2602 ], [ 0, %v2533 ]
+  %v2605 = add nsw i64 %v2581, 1
+  %v2603 = getelementptr double, ptr %v799, i64 %v2581
+  %v2600 = load double, ptr %v2603, align 8, !noalias !253
+  %v2606 = tail call double @llvm.fabs.f64(double %v2600)
+  %v2579 = getelementptr double, ptr %v800, i64 %v2581
+  %v2607 = load double, ptr %v2579, align 8, !noalias !253
+  %v2608 = fadd double %v2606, %v2607
+  %v2609 = fcmp ueq double %v2608, 0x7FF0000000000000
+  br i1 %v2609, label %v2578, label %v2602
 
-v2681:
-  %v2683 = icmp slt i64 %v2673, %v18
-  br i1 %v2683, label %v2684, label %v2685
-
-v2684:
-  %v2686 = getelementptr double, ptr %v804, i64 %v2673
-  %v2687 = load double, ptr %v2686, align 8, !noalias !253
-  %v2688 = add nsw i64 %v2673, %v17
-  %v2689 = icmp slt i64 %v2688, 0
-  %v2690 = select i1 %v2689, i64 %v166, i64 0
-  %v2691 = getelementptr double, ptr %v165, i64 %v2688
-  %v2692 = getelementptr double, ptr %v2691, i64 %v2690
-  %v2693 = load double, ptr %v2692, align 8, !noalias !253
-  %v2694 = fcmp une double %v2687, %v2693
-  br i1 %v2694, label %v2695, label %v2685
-
-v2695:
-  %v2696 = fcmp ord double %v2687, 0.000000e+00
-  br i1 %v2696, label %v2685, label %v2697
-
-v2697:
-  %v2698 = fcmp ord double %v2693, 0.000000e+00
-  br label %v2685
-
-v2685:
-  %v2699 = phi i1 [ true, %v2681 ], [ true, %v2695 ], [ %v2698, %v2697 ], [ false, %v2684 ]
-  %v2700 = fcmp uno double %v2671, 0.000000e+00
-  br i1 %v2700, label %v2701, label %v2702
-
-v2702:
-  %v2703 = fcmp oeq double %v2671, 0.000000e+00
-  %v2704 = and i1 %v2703, %v2699
-  %v2705 = and i1 %v2683, %v2704
-  br i1 %v2705, label %v2701, label %v2678
-
-v2701:
-  %v2706 = select i1 %v2699, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v2706, ptr %v2707, align 8, !noalias !253
-  br label %v2678
-
-v2678:
-  %v2708 = icmp eq i64 %v207, %v2709
-  br i1 %v2708, label %v2668, label %v2667
-
-v2667:
-  %v2673 = phi i64 [ %v2709, %v2678 ], [ 0, %v2624 ]
-  %v2709 = add nsw i64 %v2673, 1
-  %v2707 = getelementptr double, ptr %v805, i64 %v2673
-  %v2671 = load double, ptr %v2707, align 8, !noalias !253
-  %v2710 = fcmp ueq double %v2671, 0.000000e+00
-  br i1 %v2710, label %v2677, label %v2669
-
-v2668:
-  br i1 %v809, label %v2711, label %v2663
-
-v2711:
-  %v2712 = phi i64 [ %v2713, %v2711 ], [ %v808, %v2668 ]
-  %v2714 = phi i64 [ %v2715, %v2711 ], [ %v18, %v2668 ]
-  %v2713 = add nsw i64 %v2712, -1
-  %v2715 = add i64 %v2714, 1
-  %v2716 = icmp slt i64 %v2714, 0
-  %v2717 = select i1 %v2716, i64 %v207, i64 0
-  %v2718 = add i64 %v2717, %v2714
-  %v2719 = getelementptr double, ptr %v812, i64 %v2718
-  %v2720 = load double, ptr %v2719, align 8, !noalias !257
-  %v2721 = getelementptr double, ptr %v806, i64 %v2718
-  store double %v2720, ptr %v2721, align 8, !noalias !257
-  %v2722 = icmp sgt i64 %v2712, 1
-  br i1 %v2722, label %v2711, label %v2663
-
-v2664:
-  %v2723 = phi double [ %v2724, %v2664 ], [ 0x7FF0000000000000, %v2663 ]
-  %v2725 = phi i64 [ %v2726, %v2664 ], [ 0, %v2663 ]
-  %v2726 = add nsw i64 %v2725, 1
-  %v2727 = getelementptr double, ptr %v805, i64 %v2725
-  %v2728 = load double, ptr %v2727, align 8, !noalias !258
-  %v2729 = getelementptr double, ptr %v806, i64 %v2725
-  %v2730 = load double, ptr %v2729, align 8, !noalias !258
-  %v2731 = fadd double %v2728, %v2730
-  %v2732 = fcmp olt double %v2731, %v2723
-  %v2724 = select i1 %v2732, double %v2731, double %v2723
-  %v2733 = icmp eq i64 %v207, %v2726
-  br i1 %v2733, label %v2610, label %v2664
+v2577:
+  br i1 %v803, label %v2610, label %v2572
 
 v2610:
-  %v2612 = phi double [ 0x7FF0000000000000, %v2663 ], [ %v2724, %v2664 ]
-  %v2734 = fcmp olt double %v2612, 0.000000e+00
-  br i1 %v2734, label %v2607, label %v2606
+  %v2611 = phi i64 [ %v2612, %v2610 ], [ %v802, %v2577 ]
+  %v2613 = phi i64 [ %v2614, %v2610 ], [ %v18, %v2577 ]
+  %v2612 = add nsw i64 %v2611, -1
+  %v2614 = add i64 %v2613, 1
+  %v2615 = icmp slt i64 %v2613, 0
+  %v2616 = select i1 %v2615, i64 %v207, i64 0
+  %v2617 = add i64 %v2616, %v2613
+  %v2618 = getelementptr double, ptr %v806, i64 %v2617
+  %v2619 = load double, ptr %v2618, align 8, !noalias !257
+  %v2620 = getelementptr double, ptr %v800, i64 %v2617
+  store double %v2619, ptr %v2620, align 8, !noalias !257
+  %v2621 = icmp sgt i64 %v2611, 1
+  br i1 %v2621, label %v2610, label %v2572
 
-v2551:
-  %v2735 = phi double [ %v2580, %v2554 ], [ %v2614, %v2607 ], [ 0.000000e+00, %v2442 ]
-  %v2736 = phi double [ %v2581, %v2554 ], [ %v2608, %v2607 ], [ %v2445, %v2442 ]
-  store double %v2736, ptr %v850, align 8, !noalias !223
-  store double %v2735, ptr %v852, align 8, !noalias !223
-  %v2737 = load double, ptr %v133, align 8, !noalias !223
-  %v2738 = load double, ptr %v737, align 8, !noalias !223
-  %v2739 = fmul double %v2735, %v2738
-  %v2740 = fadd double %v2737, %v2739
-  %v2741 = load i64, ptr %v142, align 8, !noalias !262
-  %v2742 = load i64, ptr %v854, align 8, !noalias !262
-  %v2743 = icmp slt i64 %v2742, %v93
-  br i1 %v2743, label %v2744, label %v2745
+v2573:
+  %v2622 = phi double [ %v2623, %v2573 ], [ 0x7FF0000000000000, %v2572 ]
+  %v2624 = phi i64 [ %v2625, %v2573 ], [ 0, %v2572 ]
+  %v2625 = add nsw i64 %v2624, 1
+  %v2626 = getelementptr double, ptr %v799, i64 %v2624
+  %v2627 = load double, ptr %v2626, align 8, !noalias !258
+  %v2628 = getelementptr double, ptr %v800, i64 %v2624
+  %v2629 = load double, ptr %v2628, align 8, !noalias !258
+  %v2630 = fadd double %v2627, %v2629
+  %v2631 = fcmp olt double %v2630, %v2622
+  %v2623 = select i1 %v2631, double %v2630, double %v2622
+  %v2632 = icmp eq i64 %v207, %v2625
+  br i1 %v2632, label %v2519, label %v2573
 
-v2744:
-  %v2746 = icmp slt i64 %v2742, 0
-  %v2747 = select i1 %v2746, i64 %v93, i64 0
-  %v2748 = getelementptr double, ptr %v92, i64 %v2742
-  %v2749 = getelementptr double, ptr %v2748, i64 %v2747
-  %v2750 = load double, ptr %v2749, align 8, !noalias !262
-  %v2751 = fcmp ugt double %v2750, %v2740
-  br i1 %v2751, label %v2745, label %v2752
+v2519:
+  %v2521 = phi double [ 0x7FF0000000000000, %v2572 ], [ %v2623, %v2573 ]
+  %v2633 = fcmp olt double %v2521, 0.000000e+00
+  br i1 %v2633, label %v2516, label %v2515
 
-v2752:
-  %v2753 = icmp slt i64 %v2741, 0
-  %v2754 = select i1 %v2753, i64 %v100, i64 0
-  %v2755 = add i64 %v2754, %v2741
-  %v2756 = mul i64 %v857, %v2755
-  %v2757 = getelementptr double, ptr %v99, i64 %v2756
-  br label %v2758
+v2460:
+  %v2634 = phi double [ %v2489, %v2463 ], [ %v2523, %v2516 ], [ 0.000000e+00, %v2454 ]
+  %v2635 = phi double [ %v2490, %v2463 ], [ %v2517, %v2516 ], [ %v2374, %v2454 ]
+  store double %v2635, ptr %v844, align 8, !noalias !223
+  store double %v2634, ptr %v846, align 8, !noalias !223
+  %v2636 = load double, ptr %v133, align 8, !noalias !223
+  %v2637 = load double, ptr %v731, align 8, !noalias !223
+  %v2638 = fmul double %v2634, %v2637
+  %v2639 = fadd double %v2636, %v2638
+  %v2640 = load i64, ptr %v142, align 8, !noalias !262
+  %v2641 = load i64, ptr %v848, align 8, !noalias !262
+  %v2642 = icmp slt i64 %v2641, %v93
+  br i1 %v2642, label %v2643, label %v2644
+
+v2643:
+  %v2645 = icmp slt i64 %v2641, 0
+  %v2646 = select i1 %v2645, i64 %v93, i64 0
+  %v2647 = getelementptr double, ptr %v92, i64 %v2641
+  %v2648 = getelementptr double, ptr %v2647, i64 %v2646
+  %v2649 = load double, ptr %v2648, align 8, !noalias !262
+  %v2650 = fcmp ugt double %v2649, %v2639
+  br i1 %v2650, label %v2644, label %v2651
+
+v2651:
+  %v2652 = icmp slt i64 %v2640, 0
+  %v2653 = select i1 %v2652, i64 %v100, i64 0
+  %v2654 = add i64 %v2653, %v2640
+  %v2655 = mul i64 %v851, %v2654
+  %v2656 = getelementptr double, ptr %v99, i64 %v2655
+  br label %v2657
+
+v2657:
+  %v2658 = phi i64 [ %v2659, %v2660 ], [ %v2641, %v2651 ]
+  %v2661 = icmp slt i64 %v2658, 0
+  %v2662 = select i1 %v2661, i64 %v93, i64 0
+  %v2663 = getelementptr double, ptr %v92, i64 %v2658
+  %v2664 = getelementptr double, ptr %v2663, i64 %v2662
+  %v2665 = load double, ptr %v2664, align 8, !noalias !262
+  %v2666 = load double, ptr %v133, align 8, !noalias !262
+  %v2667 = fsub double %v2665, %v2666
+  %v2668 = load double, ptr %v731, align 8, !noalias !262
+  %v2669 = fdiv double %v2667, %v2668
+  br i1 %v840, label %v2670, label %v2671
+
+v2671:
+  %v2672 = fsub double 1.000000e+00, %v2669
+  %v2673 = select i1 %v2661, i64 %v101, i64 0
+  %v2674 = add i64 %v2673, %v2658
+  %v2675 = mul i64 %v2674, %v102
+  %v2676 = getelementptr double, ptr %v2656, i64 %v2675
+  br label %v2677
+
+v2678:
+  %v2679 = getelementptr double, ptr %v853, i64 %v2680
+  %v2681 = load double, ptr %v2679, align 8, !noalias !262
+  br label %v2682
+
+v2670:
+  store double 0x7FF0000000000000, ptr %v850, align 8, !noalias !262
+  %v2683 = icmp eq i64 %v2658, %v854
+  br i1 %v2683, label %v2644, label %v2660
+
+v2660:
+  %v2659 = add i64 %v2658, 1
+  %v2684 = icmp slt i64 %v2658, -1
+  %v2685 = select i1 %v2684, i64 %v93, i64 0
+  %v2686 = getelementptr double, ptr %v92, i64 %v2659
+  %v2687 = getelementptr double, ptr %v2686, i64 %v2685
+  %v2688 = load double, ptr %v2687, align 8, !noalias !262
+  %v2689 = fcmp ugt double %v2688, %v2639
+  br i1 %v2689, label %v2644, label %v2657
+
+v2644:
+  %v2690 = phi i64 [ %v2641, %v2643 ], [ %v2641, %v2460 ], [ %v93, %v2670 ], [ %v2659, %v2660 ]
+  store i64 %v2690, ptr %v848, align 8, !noalias !262
+  store i64 %v2358, ptr %v786, align 8, !noalias !223
+  %v2691 = load i64, ptr %v142, align 8, !noalias !266
+  %v2692 = icmp sgt i64 %v2691, -1
+  br i1 %v2692, label %v2693, label %v2694
+
+v2682:
+  %v2695 = phi double [ %v2696, %v2697 ], [ %v2681, %v2678 ]
+  %v2698 = getelementptr double, ptr %v2676, i64 %v2699
+  store double %v2695, ptr %v2698, align 8, !noalias !262
+  %v2700 = icmp eq i64 %v10, %v2701
+  br i1 %v2700, label %v2670, label %v2677
+
+v2677:
+  %v2699 = phi i64 [ 0, %v2671 ], [ %v2701, %v2682 ]
+  %v2701 = add nsw i64 %v2699, 1
+  %v2702 = load double, ptr %v2664, align 8, !noalias !262
+  %v2703 = load double, ptr %v790, align 8, !noalias !262
+  %v2704 = fcmp oeq double %v2702, %v2703
+  %v2680 = mul i64 %v2699, %v196
+  br i1 %v2704, label %v2678, label %v2697
+
+v2697:
+  %v2705 = getelementptr double, ptr %v193, i64 %v2680
+  %v2706 = getelementptr i8, ptr %v2705, i64 %v742
+  %v2707 = load double, ptr %v2706, align 8, !noalias !269
+  %v2708 = fadd double %v2707, 0.000000e+00
+  %v2709 = fmul double %v2669, %v2708
+  %v2710 = getelementptr i8, ptr %v2705, i64 %v743
+  %v2711 = load double, ptr %v2710, align 8, !noalias !269
+  %v2712 = fadd double %v2711, %v2709
+  %v2713 = fmul double %v2672, %v2712
+  %v2714 = getelementptr i8, ptr %v2705, i64 %v744
+  %v2715 = load double, ptr %v2714, align 8, !noalias !269
+  %v2716 = fadd double %v2715, %v2713
+  %v2717 = fmul double %v2669, %v2716
+  %v2718 = getelementptr i8, ptr %v2705, i64 %v745
+  %v2719 = load double, ptr %v2718, align 8, !noalias !269
+  %v2720 = fadd double %v2719, %v2717
+  %v2721 = fmul double %v2672, %v2720
+  %v2722 = getelementptr i8, ptr %v2705, i64 %v746
+  %v2723 = load double, ptr %v2722, align 8, !noalias !269
+  %v2724 = fadd double %v2723, %v2721
+  %v2725 = fmul double %v2669, %v2724
+  %v2726 = getelementptr i8, ptr %v2705, i64 %v747
+  %v2727 = load double, ptr %v2726, align 8, !noalias !269
+  %v2728 = fadd double %v2727, %v2725
+  %v2729 = fmul double %v2672, %v2728
+  %v2730 = getelementptr i8, ptr %v2705, i64 %v748
+  %v2731 = load double, ptr %v2730, align 8, !noalias !269
+  %v2732 = fadd double %v2731, %v2729
+  %v2733 = fmul double %v2669, %v2732
+  %v2734 = load double, ptr %v2705, align 8, !noalias !269
+  %v2696 = fadd double %v2734, %v2733
+  br label %v2682
+
+v2344:
+  %v2735 = phi i64 [ %v2736, %v2737 ], [ 0, %v2343 ]
+  %v2738 = icmp eq i64 %v2735, %v839
+  br i1 %v2738, label %v2739, label %v2737
+
+v2737:
+  %v2736 = add i64 %v2735, 1
+  %v2740 = getelementptr double, ptr %v799, i64 %v2735
+  %v2741 = load double, ptr %v2740, align 8, !noalias !273
+  %v2742 = getelementptr double, ptr %v800, i64 %v2735
+  %v2743 = load double, ptr %v2742, align 8, !noalias !273
+  %v2744 = fneg double %v2743
+  %v2745 = fcmp olt double %v2741, %v2744
+  br i1 %v2745, label %v2739, label %v2344
+
+v2739:
+  %v2358 = phi i64 [ %v2735, %v2737 ], [ -1, %v2344 ]
+  %v2746 = icmp slt i64 %v2358, %v18
+  br i1 %v2746, label %v2747, label %v2356
+
+v2363:
+  %v2374 = phi double [ %v2073, %v2356 ], [ %v2457, %v2454 ]
+  %v2748 = phi i64 [ 0, %v2356 ], [ %v2459, %v2454 ]
+  %v2459 = add nsw i64 %v2748, 1
+  %v2456 = icmp eq i64 %v2748, 0
+  %v2749 = load double, ptr %v133, align 8, !noalias !234
+  %v2750 = load double, ptr %v731, align 8, !noalias !234
+  %v2751 = fmul double %v2374, %v2750
+  %v2752 = fadd double %v2749, %v2751
+  store double %v2752, ptr %v733, align 8, !noalias !234
+  br i1 %v840, label %v2404, label %v2366
+
+v2366:
+  %v2379 = fsub double 1.000000e+00, %v2374
+  br label %v2364
+
+v2409:
+  %v2526 = load double, ptr %v2361, align 8, !noalias !223
+  %v2753 = fcmp ogt double %v2526, 0.000000e+00
+  br i1 %v2753, label %v2461, label %v2454
+
+v2693:
+  %v2754 = getelementptr i64, ptr %v110, i64 %v2691
+  %v2755 = load i64, ptr %v2754, align 8, !noalias !266
+  %v2756 = icmp eq i64 %v2755, 0
+  br i1 %v2756, label %v2757, label %v2694
+
+v2757:
+  store i64 4, ptr %v2754, align 8, !noalias !266
+  br label %v2694
+
+v2694:
+  store double 0.000000e+00, ptr %v856, align 8, !noalias !223
+  br label %v2078
 
 v2758:
-  %v2759 = phi i64 [ %v2760, %v2761 ], [ %v2742, %v2752 ]
-  %v2762 = icmp slt i64 %v2759, 0
-  %v2763 = select i1 %v2762, i64 %v93, i64 0
-  %v2764 = getelementptr double, ptr %v92, i64 %v2759
-  %v2765 = getelementptr double, ptr %v2764, i64 %v2763
-  %v2766 = load double, ptr %v2765, align 8, !noalias !262
-  %v2767 = load double, ptr %v133, align 8, !noalias !262
-  %v2768 = fsub double %v2766, %v2767
-  %v2769 = load double, ptr %v737, align 8, !noalias !262
-  %v2770 = fdiv double %v2768, %v2769
-  br i1 %v846, label %v2771, label %v2772
+  br i1 %v2088, label %v2747, label %v2759
 
-v2772:
-  %v2773 = fsub double 1.000000e+00, %v2770
-  %v2774 = select i1 %v2762, i64 %v101, i64 0
-  %v2775 = add i64 %v2774, %v2759
-  %v2776 = mul i64 %v2775, %v102
-  %v2777 = getelementptr double, ptr %v2757, i64 %v2776
-  br label %v2778
-
-v2779:
-  %v2780 = getelementptr double, ptr %v859, i64 %v2781
-  %v2782 = load double, ptr %v2780, align 8, !noalias !262
-  br label %v2783
-
-v2771:
-  store double 0x7FF0000000000000, ptr %v856, align 8, !noalias !262
-  %v2784 = icmp eq i64 %v2759, %v860
-  br i1 %v2784, label %v2745, label %v2761
-
-v2761:
-  %v2760 = add i64 %v2759, 1
-  %v2785 = icmp slt i64 %v2759, -1
-  %v2786 = select i1 %v2785, i64 %v93, i64 0
-  %v2787 = getelementptr double, ptr %v92, i64 %v2760
-  %v2788 = getelementptr double, ptr %v2787, i64 %v2786
-  %v2789 = load double, ptr %v2788, align 8, !noalias !262
-  %v2790 = fcmp ugt double %v2789, %v2740
-  br i1 %v2790, label %v2745, label %v2758
-
-v2745:
-  %v2791 = phi i64 [ %v2742, %v2744 ], [ %v2742, %v2551 ], [ %v93, %v2771 ], [ %v2760, %v2761 ]
-  store i64 %v2791, ptr %v854, align 8, !noalias !262
-  store i64 %v2434, ptr %v792, align 8, !noalias !223
-  %v2792 = load i64, ptr %v142, align 8, !noalias !266
-  %v2793 = icmp sgt i64 %v2792, -1
-  br i1 %v2793, label %v2794, label %v2795
-
-v2783:
-  %v2796 = phi double [ %v2797, %v2798 ], [ %v2782, %v2779 ]
-  %v2799 = getelementptr double, ptr %v2777, i64 %v2800
-  store double %v2796, ptr %v2799, align 8, !noalias !262
-  %v2801 = icmp eq i64 %v10, %v2802
-  br i1 %v2801, label %v2771, label %v2778
-
-v2778:
-  %v2800 = phi i64 [ 0, %v2772 ], [ %v2802, %v2783 ]
-  %v2802 = add nsw i64 %v2800, 1
-  %v2803 = load double, ptr %v2765, align 8, !noalias !262
-  %v2804 = load double, ptr %v796, align 8, !noalias !262
-  %v2805 = fcmp oeq double %v2803, %v2804
-  %v2781 = mul i64 %v2800, %v196
-  br i1 %v2805, label %v2779, label %v2798
-
-v2798:
-  %v2806 = getelementptr double, ptr %v193, i64 %v2781
-  %v2807 = getelementptr i8, ptr %v2806, i64 %v748
-  %v2808 = load double, ptr %v2807, align 8, !noalias !269
-  %v2809 = fadd double %v2808, 0.000000e+00
-  %v2810 = fmul double %v2770, %v2809
-  %v2811 = getelementptr i8, ptr %v2806, i64 %v749
-  %v2812 = load double, ptr %v2811, align 8, !noalias !269
-  %v2813 = fadd double %v2812, %v2810
-  %v2814 = fmul double %v2773, %v2813
-  %v2815 = getelementptr i8, ptr %v2806, i64 %v750
-  %v2816 = load double, ptr %v2815, align 8, !noalias !269
-  %v2817 = fadd double %v2816, %v2814
-  %v2818 = fmul double %v2770, %v2817
-  %v2819 = getelementptr i8, ptr %v2806, i64 %v751
-  %v2820 = load double, ptr %v2819, align 8, !noalias !269
-  %v2821 = fadd double %v2820, %v2818
-  %v2822 = fmul double %v2773, %v2821
-  %v2823 = getelementptr i8, ptr %v2806, i64 %v752
-  %v2824 = load double, ptr %v2823, align 8, !noalias !269
-  %v2825 = fadd double %v2824, %v2822
-  %v2826 = fmul double %v2770, %v2825
-  %v2827 = getelementptr i8, ptr %v2806, i64 %v753
-  %v2828 = load double, ptr %v2827, align 8, !noalias !269
-  %v2829 = fadd double %v2828, %v2826
-  %v2830 = fmul double %v2773, %v2829
-  %v2831 = getelementptr i8, ptr %v2806, i64 %v754
-  %v2832 = load double, ptr %v2831, align 8, !noalias !269
-  %v2833 = fadd double %v2832, %v2830
-  %v2834 = fmul double %v2770, %v2833
-  %v2835 = load double, ptr %v2806, align 8, !noalias !269
-  %v2797 = fadd double %v2835, %v2834
-  br label %v2783
-
-v2420:
-  %v2836 = phi i64 [ %v2837, %v2838 ], [ 0, %v2419 ]
-  %v2839 = icmp eq i64 %v2836, %v845
-  br i1 %v2839, label %v2840, label %v2838
-
-v2838:
-  %v2837 = add i64 %v2836, 1
-  %v2841 = getelementptr double, ptr %v805, i64 %v2836
-  %v2842 = load double, ptr %v2841, align 8, !noalias !273
-  %v2843 = getelementptr double, ptr %v806, i64 %v2836
-  %v2844 = load double, ptr %v2843, align 8, !noalias !273
-  %v2845 = fneg double %v2844
-  %v2846 = fcmp olt double %v2842, %v2845
-  br i1 %v2846, label %v2840, label %v2420
-
-v2840:
-  %v2434 = phi i64 [ %v2836, %v2838 ], [ -1, %v2420 ]
-  %v2847 = icmp slt i64 %v2434, %v18
-  br i1 %v2847, label %v2848, label %v2432
-
-v2494:
-  %v2617 = load double, ptr %v2437, align 8, !noalias !223
-  %v2849 = fcmp ogt double %v2617, 0.000000e+00
-  br i1 %v2849, label %v2552, label %v2442
-
-v2794:
-  %v2850 = getelementptr i64, ptr %v110, i64 %v2792
-  %v2851 = load i64, ptr %v2850, align 8, !noalias !266
-  %v2852 = icmp eq i64 %v2851, 0
-  br i1 %v2852, label %v2853, label %v2795
-
-v2853:
-  store i64 4, ptr %v2850, align 8, !noalias !266
-  br label %v2795
-
-v2795:
-  store double 0.000000e+00, ptr %v862, align 8, !noalias !223
-  br label %v2134
-
-v2854:
-  br i1 %v2144, label %v2848, label %v2855
-
-v2855:
+v2759:
   call void @llvm.lifetime.start.p0(ptr nonnull %v300), !noalias !151
   call void @llvm.lifetime.start.p0(ptr nonnull %v301), !noalias !151
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v300, i8 0, i64 32, i1 false), !noalias !277
   store ptr null, ptr %v301, align 8, !noalias !277
-  br i1 %v305, label %v2856, label %v2857
+  br i1 %v305, label %v2760, label %v2761
 
-v2858:
-  %v2859 = icmp ne i64 %v2860, 0
-  %v2861 = zext i1 %v2859 to i64
-  %v2862 = add i64 %v2863, %v2861
-  %v2864 = sext i1 %v2859 to i64
-  %v2865 = add nsw i64 %v2860, %v2864
-  %v2866 = select i1 %v2859, i64 %v2863, i64 0
-  br i1 %v2859, label %v2867, label %v2868
+v2762:
+  %v2763 = icmp ne i64 %v2764, 0
+  %v2765 = zext i1 %v2763 to i64
+  %v2766 = add i64 %v2767, %v2765
+  %v2768 = sext i1 %v2763 to i64
+  %v2769 = add nsw i64 %v2764, %v2768
+  %v2770 = select i1 %v2763, i64 %v2767, i64 0
+  br i1 %v2763, label %v2771, label %v2772
 
-v2867:
-  %v2869 = phi i64 [ %v2866, %v2858 ], [ 0, %v2870 ]
-  %v2860 = phi i64 [ %v2865, %v2858 ], [ 8, %v2870 ]
-  %v2863 = phi i64 [ %v2862, %v2858 ], [ 1, %v2870 ]
-  %v2871 = add i64 %v2869, 9
-  %v2872 = icmp ult i64 %v2871, 18
-  br i1 %v2872, label %v2873, label %v2868
+v2771:
+  %v2773 = phi i64 [ %v2770, %v2762 ], [ 0, %v2774 ]
+  %v2764 = phi i64 [ %v2769, %v2762 ], [ 8, %v2774 ]
+  %v2767 = phi i64 [ %v2766, %v2762 ], [ 1, %v2774 ]
+  %v2775 = add i64 %v2773, 9
+  %v2776 = icmp ult i64 %v2775, 18
+  br i1 %v2776, label %v2777, label %v2772
 
-v2874:
-  %v2875 = tail call double @llvm.fabs.f64(double %v2876)
-  %v2877 = getelementptr double, ptr %v2878, i64 %v2879
-  %v2880 = load double, ptr %v2877, align 8, !noalias !281
-  %v2881 = fadd double %v2875, %v2880
-  %v2882 = fcmp ueq double %v2881, 0x7FF0000000000000
-  br i1 %v2882, label %v2883, label %v2884
+v2778:
+  store double 0.000000e+00, ptr %v2779, align 8, !noalias !281
+  %v2780 = icmp slt i64 %v2781, %v18
+  br i1 %v2780, label %v2782, label %v2783
 
-v2883:
-  %v2885 = fcmp une double %v2876, 0.000000e+00
-  br i1 %v2885, label %v2886, label %v2887
+v2782:
+  %v2784 = getelementptr double, ptr %v2785, i64 %v2781
+  %v2786 = load double, ptr %v2784, align 8, !noalias !281
+  %v2787 = add nsw i64 %v2781, %v17
+  %v2788 = icmp slt i64 %v2787, 0
+  %v2789 = select i1 %v2788, i64 %v166, i64 0
+  %v2790 = getelementptr double, ptr %v165, i64 %v2787
+  %v2791 = getelementptr double, ptr %v2790, i64 %v2789
+  %v2792 = load double, ptr %v2791, align 8, !noalias !281
+  %v2793 = fcmp une double %v2786, %v2792
+  br i1 %v2793, label %v2794, label %v2783
 
-v2886:
-  %v2888 = getelementptr double, ptr %v2878, i64 %v2879
-  store double 0.000000e+00, ptr %v2888, align 8, !noalias !281
-  br label %v2887
+v2794:
+  %v2795 = fcmp ord double %v2786, 0.000000e+00
+  br i1 %v2795, label %v2783, label %v2796
+
+v2796:
+  %v2797 = fcmp ord double %v2792, 0.000000e+00
+  %v2798 = select i1 %v2797, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v2783
+
+v2783:
+  %v2799 = phi double [ 0xFFF0000000000000, %v2778 ], [ 0xFFF0000000000000, %v2794 ], [ %v2798, %v2796 ], [ 0x7FF0000000000000, %v2782 ]
+  %v2800 = fcmp uno double %v2801, 0.000000e+00
+  br i1 %v2800, label %v2802, label %v2803
+
+v2802:
+  store double %v2799, ptr %v2804, align 8, !noalias !281
+  br label %v2803
+
+v2803:
+  %v2805 = icmp eq i64 %v207, %v2806
+  br i1 %v2805, label %v2762, label %v2807
+
+v2807:
+  %v2781 = phi i64 [ 0, %v2808 ], [ %v2806, %v2803 ]
+  %v2806 = add nsw i64 %v2781, 1
+  %v2804 = getelementptr double, ptr %v2809, i64 %v2781
+  %v2801 = load double, ptr %v2804, align 8, !noalias !281
+  %v2810 = tail call double @llvm.fabs.f64(double %v2801)
+  %v2779 = getelementptr double, ptr %v2811, i64 %v2781
+  %v2812 = load double, ptr %v2779, align 8, !noalias !281
+  %v2813 = fadd double %v2810, %v2812
+  %v2814 = fcmp ueq double %v2813, 0x7FF0000000000000
+  br i1 %v2814, label %v2778, label %v2803
+
+v2777:
+  %v2815 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v2775
+  %v2816 = load double, ptr %v2815, align 8
+  %v2817 = load double, ptr %v133, align 8, !noalias !288
+  %v2818 = load double, ptr %v731, align 8, !noalias !288
+  %v2819 = fmul double %v2816, %v2818
+  %v2820 = fadd double %v2817, %v2819
+  store double %v2820, ptr %v733, align 8, !noalias !288
+  br i1 %v735, label %v2821, label %v2822
+
+v2821:
+  %v2823 = fsub double 1.000000e+00, %v2816
+  br label %v2824
+
+v2824:
+  %v2825 = phi i64 [ 0, %v2821 ], [ %v2826, %v2824 ]
+  %v2827 = mul i64 %v2825, %v196
+  %v2828 = getelementptr double, ptr %v193, i64 %v2827
+  %v2829 = getelementptr i8, ptr %v2828, i64 %v742
+  %v2830 = load double, ptr %v2829, align 8, !noalias !292
+  %v2831 = fadd double %v2830, 0.000000e+00
+  %v2832 = fmul double %v2816, %v2831
+  %v2833 = getelementptr i8, ptr %v2828, i64 %v743
+  %v2834 = load double, ptr %v2833, align 8, !noalias !292
+  %v2835 = fadd double %v2834, %v2832
+  %v2836 = fmul double %v2823, %v2835
+  %v2837 = getelementptr i8, ptr %v2828, i64 %v744
+  %v2838 = load double, ptr %v2837, align 8, !noalias !292
+  %v2839 = fadd double %v2838, %v2836
+  %v2840 = fmul double %v2816, %v2839
+  %v2841 = getelementptr i8, ptr %v2828, i64 %v745
+  %v2842 = load double, ptr %v2841, align 8, !noalias !292
+  %v2843 = fadd double %v2842, %v2840
+  %v2844 = fmul double %v2823, %v2843
+  %v2845 = getelementptr i8, ptr %v2828, i64 %v746
+  %v2846 = load double, ptr %v2845, align 8, !noalias !292
+  %v2847 = fadd double %v2846, %v2844
+  %v2848 = fmul double %v2816, %v2847
+  %v2849 = getelementptr i8, ptr %v2828, i64 %v747
+  %v2850 = load double, ptr %v2849, align 8, !noalias !292
+  %v2851 = fadd double %v2850, %v2848
+  %v2852 = fmul double %v2823, %v2851
+  %v2853 = getelementptr i8, ptr %v2828, i64 %v748
+  %v2854 = load double, ptr %v2853, align 8, !noalias !292
+  %v2855 = fadd double %v2854, %v2852
+  %v2856 = fmul double %v2816, %v2855
+  %v2826 = add nsw i64 %v2825, 1
+  %v2857 = load double, ptr %v2828, align 8, !noalias !292
+  %v2858 = fadd double %v2857, %v2856
+  %v2859 = getelementptr double, ptr %v736, i64 %v2827
+  store double %v2858, ptr %v2859, align 8, !noalias !288
+  %v2860 = icmp eq i64 %v10, %v2826
+  br i1 %v2860, label %v2822, label %v2824
+
+v2822:
+  %v2861 = icmp slt i64 %v2773, 8
+  %v2862 = select i1 %v2861, i64 16, i64 17
+  %v2863 = mul i64 %v2773, %v737
+  %v2864 = load i64, ptr %v738, align 8, !noalias !281
+  %v2865 = mul nsw i64 %v2862, %v10
+  %v2866 = getelementptr double, ptr %v158, i64 %v2865
+  %v2867 = getelementptr double, ptr %v186, i64 %v2863
+  %v2868 = inttoptr i64 %v2864 to ptr
+  tail call void %v2868(ptr nonnull %v733, ptr %v2866, ptr %v165, ptr %v172, ptr %v179, ptr %v2867), !noalias !281
+  br i1 %v739, label %v2808, label %v2762
+
+v2808:
+  %v2869 = icmp slt i64 %v2773, 0
+  %v2870 = select i1 %v2869, i64 %v205, i64 0
+  %v2871 = add i64 %v2870, %v2773
+  %v2872 = mul i64 %v2871, %v740
+  %v2785 = getelementptr double, ptr %v204, i64 %v2872
+  %v2809 = getelementptr double, ptr %v2785, i64 %v207
+  %v2811 = getelementptr i8, ptr %v2785, i64 %v741
+  br label %v2807
+
+v2772:
+  %v2873 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2771 ], [ %v2874, %v2762 ]
+  %v2875 = phi i32 [ 1, %v2771 ], [ 0, %v2762 ]
+  br i1 %v2776, label %v2876, label %v2877, !prof !128
+
+v2878:
+  %v2879 = load double, ptr %v829, align 8, !noalias !277
+  %v2880 = fcmp ogt double %v2879, 5.000000e-01
+  br i1 %v2880, label %v2881, label %v2882
+
+v2881:
+  %v2883 = load i64, ptr %v6, align 8, !noalias !296
+  %v2884 = inttoptr i64 %v2883 to ptr
+  tail call void %v2884(ptr nonnull %v790, ptr %v834, ptr %v165, ptr %v172, ptr %v179, ptr %v836), !noalias !296
+  %v2885 = load double, ptr %v790, align 8, !noalias !277
+  store double %v2885, ptr %v792, align 8, !noalias !277
+  br label %v2886
 
 v2887:
-  %v2889 = icmp slt i64 %v2879, %v18
-  br i1 %v2889, label %v2890, label %v2891
+  %v2888 = sub nsw i64 45, %v2889
+  br label %v2890
 
 v2890:
-  %v2892 = getelementptr double, ptr %v2893, i64 %v2879
-  %v2894 = load double, ptr %v2892, align 8, !noalias !281
-  %v2895 = add nsw i64 %v2879, %v17
-  %v2896 = icmp slt i64 %v2895, 0
-  %v2897 = select i1 %v2896, i64 %v166, i64 0
-  %v2898 = getelementptr double, ptr %v165, i64 %v2895
-  %v2899 = getelementptr double, ptr %v2898, i64 %v2897
-  %v2900 = load double, ptr %v2899, align 8, !noalias !281
-  %v2901 = fcmp une double %v2894, %v2900
-  br i1 %v2901, label %v2902, label %v2891
+  %v2891 = phi double [ %v2892, %v2890 ], [ 1.000000e+00, %v2887 ]
+  %v2893 = phi double [ %v2894, %v2890 ], [ 2.000000e+00, %v2887 ]
+  %v2895 = phi i64 [ %v2896, %v2890 ], [ %v2888, %v2887 ]
+  %v2897 = and i64 %v2895, 1
+  %v2898 = icmp eq i64 %v2897, 0
+  %v2899 = fmul double %v2891, %v2893
+  %v2892 = select i1 %v2898, double %v2891, double %v2899
+  %v2896 = lshr i64 %v2895, 1
+  %v2894 = fmul double %v2893, %v2893
+  %v2900 = icmp eq i64 %v2896, 0
+  br i1 %v2900, label %v2901, label %v2890
 
 v2902:
-  %v2903 = fcmp ord double %v2894, 0.000000e+00
-  br i1 %v2903, label %v2891, label %v2904
+  %v2903 = fcmp olt double %v2904, 0.000000e+00
+  %v2905 = select i1 %v2903, double 0.000000e+00, double %v2904
+  %v2906 = fmul double %v2907, %v2905
+  %v2908 = fsub double %v2909, %v2906
+  br label %v2910
 
-v2904:
-  %v2905 = fcmp ord double %v2900, 0.000000e+00
-  br label %v2891
+v2901:
+  %v2911 = fadd double %v2912, %v2913
+  %v2909 = fmul double %v2911, 5.000000e-01
+  %v2914 = fmul double %v2892, 1.000000e-13
+  %v2915 = fsub double %v2914, %v2916
+  %v2904 = fmul double %v2915, 5.000000e-01
+  %v2917 = fmul double %v2918, %v2913
+  %v2919 = fmul double %v2920, %v2912
+  %v2921 = fsub double %v2917, %v2919
+  %v2922 = fsub double %v2918, %v2920
+  %v2923 = fdiv double %v2921, %v2922
+  %v2924 = fcmp olt double %v2913, %v2923
+  %v2925 = fcmp olt double %v2923, %v2912
+  %v2926 = and i1 %v2924, %v2925
+  %v2927 = select i1 %v2926, double %v2923, double %v2909
+  %v2928 = fsub double %v2909, %v2927
+  %v2907 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v2928)
+  %v2929 = fmul double %v2916, %v2916
+  %v2930 = tail call double @llvm.fabs.f64(double %v2928)
+  %v2931 = fcmp olt double %v2930, %v2929
+  %v2932 = select i1 %v2931, double %v2930, double %v2929
+  %v2933 = fmul double %v2907, %v2932
+  %v2934 = fadd double %v2927, %v2933
+  %v2935 = fsub double %v2934, %v2909
+  %v2936 = tail call double @llvm.fabs.f64(double %v2935)
+  %v2937 = fcmp ugt double %v2936, %v2904
+  br i1 %v2937, label %v2902, label %v2910
 
-v2891:
-  %v2906 = phi i1 [ true, %v2887 ], [ true, %v2902 ], [ %v2905, %v2904 ], [ false, %v2890 ]
-  %v2907 = fcmp uno double %v2876, 0.000000e+00
-  br i1 %v2907, label %v2908, label %v2909
+v2938:
+  br label %v2939
 
-v2909:
-  %v2910 = fcmp oeq double %v2876, 0.000000e+00
-  %v2911 = and i1 %v2910, %v2906
-  %v2912 = and i1 %v2889, %v2911
-  br i1 %v2912, label %v2908, label %v2884
+v2939:
+  %v2940 = phi double [ %v2941, %v2938 ], [ %v2913, %v2942 ]
+  %v2943 = phi double [ %v2944, %v2938 ], [ %v2920, %v2942 ]
+  %v2945 = phi double [ %v2918, %v2938 ], [ %v2944, %v2942 ]
+  %v2946 = phi double [ %v2912, %v2938 ], [ %v2941, %v2942 ]
+  %v2947 = icmp eq i64 %v2948, 45
+  br i1 %v2947, label %v2949, label %v2950
 
-v2908:
-  %v2913 = select i1 %v2906, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v2913, ptr %v2914, align 8, !noalias !281
-  br label %v2884
+v2950:
+  %v2918 = phi double [ %v2945, %v2939 ], [ %v2951, %v2952 ]
+  %v2920 = phi double [ %v2943, %v2939 ], [ %v2953, %v2952 ]
+  %v2912 = phi double [ %v2946, %v2939 ], [ %v2954, %v2952 ]
+  %v2913 = phi double [ %v2940, %v2939 ], [ %v2955, %v2952 ]
+  %v2889 = phi i64 [ %v2948, %v2939 ], [ 0, %v2952 ]
+  %v2948 = add nsw i64 %v2889, 1
+  %v2916 = fsub double %v2912, %v2913
+  %v2956 = fcmp ugt double %v2916, 1.000000e-13
+  br i1 %v2956, label %v2887, label %v2949
 
-v2884:
-  %v2915 = icmp eq i64 %v207, %v2916
-  br i1 %v2915, label %v2858, label %v2917
+v2910:
+  %v2941 = phi double [ %v2934, %v2901 ], [ %v2908, %v2902 ]
+  %v2957 = load double, ptr %v133, align 8, !noalias !299
+  %v2958 = load double, ptr %v731, align 8, !noalias !299
+  %v2959 = fmul double %v2941, %v2958
+  %v2960 = fadd double %v2957, %v2959
+  store double %v2960, ptr %v733, align 8, !noalias !299
+  br i1 %v735, label %v2961, label %v2962
 
-v2917:
-  %v2879 = phi i64 [ 0, %v2918 ], [ %v2916, %v2884 ]
-  %v2916 = add nsw i64 %v2879, 1
-  %v2914 = getelementptr double, ptr %v2919, i64 %v2879
-  %v2876 = load double, ptr %v2914, align 8, !noalias !281
-  %v2920 = fcmp ueq double %v2876, 0.000000e+00
-  br i1 %v2920, label %v2883, label %v2874
+v2961:
+  %v2963 = fsub double 1.000000e+00, %v2941
+  br label %v2964
 
-v2873:
-  %v2921 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d.7, i64 %v2871
-  %v2922 = load double, ptr %v2921, align 8
-  %v2923 = load double, ptr %v133, align 8, !noalias !288
-  %v2924 = load double, ptr %v737, align 8, !noalias !288
-  %v2925 = fmul double %v2922, %v2924
-  %v2926 = fadd double %v2923, %v2925
-  store double %v2926, ptr %v739, align 8, !noalias !288
-  br i1 %v741, label %v2927, label %v2928
+v2964:
+  %v2965 = phi i64 [ 0, %v2961 ], [ %v2966, %v2964 ]
+  %v2967 = mul i64 %v2965, %v196
+  %v2968 = getelementptr double, ptr %v193, i64 %v2967
+  %v2969 = getelementptr i8, ptr %v2968, i64 %v742
+  %v2970 = load double, ptr %v2969, align 8, !noalias !308
+  %v2971 = fadd double %v2970, 0.000000e+00
+  %v2972 = fmul double %v2941, %v2971
+  %v2973 = getelementptr i8, ptr %v2968, i64 %v743
+  %v2974 = load double, ptr %v2973, align 8, !noalias !308
+  %v2975 = fadd double %v2974, %v2972
+  %v2976 = fmul double %v2963, %v2975
+  %v2977 = getelementptr i8, ptr %v2968, i64 %v744
+  %v2978 = load double, ptr %v2977, align 8, !noalias !308
+  %v2979 = fadd double %v2978, %v2976
+  %v2980 = fmul double %v2941, %v2979
+  %v2981 = getelementptr i8, ptr %v2968, i64 %v745
+  %v2982 = load double, ptr %v2981, align 8, !noalias !308
+  %v2983 = fadd double %v2982, %v2980
+  %v2984 = fmul double %v2963, %v2983
+  %v2985 = getelementptr i8, ptr %v2968, i64 %v746
+  %v2986 = load double, ptr %v2985, align 8, !noalias !308
+  %v2987 = fadd double %v2986, %v2984
+  %v2988 = fmul double %v2941, %v2987
+  %v2989 = getelementptr i8, ptr %v2968, i64 %v747
+  %v2990 = load double, ptr %v2989, align 8, !noalias !308
+  %v2991 = fadd double %v2990, %v2988
+  %v2992 = fmul double %v2963, %v2991
+  %v2993 = getelementptr i8, ptr %v2968, i64 %v748
+  %v2994 = load double, ptr %v2993, align 8, !noalias !308
+  %v2995 = fadd double %v2994, %v2992
+  %v2996 = fmul double %v2941, %v2995
+  %v2966 = add nsw i64 %v2965, 1
+  %v2997 = load double, ptr %v2968, align 8, !noalias !308
+  %v2998 = fadd double %v2997, %v2996
+  %v2999 = getelementptr double, ptr %v736, i64 %v2967
+  store double %v2998, ptr %v2999, align 8, !noalias !299
+  %v3000 = icmp eq i64 %v10, %v2966
+  br i1 %v3000, label %v2962, label %v2964
 
-v2927:
-  %v2929 = fsub double 1.000000e+00, %v2922
-  br label %v2930
+v3001:
+  br i1 %v739, label %v3002, label %v2942
 
-v2930:
-  %v2931 = phi i64 [ 0, %v2927 ], [ %v2932, %v2930 ]
-  %v2933 = mul i64 %v2931, %v196
-  %v2934 = getelementptr double, ptr %v193, i64 %v2933
-  %v2935 = getelementptr i8, ptr %v2934, i64 %v748
-  %v2936 = load double, ptr %v2935, align 8, !noalias !292
-  %v2937 = fadd double %v2936, 0.000000e+00
-  %v2938 = fmul double %v2922, %v2937
-  %v2939 = getelementptr i8, ptr %v2934, i64 %v749
-  %v2940 = load double, ptr %v2939, align 8, !noalias !292
-  %v2941 = fadd double %v2940, %v2938
-  %v2942 = fmul double %v2929, %v2941
-  %v2943 = getelementptr i8, ptr %v2934, i64 %v750
-  %v2944 = load double, ptr %v2943, align 8, !noalias !292
-  %v2945 = fadd double %v2944, %v2942
-  %v2946 = fmul double %v2922, %v2945
-  %v2947 = getelementptr i8, ptr %v2934, i64 %v751
-  %v2948 = load double, ptr %v2947, align 8, !noalias !292
-  %v2949 = fadd double %v2948, %v2946
-  %v2950 = fmul double %v2929, %v2949
-  %v2951 = getelementptr i8, ptr %v2934, i64 %v752
-  %v2952 = load double, ptr %v2951, align 8, !noalias !292
-  %v2953 = fadd double %v2952, %v2950
-  %v2954 = fmul double %v2922, %v2953
-  %v2955 = getelementptr i8, ptr %v2934, i64 %v753
-  %v2956 = load double, ptr %v2955, align 8, !noalias !292
-  %v2957 = fadd double %v2956, %v2954
-  %v2958 = fmul double %v2929, %v2957
-  %v2959 = getelementptr i8, ptr %v2934, i64 %v754
-  %v2960 = load double, ptr %v2959, align 8, !noalias !292
-  %v2961 = fadd double %v2960, %v2958
-  %v2962 = fmul double %v2922, %v2961
-  %v2932 = add nsw i64 %v2931, 1
-  %v2963 = load double, ptr %v2934, align 8, !noalias !292
-  %v2964 = fadd double %v2963, %v2962
-  %v2965 = getelementptr double, ptr %v742, i64 %v2933
-  store double %v2964, ptr %v2965, align 8, !noalias !288
-  %v2966 = icmp eq i64 %v10, %v2932
-  br i1 %v2966, label %v2928, label %v2930
-
-v2928:
-  %v2967 = icmp slt i64 %v2869, 8
-  %v2968 = select i1 %v2967, i64 16, i64 17
-  %v2969 = mul i64 %v2869, %v743
-  %v2970 = load i64, ptr %v744, align 8, !noalias !281
-  %v2971 = mul nsw i64 %v2968, %v10
-  %v2972 = getelementptr double, ptr %v158, i64 %v2971
-  %v2973 = getelementptr double, ptr %v186, i64 %v2969
-  %v2974 = inttoptr i64 %v2970 to ptr
-  tail call void %v2974(ptr nonnull %v739, ptr %v2972, ptr %v165, ptr %v172, ptr %v179, ptr %v2973), !noalias !281
-  br i1 %v745, label %v2918, label %v2858
-
-v2918:
-  %v2975 = icmp slt i64 %v2869, 0
-  %v2976 = select i1 %v2975, i64 %v205, i64 0
-  %v2977 = add i64 %v2976, %v2869
-  %v2978 = mul i64 %v2977, %v746
-  %v2893 = getelementptr double, ptr %v204, i64 %v2978
-  %v2919 = getelementptr double, ptr %v2893, i64 %v207
-  %v2878 = getelementptr i8, ptr %v2893, i64 %v747
-  br label %v2917
-
-v2868:
-  %v2979 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28, %v2867 ], [ %v2980, %v2858 ]
-  %v2981 = phi i32 [ 1, %v2867 ], [ 0, %v2858 ]
-  br i1 %v2872, label %v2982, label %v2983, !prof !128
-
-v2984:
-  %v2985 = load double, ptr %v835, align 8, !noalias !277
-  %v2986 = fcmp ogt double %v2985, 5.000000e-01
-  br i1 %v2986, label %v2987, label %v2988
-
-v2987:
-  %v2989 = load i64, ptr %v6, align 8, !noalias !296
-  %v2990 = inttoptr i64 %v2989 to ptr
-  tail call void %v2990(ptr nonnull %v796, ptr %v840, ptr %v165, ptr %v172, ptr %v179, ptr %v842), !noalias !296
-  %v2991 = load double, ptr %v796, align 8, !noalias !277
-  store double %v2991, ptr %v798, align 8, !noalias !277
-  br label %v2992
-
-v2993:
-  %v2994 = sub nsw i64 45, %v2995
-  br label %v2996
-
-v2996:
-  %v2997 = phi double [ %v2998, %v2996 ], [ 1.000000e+00, %v2993 ]
-  %v2999 = phi double [ %v3000, %v2996 ], [ 2.000000e+00, %v2993 ]
-  %v3001 = phi i64 [ %v3002, %v2996 ], [ %v2994, %v2993 ]
-  %v3003 = and i64 %v3001, 1
-  %v3004 = icmp eq i64 %v3003, 0
-  %v3005 = fmul double %v2997, %v2999
-  %v2998 = select i1 %v3004, double %v2997, double %v3005
-  %v3002 = lshr i64 %v3001, 1
-  %v3000 = fmul double %v2999, %v2999
-  %v3006 = icmp eq i64 %v3002, 0
-  br i1 %v3006, label %v3007, label %v2996
-
-v3008:
-  %v3009 = fcmp olt double %v3010, 0.000000e+00
-  %v3011 = select i1 %v3009, double 0.000000e+00, double %v3010
-  %v3012 = fmul double %v3013, %v3011
-  %v3014 = fsub double %v3015, %v3012
-  br label %v3016
+v2962:
+  %v3003 = load i64, ptr %v738, align 8, !noalias !312
+  %v3004 = inttoptr i64 %v3003 to ptr
+  tail call void %v3004(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !312
+  br i1 %v739, label %v3005, label %v3006
 
 v3007:
-  %v3017 = fadd double %v3018, %v3019
-  %v3015 = fmul double %v3017, 5.000000e-01
-  %v3020 = fmul double %v2998, 1.000000e-13
-  %v3021 = fsub double %v3020, %v3022
-  %v3010 = fmul double %v3021, 5.000000e-01
-  %v3023 = fmul double %v3024, %v3019
-  %v3025 = fmul double %v3026, %v3018
-  %v3027 = fsub double %v3023, %v3025
-  %v3028 = fsub double %v3024, %v3026
-  %v3029 = fdiv double %v3027, %v3028
-  %v3030 = fcmp olt double %v3019, %v3029
-  %v3031 = fcmp olt double %v3029, %v3018
-  %v3032 = and i1 %v3030, %v3031
-  %v3033 = select i1 %v3032, double %v3029, double %v3015
-  %v3034 = fsub double %v3015, %v3033
-  %v3013 = tail call double @llvm.copysign.f64(double 1.000000e+00, double %v3034)
-  %v3035 = fmul double %v3022, %v3022
-  %v3036 = tail call double @llvm.fabs.f64(double %v3034)
-  %v3037 = fcmp olt double %v3036, %v3035
-  %v3038 = select i1 %v3037, double %v3036, double %v3035
-  %v3039 = fmul double %v3013, %v3038
-  %v3040 = fadd double %v3033, %v3039
-  %v3041 = fsub double %v3040, %v3015
-  %v3042 = tail call double @llvm.fabs.f64(double %v3041)
-  %v3043 = fcmp ugt double %v3042, %v3010
-  br i1 %v3043, label %v3008, label %v3016
+  store double 0.000000e+00, ptr %v3008, align 8, !noalias !312
+  %v3009 = icmp slt i64 %v3010, %v18
+  br i1 %v3009, label %v3011, label %v3012
 
-v3044:
-  br label %v3045
+v3011:
+  %v3013 = getelementptr double, ptr %v798, i64 %v3010
+  %v3014 = load double, ptr %v3013, align 8, !noalias !312
+  %v3015 = add nsw i64 %v3010, %v17
+  %v3016 = icmp slt i64 %v3015, 0
+  %v3017 = select i1 %v3016, i64 %v166, i64 0
+  %v3018 = getelementptr double, ptr %v165, i64 %v3015
+  %v3019 = getelementptr double, ptr %v3018, i64 %v3017
+  %v3020 = load double, ptr %v3019, align 8, !noalias !312
+  %v3021 = fcmp une double %v3014, %v3020
+  br i1 %v3021, label %v3022, label %v3012
 
-v3045:
-  %v3046 = phi double [ %v3047, %v3044 ], [ %v3019, %v3048 ]
-  %v3049 = phi double [ %v3050, %v3044 ], [ %v3026, %v3048 ]
-  %v3051 = phi double [ %v3024, %v3044 ], [ %v3050, %v3048 ]
-  %v3052 = phi double [ %v3018, %v3044 ], [ %v3047, %v3048 ]
-  %v3053 = icmp eq i64 %v3054, 45
-  br i1 %v3053, label %v3055, label %v3056
+v3022:
+  %v3023 = fcmp ord double %v3014, 0.000000e+00
+  br i1 %v3023, label %v3012, label %v3024
 
-v3056:
-  %v3024 = phi double [ %v3051, %v3045 ], [ %v3057, %v3058 ]
-  %v3026 = phi double [ %v3049, %v3045 ], [ %v3059, %v3058 ]
-  %v3018 = phi double [ %v3052, %v3045 ], [ %v3060, %v3058 ]
-  %v3019 = phi double [ %v3046, %v3045 ], [ %v3061, %v3058 ]
-  %v2995 = phi i64 [ %v3054, %v3045 ], [ 0, %v3058 ]
-  %v3054 = add nsw i64 %v2995, 1
-  %v3022 = fsub double %v3018, %v3019
-  %v3062 = fcmp ugt double %v3022, 1.000000e-13
-  br i1 %v3062, label %v2993, label %v3055
+v3024:
+  %v3025 = fcmp ord double %v3020, 0.000000e+00
+  %v3026 = select i1 %v3025, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v3012
 
-v3016:
-  %v3047 = phi double [ %v3040, %v3007 ], [ %v3014, %v3008 ]
-  %v3063 = load double, ptr %v133, align 8, !noalias !299
-  %v3064 = load double, ptr %v737, align 8, !noalias !299
-  %v3065 = fmul double %v3047, %v3064
-  %v3066 = fadd double %v3063, %v3065
-  store double %v3066, ptr %v739, align 8, !noalias !299
-  br i1 %v741, label %v3067, label %v3068
+v3012:
+  %v3027 = phi double [ 0xFFF0000000000000, %v3007 ], [ 0xFFF0000000000000, %v3022 ], [ %v3026, %v3024 ], [ 0x7FF0000000000000, %v3011 ]
+  %v3028 = fcmp uno double %v3029, 0.000000e+00
+  br i1 %v3028, label %v3030, label %v3031
 
-v3067:
-  %v3069 = fsub double 1.000000e+00, %v3047
-  br label %v3070
+v3030:
+  store double %v3027, ptr %v3032, align 8, !noalias !312
+  br label %v3031
 
-v3070:
-  %v3071 = phi i64 [ 0, %v3067 ], [ %v3072, %v3070 ]
-  %v3073 = mul i64 %v3071, %v196
-  %v3074 = getelementptr double, ptr %v193, i64 %v3073
-  %v3075 = getelementptr i8, ptr %v3074, i64 %v748
-  %v3076 = load double, ptr %v3075, align 8, !noalias !308
-  %v3077 = fadd double %v3076, 0.000000e+00
-  %v3078 = fmul double %v3047, %v3077
-  %v3079 = getelementptr i8, ptr %v3074, i64 %v749
-  %v3080 = load double, ptr %v3079, align 8, !noalias !308
-  %v3081 = fadd double %v3080, %v3078
-  %v3082 = fmul double %v3069, %v3081
-  %v3083 = getelementptr i8, ptr %v3074, i64 %v750
-  %v3084 = load double, ptr %v3083, align 8, !noalias !308
-  %v3085 = fadd double %v3084, %v3082
-  %v3086 = fmul double %v3047, %v3085
-  %v3087 = getelementptr i8, ptr %v3074, i64 %v751
-  %v3088 = load double, ptr %v3087, align 8, !noalias !308
-  %v3089 = fadd double %v3088, %v3086
-  %v3090 = fmul double %v3069, %v3089
-  %v3091 = getelementptr i8, ptr %v3074, i64 %v752
-  %v3092 = load double, ptr %v3091, align 8, !noalias !308
-  %v3093 = fadd double %v3092, %v3090
-  %v3094 = fmul double %v3047, %v3093
-  %v3095 = getelementptr i8, ptr %v3074, i64 %v753
-  %v3096 = load double, ptr %v3095, align 8, !noalias !308
-  %v3097 = fadd double %v3096, %v3094
-  %v3098 = fmul double %v3069, %v3097
-  %v3099 = getelementptr i8, ptr %v3074, i64 %v754
-  %v3100 = load double, ptr %v3099, align 8, !noalias !308
-  %v3101 = fadd double %v3100, %v3098
-  %v3102 = fmul double %v3047, %v3101
-  %v3072 = add nsw i64 %v3071, 1
-  %v3103 = load double, ptr %v3074, align 8, !noalias !308
-  %v3104 = fadd double %v3103, %v3102
-  %v3105 = getelementptr double, ptr %v742, i64 %v3073
-  store double %v3104, ptr %v3105, align 8, !noalias !299
-  %v3106 = icmp eq i64 %v10, %v3072
-  br i1 %v3106, label %v3068, label %v3070
+v3031:
+  %v3033 = icmp eq i64 %v207, %v3034
+  br i1 %v3033, label %v3006, label %v3005
 
-v3107:
-  br i1 %v745, label %v3108, label %v3048
+v3005:
+  %v3010 = phi i64 [ %v3034, %v3031 ], [ 0, %v2962 ]
+  %v3034 = add nsw i64 %v3010, 1
+  %v3032 = getelementptr double, ptr %v799, i64 %v3010
+  %v3029 = load double, ptr %v3032, align 8, !noalias !312
+  %v3035 = tail call double @llvm.fabs.f64(double %v3029)
+  %v3008 = getelementptr double, ptr %v800, i64 %v3010
+  %v3036 = load double, ptr %v3008, align 8, !noalias !312
+  %v3037 = fadd double %v3035, %v3036
+  %v3038 = fcmp ueq double %v3037, 0x7FF0000000000000
+  br i1 %v3038, label %v3007, label %v3031
 
-v3068:
-  %v3109 = load i64, ptr %v744, align 8, !noalias !312
-  %v3110 = inttoptr i64 %v3109 to ptr
-  tail call void %v3110(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !312
-  br i1 %v745, label %v3111, label %v3112
+v3006:
+  br i1 %v803, label %v3039, label %v3001
 
-v3113:
-  %v3114 = tail call double @llvm.fabs.f64(double %v3115)
-  %v3116 = getelementptr double, ptr %v806, i64 %v3117
-  %v3118 = load double, ptr %v3116, align 8, !noalias !312
-  %v3119 = fadd double %v3114, %v3118
-  %v3120 = fcmp ueq double %v3119, 0x7FF0000000000000
-  br i1 %v3120, label %v3121, label %v3122
+v3039:
+  %v3040 = phi i64 [ %v3041, %v3039 ], [ %v802, %v3006 ]
+  %v3042 = phi i64 [ %v3043, %v3039 ], [ %v18, %v3006 ]
+  %v3041 = add nsw i64 %v3040, -1
+  %v3043 = add i64 %v3042, 1
+  %v3044 = icmp slt i64 %v3042, 0
+  %v3045 = select i1 %v3044, i64 %v207, i64 0
+  %v3046 = add i64 %v3045, %v3042
+  %v3047 = getelementptr double, ptr %v806, i64 %v3046
+  %v3048 = load double, ptr %v3047, align 8, !noalias !316
+  %v3049 = getelementptr double, ptr %v800, i64 %v3046
+  store double %v3048, ptr %v3049, align 8, !noalias !316
+  %v3050 = icmp sgt i64 %v3040, 1
+  br i1 %v3050, label %v3039, label %v3001
 
-v3121:
-  %v3123 = fcmp une double %v3115, 0.000000e+00
-  br i1 %v3123, label %v3124, label %v3125
+v3002:
+  %v3051 = phi double [ %v3052, %v3002 ], [ 0x7FF0000000000000, %v3001 ]
+  %v3053 = phi i64 [ %v3054, %v3002 ], [ 0, %v3001 ]
+  %v3054 = add nsw i64 %v3053, 1
+  %v3055 = getelementptr double, ptr %v799, i64 %v3053
+  %v3056 = load double, ptr %v3055, align 8, !noalias !317
+  %v3057 = getelementptr double, ptr %v800, i64 %v3053
+  %v3058 = load double, ptr %v3057, align 8, !noalias !317
+  %v3059 = fadd double %v3056, %v3058
+  %v3060 = fcmp olt double %v3059, %v3051
+  %v3052 = select i1 %v3060, double %v3059, double %v3051
+  %v3061 = icmp eq i64 %v207, %v3054
+  br i1 %v3061, label %v2942, label %v3002
 
-v3124:
-  %v3126 = getelementptr double, ptr %v806, i64 %v3117
-  store double 0.000000e+00, ptr %v3126, align 8, !noalias !312
-  br label %v3125
+v2942:
+  %v2944 = phi double [ 0x7FF0000000000000, %v3001 ], [ %v3052, %v3002 ]
+  %v3062 = fcmp olt double %v2944, 0.000000e+00
+  br i1 %v3062, label %v2939, label %v2938
 
-v3125:
-  %v3127 = icmp slt i64 %v3117, %v18
-  br i1 %v3127, label %v3128, label %v3129
+v2882:
+  br i1 %v830, label %v3063, label %v3064
 
-v3128:
-  %v3130 = getelementptr double, ptr %v804, i64 %v3117
-  %v3131 = load double, ptr %v3130, align 8, !noalias !312
-  %v3132 = add nsw i64 %v3117, %v17
-  %v3133 = icmp slt i64 %v3132, 0
-  %v3134 = select i1 %v3133, i64 %v166, i64 0
-  %v3135 = getelementptr double, ptr %v165, i64 %v3132
-  %v3136 = getelementptr double, ptr %v3135, i64 %v3134
-  %v3137 = load double, ptr %v3136, align 8, !noalias !312
-  %v3138 = fcmp une double %v3131, %v3137
-  br i1 %v3138, label %v3139, label %v3129
+v3063:
+  %v3065 = load i64, ptr %v820, align 8, !noalias !321
+  %v3066 = inttoptr i64 %v3065 to ptr
+  tail call void %v3066(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !321
+  br label %v2886
 
-v3139:
-  %v3140 = fcmp ord double %v3131, 0.000000e+00
-  br i1 %v3140, label %v3129, label %v3141
+v3064:
+  %v3067 = phi i64 [ %v3068, %v3064 ], [ 0, %v2882 ]
+  %v3068 = add nsw i64 %v3067, 1
+  %v3069 = add nsw i64 %v3067, %v17
+  %v3070 = icmp slt i64 %v3069, 0
+  %v3071 = select i1 %v3070, i64 %v166, i64 0
+  %v3072 = getelementptr double, ptr %v165, i64 %v3069
+  %v3073 = getelementptr double, ptr %v3072, i64 %v3071
+  %v3074 = load double, ptr %v3073, align 8, !noalias !327
+  %v3075 = getelementptr double, ptr %v832, i64 %v3067
+  %v3076 = load double, ptr %v3075, align 8, !noalias !327
+  store double %v3076, ptr %v3073, align 8, !noalias !327
+  store double %v3074, ptr %v3075, align 8, !noalias !327
+  %v3077 = icmp eq i64 %v18, %v3068
+  br i1 %v3077, label %v3063, label %v3064
+
+v2760:
+  %v3078 = phi i64 [ %v3079, %v2760 ], [ 0, %v2759 ]
+  %v3079 = add nsw i64 %v3078, 1
+  %v3080 = add nsw i64 %v3078, %v17
+  %v3081 = icmp slt i64 %v3080, 0
+  %v3082 = select i1 %v3081, i64 %v166, i64 0
+  %v3083 = getelementptr double, ptr %v165, i64 %v3080
+  %v3084 = getelementptr double, ptr %v3083, i64 %v3082
+  %v3085 = load double, ptr %v3084, align 8, !noalias !277
+  %v3086 = getelementptr double, ptr %v811, i64 %v3078
+  store double %v3085, ptr %v3086, align 8, !noalias !277
+  %v3087 = icmp eq i64 %v18, %v3079
+  br i1 %v3087, label %v2761, label %v2760
+
+v2761:
+  br label %v3088
+
+v3088:
+  %v3089 = phi double [ %v3090, %v2949 ], [ %v2264, %v2761 ]
+  %v2874 = phi ptr [ %v2873, %v2949 ], [ null, %v2761 ]
+  %v3091 = phi ptr [ %v3092, %v2949 ], [ null, %v2761 ]
+  %v3093 = phi i64 [ %v3094, %v2949 ], [ 32, %v2761 ]
+  %v3094 = add nsw i64 %v3093, -1
+  %v3095 = load double, ptr %v133, align 8, !noalias !328
+  %v3096 = load double, ptr %v731, align 8, !noalias !328
+  %v3097 = fmul double %v3089, %v3096
+  %v3098 = fadd double %v3095, %v3097
+  store double %v3098, ptr %v733, align 8, !noalias !328
+  br i1 %v735, label %v3099, label %v3100
+
+v3099:
+  %v3101 = fsub double 1.000000e+00, %v3089
+  br label %v3102
+
+v3102:
+  %v3103 = phi i64 [ 0, %v3099 ], [ %v3104, %v3102 ]
+  %v3105 = mul i64 %v3103, %v196
+  %v3106 = getelementptr double, ptr %v193, i64 %v3105
+  %v3107 = getelementptr i8, ptr %v3106, i64 %v742
+  %v3108 = load double, ptr %v3107, align 8, !noalias !338
+  %v3109 = fadd double %v3108, 0.000000e+00
+  %v3110 = fmul double %v3089, %v3109
+  %v3111 = getelementptr i8, ptr %v3106, i64 %v743
+  %v3112 = load double, ptr %v3111, align 8, !noalias !338
+  %v3113 = fadd double %v3112, %v3110
+  %v3114 = fmul double %v3101, %v3113
+  %v3115 = getelementptr i8, ptr %v3106, i64 %v744
+  %v3116 = load double, ptr %v3115, align 8, !noalias !338
+  %v3117 = fadd double %v3116, %v3114
+  %v3118 = fmul double %v3089, %v3117
+  %v3119 = getelementptr i8, ptr %v3106, i64 %v745
+  %v3120 = load double, ptr %v3119, align 8, !noalias !338
+  %v3121 = fadd double %v3120, %v3118
+  %v3122 = fmul double %v3101, %v3121
+  %v3123 = getelementptr i8, ptr %v3106, i64 %v746
+  %v3124 = load double, ptr %v3123, align 8, !noalias !338
+  %v3125 = fadd double %v3124, %v3122
+  %v3126 = fmul double %v3089, %v3125
+  %v3127 = getelementptr i8, ptr %v3106, i64 %v747
+  %v3128 = load double, ptr %v3127, align 8, !noalias !338
+  %v3129 = fadd double %v3128, %v3126
+  %v3130 = fmul double %v3101, %v3129
+  %v3131 = getelementptr i8, ptr %v3106, i64 %v748
+  %v3132 = load double, ptr %v3131, align 8, !noalias !338
+  %v3133 = fadd double %v3132, %v3130
+  %v3134 = fmul double %v3089, %v3133
+  %v3104 = add nsw i64 %v3103, 1
+  %v3135 = load double, ptr %v3106, align 8, !noalias !338
+  %v3136 = fadd double %v3135, %v3134
+  %v3137 = getelementptr double, ptr %v814, i64 %v3105
+  store double %v3136, ptr %v3137, align 8, !noalias !328
+  %v3138 = icmp eq i64 %v10, %v3104
+  br i1 %v3138, label %v3100, label %v3102
+
+v3100:
+  %v3139 = load i64, ptr %v738, align 8, !noalias !342
+  %v3140 = inttoptr i64 %v3139 to ptr
+  tail call void %v3140(ptr nonnull %v733, ptr %v794, ptr %v165, ptr %v172, ptr %v179, ptr %v796), !noalias !342
+  br i1 %v739, label %v3141, label %v3142
+
+v3143:
+  store double 0.000000e+00, ptr %v3144, align 8, !noalias !342
+  %v3145 = icmp slt i64 %v3146, %v18
+  br i1 %v3145, label %v3147, label %v3148
+
+v3147:
+  %v3149 = getelementptr double, ptr %v798, i64 %v3146
+  %v3150 = load double, ptr %v3149, align 8, !noalias !342
+  %v3151 = add nsw i64 %v3146, %v17
+  %v3152 = icmp slt i64 %v3151, 0
+  %v3153 = select i1 %v3152, i64 %v166, i64 0
+  %v3154 = getelementptr double, ptr %v165, i64 %v3151
+  %v3155 = getelementptr double, ptr %v3154, i64 %v3153
+  %v3156 = load double, ptr %v3155, align 8, !noalias !342
+  %v3157 = fcmp une double %v3150, %v3156
+  br i1 %v3157, label %v3158, label %v3148
+
+v3158:
+  %v3159 = fcmp ord double %v3150, 0.000000e+00
+  br i1 %v3159, label %v3148, label %v3160
+
+v3160:
+  %v3161 = fcmp ord double %v3156, 0.000000e+00
+  %v3162 = select i1 %v3161, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v3148
+
+v3148:
+  %v3163 = phi double [ 0xFFF0000000000000, %v3143 ], [ 0xFFF0000000000000, %v3158 ], [ %v3162, %v3160 ], [ 0x7FF0000000000000, %v3147 ]
+  %v3164 = fcmp uno double %v3165, 0.000000e+00
+  br i1 %v3164, label %v3166, label %v3167
+
+v3166:
+  store double %v3163, ptr %v3168, align 8, !noalias !342
+  br label %v3167
+
+v3167:
+  %v3169 = icmp eq i64 %v3170, %v207
+  br i1 %v3169, label %v3142, label %v3141
 
 v3141:
-  %v3142 = fcmp ord double %v3137, 0.000000e+00
-  br label %v3129
+  %v3146 = phi i64 [ %v3170, %v3167 ], [ 0, %v3100 ]
+  %v3170 = add nsw i64 %v3146, 1
+  %v3168 = getelementptr double, ptr %v799, i64 %v3146
+  %v3165 = load double, ptr %v3168, align 8, !noalias !342
+  %v3171 = tail call double @llvm.fabs.f64(double %v3165)
+  %v3144 = getelementptr double, ptr %v800, i64 %v3146
+  %v3172 = load double, ptr %v3144, align 8, !noalias !342
+  %v3173 = fadd double %v3171, %v3172
+  %v3174 = fcmp ueq double %v3173, 0x7FF0000000000000
+  br i1 %v3174, label %v3143, label %v3167
 
-v3129:
-  %v3143 = phi i1 [ true, %v3125 ], [ true, %v3139 ], [ %v3142, %v3141 ], [ false, %v3128 ]
-  %v3144 = fcmp uno double %v3115, 0.000000e+00
-  br i1 %v3144, label %v3145, label %v3146
+v3142:
+  br i1 %v803, label %v3175, label %v3176
 
-v3146:
-  %v3147 = fcmp oeq double %v3115, 0.000000e+00
-  %v3148 = and i1 %v3147, %v3143
-  %v3149 = and i1 %v3127, %v3148
-  br i1 %v3149, label %v3145, label %v3122
+v3175:
+  %v3177 = phi i64 [ %v3178, %v3175 ], [ %v801, %v3142 ]
+  %v3179 = phi i64 [ %v3180, %v3175 ], [ %v18, %v3142 ]
+  %v3178 = add nsw i64 %v3177, -1
+  %v3180 = add i64 %v3179, 1
+  %v3181 = icmp slt i64 %v3179, 0
+  %v3182 = select i1 %v3181, i64 %v207, i64 0
+  %v3183 = add i64 %v3182, %v3179
+  %v3184 = getelementptr double, ptr %v806, i64 %v3183
+  %v3185 = load double, ptr %v3184, align 8, !noalias !346
+  %v3186 = getelementptr double, ptr %v800, i64 %v3183
+  store double %v3185, ptr %v3186, align 8, !noalias !346
+  %v3187 = icmp sgt i64 %v3177, 1
+  br i1 %v3187, label %v3175, label %v3176
 
-v3145:
-  %v3150 = select i1 %v3143, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v3150, ptr %v3151, align 8, !noalias !312
-  br label %v3122
+v3176:
+  br label %v3188
 
-v3122:
-  %v3152 = icmp eq i64 %v207, %v3153
-  br i1 %v3152, label %v3112, label %v3111
+v3189:
+  br label %v3190
 
-v3111:
-  %v3117 = phi i64 [ %v3153, %v3122 ], [ 0, %v3068 ]
-  %v3153 = add nsw i64 %v3117, 1
-  %v3151 = getelementptr double, ptr %v805, i64 %v3117
-  %v3115 = load double, ptr %v3151, align 8, !noalias !312
-  %v3154 = fcmp ueq double %v3115, 0.000000e+00
-  br i1 %v3154, label %v3121, label %v3113
+v3190:
+  %v3191 = phi double [ %v3089, %v3188 ], [ 1.000000e+00, %v3192 ], [ 8.889000e-01, %v3193 ], [ 2.500000e-01, %v3194 ], [ 3.333000e-01, %v3195 ], [ 5.000000e-01, %v3196 ], [ 0x3FE50A3D70A3D70A, %v3197 ], [ 7.500000e-01, %v3198 ], [ 0x3FB48E8A71DE69AD, %v3189 ]
+  %v3199 = fcmp ult double %v3191, %v3089
+  br i1 %v3199, label %v3200, label %v3201
 
-v3112:
-  br i1 %v809, label %v3155, label %v3107
+v3201:
+  %v3202 = load double, ptr %v133, align 8, !noalias !347
+  %v3203 = load double, ptr %v731, align 8, !noalias !347
+  %v3204 = fmul double %v3191, %v3203
+  %v3205 = fadd double %v3202, %v3204
+  store double %v3205, ptr %v733, align 8, !noalias !347
+  br i1 %v735, label %v3206, label %v3207
 
-v3155:
-  %v3156 = phi i64 [ %v3157, %v3155 ], [ %v808, %v3112 ]
-  %v3158 = phi i64 [ %v3159, %v3155 ], [ %v18, %v3112 ]
-  %v3157 = add nsw i64 %v3156, -1
-  %v3159 = add i64 %v3158, 1
-  %v3160 = icmp slt i64 %v3158, 0
-  %v3161 = select i1 %v3160, i64 %v207, i64 0
-  %v3162 = add i64 %v3161, %v3158
-  %v3163 = getelementptr double, ptr %v812, i64 %v3162
-  %v3164 = load double, ptr %v3163, align 8, !noalias !316
-  %v3165 = getelementptr double, ptr %v806, i64 %v3162
-  store double %v3164, ptr %v3165, align 8, !noalias !316
-  %v3166 = icmp sgt i64 %v3156, 1
-  br i1 %v3166, label %v3155, label %v3107
+v3206:
+  %v3208 = fsub double 1.000000e+00, %v3191
+  br label %v3209
 
-v3108:
-  %v3167 = phi double [ %v3168, %v3108 ], [ 0x7FF0000000000000, %v3107 ]
-  %v3169 = phi i64 [ %v3170, %v3108 ], [ 0, %v3107 ]
-  %v3170 = add nsw i64 %v3169, 1
-  %v3171 = getelementptr double, ptr %v805, i64 %v3169
-  %v3172 = load double, ptr %v3171, align 8, !noalias !317
-  %v3173 = getelementptr double, ptr %v806, i64 %v3169
-  %v3174 = load double, ptr %v3173, align 8, !noalias !317
-  %v3175 = fadd double %v3172, %v3174
-  %v3176 = fcmp olt double %v3175, %v3167
-  %v3168 = select i1 %v3176, double %v3175, double %v3167
-  %v3177 = icmp eq i64 %v207, %v3170
-  br i1 %v3177, label %v3048, label %v3108
+v3209:
+  %v3210 = phi i64 [ 0, %v3206 ], [ %v3211, %v3209 ]
+  %v3212 = mul i64 %v3210, %v196
+  %v3213 = getelementptr double, ptr %v193, i64 %v3212
+  %v3214 = getelementptr i8, ptr %v3213, i64 %v742
+  %v3215 = load double, ptr %v3214, align 8, !noalias !351
+  %v3216 = fadd double %v3215, 0.000000e+00
+  %v3217 = fmul double %v3191, %v3216
+  %v3218 = getelementptr i8, ptr %v3213, i64 %v743
+  %v3219 = load double, ptr %v3218, align 8, !noalias !351
+  %v3220 = fadd double %v3219, %v3217
+  %v3221 = fmul double %v3208, %v3220
+  %v3222 = getelementptr i8, ptr %v3213, i64 %v744
+  %v3223 = load double, ptr %v3222, align 8, !noalias !351
+  %v3224 = fadd double %v3223, %v3221
+  %v3225 = fmul double %v3191, %v3224
+  %v3226 = getelementptr i8, ptr %v3213, i64 %v745
+  %v3227 = load double, ptr %v3226, align 8, !noalias !351
+  %v3228 = fadd double %v3227, %v3225
+  %v3229 = fmul double %v3208, %v3228
+  %v3230 = getelementptr i8, ptr %v3213, i64 %v746
+  %v3231 = load double, ptr %v3230, align 8, !noalias !351
+  %v3232 = fadd double %v3231, %v3229
+  %v3233 = fmul double %v3191, %v3232
+  %v3234 = getelementptr i8, ptr %v3213, i64 %v747
+  %v3235 = load double, ptr %v3234, align 8, !noalias !351
+  %v3236 = fadd double %v3235, %v3233
+  %v3237 = fmul double %v3208, %v3236
+  %v3238 = getelementptr i8, ptr %v3213, i64 %v748
+  %v3239 = load double, ptr %v3238, align 8, !noalias !351
+  %v3240 = fadd double %v3239, %v3237
+  %v3241 = fmul double %v3191, %v3240
+  %v3211 = add nsw i64 %v3210, 1
+  %v3242 = load double, ptr %v3213, align 8, !noalias !351
+  %v3243 = fadd double %v3242, %v3241
+  %v3244 = getelementptr double, ptr %v736, i64 %v3212
+  store double %v3243, ptr %v3244, align 8, !noalias !347
+  %v3245 = icmp eq i64 %v10, %v3211
+  br i1 %v3245, label %v3207, label %v3209
 
-v3048:
-  %v3050 = phi double [ 0x7FF0000000000000, %v3107 ], [ %v3168, %v3108 ]
-  %v3178 = fcmp olt double %v3050, 0.000000e+00
-  br i1 %v3178, label %v3045, label %v3044
+v3200:
+  %v3246 = icmp ugt i64 %v3247, 1
+  br i1 %v3246, label %v3188, label %v3248
 
-v2988:
-  br i1 %v836, label %v3179, label %v3180
+v3248:
+  br i1 %v305, label %v3249, label %v3250
 
-v3179:
-  %v3181 = load i64, ptr %v826, align 8, !noalias !321
-  %v3182 = inttoptr i64 %v3181 to ptr
-  tail call void %v3182(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !321
-  br label %v2992
+v3250:
+  %v3251 = load i64, ptr %v820, align 8, !noalias !355
+  %v3252 = inttoptr i64 %v3251 to ptr
+  tail call void %v3252(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !355
+  br label %v3253
 
-v3180:
-  %v3183 = phi i64 [ %v3184, %v3180 ], [ 0, %v2988 ]
-  %v3184 = add nsw i64 %v3183, 1
-  %v3185 = add nsw i64 %v3183, %v17
-  %v3186 = icmp slt i64 %v3185, 0
-  %v3187 = select i1 %v3186, i64 %v166, i64 0
-  %v3188 = getelementptr double, ptr %v165, i64 %v3185
-  %v3189 = getelementptr double, ptr %v3188, i64 %v3187
-  %v3190 = load double, ptr %v3189, align 8, !noalias !327
-  %v3191 = getelementptr double, ptr %v838, i64 %v3183
-  %v3192 = load double, ptr %v3191, align 8, !noalias !327
-  store double %v3192, ptr %v3189, align 8, !noalias !327
-  store double %v3190, ptr %v3191, align 8, !noalias !327
-  %v3193 = icmp eq i64 %v18, %v3184
-  br i1 %v3193, label %v3179, label %v3180
+v3249:
+  %v3254 = phi i64 [ %v3255, %v3249 ], [ 0, %v3248 ]
+  %v3255 = add nsw i64 %v3254, 1
+  %v3256 = add nsw i64 %v3254, %v17
+  %v3257 = icmp slt i64 %v3256, 0
+  %v3258 = select i1 %v3257, i64 %v166, i64 0
+  %v3259 = getelementptr double, ptr %v165, i64 %v3256
+  %v3260 = getelementptr double, ptr %v3259, i64 %v3258
+  %v3261 = load double, ptr %v3260, align 8, !noalias !361
+  %v3262 = getelementptr double, ptr %v798, i64 %v3254
+  %v3263 = load double, ptr %v3262, align 8, !noalias !361
+  store double %v3263, ptr %v3260, align 8, !noalias !361
+  store double %v3261, ptr %v3262, align 8, !noalias !361
+  %v3264 = icmp eq i64 %v3255, %v18
+  br i1 %v3264, label %v3250, label %v3249
 
-v2856:
-  %v3194 = phi i64 [ %v3195, %v2856 ], [ 0, %v2855 ]
-  %v3195 = add nsw i64 %v3194, 1
-  %v3196 = add nsw i64 %v3194, %v17
-  %v3197 = icmp slt i64 %v3196, 0
-  %v3198 = select i1 %v3197, i64 %v166, i64 0
-  %v3199 = getelementptr double, ptr %v165, i64 %v3196
-  %v3200 = getelementptr double, ptr %v3199, i64 %v3198
-  %v3201 = load double, ptr %v3200, align 8, !noalias !277
-  %v3202 = getelementptr double, ptr %v817, i64 %v3194
-  store double %v3201, ptr %v3202, align 8, !noalias !277
-  %v3203 = icmp eq i64 %v18, %v3195
-  br i1 %v3203, label %v2857, label %v2856
-
-v2857:
-  br label %v3204
-
-v3204:
-  %v3205 = phi double [ %v3206, %v3055 ], [ %v2330, %v2857 ]
-  %v2980 = phi ptr [ %v2979, %v3055 ], [ null, %v2857 ]
-  %v3207 = phi ptr [ %v3208, %v3055 ], [ null, %v2857 ]
-  %v3209 = phi i64 [ %v3210, %v3055 ], [ 32, %v2857 ]
-  %v3210 = add nsw i64 %v3209, -1
-  %v3211 = load double, ptr %v133, align 8, !noalias !328
-  %v3212 = load double, ptr %v737, align 8, !noalias !328
-  %v3213 = fmul double %v3205, %v3212
-  %v3214 = fadd double %v3211, %v3213
-  store double %v3214, ptr %v739, align 8, !noalias !328
-  br i1 %v741, label %v3215, label %v3216
-
-v3215:
-  %v3217 = fsub double 1.000000e+00, %v3205
-  br label %v3218
-
-v3218:
-  %v3219 = phi i64 [ 0, %v3215 ], [ %v3220, %v3218 ]
-  %v3221 = mul i64 %v3219, %v196
-  %v3222 = getelementptr double, ptr %v193, i64 %v3221
-  %v3223 = getelementptr i8, ptr %v3222, i64 %v748
-  %v3224 = load double, ptr %v3223, align 8, !noalias !338
-  %v3225 = fadd double %v3224, 0.000000e+00
-  %v3226 = fmul double %v3205, %v3225
-  %v3227 = getelementptr i8, ptr %v3222, i64 %v749
-  %v3228 = load double, ptr %v3227, align 8, !noalias !338
-  %v3229 = fadd double %v3228, %v3226
-  %v3230 = fmul double %v3217, %v3229
-  %v3231 = getelementptr i8, ptr %v3222, i64 %v750
-  %v3232 = load double, ptr %v3231, align 8, !noalias !338
-  %v3233 = fadd double %v3232, %v3230
-  %v3234 = fmul double %v3205, %v3233
-  %v3235 = getelementptr i8, ptr %v3222, i64 %v751
-  %v3236 = load double, ptr %v3235, align 8, !noalias !338
-  %v3237 = fadd double %v3236, %v3234
-  %v3238 = fmul double %v3217, %v3237
-  %v3239 = getelementptr i8, ptr %v3222, i64 %v752
-  %v3240 = load double, ptr %v3239, align 8, !noalias !338
-  %v3241 = fadd double %v3240, %v3238
-  %v3242 = fmul double %v3205, %v3241
-  %v3243 = getelementptr i8, ptr %v3222, i64 %v753
-  %v3244 = load double, ptr %v3243, align 8, !noalias !338
-  %v3245 = fadd double %v3244, %v3242
-  %v3246 = fmul double %v3217, %v3245
-  %v3247 = getelementptr i8, ptr %v3222, i64 %v754
-  %v3248 = load double, ptr %v3247, align 8, !noalias !338
-  %v3249 = fadd double %v3248, %v3246
-  %v3250 = fmul double %v3205, %v3249
-  %v3220 = add nsw i64 %v3219, 1
-  %v3251 = load double, ptr %v3222, align 8, !noalias !338
-  %v3252 = fadd double %v3251, %v3250
-  %v3253 = getelementptr double, ptr %v820, i64 %v3221
-  store double %v3252, ptr %v3253, align 8, !noalias !328
-  %v3254 = icmp eq i64 %v10, %v3220
-  br i1 %v3254, label %v3216, label %v3218
-
-v3216:
-  %v3255 = load i64, ptr %v744, align 8, !noalias !342
-  %v3256 = inttoptr i64 %v3255 to ptr
-  tail call void %v3256(ptr nonnull %v739, ptr %v800, ptr %v165, ptr %v172, ptr %v179, ptr %v802), !noalias !342
-  br i1 %v745, label %v3257, label %v3258
-
-v3259:
-  %v3260 = tail call double @llvm.fabs.f64(double %v3261)
-  %v3262 = getelementptr double, ptr %v806, i64 %v3263
-  %v3264 = load double, ptr %v3262, align 8, !noalias !342
-  %v3265 = fadd double %v3260, %v3264
-  %v3266 = fcmp ueq double %v3265, 0x7FF0000000000000
-  br i1 %v3266, label %v3267, label %v3268
-
-v3267:
-  %v3269 = fcmp une double %v3261, 0.000000e+00
-  br i1 %v3269, label %v3270, label %v3271
-
-v3270:
-  %v3272 = getelementptr double, ptr %v806, i64 %v3263
-  store double 0.000000e+00, ptr %v3272, align 8, !noalias !342
-  br label %v3271
-
-v3271:
-  %v3273 = icmp slt i64 %v3263, %v18
-  br i1 %v3273, label %v3274, label %v3275
-
-v3274:
-  %v3276 = getelementptr double, ptr %v804, i64 %v3263
-  %v3277 = load double, ptr %v3276, align 8, !noalias !342
-  %v3278 = add nsw i64 %v3263, %v17
-  %v3279 = icmp slt i64 %v3278, 0
-  %v3280 = select i1 %v3279, i64 %v166, i64 0
-  %v3281 = getelementptr double, ptr %v165, i64 %v3278
-  %v3282 = getelementptr double, ptr %v3281, i64 %v3280
-  %v3283 = load double, ptr %v3282, align 8, !noalias !342
-  %v3284 = fcmp une double %v3277, %v3283
-  br i1 %v3284, label %v3285, label %v3275
-
-v3285:
-  %v3286 = fcmp ord double %v3277, 0.000000e+00
-  br i1 %v3286, label %v3275, label %v3287
-
-v3287:
-  %v3288 = fcmp ord double %v3283, 0.000000e+00
-  br label %v3275
-
-v3275:
-  %v3289 = phi i1 [ true, %v3271 ], [ true, %v3285 ], [ %v3288, %v3287 ], [ false, %v3274 ]
-  %v3290 = fcmp uno double %v3261, 0.000000e+00
-  br i1 %v3290, label %v3291, label %v3292
-
-v3292:
-  %v3293 = fcmp oeq double %v3261, 0.000000e+00
-  %v3294 = and i1 %v3293, %v3289
-  %v3295 = and i1 %v3273, %v3294
-  br i1 %v3295, label %v3291, label %v3268
-
-v3291:
-  %v3296 = select i1 %v3289, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v3296, ptr %v3297, align 8, !noalias !342
-  br label %v3268
-
-v3268:
-  %v3298 = icmp eq i64 %v3299, %v207
-  br i1 %v3298, label %v3258, label %v3257
-
-v3257:
-  %v3263 = phi i64 [ %v3299, %v3268 ], [ 0, %v3216 ]
-  %v3299 = add nsw i64 %v3263, 1
-  %v3297 = getelementptr double, ptr %v805, i64 %v3263
-  %v3261 = load double, ptr %v3297, align 8, !noalias !342
-  %v3300 = fcmp ueq double %v3261, 0.000000e+00
-  br i1 %v3300, label %v3267, label %v3259
-
-v3258:
-  br i1 %v809, label %v3301, label %v3302
-
-v3301:
-  %v3303 = phi i64 [ %v3304, %v3301 ], [ %v807, %v3258 ]
-  %v3305 = phi i64 [ %v3306, %v3301 ], [ %v18, %v3258 ]
-  %v3304 = add nsw i64 %v3303, -1
-  %v3306 = add i64 %v3305, 1
-  %v3307 = icmp slt i64 %v3305, 0
-  %v3308 = select i1 %v3307, i64 %v207, i64 0
-  %v3309 = add i64 %v3308, %v3305
-  %v3310 = getelementptr double, ptr %v812, i64 %v3309
-  %v3311 = load double, ptr %v3310, align 8, !noalias !346
-  %v3312 = getelementptr double, ptr %v806, i64 %v3309
-  store double %v3311, ptr %v3312, align 8, !noalias !346
-  %v3313 = icmp sgt i64 %v3303, 1
-  br i1 %v3313, label %v3301, label %v3302
-
-v3302:
-  br label %v3314
-
-v3315:
-  br label %v3316
-
-v3316:
-  %v3317 = phi double [ %v3205, %v3314 ], [ 1.000000e+00, %v3318 ], [ 8.889000e-01, %v3319 ], [ 2.500000e-01, %v3320 ], [ 3.333000e-01, %v3321 ], [ 5.000000e-01, %v3322 ], [ 0x3FE50A3D70A3D70A, %v3323 ], [ 7.500000e-01, %v3324 ], [ 0x3FB48E8A71DE69AD, %v3315 ]
-  %v3325 = fcmp ult double %v3317, %v3205
-  br i1 %v3325, label %v3326, label %v3327
-
-v3327:
-  %v3328 = load double, ptr %v133, align 8, !noalias !347
-  %v3329 = load double, ptr %v737, align 8, !noalias !347
-  %v3330 = fmul double %v3317, %v3329
-  %v3331 = fadd double %v3328, %v3330
-  store double %v3331, ptr %v739, align 8, !noalias !347
-  br i1 %v741, label %v3332, label %v3333
-
-v3332:
-  %v3334 = fsub double 1.000000e+00, %v3317
-  br label %v3335
-
-v3335:
-  %v3336 = phi i64 [ 0, %v3332 ], [ %v3337, %v3335 ]
-  %v3338 = mul i64 %v3336, %v196
-  %v3339 = getelementptr double, ptr %v193, i64 %v3338
-  %v3340 = getelementptr i8, ptr %v3339, i64 %v748
-  %v3341 = load double, ptr %v3340, align 8, !noalias !351
-  %v3342 = fadd double %v3341, 0.000000e+00
-  %v3343 = fmul double %v3317, %v3342
-  %v3344 = getelementptr i8, ptr %v3339, i64 %v749
-  %v3345 = load double, ptr %v3344, align 8, !noalias !351
-  %v3346 = fadd double %v3345, %v3343
-  %v3347 = fmul double %v3334, %v3346
-  %v3348 = getelementptr i8, ptr %v3339, i64 %v750
-  %v3349 = load double, ptr %v3348, align 8, !noalias !351
-  %v3350 = fadd double %v3349, %v3347
-  %v3351 = fmul double %v3317, %v3350
-  %v3352 = getelementptr i8, ptr %v3339, i64 %v751
-  %v3353 = load double, ptr %v3352, align 8, !noalias !351
-  %v3354 = fadd double %v3353, %v3351
-  %v3355 = fmul double %v3334, %v3354
-  %v3356 = getelementptr i8, ptr %v3339, i64 %v752
-  %v3357 = load double, ptr %v3356, align 8, !noalias !351
-  %v3358 = fadd double %v3357, %v3355
-  %v3359 = fmul double %v3317, %v3358
-  %v3360 = getelementptr i8, ptr %v3339, i64 %v753
-  %v3361 = load double, ptr %v3360, align 8, !noalias !351
-  %v3362 = fadd double %v3361, %v3359
-  %v3363 = fmul double %v3334, %v3362
-  %v3364 = getelementptr i8, ptr %v3339, i64 %v754
-  %v3365 = load double, ptr %v3364, align 8, !noalias !351
-  %v3366 = fadd double %v3365, %v3363
-  %v3367 = fmul double %v3317, %v3366
-  %v3337 = add nsw i64 %v3336, 1
-  %v3368 = load double, ptr %v3339, align 8, !noalias !351
-  %v3369 = fadd double %v3368, %v3367
-  %v3370 = getelementptr double, ptr %v742, i64 %v3338
-  store double %v3369, ptr %v3370, align 8, !noalias !347
-  %v3371 = icmp eq i64 %v10, %v3337
-  br i1 %v3371, label %v3333, label %v3335
-
-v3326:
-  %v3372 = icmp ugt i64 %v3373, 1
-  br i1 %v3372, label %v3314, label %v3374
-
-v3374:
-  br i1 %v305, label %v3375, label %v3376
-
-v3376:
-  %v3377 = load i64, ptr %v826, align 8, !noalias !355
-  %v3378 = inttoptr i64 %v3377 to ptr
-  tail call void %v3378(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !355
-  br label %v3379
-
-v3375:
-  %v3380 = phi i64 [ %v3381, %v3375 ], [ 0, %v3374 ]
-  %v3381 = add nsw i64 %v3380, 1
-  %v3382 = add nsw i64 %v3380, %v17
-  %v3383 = icmp slt i64 %v3382, 0
-  %v3384 = select i1 %v3383, i64 %v166, i64 0
-  %v3385 = getelementptr double, ptr %v165, i64 %v3382
-  %v3386 = getelementptr double, ptr %v3385, i64 %v3384
-  %v3387 = load double, ptr %v3386, align 8, !noalias !361
-  %v3388 = getelementptr double, ptr %v804, i64 %v3380
-  %v3389 = load double, ptr %v3388, align 8, !noalias !361
-  store double %v3389, ptr %v3386, align 8, !noalias !361
-  store double %v3387, ptr %v3388, align 8, !noalias !361
-  %v3390 = icmp eq i64 %v3381, %v18
-  br i1 %v3390, label %v3376, label %v3375
-
-v3314:
-  %v3373 = phi i64 [ %v3391, %v3326 ], [ 9, %v3302 ]
-  %v3392 = phi i64 [ %v3393, %v3326 ], [ 8, %v3302 ]
-  %v3391 = add nsw i64 %v3373, -1
-  %v3393 = add nsw i64 %v3392, -1
-  switch i64 %v3392, label %v3379 [
-    i64 0, label %v3316
-    i64 -1, label %v3318
-    i64 8, label %v3318
-    i64 1, label %v3315
-    i64 -8, label %v3315
-    i64 2, label %v3320
-    i64 -7, label %v3320
-    i64 3, label %v3321
-    i64 -6, label %v3321
-    i64 4, label %v3322
-    i64 -5, label %v3322
-    i64 5, label %v3323
-    i64 -4, label %v3323
-    i64 6, label %v3324
-    i64 -3, label %v3324
-    i64 7, label %v3319
-    i64 -2, label %v3319
+v3188:
+  %v3247 = phi i64 [ %v3265, %v3200 ], [ 9, %v3176 ]
+  %v3266 = phi i64 [ %v3267, %v3200 ], [ 8, %v3176 ]
+  %v3265 = add nsw i64 %v3247, -1
+  %v3267 = add nsw i64 %v3266, -1
+  switch i64 %v3266, label %v3253 [
+    i64 0, label %v3190
+    i64 -1, label %v3192
+    i64 8, label %v3192
+    i64 1, label %v3189
+    i64 -8, label %v3189
+    i64 2, label %v3194
+    i64 -7, label %v3194
+    i64 3, label %v3195
+    i64 -6, label %v3195
+    i64 4, label %v3196
+    i64 -5, label %v3196
+    i64 5, label %v3197
+    i64 -4, label %v3197
+    i64 6, label %v3198
+    i64 -3, label %v3198
+    i64 7, label %v3193
+    i64 -2, label %v3193
   ]
 
-v3320:
-  br label %v3316
+v3194:
+  br label %v3190
 
-v3321:
-  br label %v3316
+v3195:
+  br label %v3190
 
-v3322:
-  br label %v3316
+v3196:
+  br label %v3190
 
-v3323:
-  br label %v3316
+v3197:
+  br label %v3190
 
-v3324:
-  br label %v3316
+v3198:
+  br label %v3190
 
-v3319:
-  br label %v3316
+v3193:
+  br label %v3190
 
-v3318:
-  br label %v3316
+v3192:
+  br label %v3190
 
-v3333:
-  %v3394 = load i64, ptr %v6, align 8, !noalias !362
-  %v3395 = inttoptr i64 %v3394 to ptr
-  tail call void %v3395(ptr nonnull %v739, ptr %v823, ptr %v165, ptr %v172, ptr %v179, ptr %v825), !noalias !362
-  br i1 %v305, label %v3396, label %v3397
+v3207:
+  %v3268 = load i64, ptr %v6, align 8, !noalias !362
+  %v3269 = inttoptr i64 %v3268 to ptr
+  tail call void %v3269(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v819), !noalias !362
+  br i1 %v305, label %v3270, label %v3271
 
-v3398:
-  %v3399 = phi i64 [ 0, %v3400 ], [ %v3401, %v3402 ]
-  %v3403 = icmp eq i64 %v3399, %v818
-  br i1 %v3403, label %v3326, label %v3402
+v3272:
+  %v3273 = phi i64 [ 0, %v3274 ], [ %v3275, %v3276 ]
+  %v3277 = icmp eq i64 %v3273, %v812
+  br i1 %v3277, label %v3200, label %v3276
 
-v3404:
-  %v3405 = load i64, ptr %v826, align 8, !noalias !368
-  %v3406 = inttoptr i64 %v3405 to ptr
-  tail call void %v3406(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
-  %v3407 = load i64, ptr %v6, align 8, !noalias !374
-  %v3408 = inttoptr i64 %v3407 to ptr
-  tail call void %v3408(ptr nonnull %v739, ptr %v823, ptr %v165, ptr %v172, ptr %v179, ptr %v828), !noalias !374
-  br label %v3409
+v3278:
+  %v3279 = load i64, ptr %v820, align 8, !noalias !368
+  %v3280 = inttoptr i64 %v3279 to ptr
+  tail call void %v3280(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
+  %v3281 = load i64, ptr %v6, align 8, !noalias !374
+  %v3282 = inttoptr i64 %v3281 to ptr
+  tail call void %v3282(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v822), !noalias !374
+  br label %v3283
 
-v3396:
-  %v3410 = phi i64 [ %v3411, %v3396 ], [ 0, %v3333 ]
-  %v3411 = add nsw i64 %v3410, 1
-  %v3412 = add nsw i64 %v3410, %v17
-  %v3413 = icmp slt i64 %v3412, 0
-  %v3414 = select i1 %v3413, i64 %v166, i64 0
-  %v3415 = getelementptr double, ptr %v165, i64 %v3412
-  %v3416 = getelementptr double, ptr %v3415, i64 %v3414
-  %v3417 = load double, ptr %v3416, align 8, !noalias !377
-  %v3418 = getelementptr double, ptr %v804, i64 %v3410
-  %v3419 = load double, ptr %v3418, align 8, !noalias !377
-  store double %v3419, ptr %v3416, align 8, !noalias !377
-  store double %v3417, ptr %v3418, align 8, !noalias !377
-  %v3420 = icmp eq i64 %v18, %v3411
-  br i1 %v3420, label %v3404, label %v3396
+v3270:
+  %v3284 = phi i64 [ %v3285, %v3270 ], [ 0, %v3207 ]
+  %v3285 = add nsw i64 %v3284, 1
+  %v3286 = add nsw i64 %v3284, %v17
+  %v3287 = icmp slt i64 %v3286, 0
+  %v3288 = select i1 %v3287, i64 %v166, i64 0
+  %v3289 = getelementptr double, ptr %v165, i64 %v3286
+  %v3290 = getelementptr double, ptr %v3289, i64 %v3288
+  %v3291 = load double, ptr %v3290, align 8, !noalias !377
+  %v3292 = getelementptr double, ptr %v798, i64 %v3284
+  %v3293 = load double, ptr %v3292, align 8, !noalias !377
+  store double %v3293, ptr %v3290, align 8, !noalias !377
+  store double %v3291, ptr %v3292, align 8, !noalias !377
+  %v3294 = icmp eq i64 %v18, %v3285
+  br i1 %v3294, label %v3278, label %v3270
 
-v3397:
-  %v3421 = load i64, ptr %v826, align 8, !noalias !368
-  %v3422 = inttoptr i64 %v3421 to ptr
-  tail call void %v3422(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
-  %v3423 = load i64, ptr %v6, align 8, !noalias !374
-  %v3424 = inttoptr i64 %v3423 to ptr
-  tail call void %v3424(ptr nonnull %v739, ptr %v823, ptr %v165, ptr %v172, ptr %v179, ptr %v828), !noalias !374
-  br label %v3400
+v3271:
+  %v3295 = load i64, ptr %v820, align 8, !noalias !368
+  %v3296 = inttoptr i64 %v3295 to ptr
+  tail call void %v3296(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !368
+  %v3297 = load i64, ptr %v6, align 8, !noalias !374
+  %v3298 = inttoptr i64 %v3297 to ptr
+  tail call void %v3298(ptr nonnull %v733, ptr %v817, ptr %v165, ptr %v172, ptr %v179, ptr %v822), !noalias !374
+  br label %v3274
 
-v3400:
-  %v3425 = load i64, ptr %v826, align 8, !noalias !378
-  %v3426 = inttoptr i64 %v3425 to ptr
-  tail call void %v3426(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !378
-  %v3427 = load double, ptr %v23, align 8, !noalias !384
-  %v3428 = load double, ptr %v829, align 8, !noalias !384
-  br label %v3398
+v3274:
+  %v3299 = load i64, ptr %v820, align 8, !noalias !378
+  %v3300 = inttoptr i64 %v3299 to ptr
+  tail call void %v3300(ptr nonnull %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !378
+  %v3301 = load double, ptr %v23, align 8, !noalias !384
+  %v3302 = load double, ptr %v823, align 8, !noalias !384
+  br label %v3272
 
-v3409:
-  %v3429 = phi i64 [ %v3430, %v3409 ], [ 0, %v3404 ]
-  %v3430 = add nsw i64 %v3429, 1
-  %v3431 = add nsw i64 %v3429, %v17
-  %v3432 = icmp slt i64 %v3431, 0
-  %v3433 = select i1 %v3432, i64 %v166, i64 0
-  %v3434 = getelementptr double, ptr %v165, i64 %v3431
-  %v3435 = getelementptr double, ptr %v3434, i64 %v3433
-  %v3436 = load double, ptr %v3435, align 8, !noalias !385
-  %v3437 = getelementptr double, ptr %v804, i64 %v3429
-  %v3438 = load double, ptr %v3437, align 8, !noalias !385
-  store double %v3438, ptr %v3435, align 8, !noalias !385
-  store double %v3436, ptr %v3437, align 8, !noalias !385
-  %v3439 = icmp eq i64 %v18, %v3430
-  br i1 %v3439, label %v3400, label %v3409
+v3283:
+  %v3303 = phi i64 [ %v3304, %v3283 ], [ 0, %v3278 ]
+  %v3304 = add nsw i64 %v3303, 1
+  %v3305 = add nsw i64 %v3303, %v17
+  %v3306 = icmp slt i64 %v3305, 0
+  %v3307 = select i1 %v3306, i64 %v166, i64 0
+  %v3308 = getelementptr double, ptr %v165, i64 %v3305
+  %v3309 = getelementptr double, ptr %v3308, i64 %v3307
+  %v3310 = load double, ptr %v3309, align 8, !noalias !385
+  %v3311 = getelementptr double, ptr %v798, i64 %v3303
+  %v3312 = load double, ptr %v3311, align 8, !noalias !385
+  store double %v3312, ptr %v3309, align 8, !noalias !385
+  store double %v3310, ptr %v3311, align 8, !noalias !385
+  %v3313 = icmp eq i64 %v18, %v3304
+  br i1 %v3313, label %v3274, label %v3283
 
-v3402:
-  %v3401 = add i64 %v3399, 1
-  %v3440 = mul i64 %v3399, %v196
-  %v3441 = getelementptr double, ptr %v831, i64 %v3440
-  %v3442 = load double, ptr %v3441, align 8, !noalias !384
-  %v3443 = getelementptr double, ptr %v833, i64 %v3440
-  %v3444 = load double, ptr %v3443, align 8, !noalias !384
-  %v3445 = fsub double %v3442, %v3444
-  %v3446 = tail call double @llvm.fabs.f64(double %v3445)
-  %v3447 = getelementptr double, ptr %v193, i64 %v3440
-  %v3448 = load double, ptr %v3447, align 8, !noalias !384
-  %v3449 = tail call double @llvm.fabs.f64(double %v3448)
-  %v3450 = fmul double %v3427, %v3449
-  %v3451 = fadd double %v3428, %v3450
-  %v3452 = load double, ptr %v737, align 8, !noalias !384
-  %v3453 = fmul double %v3452, %v3446
-  %v3454 = fmul double %v3451, 1.000000e-01
-  %v3455 = fcmp ugt double %v3453, %v3454
-  br i1 %v3455, label %v3379, label %v3398
+v3276:
+  %v3275 = add i64 %v3273, 1
+  %v3314 = mul i64 %v3273, %v196
+  %v3315 = getelementptr double, ptr %v825, i64 %v3314
+  %v3316 = load double, ptr %v3315, align 8, !noalias !384
+  %v3317 = getelementptr double, ptr %v827, i64 %v3314
+  %v3318 = load double, ptr %v3317, align 8, !noalias !384
+  %v3319 = fsub double %v3316, %v3318
+  %v3320 = tail call double @llvm.fabs.f64(double %v3319)
+  %v3321 = getelementptr double, ptr %v193, i64 %v3314
+  %v3322 = load double, ptr %v3321, align 8, !noalias !384
+  %v3323 = tail call double @llvm.fabs.f64(double %v3322)
+  %v3324 = fmul double %v3301, %v3323
+  %v3325 = fadd double %v3302, %v3324
+  %v3326 = load double, ptr %v731, align 8, !noalias !384
+  %v3327 = fmul double %v3326, %v3320
+  %v3328 = fmul double %v3325, 1.000000e-01
+  %v3329 = fcmp ugt double %v3327, %v3328
+  br i1 %v3329, label %v3253, label %v3272
 
-v3379:
-  %v3456 = phi i1 [ false, %v3402 ], [ true, %v3376 ], [ true, %v3314 ]
-  %v3208 = phi ptr [ %v3207, %v3402 ], [ %v3207, %v3376 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.57, %v3314 ]
-  %v3457 = phi i1 [ true, %v3402 ], [ true, %v3376 ], [ false, %v3314 ]
-  %v3458 = phi i32 [ 0, %v3402 ], [ 0, %v3376 ], [ 1, %v3314 ]
-  br i1 %v3457, label %v2870, label %v2983, !prof !128
+v3253:
+  %v3330 = phi i1 [ false, %v3276 ], [ true, %v3250 ], [ true, %v3188 ]
+  %v3092 = phi ptr [ %v3091, %v3276 ], [ %v3091, %v3250 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.57, %v3188 ]
+  %v3331 = phi i1 [ true, %v3276 ], [ true, %v3250 ], [ false, %v3188 ]
+  %v3332 = phi i32 [ 0, %v3276 ], [ 0, %v3250 ], [ 1, %v3188 ]
+  br i1 %v3331, label %v2774, label %v2877, !prof !128
 
-v2870:
-  br i1 %v3456, label %v2867, label %v2988
+v2774:
+  br i1 %v3330, label %v2771, label %v2882
 
-v2982:
+v2876:
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %v300, i8 0, i64 32, i1 false), !noalias !277
-  %v3459 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v3205)
-  %v3460 = icmp eq i32 %v3459, 0
-  br i1 %v3460, label %v3461, label %v3462, !prof !128
+  %v3333 = call fastcc i32 @_ZN5pages12event_checks13find_crossingB3v64B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d(ptr %v300, ptr %v301, i64 %v14, ptr nonnull readonly %v92, i64 %v93, ptr %v124, i64 %v125, i64 %v126, ptr nonnull %v133, i64 %v135, ptr %v142, i64 %v144, ptr %v204, i64 %v205, i64 %v206, i64 %v207, double %v3089)
+  %v3334 = icmp eq i32 %v3333, 0
+  br i1 %v3334, label %v3335, label %v3336, !prof !128
 
-v3462:
-  %v3463 = load ptr, ptr %v301, align 8, !noalias !277
-  br label %v2992
+v3336:
+  %v3337 = load ptr, ptr %v301, align 8, !noalias !277
+  br label %v2886
 
-v3461:
-  %v3464 = load i64, ptr %v792, align 8, !noalias !277
-  %v3465 = icmp slt i64 %v3464, 0
-  br i1 %v3465, label %v2984, label %v3058
+v3335:
+  %v3338 = load i64, ptr %v786, align 8, !noalias !277
+  %v3339 = icmp slt i64 %v3338, 0
+  br i1 %v3339, label %v2878, label %v2952
 
-v3058:
-  %v3061 = load double, ptr %v300, align 8, !noalias !277
-  %v3060 = load double, ptr %v813, align 8, !noalias !277
-  %v3059 = load double, ptr %v814, align 8, !noalias !277
-  %v3057 = load double, ptr %v815, align 8, !noalias !277
-  br label %v3056
+v2952:
+  %v2955 = load double, ptr %v300, align 8, !noalias !277
+  %v2954 = load double, ptr %v807, align 8, !noalias !277
+  %v2953 = load double, ptr %v808, align 8, !noalias !277
+  %v2951 = load double, ptr %v809, align 8, !noalias !277
+  br label %v2950
 
-v3055:
-  %v3206 = phi double [ %v3052, %v3045 ], [ %v3018, %v3056 ]
-  %v3466 = icmp ugt i64 %v3209, 1
-  br i1 %v3466, label %v3204, label %v2988
+v2949:
+  %v3090 = phi double [ %v2946, %v2939 ], [ %v2912, %v2950 ]
+  %v3340 = icmp ugt i64 %v3093, 1
+  br i1 %v3340, label %v3088, label %v2882
 
-v2983:
-  %v3467 = phi ptr [ %v2979, %v2868 ], [ %v3208, %v3379 ]
-  %v3468 = phi i32 [ %v2981, %v2868 ], [ %v3458, %v3379 ]
-  %v3469 = icmp ne i32 %v3468, 0
-  br label %v2992
+v2877:
+  %v3341 = phi ptr [ %v2873, %v2772 ], [ %v3092, %v3253 ]
+  %v3342 = phi i32 [ %v2875, %v2772 ], [ %v3332, %v3253 ]
+  %v3343 = icmp ne i32 %v3342, 0
+  br label %v2886
 
-v2992:
-  %v3470 = phi i1 [ true, %v2987 ], [ false, %v3179 ], [ true, %v3462 ], [ %v3469, %v2983 ]
-  %v3471 = phi ptr [ null, %v2987 ], [ null, %v3179 ], [ %v3463, %v3462 ], [ %v3467, %v2983 ]
-  %v3472 = phi i1 [ false, %v2987 ], [ false, %v3179 ], [ true, %v3462 ], [ %v3469, %v2983 ]
+v2886:
+  %v3344 = phi i1 [ true, %v2881 ], [ false, %v3063 ], [ true, %v3336 ], [ %v3343, %v2877 ]
+  %v3345 = phi ptr [ null, %v2881 ], [ null, %v3063 ], [ %v3337, %v3336 ], [ %v3341, %v2877 ]
+  %v3346 = phi i1 [ false, %v2881 ], [ false, %v3063 ], [ true, %v3336 ], [ %v3343, %v2877 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %v300), !noalias !151
   call void @llvm.lifetime.end.p0(ptr nonnull %v301), !noalias !151
-  %v3473 = select i1 %v3472, ptr %v3471, ptr null, !prof !386
-  %v3474 = xor i1 %v3472, true
-  br i1 %v3470, label %v2134, label %v3475, !prof !387
+  %v3347 = select i1 %v3346, ptr %v3345, ptr null, !prof !386
+  %v3348 = xor i1 %v3346, true
+  br i1 %v3344, label %v2078, label %v3349, !prof !387
 
-v3475:
-  %v3476 = load double, ptr %v844, align 8, !noalias !151
-  %v3477 = fcmp olt double %v3476, 5.000000e-01
-  br i1 %v3477, label %v2134, label %v2848
+v3349:
+  %v3350 = load double, ptr %v838, align 8, !noalias !151
+  %v3351 = fcmp olt double %v3350, 5.000000e-01
+  br i1 %v3351, label %v2078, label %v2747
 
-v2848:
-  store double 1.000000e+00, ptr %v864, align 8, !noalias !151
-  %v3478 = load double, ptr %v794, align 8, !noalias !388
-  %v3479 = load double, ptr %v92, align 8, !noalias !388
-  %v3480 = fsub double %v3478, %v3479
-  %v3481 = fmul double %v3480, 1.000000e-13
-  %v3482 = load double, ptr %v133, align 8, !noalias !388
-  %v3483 = tail call double @llvm.fabs.f64(double %v3482)
-  %v3484 = fmul double %v3483, 4.000000e-15
-  %v3485 = fcmp ogt double %v3484, %v3481
-  %v3486 = select i1 %v3485, double %v3484, double %v3481
-  %v3487 = fdiv double %v3486, %v2136
-  %v3488 = fcmp ogt double %v3487, %v2330
-  %v3489 = select i1 %v3488, double %v3487, double %v2330
-  %v3490 = fcmp ult double %v3489, 1.000000e+00
-  br i1 %v3490, label %v3491, label %v2134
+v2747:
+  store double 1.000000e+00, ptr %v858, align 8, !noalias !151
+  %v3352 = load double, ptr %v788, align 8, !noalias !388
+  %v3353 = load double, ptr %v92, align 8, !noalias !388
+  %v3354 = fsub double %v3352, %v3353
+  %v3355 = fmul double %v3354, 1.000000e-13
+  %v3356 = load double, ptr %v133, align 8, !noalias !388
+  %v3357 = tail call double @llvm.fabs.f64(double %v3356)
+  %v3358 = fmul double %v3357, 4.000000e-15
+  %v3359 = fcmp ogt double %v3358, %v3355
+  %v3360 = select i1 %v3359, double %v3358, double %v3355
+  %v3361 = fdiv double %v3360, %v2080
+  %v3362 = fcmp ogt double %v3361, %v2264
+  %v3363 = select i1 %v3362, double %v3361, double %v2264
+  %v3364 = fcmp ult double %v3363, 1.000000e+00
+  br i1 %v3364, label %v3365, label %v2078
 
-v3491:
-  %v3492 = fsub double 1.000000e+00, %v3489
-  br i1 %v704, label %v3493, label %v3494
+v3365:
+  %v3366 = fsub double 1.000000e+00, %v3363
+  br i1 %v698, label %v3367, label %v3368
 
-v3493:
-  %v3495 = load double, ptr %v866, align 8, !noalias !151
-  %v3496 = fmul double %v3489, 4.000000e+00
-  %v3497 = fmul double %v3496, %v3492
-  %v3498 = fmul double %v3497, %v3495
-  %v3499 = fmul double %v3497, %v3498
-  %v3500 = fcmp olt double %v3499, 5.000000e-04
-  br i1 %v3500, label %v3501, label %v3494
+v3367:
+  %v3369 = load double, ptr %v860, align 8, !noalias !151
+  %v3370 = fmul double %v3363, 4.000000e+00
+  %v3371 = fmul double %v3370, %v3366
+  %v3372 = fmul double %v3371, %v3369
+  %v3373 = fmul double %v3371, %v3372
+  %v3374 = fcmp olt double %v3373, 5.000000e-04
+  br i1 %v3374, label %v3375, label %v3368
 
-v3501:
-  %v3502 = load double, ptr %v737, align 8, !noalias !392
-  %v3503 = fmul double %v3489, %v3502
-  %v3504 = fadd double %v3482, %v3503
-  store double %v3504, ptr %v739, align 8, !noalias !392
-  br i1 %v872, label %v3505, label %v3506
+v3375:
+  %v3376 = load double, ptr %v731, align 8, !noalias !392
+  %v3377 = fmul double %v3363, %v3376
+  %v3378 = fadd double %v3356, %v3377
+  store double %v3378, ptr %v733, align 8, !noalias !392
+  br i1 %v866, label %v3379, label %v3380
 
-v3506:
-  %v3507 = phi i64 [ %v3508, %v3506 ], [ 0, %v3501 ]
-  %v3509 = mul i64 %v3507, %v196
-  %v3510 = getelementptr double, ptr %v193, i64 %v3509
-  %v3511 = getelementptr i8, ptr %v3510, i64 %v748
-  %v3512 = load double, ptr %v3511, align 8, !noalias !399
-  %v3513 = fadd double %v3512, 0.000000e+00
-  %v3514 = fmul double %v3489, %v3513
-  %v3515 = getelementptr i8, ptr %v3510, i64 %v749
-  %v3516 = load double, ptr %v3515, align 8, !noalias !399
-  %v3517 = fadd double %v3516, %v3514
-  %v3518 = fmul double %v3492, %v3517
-  %v3519 = getelementptr i8, ptr %v3510, i64 %v750
-  %v3520 = load double, ptr %v3519, align 8, !noalias !399
-  %v3521 = fadd double %v3520, %v3518
-  %v3522 = fmul double %v3489, %v3521
-  %v3523 = getelementptr i8, ptr %v3510, i64 %v751
-  %v3524 = load double, ptr %v3523, align 8, !noalias !399
-  %v3525 = fadd double %v3524, %v3522
-  %v3526 = fmul double %v3492, %v3525
-  %v3527 = getelementptr i8, ptr %v3510, i64 %v752
-  %v3528 = load double, ptr %v3527, align 8, !noalias !399
-  %v3529 = fadd double %v3528, %v3526
-  %v3530 = fmul double %v3489, %v3529
-  %v3531 = getelementptr i8, ptr %v3510, i64 %v753
-  %v3532 = load double, ptr %v3531, align 8, !noalias !399
-  %v3533 = fadd double %v3532, %v3530
-  %v3534 = fmul double %v3492, %v3533
-  %v3535 = getelementptr i8, ptr %v3510, i64 %v754
-  %v3536 = load double, ptr %v3535, align 8, !noalias !399
-  %v3537 = fadd double %v3536, %v3534
-  %v3538 = fmul double %v3489, %v3537
-  %v3508 = add nsw i64 %v3507, 1
-  %v3539 = load double, ptr %v3510, align 8, !noalias !399
-  %v3540 = fadd double %v3539, %v3538
-  %v3541 = getelementptr double, ptr %v742, i64 %v3509
-  store double %v3540, ptr %v3541, align 8, !noalias !392
-  %v3542 = icmp eq i64 %v10, %v3508
-  br i1 %v3542, label %v3543, label %v3506
+v3380:
+  %v3381 = phi i64 [ %v3382, %v3380 ], [ 0, %v3375 ]
+  %v3383 = mul i64 %v3381, %v196
+  %v3384 = getelementptr double, ptr %v193, i64 %v3383
+  %v3385 = getelementptr i8, ptr %v3384, i64 %v742
+  %v3386 = load double, ptr %v3385, align 8, !noalias !399
+  %v3387 = fadd double %v3386, 0.000000e+00
+  %v3388 = fmul double %v3363, %v3387
+  %v3389 = getelementptr i8, ptr %v3384, i64 %v743
+  %v3390 = load double, ptr %v3389, align 8, !noalias !399
+  %v3391 = fadd double %v3390, %v3388
+  %v3392 = fmul double %v3366, %v3391
+  %v3393 = getelementptr i8, ptr %v3384, i64 %v744
+  %v3394 = load double, ptr %v3393, align 8, !noalias !399
+  %v3395 = fadd double %v3394, %v3392
+  %v3396 = fmul double %v3363, %v3395
+  %v3397 = getelementptr i8, ptr %v3384, i64 %v745
+  %v3398 = load double, ptr %v3397, align 8, !noalias !399
+  %v3399 = fadd double %v3398, %v3396
+  %v3400 = fmul double %v3366, %v3399
+  %v3401 = getelementptr i8, ptr %v3384, i64 %v746
+  %v3402 = load double, ptr %v3401, align 8, !noalias !399
+  %v3403 = fadd double %v3402, %v3400
+  %v3404 = fmul double %v3363, %v3403
+  %v3405 = getelementptr i8, ptr %v3384, i64 %v747
+  %v3406 = load double, ptr %v3405, align 8, !noalias !399
+  %v3407 = fadd double %v3406, %v3404
+  %v3408 = fmul double %v3366, %v3407
+  %v3409 = getelementptr i8, ptr %v3384, i64 %v748
+  %v3410 = load double, ptr %v3409, align 8, !noalias !399
+  %v3411 = fadd double %v3410, %v3408
+  %v3412 = fmul double %v3363, %v3411
+  %v3382 = add nsw i64 %v3381, 1
+  %v3413 = load double, ptr %v3384, align 8, !noalias !399
+  %v3414 = fadd double %v3413, %v3412
+  %v3415 = getelementptr double, ptr %v736, i64 %v3383
+  store double %v3414, ptr %v3415, align 8, !noalias !392
+  %v3416 = icmp eq i64 %v10, %v3382
+  br i1 %v3416, label %v3417, label %v3380
 
-v3505:
-  %v3544 = load double, ptr %v739, align 8, !noalias !403
-  store double %v3544, ptr %v796, align 8, !noalias !403
-  br label %v3545
+v3379:
+  %v3418 = load double, ptr %v733, align 8, !noalias !403
+  store double %v3418, ptr %v790, align 8, !noalias !403
+  br label %v3419
 
-v3545:
-  %v3546 = load i64, ptr %v6, align 8, !noalias !404
-  %v3547 = inttoptr i64 %v3546 to ptr
-  tail call void %v3547(ptr nonnull %v739, ptr %v877, ptr %v165, ptr %v172, ptr %v179, ptr %v879), !noalias !404
-  %v3548 = load i64, ptr %v744, align 8, !noalias !407
-  %v3549 = inttoptr i64 %v3548 to ptr
-  tail call void %v3549(ptr nonnull %v739, ptr %v881, ptr %v165, ptr %v172, ptr %v179, ptr %v883), !noalias !407
-  br i1 %v884, label %v2134, label %v3550
+v3419:
+  %v3420 = load i64, ptr %v6, align 8, !noalias !404
+  %v3421 = inttoptr i64 %v3420 to ptr
+  tail call void %v3421(ptr nonnull %v733, ptr %v871, ptr %v165, ptr %v172, ptr %v179, ptr %v873), !noalias !404
+  %v3422 = load i64, ptr %v738, align 8, !noalias !407
+  %v3423 = inttoptr i64 %v3422 to ptr
+  tail call void %v3423(ptr nonnull %v733, ptr %v875, ptr %v165, ptr %v172, ptr %v179, ptr %v877), !noalias !407
+  br i1 %v878, label %v2078, label %v3424
 
-v3543:
-  %v3551 = load double, ptr %v739, align 8, !noalias !403
-  store double %v3551, ptr %v796, align 8, !noalias !403
-  br label %v3552
+v3417:
+  %v3425 = load double, ptr %v733, align 8, !noalias !403
+  store double %v3425, ptr %v790, align 8, !noalias !403
+  br label %v3426
 
-v3552:
-  %v3553 = phi i64 [ 0, %v3543 ], [ %v3554, %v3552 ]
-  %v3554 = add nsw i64 %v3553, 1
-  %v3555 = mul i64 %v3553, %v196
-  %v3556 = getelementptr double, ptr %v742, i64 %v3555
-  %v3557 = load double, ptr %v3556, align 8, !noalias !403
-  %v3558 = getelementptr double, ptr %v874, i64 %v3555
-  store double %v3557, ptr %v3558, align 8, !noalias !403
-  %v3559 = icmp eq i64 %v10, %v3554
-  br i1 %v3559, label %v3545, label %v3552
+v3426:
+  %v3427 = phi i64 [ 0, %v3417 ], [ %v3428, %v3426 ]
+  %v3428 = add nsw i64 %v3427, 1
+  %v3429 = mul i64 %v3427, %v196
+  %v3430 = getelementptr double, ptr %v736, i64 %v3429
+  %v3431 = load double, ptr %v3430, align 8, !noalias !403
+  %v3432 = getelementptr double, ptr %v868, i64 %v3429
+  store double %v3431, ptr %v3432, align 8, !noalias !403
+  %v3433 = icmp eq i64 %v10, %v3428
+  br i1 %v3433, label %v3419, label %v3426
 
-v3560:
-  %v3561 = tail call double @llvm.fabs.f64(double %v3562)
-  %v3563 = getelementptr double, ptr %v812, i64 %v3564
-  %v3565 = load double, ptr %v3563, align 8, !noalias !407
-  %v3566 = fadd double %v3561, %v3565
-  %v3567 = fcmp ueq double %v3566, 0x7FF0000000000000
-  br i1 %v3567, label %v3568, label %v3569
+v3434:
+  store double 0.000000e+00, ptr %v3435, align 8, !noalias !407
+  %v3436 = icmp slt i64 %v3437, %v18
+  br i1 %v3436, label %v3438, label %v3439
 
-v3568:
-  %v3570 = fcmp une double %v3562, 0.000000e+00
-  br i1 %v3570, label %v3571, label %v3572
+v3438:
+  %v3440 = getelementptr double, ptr %v805, i64 %v3437
+  %v3441 = load double, ptr %v3440, align 8, !noalias !407
+  %v3442 = add nsw i64 %v3437, %v17
+  %v3443 = icmp slt i64 %v3442, 0
+  %v3444 = select i1 %v3443, i64 %v166, i64 0
+  %v3445 = getelementptr double, ptr %v165, i64 %v3442
+  %v3446 = getelementptr double, ptr %v3445, i64 %v3444
+  %v3447 = load double, ptr %v3446, align 8, !noalias !407
+  %v3448 = fcmp une double %v3441, %v3447
+  br i1 %v3448, label %v3449, label %v3439
 
-v3571:
-  %v3573 = getelementptr double, ptr %v812, i64 %v3564
-  store double 0.000000e+00, ptr %v3573, align 8, !noalias !407
-  br label %v3572
+v3449:
+  %v3450 = fcmp ord double %v3441, 0.000000e+00
+  br i1 %v3450, label %v3439, label %v3451
 
-v3572:
-  %v3574 = icmp slt i64 %v3564, %v18
-  br i1 %v3574, label %v3575, label %v3576
+v3451:
+  %v3452 = fcmp ord double %v3447, 0.000000e+00
+  %v3453 = select i1 %v3452, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v3439
 
-v3575:
-  %v3577 = getelementptr double, ptr %v811, i64 %v3564
-  %v3578 = load double, ptr %v3577, align 8, !noalias !407
-  %v3579 = add nsw i64 %v3564, %v17
-  %v3580 = icmp slt i64 %v3579, 0
-  %v3581 = select i1 %v3580, i64 %v166, i64 0
-  %v3582 = getelementptr double, ptr %v165, i64 %v3579
-  %v3583 = getelementptr double, ptr %v3582, i64 %v3581
-  %v3584 = load double, ptr %v3583, align 8, !noalias !407
-  %v3585 = fcmp une double %v3578, %v3584
-  br i1 %v3585, label %v3586, label %v3576
+v3439:
+  %v3454 = phi double [ 0xFFF0000000000000, %v3434 ], [ 0xFFF0000000000000, %v3449 ], [ %v3453, %v3451 ], [ 0x7FF0000000000000, %v3438 ]
+  %v3455 = fcmp uno double %v3456, 0.000000e+00
+  br i1 %v3455, label %v3457, label %v3458
 
-v3586:
-  %v3587 = fcmp ord double %v3578, 0.000000e+00
-  br i1 %v3587, label %v3576, label %v3588
+v3457:
+  store double %v3454, ptr %v3459, align 8, !noalias !407
+  br label %v3458
 
-v3588:
-  %v3589 = fcmp ord double %v3584, 0.000000e+00
-  br label %v3576
+v3458:
+  %v3460 = icmp eq i64 %v3461, %v207
+  br i1 %v3460, label %v2078, label %v3424
 
-v3576:
-  %v3590 = phi i1 [ true, %v3572 ], [ true, %v3586 ], [ %v3589, %v3588 ], [ false, %v3575 ]
-  %v3591 = fcmp uno double %v3562, 0.000000e+00
-  br i1 %v3591, label %v3592, label %v3593
+v3424:
+  %v3437 = phi i64 [ %v3461, %v3458 ], [ 0, %v3419 ]
+  %v3461 = add nsw i64 %v3437, 1
+  %v3459 = getelementptr double, ptr %v879, i64 %v3437
+  %v3456 = load double, ptr %v3459, align 8, !noalias !407
+  %v3462 = tail call double @llvm.fabs.f64(double %v3456)
+  %v3435 = getelementptr double, ptr %v806, i64 %v3437
+  %v3463 = load double, ptr %v3435, align 8, !noalias !407
+  %v3464 = fadd double %v3462, %v3463
+  %v3465 = fcmp ueq double %v3464, 0x7FF0000000000000
+  br i1 %v3465, label %v3434, label %v3458
 
-v3593:
-  %v3594 = fcmp oeq double %v3562, 0.000000e+00
-  %v3595 = and i1 %v3594, %v3590
-  %v3596 = and i1 %v3574, %v3595
-  br i1 %v3596, label %v3592, label %v3569
+v3368:
+  %v3466 = fmul double %v3360, 2.000000e+00
+  %v3467 = fcmp ogt double %v2080, %v3466
+  br i1 %v3467, label %v3468, label %v2078
 
-v3592:
-  %v3597 = select i1 %v3590, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v3597, ptr %v3598, align 8, !noalias !407
-  br label %v3569
+v3468:
+  %v3469 = load double, ptr %v790, align 8, !noalias !151
+  %v3470 = tail call double @llvm.fabs.f64(double %v3469)
+  %v3471 = fmul double %v3470, 4.000000e-15
+  %v3472 = fmul double %v2080, 0x3D719799812DEA11
+  %v3473 = fcmp ogt double %v3471, %v3472
+  %v3474 = select i1 %v3473, double %v3471, double %v3472
+  %v3475 = fsub double 1.000000e+00, %v3476
+  %v3477 = fmul double %v2080, %v3475
+  %v3478 = fcmp ogt double %v3477, %v3474
+  br i1 %v3478, label %v3479, label %v2078
 
-v3569:
-  %v3599 = icmp eq i64 %v3600, %v207
-  br i1 %v3599, label %v2134, label %v3550
+v3479:
+  %v3480 = fmul double %v2080, %v3363
+  store double 0.000000e+00, ptr %v862, align 8, !noalias !411
+  store double 0.000000e+00, ptr %v864, align 8, !noalias !411
+  store double %v3480, ptr %v865, align 8, !noalias !411
+  %v3481 = load i64, ptr %v142, align 8, !noalias !411
+  %v3482 = icmp slt i64 %v3481, 0
+  %v3483 = select i1 %v3482, i64 %v125, i64 0
+  %v3484 = add i64 %v3483, %v3481
+  %v3485 = mul i64 %v3484, %v126
+  %v3486 = getelementptr i64, ptr %v124, i64 %v3485
+  %v3487 = load i64, ptr %v3486, align 8, !noalias !411
+  %v3488 = add nsw i64 %v3487, -1
+  store i64 %v3488, ptr %v3486, align 8, !noalias !411
+  %v3489 = load i64, ptr %v142, align 8, !noalias !411
+  %v3490 = icmp slt i64 %v3489, 0
+  %v3491 = select i1 %v3490, i64 %v125, i64 0
+  %v3492 = add i64 %v3491, %v3489
+  %v3493 = mul i64 %v3492, %v126
+  %v3494 = getelementptr i64, ptr %v124, i64 %v3493
+  %v3495 = getelementptr i8, ptr %v3494, i64 24
+  %v3496 = load i64, ptr %v3495, align 8, !noalias !411
+  %v3497 = add nsw i64 %v3496, 1
+  store i64 %v3497, ptr %v3495, align 8, !noalias !411
+  br label %v2078
 
-v3550:
-  %v3564 = phi i64 [ %v3600, %v3569 ], [ 0, %v3545 ]
-  %v3600 = add nsw i64 %v3564, 1
-  %v3598 = getelementptr double, ptr %v885, i64 %v3564
-  %v3562 = load double, ptr %v3598, align 8, !noalias !407
-  %v3601 = fcmp ueq double %v3562, 0.000000e+00
-  br i1 %v3601, label %v3568, label %v3560
+v2077:
+  %v3498 = load i64, ptr %v786, align 8, !noalias !151
+  %v3499 = icmp slt i64 %v3498, 0
+  br i1 %v3499, label %v2078, label %v2079
 
-v3494:
-  %v3602 = fmul double %v3486, 2.000000e+00
-  %v3603 = fcmp ogt double %v2136, %v3602
-  br i1 %v3603, label %v3604, label %v2134
+v2152:
+  %v3476 = phi double [ %v2143, %v2142 ], [ %v2116, %v2089 ]
+  %v2264 = phi double [ %v2149, %v2142 ], [ %v2115, %v2089 ]
+  br i1 %v304, label %v2260, label %v2758
 
-v3604:
-  %v3605 = load double, ptr %v796, align 8, !noalias !151
-  %v3606 = tail call double @llvm.fabs.f64(double %v3605)
-  %v3607 = fmul double %v3606, 4.000000e-15
-  %v3608 = fmul double %v2136, 0x3D719799812DEA11
-  %v3609 = fcmp ogt double %v3607, %v3608
-  %v3610 = select i1 %v3609, double %v3607, double %v3608
-  %v3611 = fsub double 1.000000e+00, %v3612
-  %v3613 = fmul double %v2136, %v3611
-  %v3614 = fcmp ogt double %v3613, %v3610
-  br i1 %v3614, label %v3615, label %v2134
+v2078:
+  %v3500 = phi ptr [ null, %v3468 ], [ %v3347, %v2886 ], [ null, %v3479 ], [ null, %v3368 ], [ null, %v2747 ], [ null, %v3349 ], [ null, %v2694 ], [ null, %v2077 ], [ %v2074, %v1879 ], [ null, %v3419 ], [ null, %v3458 ]
+  %v3501 = phi i1 [ true, %v3468 ], [ %v3348, %v2886 ], [ true, %v3479 ], [ true, %v3368 ], [ true, %v2747 ], [ true, %v3349 ], [ true, %v2694 ], [ true, %v2077 ], [ false, %v1879 ], [ true, %v3419 ], [ true, %v3458 ]
+  br i1 %v3501, label %v1765, label %v1678, !prof !128
 
-v3615:
-  %v3616 = fmul double %v2136, %v3489
-  store double 0.000000e+00, ptr %v868, align 8, !noalias !411
-  store double 0.000000e+00, ptr %v870, align 8, !noalias !411
-  store double %v3616, ptr %v871, align 8, !noalias !411
-  %v3617 = load i64, ptr %v142, align 8, !noalias !411
-  %v3618 = icmp slt i64 %v3617, 0
-  %v3619 = select i1 %v3618, i64 %v125, i64 0
-  %v3620 = add i64 %v3619, %v3617
-  %v3621 = mul i64 %v3620, %v126
-  %v3622 = getelementptr i64, ptr %v124, i64 %v3621
-  %v3623 = load i64, ptr %v3622, align 8, !noalias !411
-  %v3624 = add nsw i64 %v3623, -1
-  store i64 %v3624, ptr %v3622, align 8, !noalias !411
-  %v3625 = load i64, ptr %v142, align 8, !noalias !411
-  %v3626 = icmp slt i64 %v3625, 0
-  %v3627 = select i1 %v3626, i64 %v125, i64 0
-  %v3628 = add i64 %v3627, %v3625
-  %v3629 = mul i64 %v3628, %v126
-  %v3630 = getelementptr i64, ptr %v124, i64 %v3629
-  %v3631 = getelementptr i8, ptr %v3630, i64 24
-  %v3632 = load i64, ptr %v3631, align 8, !noalias !411
-  %v3633 = add nsw i64 %v3632, 1
-  store i64 %v3633, ptr %v3631, align 8, !noalias !411
-  br label %v2134
+v1765:
+  %v3502 = select i1 %v1536, i1 true, i1 %v661
+  %v3503 = select i1 %v3502, i64 0, i64 %v12
+  br label %v1678
 
-v2133:
-  %v3634 = load i64, ptr %v792, align 8, !noalias !151
-  %v3635 = icmp slt i64 %v3634, 0
-  br i1 %v3635, label %v2134, label %v2135
+v3504:
+  %v3505 = phi i64 [ 0, %v1671 ], [ %v3506, %v3507 ]
+  %v3508 = phi i64 [ %v693, %v1671 ], [ %v3509, %v3507 ]
+  %v3510 = icmp sgt i64 %v3508, 0
+  br i1 %v3510, label %v3507, label %v1672
 
-v2208:
-  %v3612 = phi double [ %v2199, %v2198 ], [ %v2172, %v2145 ]
-  %v2330 = phi double [ %v2205, %v2198 ], [ %v2171, %v2145 ]
-  br i1 %v304, label %v2326, label %v2854
+v1671:
+  %v3511 = load double, ptr %v692, align 8, !noalias !414
+  store double %v3511, ptr %v675, align 8, !noalias !414
+  br label %v3504
 
-v2134:
-  %v3636 = phi ptr [ null, %v3604 ], [ %v3473, %v2992 ], [ null, %v3615 ], [ null, %v3494 ], [ null, %v2848 ], [ null, %v3475 ], [ null, %v2795 ], [ null, %v2133 ], [ %v2130, %v1935 ], [ null, %v3545 ], [ null, %v3569 ]
-  %v3637 = phi i1 [ true, %v3604 ], [ %v3474, %v2992 ], [ true, %v3615 ], [ true, %v3494 ], [ true, %v2848 ], [ true, %v3475 ], [ true, %v2795 ], [ true, %v2133 ], [ false, %v1935 ], [ true, %v3545 ], [ true, %v3569 ]
-  br i1 %v3637, label %v1811, label %v1724, !prof !128
+v3507:
+  %v3509 = add nsw i64 %v3508, -1
+  %v3506 = add i64 %v3505, 1
+  %v3512 = getelementptr double, ptr %v694, i64 %v3505
+  %v3513 = icmp slt i64 %v3505, 0
+  %v3514 = select i1 %v3513, i64 %v207, i64 0
+  %v3515 = getelementptr double, ptr %v3512, i64 %v3514
+  %v3516 = load double, ptr %v3515, align 8, !noalias !414
+  %v3517 = fcmp olt double %v3516, 0x7FF0000000000000
+  %v3518 = select i1 %v3517, double %v3516, double 0x7FF0000000000000
+  %v3519 = fcmp ogt double %v3516, 0xFFF0000000000000
+  %v3520 = select i1 %v3519, double %v3516, double 0xFFF0000000000000
+  %v3521 = getelementptr double, ptr %v3515, i64 %v682
+  %v3522 = load double, ptr %v3521, align 8, !noalias !414
+  %v3523 = fcmp olt double %v3522, %v3518
+  %v3524 = select i1 %v3523, double %v3522, double %v3518
+  %v3525 = fcmp ogt double %v3522, %v3520
+  %v3526 = select i1 %v3525, double %v3522, double %v3520
+  %v3527 = getelementptr i8, ptr %v3515, i64 %v1078
+  %v3528 = load double, ptr %v3527, align 8, !noalias !414
+  %v3529 = fcmp olt double %v3528, %v3524
+  %v3530 = select i1 %v3529, double %v3528, double %v3524
+  %v3531 = fcmp ogt double %v3528, %v3526
+  %v3532 = select i1 %v3531, double %v3528, double %v3526
+  %v3533 = getelementptr i8, ptr %v3515, i64 %v1079
+  %v3534 = load double, ptr %v3533, align 8, !noalias !414
+  %v3535 = fcmp olt double %v3534, %v3530
+  %v3536 = select i1 %v3535, double %v3534, double %v3530
+  %v3537 = fcmp ogt double %v3534, %v3532
+  %v3538 = select i1 %v3537, double %v3534, double %v3532
+  %v3539 = getelementptr i8, ptr %v3515, i64 %v1080
+  %v3540 = load double, ptr %v3539, align 8, !noalias !414
+  %v3541 = fcmp olt double %v3540, %v3536
+  %v3542 = select i1 %v3541, double %v3540, double %v3536
+  %v3543 = fcmp ogt double %v3540, %v3538
+  %v3544 = select i1 %v3543, double %v3540, double %v3538
+  %v3545 = getelementptr i8, ptr %v3515, i64 %v1081
+  %v3546 = load double, ptr %v3545, align 8, !noalias !414
+  %v3547 = fcmp olt double %v3546, %v3542
+  %v3548 = select i1 %v3547, double %v3546, double %v3542
+  %v3549 = fcmp ogt double %v3546, %v3544
+  %v3550 = select i1 %v3549, double %v3546, double %v3544
+  %v3551 = getelementptr i8, ptr %v3515, i64 %v1082
+  %v3552 = load double, ptr %v3551, align 8, !noalias !414
+  %v3553 = fcmp olt double %v3552, %v3548
+  %v3554 = select i1 %v3553, double %v3552, double %v3548
+  %v3555 = fcmp ogt double %v3552, %v3550
+  %v3556 = select i1 %v3555, double %v3552, double %v3550
+  %v3557 = getelementptr i8, ptr %v3515, i64 %v1083
+  %v3558 = load double, ptr %v3557, align 8, !noalias !414
+  %v3559 = fcmp olt double %v3558, %v3554
+  %v3560 = select i1 %v3559, double %v3558, double %v3554
+  %v3561 = fcmp ogt double %v3558, %v3556
+  %v3562 = select i1 %v3561, double %v3558, double %v3556
+  %v3563 = getelementptr i8, ptr %v3515, i64 %v1084
+  %v3564 = load double, ptr %v3563, align 8, !noalias !414
+  %v3565 = fcmp olt double %v3564, %v3560
+  %v3566 = select i1 %v3565, double %v3564, double %v3560
+  %v3567 = fcmp ogt double %v3564, %v3562
+  %v3568 = select i1 %v3567, double %v3564, double %v3562
+  %v3569 = fsub double %v3568, %v3566
+  %v3570 = fmul double %v3569, 2.500000e-01
+  %v3571 = icmp slt i64 %v3505, 0
+  %v3572 = select i1 %v3571, i64 %v207, i64 0
+  %v3573 = add i64 %v3572, %v3505
+  %v3574 = getelementptr double, ptr %v695, i64 %v3573
+  %v3575 = getelementptr double, ptr %v696, i64 %v3573
+  %v3576 = getelementptr double, ptr %v3574, i64 %v682
+  %v3577 = load double, ptr %v3576, align 8, !noalias !415
+  %v3578 = load double, ptr %v3575, align 8, !noalias !415
+  %v3579 = fmul double %v3578, 0x3FDDF27AAAADCB3A
+  %v3580 = fsub double %v3577, %v3579
+  %v3581 = getelementptr i8, ptr %v3575, i64 %v1085
+  %v3582 = load double, ptr %v3581, align 8, !noalias !415
+  %v3583 = fmul double %v3582, 0x3FEC575F1EBC4F2F
+  %v3584 = fsub double %v3580, %v3583
+  %v3585 = getelementptr i8, ptr %v3575, i64 %v1086
+  %v3586 = load double, ptr %v3585, align 8, !noalias !415
+  %v3587 = fmul double %v3586, 0xBFE1306AA3D795F4
+  %v3588 = fsub double %v3584, %v3587
+  %v3589 = getelementptr i8, ptr %v3575, i64 %v1087
+  %v3590 = load double, ptr %v3589, align 8, !noalias !415
+  %v3591 = fmul double %v3590, 0x3FCCB9F574BDCC3A
+  %v3592 = fsub double %v3588, %v3591
+  %v3593 = getelementptr i8, ptr %v3575, i64 %v1088
+  %v3594 = load double, ptr %v3593, align 8, !noalias !415
+  %v3595 = fmul double %v3594, 0xBFA4EAF2D6B11E79
+  %v3596 = fsub double %v3592, %v3595
+  %v3597 = tail call double @llvm.fabs.f64(double %v3596)
+  %v3598 = fcmp ogt double %v3597, 0.000000e+00
+  %v3599 = select i1 %v3598, double %v3597, double 0.000000e+00
+  %v3600 = getelementptr i8, ptr %v3574, i64 %v1089
+  %v3601 = load double, ptr %v3600, align 8, !noalias !415
+  %v3602 = load double, ptr %v3575, align 8, !noalias !415
+  %v3603 = fmul double %v3602, 0xBFA5118805F8B876
+  %v3604 = fsub double %v3601, %v3603
+  %v3605 = getelementptr i8, ptr %v3575, i64 %v1090
+  %v3606 = load double, ptr %v3605, align 8, !noalias !415
+  %v3607 = fmul double %v3606, 0x3FE51326698BC5BD
+  %v3608 = fsub double %v3604, %v3607
+  %v3609 = getelementptr i8, ptr %v3575, i64 %v1091
+  %v3610 = load double, ptr %v3609, align 8, !noalias !415
+  %v3611 = fmul double %v3610, 0x3FDF97DED30D4572
+  %v3612 = fsub double %v3608, %v3611
+  %v3613 = getelementptr i8, ptr %v3575, i64 %v1092
+  %v3614 = load double, ptr %v3613, align 8, !noalias !415
+  %v3615 = fmul double %v3614, 0xBFC0DA0C684D1D67
+  %v3616 = fsub double %v3612, %v3615
+  %v3617 = getelementptr i8, ptr %v3575, i64 %v1093
+  %v3618 = load double, ptr %v3617, align 8, !noalias !415
+  %v3619 = fmul double %v3618, 0x3F9510B8EC0D4D92
+  %v3620 = fsub double %v3616, %v3619
+  %v3621 = tail call double @llvm.fabs.f64(double %v3620)
+  %v3622 = fcmp ogt double %v3621, %v3599
+  %v3623 = select i1 %v3622, double %v3621, double %v3599
+  %v3624 = getelementptr i8, ptr %v3574, i64 %v1094
+  %v3625 = load double, ptr %v3624, align 8, !noalias !415
+  %v3626 = load double, ptr %v3575, align 8, !noalias !415
+  %v3627 = fmul double %v3626, 0x3F9635A30F8F142F
+  %v3628 = fsub double %v3625, %v3627
+  %v3629 = getelementptr i8, ptr %v3575, i64 %v1095
+  %v3630 = load double, ptr %v3629, align 8, !noalias !415
+  %v3631 = fmul double %v3630, 0xBFC1EAE0FF33D241
+  %v3632 = fsub double %v3628, %v3631
+  %v3633 = getelementptr i8, ptr %v3575, i64 %v1096
+  %v3634 = load double, ptr %v3633, align 8, !noalias !415
+  %v3635 = fmul double %v3634, 0x3FE1625D59218460
+  %v3636 = fsub double %v3632, %v3635
+  %v3637 = getelementptr i8, ptr %v3575, i64 %v1097
+  %v3638 = load double, ptr %v3637, align 8, !noalias !415
+  %v3639 = fmul double %v3638, 0x3FE3BBC3E8A29641
+  %v3640 = fsub double %v3636, %v3639
+  %v3641 = getelementptr i8, ptr %v3575, i64 %v1098
+  %v3642 = load double, ptr %v3641, align 8, !noalias !415
+  %v3643 = fmul double %v3642, 0xBFA55161A739EB34
+  %v3644 = fsub double %v3640, %v3643
+  %v3645 = tail call double @llvm.fabs.f64(double %v3644)
+  %v3646 = fcmp ogt double %v3645, %v3623
+  %v3647 = select i1 %v3646, double %v3645, double %v3623
+  %v3648 = getelementptr i8, ptr %v3574, i64 %v1099
+  %v3649 = load double, ptr %v3648, align 8, !noalias !415
+  %v3650 = load double, ptr %v3575, align 8, !noalias !415
+  %v3651 = fmul double %v3650, 0xBFA4F0C0BB579409
+  %v3652 = fsub double %v3649, %v3651
+  %v3653 = getelementptr i8, ptr %v3575, i64 %v1100
+  %v3654 = load double, ptr %v3653, align 8, !noalias !415
+  %v3655 = fmul double %v3654, 0x3FCD2266FBC0D976
+  %v3656 = fsub double %v3652, %v3655
+  %v3657 = getelementptr i8, ptr %v3575, i64 %v1101
+  %v3658 = load double, ptr %v3657, align 8, !noalias !415
+  %v3659 = fmul double %v3658, 0xBFE1F2DB6FEE3151
+  %v3660 = fsub double %v3656, %v3659
+  %v3661 = getelementptr i8, ptr %v3575, i64 %v1102
+  %v3662 = load double, ptr %v3661, align 8, !noalias !415
+  %v3663 = fmul double %v3662, 0x3FF0C05015964CBE
+  %v3664 = fsub double %v3660, %v3663
+  %v3665 = getelementptr i8, ptr %v3575, i64 %v1103
+  %v3666 = load double, ptr %v3665, align 8, !noalias !415
+  %v3667 = fmul double %v3666, 0x3FD4F15B230DB570
+  %v3668 = fsub double %v3664, %v3667
+  %v3669 = tail call double @llvm.fabs.f64(double %v3668)
+  %v3670 = fcmp ogt double %v3669, %v3647
+  %v3671 = select i1 %v3670, double %v3669, double %v3647
+  %v3672 = fmul double %v3671, 1.000000e+01
+  %v3673 = fadd double %v3570, %v3672
+  %v3674 = icmp slt i64 %v3505, 0
+  %v3675 = select i1 %v3674, i64 %v207, i64 0
+  %v3676 = getelementptr double, ptr %v697, i64 %v3505
+  %v3677 = getelementptr double, ptr %v3676, i64 %v3675
+  %v3678 = load double, ptr %v3677, align 8, !noalias !414
+  %v3679 = fcmp ogt double %v3673, %v3678
+  %v3680 = fneg double %v3678
+  %v3681 = select i1 %v3679, double %v3673, double %v3680
+  %v3682 = fcmp olt double %v3566, %v3681
+  br i1 %v3682, label %v1672, label %v3504
 
-v1811:
-  %v3638 = select i1 %v1572, i1 true, i1 %v667
-  %v3639 = select i1 %v3638, i64 0, i64 %v12
-  br label %v1724
+v1672:
+  %v1674 = phi i1 [ false, %v1569 ], [ %v3510, %v3507 ], [ %v3510, %v3504 ]
+  %v3683 = phi ptr [ %v1669, %v1569 ], [ null, %v3507 ], [ null, %v3504 ]
+  %v3684 = phi i32 [ %v1670, %v1569 ], [ 0, %v3507 ], [ 0, %v3504 ]
+  %v3685 = icmp eq i32 %v3684, 0
+  br i1 %v3685, label %v1555, label %v1678, !prof !128
 
-v3640:
-  %v3641 = phi i64 [ 0, %v1717 ], [ %v3642, %v3643 ]
-  %v3644 = phi i64 [ %v699, %v1717 ], [ %v3645, %v3643 ]
-  %v3646 = icmp sgt i64 %v3644, 0
-  br i1 %v3646, label %v3643, label %v1718
+v1678:
+  %v3686 = phi i64 [ 0, %v1555 ], [ %v3503, %v1765 ], [ 0, %v1672 ], [ 0, %v2078 ]
+  %v3687 = phi i1 [ true, %v1555 ], [ true, %v1765 ], [ false, %v1672 ], [ false, %v2078 ]
+  %v3688 = phi ptr [ undef, %v1555 ], [ undef, %v1765 ], [ %v3683, %v1672 ], [ %v3500, %v2078 ]
+  %v3689 = phi i32 [ 0, %v1555 ], [ 0, %v1765 ], [ 1, %v1672 ], [ 1, %v2078 ]
+  br i1 %v3687, label %v3690, label %v3691, !prof !128
 
-v1717:
-  %v3647 = load double, ptr %v698, align 8, !noalias !414
-  store double %v3647, ptr %v681, align 8, !noalias !414
-  br label %v3640
+v3692:
+  %v3693 = getelementptr double, ptr %v882, i64 %v3694
+  %v3695 = load double, ptr %v3693, align 8, !noalias !419
+  %v3696 = fcmp olt double %v3695, 5.000000e-01
+  br i1 %v3696, label %v3697, label %v3698
 
-v3643:
-  %v3645 = add nsw i64 %v3644, -1
-  %v3642 = add i64 %v3641, 1
-  %v3648 = getelementptr double, ptr %v700, i64 %v3641
-  %v3649 = icmp slt i64 %v3641, 0
-  %v3650 = select i1 %v3649, i64 %v207, i64 0
-  %v3651 = getelementptr double, ptr %v3648, i64 %v3650
-  %v3652 = load double, ptr %v3651, align 8, !noalias !414
-  %v3653 = fcmp olt double %v3652, 0x7FF0000000000000
-  %v3654 = select i1 %v3653, double %v3652, double 0x7FF0000000000000
-  %v3655 = fcmp ogt double %v3652, 0xFFF0000000000000
-  %v3656 = select i1 %v3655, double %v3652, double 0xFFF0000000000000
-  %v3657 = getelementptr double, ptr %v3651, i64 %v688
-  %v3658 = load double, ptr %v3657, align 8, !noalias !414
-  %v3659 = fcmp olt double %v3658, %v3654
-  %v3660 = select i1 %v3659, double %v3658, double %v3654
-  %v3661 = fcmp ogt double %v3658, %v3656
-  %v3662 = select i1 %v3661, double %v3658, double %v3656
-  %v3663 = getelementptr i8, ptr %v3651, i64 %v1084
-  %v3664 = load double, ptr %v3663, align 8, !noalias !414
-  %v3665 = fcmp olt double %v3664, %v3660
-  %v3666 = select i1 %v3665, double %v3664, double %v3660
-  %v3667 = fcmp ogt double %v3664, %v3662
-  %v3668 = select i1 %v3667, double %v3664, double %v3662
-  %v3669 = getelementptr i8, ptr %v3651, i64 %v1085
-  %v3670 = load double, ptr %v3669, align 8, !noalias !414
-  %v3671 = fcmp olt double %v3670, %v3666
-  %v3672 = select i1 %v3671, double %v3670, double %v3666
-  %v3673 = fcmp ogt double %v3670, %v3668
-  %v3674 = select i1 %v3673, double %v3670, double %v3668
-  %v3675 = getelementptr i8, ptr %v3651, i64 %v1086
-  %v3676 = load double, ptr %v3675, align 8, !noalias !414
-  %v3677 = fcmp olt double %v3676, %v3672
-  %v3678 = select i1 %v3677, double %v3676, double %v3672
-  %v3679 = fcmp ogt double %v3676, %v3674
-  %v3680 = select i1 %v3679, double %v3676, double %v3674
-  %v3681 = getelementptr i8, ptr %v3651, i64 %v1087
-  %v3682 = load double, ptr %v3681, align 8, !noalias !414
-  %v3683 = fcmp olt double %v3682, %v3678
-  %v3684 = select i1 %v3683, double %v3682, double %v3678
-  %v3685 = fcmp ogt double %v3682, %v3680
-  %v3686 = select i1 %v3685, double %v3682, double %v3680
-  %v3687 = getelementptr i8, ptr %v3651, i64 %v1088
-  %v3688 = load double, ptr %v3687, align 8, !noalias !414
-  %v3689 = fcmp olt double %v3688, %v3684
-  %v3690 = select i1 %v3689, double %v3688, double %v3684
-  %v3691 = fcmp ogt double %v3688, %v3686
-  %v3692 = select i1 %v3691, double %v3688, double %v3686
-  %v3693 = getelementptr i8, ptr %v3651, i64 %v1089
-  %v3694 = load double, ptr %v3693, align 8, !noalias !414
-  %v3695 = fcmp olt double %v3694, %v3690
-  %v3696 = select i1 %v3695, double %v3694, double %v3690
-  %v3697 = fcmp ogt double %v3694, %v3692
-  %v3698 = select i1 %v3697, double %v3694, double %v3692
-  %v3699 = getelementptr i8, ptr %v3651, i64 %v1090
-  %v3700 = load double, ptr %v3699, align 8, !noalias !414
-  %v3701 = fcmp olt double %v3700, %v3696
-  %v3702 = select i1 %v3701, double %v3700, double %v3696
-  %v3703 = fcmp ogt double %v3700, %v3698
-  %v3704 = select i1 %v3703, double %v3700, double %v3698
-  %v3705 = fsub double %v3704, %v3702
-  %v3706 = fmul double %v3705, 2.500000e-01
-  %v3707 = icmp slt i64 %v3641, 0
-  %v3708 = select i1 %v3707, i64 %v207, i64 0
-  %v3709 = add i64 %v3708, %v3641
-  %v3710 = getelementptr double, ptr %v701, i64 %v3709
-  %v3711 = getelementptr double, ptr %v702, i64 %v3709
-  %v3712 = getelementptr double, ptr %v3710, i64 %v688
-  %v3713 = load double, ptr %v3712, align 8, !noalias !415
-  %v3714 = load double, ptr %v3711, align 8, !noalias !415
-  %v3715 = fmul double %v3714, 0x3FDDF27AAAADCB3A
-  %v3716 = fsub double %v3713, %v3715
-  %v3717 = getelementptr i8, ptr %v3711, i64 %v1091
-  %v3718 = load double, ptr %v3717, align 8, !noalias !415
-  %v3719 = fmul double %v3718, 0x3FEC575F1EBC4F2F
-  %v3720 = fsub double %v3716, %v3719
-  %v3721 = getelementptr i8, ptr %v3711, i64 %v1092
-  %v3722 = load double, ptr %v3721, align 8, !noalias !415
-  %v3723 = fmul double %v3722, 0xBFE1306AA3D795F4
-  %v3724 = fsub double %v3720, %v3723
-  %v3725 = getelementptr i8, ptr %v3711, i64 %v1093
-  %v3726 = load double, ptr %v3725, align 8, !noalias !415
-  %v3727 = fmul double %v3726, 0x3FCCB9F574BDCC3A
-  %v3728 = fsub double %v3724, %v3727
-  %v3729 = getelementptr i8, ptr %v3711, i64 %v1094
-  %v3730 = load double, ptr %v3729, align 8, !noalias !415
-  %v3731 = fmul double %v3730, 0xBFA4EAF2D6B11E79
-  %v3732 = fsub double %v3728, %v3731
-  %v3733 = tail call double @llvm.fabs.f64(double %v3732)
-  %v3734 = fcmp ogt double %v3733, 0.000000e+00
-  %v3735 = select i1 %v3734, double %v3733, double 0.000000e+00
-  %v3736 = getelementptr i8, ptr %v3710, i64 %v1095
-  %v3737 = load double, ptr %v3736, align 8, !noalias !415
-  %v3738 = load double, ptr %v3711, align 8, !noalias !415
-  %v3739 = fmul double %v3738, 0xBFA5118805F8B876
-  %v3740 = fsub double %v3737, %v3739
-  %v3741 = getelementptr i8, ptr %v3711, i64 %v1096
-  %v3742 = load double, ptr %v3741, align 8, !noalias !415
-  %v3743 = fmul double %v3742, 0x3FE51326698BC5BD
-  %v3744 = fsub double %v3740, %v3743
-  %v3745 = getelementptr i8, ptr %v3711, i64 %v1097
-  %v3746 = load double, ptr %v3745, align 8, !noalias !415
-  %v3747 = fmul double %v3746, 0x3FDF97DED30D4572
-  %v3748 = fsub double %v3744, %v3747
-  %v3749 = getelementptr i8, ptr %v3711, i64 %v1098
-  %v3750 = load double, ptr %v3749, align 8, !noalias !415
-  %v3751 = fmul double %v3750, 0xBFC0DA0C684D1D67
-  %v3752 = fsub double %v3748, %v3751
-  %v3753 = getelementptr i8, ptr %v3711, i64 %v1099
-  %v3754 = load double, ptr %v3753, align 8, !noalias !415
-  %v3755 = fmul double %v3754, 0x3F9510B8EC0D4D92
-  %v3756 = fsub double %v3752, %v3755
-  %v3757 = tail call double @llvm.fabs.f64(double %v3756)
-  %v3758 = fcmp ogt double %v3757, %v3735
-  %v3759 = select i1 %v3758, double %v3757, double %v3735
-  %v3760 = getelementptr i8, ptr %v3710, i64 %v1100
-  %v3761 = load double, ptr %v3760, align 8, !noalias !415
-  %v3762 = load double, ptr %v3711, align 8, !noalias !415
-  %v3763 = fmul double %v3762, 0x3F9635A30F8F142F
-  %v3764 = fsub double %v3761, %v3763
-  %v3765 = getelementptr i8, ptr %v3711, i64 %v1101
-  %v3766 = load double, ptr %v3765, align 8, !noalias !415
-  %v3767 = fmul double %v3766, 0xBFC1EAE0FF33D241
-  %v3768 = fsub double %v3764, %v3767
-  %v3769 = getelementptr i8, ptr %v3711, i64 %v1102
-  %v3770 = load double, ptr %v3769, align 8, !noalias !415
-  %v3771 = fmul double %v3770, 0x3FE1625D59218460
-  %v3772 = fsub double %v3768, %v3771
-  %v3773 = getelementptr i8, ptr %v3711, i64 %v1103
-  %v3774 = load double, ptr %v3773, align 8, !noalias !415
-  %v3775 = fmul double %v3774, 0x3FE3BBC3E8A29641
-  %v3776 = fsub double %v3772, %v3775
-  %v3777 = getelementptr i8, ptr %v3711, i64 %v1104
-  %v3778 = load double, ptr %v3777, align 8, !noalias !415
-  %v3779 = fmul double %v3778, 0xBFA55161A739EB34
-  %v3780 = fsub double %v3776, %v3779
-  %v3781 = tail call double @llvm.fabs.f64(double %v3780)
-  %v3782 = fcmp ogt double %v3781, %v3759
-  %v3783 = select i1 %v3782, double %v3781, double %v3759
-  %v3784 = getelementptr i8, ptr %v3710, i64 %v1105
-  %v3785 = load double, ptr %v3784, align 8, !noalias !415
-  %v3786 = load double, ptr %v3711, align 8, !noalias !415
-  %v3787 = fmul double %v3786, 0xBFA4F0C0BB579409
-  %v3788 = fsub double %v3785, %v3787
-  %v3789 = getelementptr i8, ptr %v3711, i64 %v1106
-  %v3790 = load double, ptr %v3789, align 8, !noalias !415
-  %v3791 = fmul double %v3790, 0x3FCD2266FBC0D976
-  %v3792 = fsub double %v3788, %v3791
-  %v3793 = getelementptr i8, ptr %v3711, i64 %v1107
-  %v3794 = load double, ptr %v3793, align 8, !noalias !415
-  %v3795 = fmul double %v3794, 0xBFE1F2DB6FEE3151
-  %v3796 = fsub double %v3792, %v3795
-  %v3797 = getelementptr i8, ptr %v3711, i64 %v1108
-  %v3798 = load double, ptr %v3797, align 8, !noalias !415
-  %v3799 = fmul double %v3798, 0x3FF0C05015964CBE
-  %v3800 = fsub double %v3796, %v3799
-  %v3801 = getelementptr i8, ptr %v3711, i64 %v1109
-  %v3802 = load double, ptr %v3801, align 8, !noalias !415
-  %v3803 = fmul double %v3802, 0x3FD4F15B230DB570
-  %v3804 = fsub double %v3800, %v3803
-  %v3805 = tail call double @llvm.fabs.f64(double %v3804)
-  %v3806 = fcmp ogt double %v3805, %v3783
-  %v3807 = select i1 %v3806, double %v3805, double %v3783
-  %v3808 = fmul double %v3807, 1.000000e+01
-  %v3809 = fadd double %v3706, %v3808
-  %v3810 = icmp slt i64 %v3641, 0
-  %v3811 = select i1 %v3810, i64 %v207, i64 0
-  %v3812 = getelementptr double, ptr %v703, i64 %v3641
-  %v3813 = getelementptr double, ptr %v3812, i64 %v3811
-  %v3814 = load double, ptr %v3813, align 8, !noalias !414
-  %v3815 = fcmp ogt double %v3809, %v3814
-  %v3816 = fneg double %v3814
-  %v3817 = select i1 %v3815, double %v3809, double %v3816
-  %v3818 = fcmp olt double %v3702, %v3817
-  br i1 %v3818, label %v1718, label %v3640
+v3698:
+  %v3699 = getelementptr i64, ptr %v110, i64 %v3700
+  %v3701 = load i64, ptr %v3699, align 8, !noalias !419
+  %v3702 = icmp eq i64 %v3701, 0
+  br i1 %v3702, label %v3703, label %v3697
 
-v1718:
-  %v1720 = phi i1 [ false, %v1605 ], [ %v3646, %v3643 ], [ %v3646, %v3640 ]
-  %v3819 = phi ptr [ %v1715, %v1605 ], [ null, %v3643 ], [ null, %v3640 ]
-  %v3820 = phi i32 [ %v1716, %v1605 ], [ 0, %v3643 ], [ 0, %v3640 ]
-  %v3821 = icmp eq i32 %v3820, 0
-  br i1 %v3821, label %v1591, label %v1724, !prof !128
+v3703:
+  %v3704 = mul i64 %v3700, %v126
+  %v3705 = getelementptr i64, ptr %v124, i64 %v3704
+  %v3706 = getelementptr i8, ptr %v3705, i64 8
+  %v3707 = load i64, ptr %v3706, align 8, !noalias !419
+  %v3708 = add nsw i64 %v3707, %v3686
+  store i64 %v3708, ptr %v3706, align 8, !noalias !419
+  %v3709 = getelementptr double, ptr %v884, i64 %v3694
+  %v3710 = load double, ptr %v3709, align 8, !noalias !419
+  %v3711 = load i64, ptr %v3712, align 8, !noalias !422
+  %v3713 = getelementptr i64, ptr %v886, i64 %v3694
+  %v3714 = load i64, ptr %v3713, align 8, !noalias !422
+  %v3715 = icmp slt i64 %v3714, %v93
+  br i1 %v3715, label %v3716, label %v3717
 
-v1724:
-  %v3822 = phi i64 [ 0, %v1591 ], [ %v3639, %v1811 ], [ 0, %v1718 ], [ 0, %v2134 ]
-  %v3823 = phi i1 [ true, %v1591 ], [ true, %v1811 ], [ false, %v1718 ], [ false, %v2134 ]
-  %v3824 = phi ptr [ undef, %v1591 ], [ undef, %v1811 ], [ %v3819, %v1718 ], [ %v3636, %v2134 ]
-  %v3825 = phi i32 [ 0, %v1591 ], [ 0, %v1811 ], [ 1, %v1718 ], [ 1, %v2134 ]
-  br i1 %v3823, label %v3826, label %v3827, !prof !128
+v3716:
+  %v3718 = icmp slt i64 %v3714, 0
+  %v3719 = select i1 %v3718, i64 %v93, i64 0
+  %v3720 = getelementptr double, ptr %v92, i64 %v3714
+  %v3721 = getelementptr double, ptr %v3720, i64 %v3719
+  %v3722 = load double, ptr %v3721, align 8, !noalias !422
+  %v3723 = fcmp ugt double %v3722, %v3710
+  br i1 %v3723, label %v3717, label %v3724
+
+v3724:
+  %v3725 = getelementptr double, ptr %v133, i64 %v3694
+  %v3726 = getelementptr double, ptr %v888, i64 %v3694
+  %v3727 = getelementptr double, ptr %v193, i64 %v3694
+  %v3728 = getelementptr double, ptr %v892, i64 %v3694
+  %v3729 = icmp slt i64 %v3711, 0
+  %v3730 = select i1 %v3729, i64 %v100, i64 0
+  %v3731 = add i64 %v3730, %v3711
+  %v3732 = mul i64 %v893, %v3731
+  %v3733 = getelementptr double, ptr %v99, i64 %v3732
+  %v3734 = getelementptr double, ptr %v894, i64 %v3694
+  br label %v3735
+
+v3735:
+  %v3736 = phi i64 [ %v3737, %v3738 ], [ %v3714, %v3724 ]
+  %v3739 = icmp slt i64 %v3736, 0
+  %v3740 = select i1 %v3739, i64 %v93, i64 0
+  %v3741 = getelementptr double, ptr %v92, i64 %v3736
+  %v3742 = getelementptr double, ptr %v3741, i64 %v3740
+  %v3743 = load double, ptr %v3742, align 8, !noalias !422
+  %v3744 = load double, ptr %v3725, align 8, !noalias !422
+  %v3745 = fsub double %v3743, %v3744
+  %v3746 = load double, ptr %v3726, align 8, !noalias !422
+  %v3747 = fdiv double %v3745, %v3746
+  br i1 %v890, label %v3748, label %v3749
+
+v3749:
+  %v3750 = fsub double 1.000000e+00, %v3747
+  %v3751 = select i1 %v3739, i64 %v101, i64 0
+  %v3752 = add i64 %v3751, %v3736
+  %v3753 = mul i64 %v3752, %v102
+  %v3754 = getelementptr double, ptr %v3733, i64 %v3753
+  br label %v3755
+
+v3756:
+  %v3757 = getelementptr double, ptr %v3734, i64 %v3758
+  %v3759 = load double, ptr %v3757, align 8, !noalias !422
+  br label %v3760
+
+v3748:
+  store double 0x7FF0000000000000, ptr %v3728, align 8, !noalias !422
+  %v3761 = icmp eq i64 %v3736, %v895
+  br i1 %v3761, label %v3717, label %v3738
+
+v3738:
+  %v3737 = add i64 %v3736, 1
+  %v3762 = icmp slt i64 %v3736, -1
+  %v3763 = select i1 %v3762, i64 %v93, i64 0
+  %v3764 = getelementptr double, ptr %v92, i64 %v3737
+  %v3765 = getelementptr double, ptr %v3764, i64 %v3763
+  %v3766 = load double, ptr %v3765, align 8, !noalias !422
+  %v3767 = fcmp ugt double %v3766, %v3710
+  br i1 %v3767, label %v3717, label %v3735
+
+v3717:
+  %v3768 = phi i64 [ %v3714, %v3716 ], [ %v3714, %v3703 ], [ %v93, %v3748 ], [ %v3737, %v3738 ]
+  store i64 %v3768, ptr %v3713, align 8, !noalias !422
+  br label %v3697
+
+v3760:
+  %v3769 = phi double [ %v3770, %v3771 ], [ %v3759, %v3756 ]
+  %v3772 = getelementptr double, ptr %v3754, i64 %v3773
+  store double %v3769, ptr %v3772, align 8, !noalias !422
+  %v3774 = icmp eq i64 %v10, %v3775
+  br i1 %v3774, label %v3748, label %v3755
+
+v3755:
+  %v3773 = phi i64 [ 0, %v3749 ], [ %v3775, %v3760 ]
+  %v3775 = add nsw i64 %v3773, 1
+  %v3776 = load double, ptr %v3742, align 8, !noalias !422
+  %v3777 = load double, ptr %v3709, align 8, !noalias !422
+  %v3778 = fcmp oeq double %v3776, %v3777
+  %v3758 = mul i64 %v3773, %v196
+  br i1 %v3778, label %v3756, label %v3771
+
+v3771:
+  %v3779 = getelementptr double, ptr %v3727, i64 %v3758
+  %v3780 = getelementptr i8, ptr %v3779, i64 %v896
+  %v3781 = load double, ptr %v3780, align 8, !noalias !426
+  %v3782 = fadd double %v3781, 0.000000e+00
+  %v3783 = fmul double %v3747, %v3782
+  %v3784 = getelementptr i8, ptr %v3779, i64 %v897
+  %v3785 = load double, ptr %v3784, align 8, !noalias !426
+  %v3786 = fadd double %v3785, %v3783
+  %v3787 = fmul double %v3750, %v3786
+  %v3788 = getelementptr i8, ptr %v3779, i64 %v898
+  %v3789 = load double, ptr %v3788, align 8, !noalias !426
+  %v3790 = fadd double %v3789, %v3787
+  %v3791 = fmul double %v3747, %v3790
+  %v3792 = getelementptr i8, ptr %v3779, i64 %v899
+  %v3793 = load double, ptr %v3792, align 8, !noalias !426
+  %v3794 = fadd double %v3793, %v3791
+  %v3795 = fmul double %v3750, %v3794
+  %v3796 = getelementptr i8, ptr %v3779, i64 %v900
+  %v3797 = load double, ptr %v3796, align 8, !noalias !426
+  %v3798 = fadd double %v3797, %v3795
+  %v3799 = fmul double %v3747, %v3798
+  %v3800 = getelementptr i8, ptr %v3779, i64 %v901
+  %v3801 = load double, ptr %v3800, align 8, !noalias !426
+  %v3802 = fadd double %v3801, %v3799
+  %v3803 = fmul double %v3750, %v3802
+  %v3804 = getelementptr i8, ptr %v3779, i64 %v902
+  %v3805 = load double, ptr %v3804, align 8, !noalias !426
+  %v3806 = fadd double %v3805, %v3803
+  %v3807 = fmul double %v3747, %v3806
+  %v3808 = load double, ptr %v3779, align 8, !noalias !426
+  %v3770 = fadd double %v3808, %v3807
+  br label %v3760
+
+v3697:
+  %v3809 = icmp eq i64 %v3810, %v9
+  br i1 %v3809, label %v3811, label %v3812
+
+v3812:
+  %v3694 = phi i64 [ %v3810, %v3697 ], [ 0, %v3690 ]
+  %v3810 = add nsw i64 %v3694, 1
+  %v3712 = getelementptr i64, ptr %v142, i64 %v3694
+  %v3700 = load i64, ptr %v3712, align 8, !noalias !419
+  %v3813 = icmp slt i64 %v3700, 0
+  br i1 %v3813, label %v3697, label %v3692
+
+v3811:
+  br i1 %v903, label %v3814, label %v3815
+
+v3815:
+  %v3816 = load double, ptr %v905, align 8
+  %v3817 = fcmp ogt double %v3816, 5.000000e-01
+  br i1 %v3817, label %v3814, label %v3818
+
+v3814:
+  %v3819 = load i64, ptr %v906, align 8, !noalias !430
+  %v3820 = inttoptr i64 %v3819 to ptr
+  tail call void %v3820(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !430
+  br label %v3818
+
+v3818:
+  br i1 %v1551, label %v3821, label %v3822
+
+v3821:
+  %v3823 = load double, ptr %v908, align 8, !noalias !433
+  %v3824 = fcmp olt double %v3823, 5.000000e-01
+  br i1 %v3824, label %v3822, label %v3825
+
+v3825:
+  %v3826 = load double, ptr %v910, align 8, !noalias !433
+  %v3827 = fcmp oeq double %v3826, 1.000000e+00
+  br i1 %v3827, label %v3828, label %v3829
+
+v3829:
+  br i1 %v912, label %v3830, label %v3831
 
 v3828:
-  %v3829 = getelementptr double, ptr %v888, i64 %v3830
-  %v3831 = load double, ptr %v3829, align 8, !noalias !419
-  %v3832 = fcmp olt double %v3831, 5.000000e-01
-  br i1 %v3832, label %v3833, label %v3834
+  br i1 %v936, label %v3832, label %v3833
 
 v3834:
-  %v3835 = getelementptr i64, ptr %v110, i64 %v3836
-  %v3837 = load i64, ptr %v3835, align 8, !noalias !419
-  %v3838 = icmp eq i64 %v3837, 0
-  br i1 %v3838, label %v3839, label %v3833
+  %v3835 = fcmp uno double %v3836, 0.000000e+00
+  %v3837 = fcmp uno double %v3838, 0.000000e+00
+  %v3839 = and i1 %v3835, %v3837
+  br i1 %v3839, label %v3840, label %v3841
 
-v3839:
-  %v3840 = mul i64 %v3836, %v126
-  %v3841 = getelementptr i64, ptr %v124, i64 %v3840
-  %v3842 = getelementptr i8, ptr %v3841, i64 8
-  %v3843 = load i64, ptr %v3842, align 8, !noalias !419
-  %v3844 = add nsw i64 %v3843, %v3822
-  store i64 %v3844, ptr %v3842, align 8, !noalias !419
-  %v3845 = getelementptr double, ptr %v890, i64 %v3830
-  %v3846 = load double, ptr %v3845, align 8, !noalias !419
-  %v3847 = load i64, ptr %v3848, align 8, !noalias !422
-  %v3849 = getelementptr i64, ptr %v892, i64 %v3830
-  %v3850 = load i64, ptr %v3849, align 8, !noalias !422
-  %v3851 = icmp slt i64 %v3850, %v93
-  br i1 %v3851, label %v3852, label %v3853
+v3832:
+  %v3842 = phi i64 [ %v3843, %v3840 ], [ 0, %v3828 ]
+  %v3843 = add nsw i64 %v3842, 1
+  %v3844 = getelementptr double, ptr %v937, i64 %v3842
+  %v3836 = load double, ptr %v3844, align 8, !noalias !437
+  %v3845 = add nsw i64 %v3842, %v17
+  %v3846 = icmp slt i64 %v3845, 0
+  %v3847 = select i1 %v3846, i64 %v166, i64 0
+  %v3848 = getelementptr double, ptr %v165, i64 %v3845
+  %v3849 = getelementptr double, ptr %v3848, i64 %v3847
+  %v3838 = load double, ptr %v3849, align 8, !noalias !437
+  %v3850 = fcmp une double %v3836, %v3838
+  br i1 %v3850, label %v3834, label %v3840
+
+v3840:
+  %v3851 = icmp eq i64 %v3843, %v18
+  br i1 %v3851, label %v3833, label %v3832
 
 v3852:
-  %v3854 = icmp slt i64 %v3850, 0
-  %v3855 = select i1 %v3854, i64 %v93, i64 0
-  %v3856 = getelementptr double, ptr %v92, i64 %v3850
-  %v3857 = getelementptr double, ptr %v3856, i64 %v3855
-  %v3858 = load double, ptr %v3857, align 8, !noalias !422
-  %v3859 = fcmp ugt double %v3858, %v3846
-  br i1 %v3859, label %v3853, label %v3860
+  %v3853 = load double, ptr %v941, align 8, !noalias !433
+  %v3854 = load double, ptr %v23, align 8, !noalias !433
+  %v3855 = mul i64 %v3856, %v196
+  %v3857 = getelementptr double, ptr %v193, i64 %v3855
+  %v3858 = load double, ptr %v3857, align 8, !noalias !433
+  %v3859 = tail call double @llvm.fabs.f64(double %v3858)
+  %v3860 = fmul double %v3854, %v3859
+  %v3861 = fadd double %v3853, %v3860
+  %v3862 = add i64 %v3856, %v195
+  %v3863 = mul i64 %v3862, %v196
+  %v3864 = getelementptr double, ptr %v193, i64 %v3863
+  %v3865 = load double, ptr %v3864, align 8, !noalias !433
+  %v3866 = tail call double @llvm.fabs.f64(double %v3865)
+  %v3867 = fmul double %v3868, %v3866
+  %v3869 = fcmp ogt double %v3867, %v3861
+  br label %v3870
 
-v3860:
-  %v3861 = getelementptr double, ptr %v133, i64 %v3830
-  %v3862 = getelementptr double, ptr %v894, i64 %v3830
-  %v3863 = getelementptr double, ptr %v193, i64 %v3830
-  %v3864 = getelementptr double, ptr %v898, i64 %v3830
-  %v3865 = icmp slt i64 %v3847, 0
-  %v3866 = select i1 %v3865, i64 %v100, i64 0
-  %v3867 = add i64 %v3866, %v3847
-  %v3868 = mul i64 %v899, %v3867
-  %v3869 = getelementptr double, ptr %v99, i64 %v3868
-  %v3870 = getelementptr double, ptr %v900, i64 %v3830
-  br label %v3871
+v3870:
+  %v3871 = phi i1 [ true, %v3872 ], [ %v3869, %v3852 ]
+  %v3873 = icmp eq i64 %v10, %v3874
+  br i1 %v3873, label %v3875, label %v3872
 
-v3871:
-  %v3872 = phi i64 [ %v3873, %v3874 ], [ %v3850, %v3860 ]
-  %v3875 = icmp slt i64 %v3872, 0
-  %v3876 = select i1 %v3875, i64 %v93, i64 0
-  %v3877 = getelementptr double, ptr %v92, i64 %v3872
-  %v3878 = getelementptr double, ptr %v3877, i64 %v3876
-  %v3879 = load double, ptr %v3878, align 8, !noalias !422
-  %v3880 = load double, ptr %v3861, align 8, !noalias !422
+v3875:
+  %v3876 = select i1 %v3871, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %v3877
+
+v3877:
+  %v3878 = phi double [ 5.000000e-06, %v3841 ], [ %v3876, %v3875 ]
+  %v3879 = load double, ptr %v943, align 8, !noalias !433
+  %v3880 = load double, ptr %v92, align 8, !noalias !433
   %v3881 = fsub double %v3879, %v3880
-  %v3882 = load double, ptr %v3862, align 8, !noalias !422
-  %v3883 = fdiv double %v3881, %v3882
-  br i1 %v896, label %v3884, label %v3885
-
-v3885:
-  %v3886 = fsub double 1.000000e+00, %v3883
-  %v3887 = select i1 %v3875, i64 %v101, i64 0
-  %v3888 = add i64 %v3887, %v3872
-  %v3889 = mul i64 %v3888, %v102
-  %v3890 = getelementptr double, ptr %v3869, i64 %v3889
-  br label %v3891
-
-v3892:
-  %v3893 = getelementptr double, ptr %v3870, i64 %v3894
-  %v3895 = load double, ptr %v3893, align 8, !noalias !422
-  br label %v3896
+  %v3882 = fmul double %v3878, %v3881
+  %v3883 = fcmp olt double %v3868, %v3882
+  br i1 %v3883, label %v3884, label %v3885
 
 v3884:
-  store double 0x7FF0000000000000, ptr %v3864, align 8, !noalias !422
-  %v3897 = icmp eq i64 %v3872, %v901
-  br i1 %v3897, label %v3853, label %v3874
+  %v3886 = load i64, ptr %v945, align 8, !noalias !433
+  %v3887 = add nsw i64 %v3886, 1
+  br label %v3885
 
-v3874:
-  %v3873 = add i64 %v3872, 1
-  %v3898 = icmp slt i64 %v3872, -1
-  %v3899 = select i1 %v3898, i64 %v93, i64 0
-  %v3900 = getelementptr double, ptr %v92, i64 %v3873
-  %v3901 = getelementptr double, ptr %v3900, i64 %v3899
-  %v3902 = load double, ptr %v3901, align 8, !noalias !422
-  %v3903 = fcmp ugt double %v3902, %v3846
-  br i1 %v3903, label %v3853, label %v3871
+v3885:
+  %v3888 = phi i64 [ %v3887, %v3884 ], [ 0, %v3877 ]
+  store i64 %v3888, ptr %v947, align 8, !noalias !433
+  %v3889 = load double, ptr %v133, align 8, !noalias !433
+  store double %v3889, ptr %v939, align 8, !noalias !433
+  store double 1.000000e+00, ptr %v949, align 8, !noalias !433
+  store i64 2, ptr %v452, align 8, !noalias !433
+  %v3890 = load i64, ptr %v947, align 8, !noalias !433
+  %v3891 = icmp sgt i64 %v3890, 1000
+  br i1 %v3891, label %v3892, label %v3833
 
-v3853:
-  %v3904 = phi i64 [ %v3850, %v3852 ], [ %v3850, %v3839 ], [ %v93, %v3884 ], [ %v3873, %v3874 ]
-  store i64 %v3904, ptr %v3849, align 8, !noalias !422
+v3892:
+  %v3893 = load i64, ptr %v142, align 8, !noalias !441
+  %v3894 = icmp sgt i64 %v3893, -1
+  br i1 %v3894, label %v3895, label %v3833
+
+v3895:
+  %v3896 = getelementptr i64, ptr %v110, i64 %v3893
+  %v3897 = load i64, ptr %v3896, align 8, !noalias !441
+  %v3898 = icmp eq i64 %v3897, 0
+  br i1 %v3898, label %v3899, label %v3833
+
+v3899:
+  store i64 6, ptr %v3896, align 8, !noalias !441
   br label %v3833
 
-v3896:
-  %v3905 = phi double [ %v3906, %v3907 ], [ %v3895, %v3892 ]
-  %v3908 = getelementptr double, ptr %v3890, i64 %v3909
-  store double %v3905, ptr %v3908, align 8, !noalias !422
-  %v3910 = icmp eq i64 %v10, %v3911
-  br i1 %v3910, label %v3884, label %v3891
+v3831:
+  br i1 %v917, label %v3900, label %v3833
 
-v3891:
-  %v3909 = phi i64 [ 0, %v3885 ], [ %v3911, %v3896 ]
-  %v3911 = add nsw i64 %v3909, 1
-  %v3912 = load double, ptr %v3878, align 8, !noalias !422
-  %v3913 = load double, ptr %v3845, align 8, !noalias !422
-  %v3914 = fcmp oeq double %v3912, %v3913
-  %v3894 = mul i64 %v3909, %v196
-  br i1 %v3914, label %v3892, label %v3907
+v3901:
+  store double 1.000000e+00, ptr %v3902, align 8, !noalias !444
+  store i64 %v3903, ptr %v915, align 8, !noalias !444
+  br label %v3904
+
+v3904:
+  %v3905 = icmp eq i64 %v3906, %v18
+  br i1 %v3905, label %v3831, label %v3830
 
 v3907:
-  %v3915 = getelementptr double, ptr %v3863, i64 %v3894
-  %v3916 = getelementptr i8, ptr %v3915, i64 %v902
-  %v3917 = load double, ptr %v3916, align 8, !noalias !426
-  %v3918 = fadd double %v3917, 0.000000e+00
-  %v3919 = fmul double %v3883, %v3918
-  %v3920 = getelementptr i8, ptr %v3915, i64 %v903
-  %v3921 = load double, ptr %v3920, align 8, !noalias !426
-  %v3922 = fadd double %v3921, %v3919
-  %v3923 = fmul double %v3886, %v3922
-  %v3924 = getelementptr i8, ptr %v3915, i64 %v904
-  %v3925 = load double, ptr %v3924, align 8, !noalias !426
-  %v3926 = fadd double %v3925, %v3923
-  %v3927 = fmul double %v3883, %v3926
-  %v3928 = getelementptr i8, ptr %v3915, i64 %v905
-  %v3929 = load double, ptr %v3928, align 8, !noalias !426
-  %v3930 = fadd double %v3929, %v3927
-  %v3931 = fmul double %v3886, %v3930
-  %v3932 = getelementptr i8, ptr %v3915, i64 %v906
-  %v3933 = load double, ptr %v3932, align 8, !noalias !426
-  %v3934 = fadd double %v3933, %v3931
-  %v3935 = fmul double %v3883, %v3934
-  %v3936 = getelementptr i8, ptr %v3915, i64 %v907
-  %v3937 = load double, ptr %v3936, align 8, !noalias !426
-  %v3938 = fadd double %v3937, %v3935
-  %v3939 = fmul double %v3886, %v3938
-  %v3940 = getelementptr i8, ptr %v3915, i64 %v908
-  %v3941 = load double, ptr %v3940, align 8, !noalias !426
-  %v3942 = fadd double %v3941, %v3939
-  %v3943 = fmul double %v3883, %v3942
-  %v3944 = load double, ptr %v3915, align 8, !noalias !426
-  %v3906 = fadd double %v3944, %v3943
-  br label %v3896
+  %v3908 = fcmp uno double %v3909, 0.000000e+00
+  %v3910 = fcmp uno double %v3911, 0.000000e+00
+  %v3912 = and i1 %v3908, %v3910
+  br i1 %v3912, label %v3913, label %v3914
 
-v3833:
-  %v3945 = icmp eq i64 %v3946, %v9
-  br i1 %v3945, label %v3947, label %v3948
+v3900:
+  %v3915 = phi i64 [ %v3916, %v3913 ], [ 0, %v3831 ]
+  %v3916 = add nsw i64 %v3915, 1
+  %v3917 = getelementptr double, ptr %v918, i64 %v3915
+  %v3909 = load double, ptr %v3917, align 8, !noalias !448
+  %v3918 = add nsw i64 %v3915, %v17
+  %v3919 = icmp slt i64 %v3918, 0
+  %v3920 = select i1 %v3919, i64 %v166, i64 0
+  %v3921 = getelementptr double, ptr %v165, i64 %v3918
+  %v3922 = getelementptr double, ptr %v3921, i64 %v3920
+  %v3911 = load double, ptr %v3922, align 8, !noalias !448
+  %v3923 = fcmp une double %v3909, %v3911
+  br i1 %v3923, label %v3907, label %v3913
 
-v3948:
-  %v3830 = phi i64 [ %v3946, %v3833 ], [ 0, %v3826 ]
-  %v3946 = add nsw i64 %v3830, 1
-  %v3848 = getelementptr i64, ptr %v142, i64 %v3830
-  %v3836 = load i64, ptr %v3848, align 8, !noalias !419
-  %v3949 = icmp slt i64 %v3836, 0
-  br i1 %v3949, label %v3833, label %v3828
+v3913:
+  %v3924 = icmp eq i64 %v3916, %v18
+  br i1 %v3924, label %v3833, label %v3900
 
-v3947:
-  br i1 %v909, label %v3950, label %v3951
+v3925:
+  %v3926 = phi i64 [ 0, %v3927 ], [ %v3928, %v3929 ]
+  %v3930 = icmp eq i64 %v3926, %v504
+  br i1 %v3930, label %v3833, label %v3929
 
-v3951:
-  %v3952 = load double, ptr %v911, align 8
-  %v3953 = fcmp ogt double %v3952, 5.000000e-01
-  br i1 %v3953, label %v3950, label %v3954
+v3931:
+  %v3932 = load i64, ptr %v923, align 8, !noalias !452
+  %v3933 = inttoptr i64 %v3932 to ptr
+  tail call void %v3933(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !452
+  %v3934 = load i64, ptr %v6, align 8, !noalias !461
+  %v3935 = inttoptr i64 %v3934 to ptr
+  tail call void %v3935(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v925), !noalias !461
+  br i1 %v926, label %v3936, label %v3927
 
-v3950:
-  %v3955 = load i64, ptr %v912, align 8, !noalias !430
-  %v3956 = inttoptr i64 %v3955 to ptr
-  tail call void %v3956(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !430
-  br label %v3954
+v3937:
+  %v3938 = phi i64 [ %v3939, %v3937 ], [ 0, %v3914 ]
+  %v3939 = add nsw i64 %v3938, 1
+  %v3940 = add nsw i64 %v3938, %v17
+  %v3941 = icmp slt i64 %v3940, 0
+  %v3942 = select i1 %v3941, i64 %v166, i64 0
+  %v3943 = getelementptr double, ptr %v165, i64 %v3940
+  %v3944 = getelementptr double, ptr %v3943, i64 %v3942
+  %v3945 = load double, ptr %v3944, align 8, !noalias !464
+  %v3946 = getelementptr double, ptr %v918, i64 %v3938
+  %v3947 = load double, ptr %v3946, align 8, !noalias !464
+  store double %v3947, ptr %v3944, align 8, !noalias !464
+  store double %v3945, ptr %v3946, align 8, !noalias !464
+  %v3948 = icmp eq i64 %v3939, %v18
+  br i1 %v3948, label %v3931, label %v3937
 
-v3954:
-  br i1 %v1587, label %v3957, label %v3958
+v3927:
+  %v3949 = load i64, ptr %v923, align 8, !noalias !465
+  %v3950 = inttoptr i64 %v3949 to ptr
+  tail call void %v3950(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !465
+  %v3951 = load double, ptr %v23, align 8, !noalias !471
+  %v3952 = load double, ptr %v927, align 8, !noalias !471
+  br label %v3925
 
-v3957:
-  %v3959 = load double, ptr %v914, align 8, !noalias !433
-  %v3960 = fcmp olt double %v3959, 5.000000e-01
-  br i1 %v3960, label %v3958, label %v3961
+v3936:
+  %v3953 = phi i64 [ %v3954, %v3936 ], [ 0, %v3931 ]
+  %v3954 = add nsw i64 %v3953, 1
+  %v3955 = add nsw i64 %v3953, %v17
+  %v3956 = icmp slt i64 %v3955, 0
+  %v3957 = select i1 %v3956, i64 %v166, i64 0
+  %v3958 = getelementptr double, ptr %v165, i64 %v3955
+  %v3959 = getelementptr double, ptr %v3958, i64 %v3957
+  %v3960 = load double, ptr %v3959, align 8, !noalias !472
+  %v3961 = getelementptr double, ptr %v918, i64 %v3953
+  %v3962 = load double, ptr %v3961, align 8, !noalias !472
+  store double %v3962, ptr %v3959, align 8, !noalias !472
+  store double %v3960, ptr %v3961, align 8, !noalias !472
+  %v3963 = icmp eq i64 %v3954, %v18
+  br i1 %v3963, label %v3927, label %v3936
 
-v3961:
-  %v3962 = load double, ptr %v916, align 8, !noalias !433
-  %v3963 = fcmp oeq double %v3962, 1.000000e+00
-  br i1 %v3963, label %v3964, label %v3965
+v3929:
+  %v3928 = add i64 %v3926, 1
+  %v3964 = mul i64 %v3926, %v196
+  %v3965 = getelementptr double, ptr %v930, i64 %v3964
+  %v3966 = load double, ptr %v3965, align 8, !noalias !471
+  %v3967 = getelementptr double, ptr %v932, i64 %v3964
+  %v3968 = load double, ptr %v3967, align 8, !noalias !471
+  %v3969 = fsub double %v3966, %v3968
+  %v3970 = tail call double @llvm.fabs.f64(double %v3969)
+  %v3971 = getelementptr double, ptr %v193, i64 %v3964
+  %v3972 = load double, ptr %v3971, align 8, !noalias !471
+  %v3973 = tail call double @llvm.fabs.f64(double %v3972)
+  %v3974 = fmul double %v3951, %v3973
+  %v3975 = fadd double %v3952, %v3974
+  %v3976 = load double, ptr %v934, align 8, !noalias !471
+  %v3977 = fmul double %v3976, %v3970
+  %v3978 = fmul double %v3975, 1.000000e-01
+  %v3979 = fcmp ugt double %v3977, %v3978
+  br i1 %v3979, label %v3980, label %v3925
 
-v3965:
-  br i1 %v918, label %v3966, label %v3967
-
-v3964:
-  br i1 %v942, label %v3968, label %v3969
-
-v3970:
-  %v3971 = fcmp uno double %v3972, 0.000000e+00
-  %v3973 = fcmp uno double %v3974, 0.000000e+00
-  %v3975 = and i1 %v3971, %v3973
-  br i1 %v3975, label %v3976, label %v3977
-
-v3968:
-  %v3978 = phi i64 [ %v3979, %v3976 ], [ 0, %v3964 ]
-  %v3979 = add nsw i64 %v3978, 1
-  %v3980 = getelementptr double, ptr %v943, i64 %v3978
-  %v3972 = load double, ptr %v3980, align 8, !noalias !437
-  %v3981 = add nsw i64 %v3978, %v17
+v3830:
+  %v3903 = phi i64 [ %v3906, %v3904 ], [ 0, %v3829 ]
+  %v3906 = add nsw i64 %v3903, 1
+  %v3981 = add nsw i64 %v3903, %v17
   %v3982 = icmp slt i64 %v3981, 0
   %v3983 = select i1 %v3982, i64 %v166, i64 0
   %v3984 = getelementptr double, ptr %v165, i64 %v3981
   %v3985 = getelementptr double, ptr %v3984, i64 %v3983
-  %v3974 = load double, ptr %v3985, align 8, !noalias !437
-  %v3986 = fcmp une double %v3972, %v3974
-  br i1 %v3986, label %v3970, label %v3976
+  %v3986 = load double, ptr %v3985, align 8, !noalias !444
+  %v3902 = getelementptr double, ptr %v913, i64 %v3903
+  store double %v3986, ptr %v3902, align 8, !noalias !444
+  %v3987 = fcmp uno double %v3986, 0.000000e+00
+  br i1 %v3987, label %v3901, label %v3904
 
-v3976:
-  %v3987 = icmp eq i64 %v3979, %v18
-  br i1 %v3987, label %v3969, label %v3968
+v3914:
+  %v3988 = load i64, ptr %v6, align 8, !noalias !473
+  %v3989 = inttoptr i64 %v3988 to ptr
+  tail call void %v3989(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v921), !noalias !473
+  br i1 %v922, label %v3937, label %v3931
 
-v3988:
-  %v3989 = load double, ptr %v947, align 8, !noalias !433
-  %v3990 = load double, ptr %v23, align 8, !noalias !433
-  %v3991 = mul i64 %v3992, %v196
-  %v3993 = getelementptr double, ptr %v193, i64 %v3991
-  %v3994 = load double, ptr %v3993, align 8, !noalias !433
-  %v3995 = tail call double @llvm.fabs.f64(double %v3994)
-  %v3996 = fmul double %v3990, %v3995
-  %v3997 = fadd double %v3989, %v3996
-  %v3998 = add i64 %v3992, %v195
-  %v3999 = mul i64 %v3998, %v196
-  %v4000 = getelementptr double, ptr %v193, i64 %v3999
-  %v4001 = load double, ptr %v4000, align 8, !noalias !433
-  %v4002 = tail call double @llvm.fabs.f64(double %v4001)
-  %v4003 = fmul double %v4004, %v4002
-  %v4005 = fcmp ogt double %v4003, %v3997
-  br label %v4006
+v3980:
+  %v3990 = load i64, ptr %v142, align 8, !noalias !476
+  %v3991 = icmp sgt i64 %v3990, -1
+  br i1 %v3991, label %v3992, label %v3833
 
-v4006:
-  %v4007 = phi i1 [ true, %v4008 ], [ %v4005, %v3988 ]
-  %v4009 = icmp eq i64 %v10, %v4010
-  br i1 %v4009, label %v4011, label %v4008
+v3992:
+  %v3993 = getelementptr i64, ptr %v110, i64 %v3990
+  %v3994 = load i64, ptr %v3993, align 8, !noalias !476
+  %v3995 = icmp eq i64 %v3994, 0
+  br i1 %v3995, label %v3996, label %v3833
 
-v4011:
-  %v4012 = select i1 %v4007, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  br label %v4013
+v3996:
+  store i64 12, ptr %v3993, align 8, !noalias !476
+  br label %v3833
 
-v4013:
-  %v4014 = phi double [ 5.000000e-06, %v3977 ], [ %v4012, %v4011 ]
-  %v4015 = load double, ptr %v949, align 8, !noalias !433
-  %v4016 = load double, ptr %v92, align 8, !noalias !433
-  %v4017 = fsub double %v4015, %v4016
-  %v4018 = fmul double %v4014, %v4017
-  %v4019 = fcmp olt double %v4004, %v4018
-  br i1 %v4019, label %v4020, label %v4021
+v3833:
+  store double 0.000000e+00, ptr %v910, align 8, !noalias !433
+  br label %v3822
 
-v4020:
-  %v4022 = load i64, ptr %v951, align 8, !noalias !433
-  %v4023 = add nsw i64 %v4022, 1
-  br label %v4021
+v3841:
+  %v3997 = load double, ptr %v133, align 8, !noalias !433
+  %v3998 = load double, ptr %v939, align 8, !noalias !433
+  %v3868 = fsub double %v3997, %v3998
+  br i1 %v940, label %v3877, label %v3872
 
-v4021:
-  %v4024 = phi i64 [ %v4023, %v4020 ], [ 0, %v4013 ]
-  store i64 %v4024, ptr %v953, align 8, !noalias !433
-  %v4025 = load double, ptr %v133, align 8, !noalias !433
-  store double %v4025, ptr %v945, align 8, !noalias !433
-  store double 1.000000e+00, ptr %v955, align 8, !noalias !433
-  store i64 2, ptr %v452, align 8, !noalias !433
-  %v4026 = load i64, ptr %v953, align 8, !noalias !433
-  %v4027 = icmp sgt i64 %v4026, 1000
-  br i1 %v4027, label %v4028, label %v3969
+v3872:
+  %v3999 = phi i1 [ %v3871, %v3870 ], [ false, %v3841 ]
+  %v3856 = phi i64 [ %v3874, %v3870 ], [ 0, %v3841 ]
+  %v3874 = add nsw i64 %v3856, 1
+  br i1 %v3999, label %v3870, label %v3852
 
-v4028:
-  %v4029 = load i64, ptr %v142, align 8, !noalias !441
-  %v4030 = icmp sgt i64 %v4029, -1
-  br i1 %v4030, label %v4031, label %v3969
+v3822:
+  %v4000 = and i1 %v950, %v1437
+  %v4001 = xor i1 %v4000, true
+  %v4002 = or i1 %v307, %v4001
+  br i1 %v4002, label %v4003, label %v4004
 
-v4031:
-  %v4032 = getelementptr i64, ptr %v110, i64 %v4029
-  %v4033 = load i64, ptr %v4032, align 8, !noalias !441
-  %v4034 = icmp eq i64 %v4033, 0
-  br i1 %v4034, label %v4035, label %v3969
+v4005:
+  %v4006 = getelementptr i64, ptr %v110, i64 %v4007
+  %v4008 = load i64, ptr %v4006, align 8, !noalias !479
+  %v4009 = icmp eq i64 %v4008, 0
+  br i1 %v4009, label %v4010, label %v4011
+
+v4010:
+  %v4012 = getelementptr double, ptr %v953, i64 %v4013
+  %v4014 = load double, ptr %v4012, align 8, !noalias !479
+  %v4015 = fcmp olt double %v4014, 5.000000e-01
+  br i1 %v4015, label %v4011, label %v4016
+
+v4016:
+  %v4017 = getelementptr double, ptr %v133, i64 %v4013
+  %v4018 = load double, ptr %v4017, align 8, !noalias !479
+  %v4019 = getelementptr double, ptr %v955, i64 %v4013
+  %v4020 = load double, ptr %v4019, align 8, !noalias !479
+  %v4021 = fcmp une double %v4018, %v4020
+  %v4022 = select i1 %v4021, i1 true, i1 %v957
+  %v4023 = xor i1 %v4021, true
+  %v4024 = select i1 %v4023, i1 true, i1 %v4025
+  br i1 %v4022, label %v4011, label %v4026
+
+v4026:
+  %v4027 = getelementptr i64, ptr %v956, i64 %v4013
+  %v4028 = load i64, ptr %v4027, align 8, !noalias !484
+  %v4029 = add nsw i64 %v4028, 1
+  %v4030 = icmp slt i64 %v4028, -1
+  %v4031 = select i1 %v4030, i64 %v77, i64 0
+  %v4032 = add i64 %v4029, %v4031
+  %v4033 = mul i64 %v4032, %v78
+  %v4034 = getelementptr double, ptr %v76, i64 %v4033
+  br label %v4035
 
 v4035:
-  store i64 6, ptr %v4032, align 8, !noalias !441
-  br label %v3969
+  %v4036 = phi i64 [ 0, %v4026 ], [ %v4037, %v4035 ]
+  %v4037 = add nsw i64 %v4036, 1
+  %v4038 = getelementptr double, ptr %v4034, i64 %v4036
+  %v4039 = load double, ptr %v4038, align 8, !noalias !485
+  %v4040 = getelementptr i64, ptr %v62, i64 %v4036
+  %v4041 = load i64, ptr %v4040, align 8, !noalias !485
+  %v4042 = mul nsw i64 %v4041, %v9
+  %v4043 = add nsw i64 %v4042, %v4013
+  %v4044 = icmp slt i64 %v4043, 0
+  %v4045 = select i1 %v4044, i64 %v166, i64 0
+  %v4046 = getelementptr double, ptr %v165, i64 %v4043
+  %v4047 = getelementptr double, ptr %v4046, i64 %v4045
+  store double %v4039, ptr %v4047, align 8, !noalias !485
+  %v4048 = icmp eq i64 %v63, %v4037
+  br i1 %v4048, label %v4011, label %v4035
 
-v3967:
-  br i1 %v923, label %v4036, label %v3969
+v4011:
+  %v4049 = phi i1 [ %v4024, %v4016 ], [ %v4025, %v4010 ], [ %v4025, %v4004 ], [ %v4025, %v4005 ], [ true, %v4035 ]
+  %v4050 = icmp eq i64 %v9, %v4051
+  br i1 %v4050, label %v4052, label %v4004
 
-v4037:
-  store double 1.000000e+00, ptr %v4038, align 8, !noalias !444
-  store i64 %v4039, ptr %v921, align 8, !noalias !444
-  br label %v4040
+v4052:
+  br i1 %v4049, label %v4053, label %v4003
 
-v4040:
-  %v4041 = icmp eq i64 %v4042, %v18
-  br i1 %v4041, label %v3967, label %v3966
+v4053:
+  %v4054 = load i64, ptr %v958, align 8, !noalias !489
+  %v4055 = inttoptr i64 %v4054 to ptr
+  tail call void %v4055(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !489
+  %v4056 = load i64, ptr %v960, align 8, !noalias !484
+  %v4057 = inttoptr i64 %v4056 to ptr
+  tail call void %v4057(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v962), !noalias !484
+  br label %v4058
 
-v4043:
-  %v4044 = fcmp uno double %v4045, 0.000000e+00
-  %v4046 = fcmp uno double %v4047, 0.000000e+00
-  %v4048 = and i1 %v4044, %v4046
-  br i1 %v4048, label %v4049, label %v4050
-
-v4036:
-  %v4051 = phi i64 [ %v4052, %v4049 ], [ 0, %v3967 ]
-  %v4052 = add nsw i64 %v4051, 1
-  %v4053 = getelementptr double, ptr %v924, i64 %v4051
-  %v4045 = load double, ptr %v4053, align 8, !noalias !448
-  %v4054 = add nsw i64 %v4051, %v17
-  %v4055 = icmp slt i64 %v4054, 0
-  %v4056 = select i1 %v4055, i64 %v166, i64 0
-  %v4057 = getelementptr double, ptr %v165, i64 %v4054
-  %v4058 = getelementptr double, ptr %v4057, i64 %v4056
-  %v4047 = load double, ptr %v4058, align 8, !noalias !448
-  %v4059 = fcmp une double %v4045, %v4047
-  br i1 %v4059, label %v4043, label %v4049
-
-v4049:
-  %v4060 = icmp eq i64 %v4052, %v18
-  br i1 %v4060, label %v3969, label %v4036
-
-v4061:
-  %v4062 = phi i64 [ 0, %v4063 ], [ %v4064, %v4065 ]
-  %v4066 = icmp eq i64 %v4062, %v506
-  br i1 %v4066, label %v3969, label %v4065
-
-v4067:
-  %v4068 = load i64, ptr %v929, align 8, !noalias !452
-  %v4069 = inttoptr i64 %v4068 to ptr
-  tail call void %v4069(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !452
-  %v4070 = load i64, ptr %v6, align 8, !noalias !461
-  %v4071 = inttoptr i64 %v4070 to ptr
-  tail call void %v4071(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v931), !noalias !461
-  br i1 %v932, label %v4072, label %v4063
-
-v4073:
-  %v4074 = phi i64 [ %v4075, %v4073 ], [ 0, %v4050 ]
-  %v4075 = add nsw i64 %v4074, 1
-  %v4076 = add nsw i64 %v4074, %v17
-  %v4077 = icmp slt i64 %v4076, 0
-  %v4078 = select i1 %v4077, i64 %v166, i64 0
-  %v4079 = getelementptr double, ptr %v165, i64 %v4076
-  %v4080 = getelementptr double, ptr %v4079, i64 %v4078
-  %v4081 = load double, ptr %v4080, align 8, !noalias !464
-  %v4082 = getelementptr double, ptr %v924, i64 %v4074
-  %v4083 = load double, ptr %v4082, align 8, !noalias !464
-  store double %v4083, ptr %v4080, align 8, !noalias !464
-  store double %v4081, ptr %v4082, align 8, !noalias !464
-  %v4084 = icmp eq i64 %v4075, %v18
-  br i1 %v4084, label %v4067, label %v4073
-
-v4063:
-  %v4085 = load i64, ptr %v929, align 8, !noalias !465
-  %v4086 = inttoptr i64 %v4085 to ptr
-  tail call void %v4086(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !465
-  %v4087 = load double, ptr %v23, align 8, !noalias !471
-  %v4088 = load double, ptr %v933, align 8, !noalias !471
-  br label %v4061
+v4058:
+  %v4059 = phi i64 [ 0, %v4053 ], [ %v4060, %v4061 ]
+  %v4062 = phi i64 [ %v964, %v4053 ], [ %v4063, %v4061 ]
+  %v4064 = phi i64 [ 1, %v4053 ], [ %v4065, %v4061 ]
+  %v4066 = icmp slt i64 %v4059, 0
+  %v4067 = select i1 %v4066, i64 %v144, i64 0
+  %v4068 = add i64 %v4067, %v4059
+  %v4069 = getelementptr i64, ptr %v142, i64 %v4068
+  %v4070 = load i64, ptr %v4069, align 8, !noalias !492
+  %v4071 = icmp slt i64 %v4070, 0
+  br i1 %v4071, label %v4061, label %v4072
 
 v4072:
-  %v4089 = phi i64 [ %v4090, %v4072 ], [ 0, %v4067 ]
-  %v4090 = add nsw i64 %v4089, 1
-  %v4091 = add nsw i64 %v4089, %v17
-  %v4092 = icmp slt i64 %v4091, 0
-  %v4093 = select i1 %v4092, i64 %v166, i64 0
-  %v4094 = getelementptr double, ptr %v165, i64 %v4091
-  %v4095 = getelementptr double, ptr %v4094, i64 %v4093
-  %v4096 = load double, ptr %v4095, align 8, !noalias !472
-  %v4097 = getelementptr double, ptr %v924, i64 %v4089
-  %v4098 = load double, ptr %v4097, align 8, !noalias !472
-  store double %v4098, ptr %v4095, align 8, !noalias !472
-  store double %v4096, ptr %v4097, align 8, !noalias !472
-  %v4099 = icmp eq i64 %v4090, %v18
-  br i1 %v4099, label %v4063, label %v4072
+  %v4073 = getelementptr i64, ptr %v110, i64 %v4070
+  %v4074 = load i64, ptr %v4073, align 8, !noalias !492
+  %v4075 = icmp eq i64 %v4074, 0
+  br i1 %v4075, label %v4076, label %v4061
 
-v4065:
-  %v4064 = add i64 %v4062, 1
-  %v4100 = mul i64 %v4062, %v196
-  %v4101 = getelementptr double, ptr %v936, i64 %v4100
-  %v4102 = load double, ptr %v4101, align 8, !noalias !471
-  %v4103 = getelementptr double, ptr %v938, i64 %v4100
-  %v4104 = load double, ptr %v4103, align 8, !noalias !471
-  %v4105 = fsub double %v4102, %v4104
-  %v4106 = tail call double @llvm.fabs.f64(double %v4105)
-  %v4107 = getelementptr double, ptr %v193, i64 %v4100
-  %v4108 = load double, ptr %v4107, align 8, !noalias !471
-  %v4109 = tail call double @llvm.fabs.f64(double %v4108)
-  %v4110 = fmul double %v4087, %v4109
-  %v4111 = fadd double %v4088, %v4110
-  %v4112 = load double, ptr %v940, align 8, !noalias !471
-  %v4113 = fmul double %v4112, %v4106
-  %v4114 = fmul double %v4111, 1.000000e-01
-  %v4115 = fcmp ugt double %v4113, %v4114
-  br i1 %v4115, label %v4116, label %v4061
+v4076:
+  %v4077 = select i1 %v4066, i64 %v135, i64 0
+  %v4078 = add i64 %v4077, %v4059
+  %v4079 = getelementptr double, ptr %v953, i64 %v4078
+  %v4080 = load double, ptr %v4079, align 8, !noalias !492
+  %v4081 = fcmp olt double %v4080, 5.000000e-01
+  br i1 %v4081, label %v4061, label %v4082
 
-v3966:
-  %v4039 = phi i64 [ %v4042, %v4040 ], [ 0, %v3965 ]
-  %v4042 = add nsw i64 %v4039, 1
-  %v4117 = add nsw i64 %v4039, %v17
-  %v4118 = icmp slt i64 %v4117, 0
-  %v4119 = select i1 %v4118, i64 %v166, i64 0
-  %v4120 = getelementptr double, ptr %v165, i64 %v4117
-  %v4121 = getelementptr double, ptr %v4120, i64 %v4119
-  %v4122 = load double, ptr %v4121, align 8, !noalias !444
-  %v4038 = getelementptr double, ptr %v919, i64 %v4039
-  store double %v4122, ptr %v4038, align 8, !noalias !444
-  %v4123 = fcmp uno double %v4122, 0.000000e+00
-  br i1 %v4123, label %v4037, label %v4040
+v4082:
+  %v4083 = getelementptr double, ptr %v133, i64 %v4078
+  %v4084 = load double, ptr %v4083, align 8, !noalias !492
+  %v4085 = getelementptr double, ptr %v955, i64 %v4078
+  %v4086 = load double, ptr %v4085, align 8, !noalias !492
+  %v4087 = fcmp une double %v4084, %v4086
+  br i1 %v4087, label %v4061, label %v4088
 
-v4050:
-  %v4124 = load i64, ptr %v6, align 8, !noalias !473
-  %v4125 = inttoptr i64 %v4124 to ptr
-  tail call void %v4125(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v927), !noalias !473
-  br i1 %v928, label %v4073, label %v4067
+v4088:
+  %v4089 = getelementptr i64, ptr %v968, i64 %v4068
+  %v4090 = load i64, ptr %v4089, align 8, !noalias !495
+  %v4091 = icmp sgt i64 %v4090, 0
+  br i1 %v4091, label %v4092, label %v4093
+
+v4092:
+  %v4094 = getelementptr double, ptr %v92, i64 %v4090
+  %v4095 = getelementptr i8, ptr %v4094, i64 -8
+  %v4096 = load double, ptr %v4095, align 8, !noalias !495
+  %v4097 = getelementptr double, ptr %v133, i64 %v4059
+  %v4098 = getelementptr double, ptr %v4097, i64 %v4077
+  %v4099 = load double, ptr %v4098, align 8, !noalias !495
+  %v4100 = fcmp oeq double %v4096, %v4099
+  br label %v4093
+
+v4093:
+  %v4101 = phi i1 [ %v4100, %v4092 ], [ false, %v4088 ]
+  br i1 %v970, label %v4102, label %v4103
+
+v4103:
+  %v4104 = mul i64 %v963, %v4070
+  %v4105 = select i1 %v4066, i64 %v196, i64 0
+  %v4106 = add i64 %v4105, %v4059
+  %v4107 = getelementptr double, ptr %v971, i64 %v4106
+  %v4108 = getelementptr double, ptr %v193, i64 %v4106
+  %v4109 = add nsw i64 %v4090, -1
+  %v4110 = select i1 %v4091, i64 0, i64 %v101
+  %v4111 = add i64 %v4109, %v4110
+  %v4112 = mul i64 %v4111, %v102
+  %v4113 = getelementptr double, ptr %v99, i64 %v4104
+  %v4114 = getelementptr double, ptr %v4113, i64 %v4112
+  br label %v4115
 
 v4116:
-  %v4126 = load i64, ptr %v142, align 8, !noalias !476
-  %v4127 = icmp sgt i64 %v4126, -1
-  br i1 %v4127, label %v4128, label %v3969
+  %v4117 = getelementptr double, ptr %v4114, i64 %v4118
+  store double %v4119, ptr %v4117, align 8, !noalias !495
+  br label %v4120
 
-v4128:
-  %v4129 = getelementptr i64, ptr %v110, i64 %v4126
-  %v4130 = load i64, ptr %v4129, align 8, !noalias !476
-  %v4131 = icmp eq i64 %v4130, 0
-  br i1 %v4131, label %v4132, label %v3969
+v4120:
+  %v4121 = icmp eq i64 %v10, %v4122
+  br i1 %v4121, label %v4123, label %v4115
 
-v4132:
-  store i64 12, ptr %v4129, align 8, !noalias !476
-  br label %v3969
+v4123:
+  %v4124 = fcmp une double %v4125, 0.000000e+00
+  br i1 %v4124, label %v4126, label %v4102
 
-v3969:
-  store double 0.000000e+00, ptr %v916, align 8, !noalias !433
-  br label %v3958
+v4126:
+  %v4127 = load i64, ptr %v4069, align 8, !noalias !499
+  %v4128 = icmp sgt i64 %v4127, -1
+  br i1 %v4128, label %v4129, label %v4102
 
-v3977:
-  %v4133 = load double, ptr %v133, align 8, !noalias !433
-  %v4134 = load double, ptr %v945, align 8, !noalias !433
-  %v4004 = fsub double %v4133, %v4134
-  br i1 %v946, label %v4013, label %v4008
+v4129:
+  %v4130 = getelementptr i64, ptr %v110, i64 %v4127
+  %v4131 = load i64, ptr %v4130, align 8, !noalias !499
+  %v4132 = icmp eq i64 %v4131, 0
+  br i1 %v4132, label %v4133, label %v4102
 
-v4008:
-  %v4135 = phi i1 [ %v4007, %v4006 ], [ false, %v3977 ]
-  %v3992 = phi i64 [ %v4010, %v4006 ], [ 0, %v3977 ]
-  %v4010 = add nsw i64 %v3992, 1
-  br i1 %v4135, label %v4006, label %v3988
+v4133:
+  store i64 3, ptr %v4130, align 8, !noalias !499
+  br label %v4102
 
-v3958:
-  %v4136 = and i1 %v956, %v1473
-  %v4137 = xor i1 %v4136, true
-  %v4138 = or i1 %v307, %v4137
-  br i1 %v4138, label %v4139, label %v4140
+v4102:
+  br i1 %v972, label %v4061, label %v4134
 
-v4141:
-  %v4142 = getelementptr i64, ptr %v110, i64 %v4143
-  %v4144 = load i64, ptr %v4142, align 8, !noalias !479
-  %v4145 = icmp eq i64 %v4144, 0
-  br i1 %v4145, label %v4146, label %v4147
-
-v4146:
-  %v4148 = getelementptr double, ptr %v959, i64 %v4149
-  %v4150 = load double, ptr %v4148, align 8, !noalias !479
-  %v4151 = fcmp olt double %v4150, 5.000000e-01
-  br i1 %v4151, label %v4147, label %v4152
-
-v4152:
-  %v4153 = getelementptr double, ptr %v133, i64 %v4149
-  %v4154 = load double, ptr %v4153, align 8, !noalias !479
-  %v4155 = getelementptr double, ptr %v961, i64 %v4149
-  %v4156 = load double, ptr %v4155, align 8, !noalias !479
-  %v4157 = fcmp une double %v4154, %v4156
-  %v4158 = select i1 %v4157, i1 true, i1 %v963
-  %v4159 = xor i1 %v4157, true
-  %v4160 = select i1 %v4159, i1 true, i1 %v4161
-  br i1 %v4158, label %v4147, label %v4162
-
-v4162:
-  %v4163 = getelementptr i64, ptr %v962, i64 %v4149
-  %v4164 = load i64, ptr %v4163, align 8, !noalias !484
-  %v4165 = add nsw i64 %v4164, 1
-  %v4166 = icmp slt i64 %v4164, -1
-  %v4167 = select i1 %v4166, i64 %v77, i64 0
-  %v4168 = add i64 %v4165, %v4167
-  %v4169 = mul i64 %v4168, %v78
-  %v4170 = getelementptr double, ptr %v76, i64 %v4169
-  br label %v4171
-
-v4171:
-  %v4172 = phi i64 [ 0, %v4162 ], [ %v4173, %v4171 ]
-  %v4173 = add nsw i64 %v4172, 1
-  %v4174 = getelementptr double, ptr %v4170, i64 %v4172
-  %v4175 = load double, ptr %v4174, align 8, !noalias !485
-  %v4176 = getelementptr i64, ptr %v62, i64 %v4172
-  %v4177 = load i64, ptr %v4176, align 8, !noalias !485
-  %v4178 = mul nsw i64 %v4177, %v9
-  %v4179 = add nsw i64 %v4178, %v4149
-  %v4180 = icmp slt i64 %v4179, 0
-  %v4181 = select i1 %v4180, i64 %v166, i64 0
-  %v4182 = getelementptr double, ptr %v165, i64 %v4179
-  %v4183 = getelementptr double, ptr %v4182, i64 %v4181
-  store double %v4175, ptr %v4183, align 8, !noalias !485
-  %v4184 = icmp eq i64 %v63, %v4173
-  br i1 %v4184, label %v4147, label %v4171
+v4134:
+  %v4135 = load double, ptr %v974, align 8, !noalias !502
+  %v4136 = load double, ptr %v92, align 8, !noalias !502
+  %v4137 = fsub double %v4135, %v4136
+  %v4138 = fmul double %v4137, 1.000000e-13
+  %v4139 = load double, ptr %v133, align 8, !noalias !502
+  %v4140 = tail call double @llvm.fabs.f64(double %v4139)
+  %v4141 = fmul double %v4140, 4.000000e-15
+  %v4142 = fcmp ogt double %v4141, %v4138
+  %v4143 = select i1 %v4142, double %v4141, double %v4138
+  %v4144 = fadd double %v4139, %v4143
+  store double %v4144, ptr %v976, align 8, !noalias !509
+  %v4145 = load i64, ptr %v6, align 8, !noalias !510
+  %v4146 = inttoptr i64 %v4145 to ptr
+  tail call void %v4146(ptr nonnull %v133, ptr %v962, ptr %v165, ptr %v172, ptr %v179, ptr %v978), !noalias !510
+  br i1 %v970, label %v4147, label %v4148
 
 v4147:
-  %v4185 = phi i1 [ %v4160, %v4152 ], [ %v4161, %v4146 ], [ %v4161, %v4140 ], [ %v4161, %v4141 ], [ true, %v4171 ]
-  %v4186 = icmp eq i64 %v9, %v4187
-  br i1 %v4186, label %v4188, label %v4140
+  %v4149 = load i64, ptr %v983, align 8, !noalias !513
+  %v4150 = inttoptr i64 %v4149 to ptr
+  tail call void %v4150(ptr nonnull %v133, ptr %v985, ptr %v165, ptr %v172, ptr %v179, ptr %v987), !noalias !513
+  br i1 %v989, label %v4151, label %v4152
 
-v4188:
-  br i1 %v4185, label %v4189, label %v4139
+v4153:
+  store double 0.000000e+00, ptr %v4154, align 8, !noalias !513
+  %v4155 = icmp slt i64 %v4156, %v18
+  br i1 %v4155, label %v4157, label %v4158
 
-v4189:
-  %v4190 = load i64, ptr %v964, align 8, !noalias !489
-  %v4191 = inttoptr i64 %v4190 to ptr
-  tail call void %v4191(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v186), !noalias !489
-  %v4192 = load i64, ptr %v966, align 8, !noalias !484
-  %v4193 = inttoptr i64 %v4192 to ptr
-  tail call void %v4193(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v968), !noalias !484
-  br label %v4194
+v4157:
+  %v4159 = getelementptr double, ptr %v990, i64 %v4156
+  %v4160 = load double, ptr %v4159, align 8, !noalias !513
+  %v4161 = add nsw i64 %v4156, %v17
+  %v4162 = icmp slt i64 %v4161, 0
+  %v4163 = select i1 %v4162, i64 %v166, i64 0
+  %v4164 = getelementptr double, ptr %v165, i64 %v4161
+  %v4165 = getelementptr double, ptr %v4164, i64 %v4163
+  %v4166 = load double, ptr %v4165, align 8, !noalias !513
+  %v4167 = fcmp une double %v4160, %v4166
+  br i1 %v4167, label %v4168, label %v4158
+
+v4168:
+  %v4169 = fcmp ord double %v4160, 0.000000e+00
+  br i1 %v4169, label %v4158, label %v4170
+
+v4170:
+  %v4171 = fcmp ord double %v4166, 0.000000e+00
+  %v4172 = select i1 %v4171, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v4158
+
+v4158:
+  %v4173 = phi double [ 0xFFF0000000000000, %v4153 ], [ 0xFFF0000000000000, %v4168 ], [ %v4172, %v4170 ], [ 0x7FF0000000000000, %v4157 ]
+  %v4174 = fcmp uno double %v4175, 0.000000e+00
+  br i1 %v4174, label %v4176, label %v4177
+
+v4176:
+  store double %v4173, ptr %v4178, align 8, !noalias !513
+  br label %v4177
+
+v4177:
+  %v4179 = icmp eq i64 %v207, %v4180
+  br i1 %v4179, label %v4181, label %v4152
+
+v4152:
+  %v4156 = phi i64 [ %v4180, %v4177 ], [ 0, %v4147 ]
+  %v4180 = add nsw i64 %v4156, 1
+  %v4178 = getelementptr double, ptr %v991, i64 %v4156
+  %v4175 = load double, ptr %v4178, align 8, !noalias !513
+  %v4182 = tail call double @llvm.fabs.f64(double %v4175)
+  %v4154 = getelementptr double, ptr %v993, i64 %v4156
+  %v4183 = load double, ptr %v4154, align 8, !noalias !513
+  %v4184 = fadd double %v4182, %v4183
+  %v4185 = fcmp ueq double %v4184, 0x7FF0000000000000
+  br i1 %v4185, label %v4153, label %v4177
+
+v4186:
+  %v4187 = phi i64 [ %v4188, %v4189 ], [ %v18, %v4190 ]
+  %v4191 = phi i64 [ %v4192, %v4189 ], [ %v1003, %v4190 ]
+  %v4193 = icmp sgt i64 %v4191, 0
+  br i1 %v4193, label %v4189, label %v4061
 
 v4194:
-  %v4195 = phi i64 [ 0, %v4189 ], [ %v4196, %v4197 ]
-  %v4198 = phi i64 [ %v970, %v4189 ], [ %v4199, %v4197 ]
-  %v4200 = phi i64 [ 1, %v4189 ], [ %v4201, %v4197 ]
-  %v4202 = icmp slt i64 %v4195, 0
-  %v4203 = select i1 %v4202, i64 %v144, i64 0
-  %v4204 = add i64 %v4203, %v4195
-  %v4205 = getelementptr i64, ptr %v142, i64 %v4204
-  %v4206 = load i64, ptr %v4205, align 8, !noalias !492
-  %v4207 = icmp slt i64 %v4206, 0
-  br i1 %v4207, label %v4197, label %v4208
+  %v4195 = getelementptr i64, ptr %v1007, i64 %v4068
+  store i64 %v4187, ptr %v4195, align 8, !noalias !509
+  %v4196 = load i64, ptr %v4069, align 8, !noalias !517
+  %v4197 = icmp sgt i64 %v4196, -1
+  br i1 %v4197, label %v4198, label %v4199
 
-v4208:
-  %v4209 = getelementptr i64, ptr %v110, i64 %v4206
-  %v4210 = load i64, ptr %v4209, align 8, !noalias !492
-  %v4211 = icmp eq i64 %v4210, 0
-  br i1 %v4211, label %v4212, label %v4197
+v4198:
+  %v4200 = getelementptr i64, ptr %v110, i64 %v4196
+  %v4201 = load i64, ptr %v4200, align 8, !noalias !517
+  %v4202 = icmp eq i64 %v4201, 0
+  br i1 %v4202, label %v4203, label %v4199
 
-v4212:
-  %v4213 = select i1 %v4202, i64 %v135, i64 0
-  %v4214 = add i64 %v4213, %v4195
-  %v4215 = getelementptr double, ptr %v959, i64 %v4214
-  %v4216 = load double, ptr %v4215, align 8, !noalias !492
-  %v4217 = fcmp olt double %v4216, 5.000000e-01
-  br i1 %v4217, label %v4197, label %v4218
+v4203:
+  store i64 4, ptr %v4200, align 8, !noalias !517
+  br label %v4199
 
-v4218:
-  %v4219 = getelementptr double, ptr %v133, i64 %v4214
-  %v4220 = load double, ptr %v4219, align 8, !noalias !492
-  %v4221 = getelementptr double, ptr %v961, i64 %v4214
-  %v4222 = load double, ptr %v4221, align 8, !noalias !492
-  %v4223 = fcmp une double %v4220, %v4222
-  br i1 %v4223, label %v4197, label %v4224
+v4199:
+  %v4204 = load double, ptr %v4083, align 8, !noalias !509
+  store double %v4204, ptr %v4085, align 8, !noalias !509
+  %v4205 = getelementptr double, ptr %v1009, i64 %v4078
+  store double 0.000000e+00, ptr %v4205, align 8, !noalias !509
+  br label %v4061
+
+v4148:
+  %v4206 = phi i64 [ %v4207, %v4148 ], [ 0, %v4134 ]
+  %v4207 = add nsw i64 %v4206, 1
+  %v4208 = mul i64 %v4206, %v196
+  %v4209 = getelementptr double, ptr %v971, i64 %v4208
+  %v4210 = load double, ptr %v4209, align 8, !noalias !509
+  %v4211 = getelementptr double, ptr %v980, i64 %v4208
+  %v4212 = load double, ptr %v4211, align 8, !noalias !509
+  %v4213 = fmul double %v4143, %v4212
+  %v4214 = fadd double %v4210, %v4213
+  %v4215 = getelementptr double, ptr %v982, i64 %v4208
+  store double %v4214, ptr %v4215, align 8, !noalias !509
+  %v4216 = icmp eq i64 %v10, %v4207
+  br i1 %v4216, label %v4147, label %v4148
+
+v4181:
+  %v4217 = load i64, ptr %v983, align 8, !noalias !520
+  %v4218 = inttoptr i64 %v4217 to ptr
+  tail call void %v4218(ptr nonnull %v976, ptr %v995, ptr %v165, ptr %v172, ptr %v179, ptr %v997), !noalias !520
+  br label %v4219
+
+v4220:
+  store double 0.000000e+00, ptr %v4221, align 8, !noalias !520
+  %v4222 = icmp slt i64 %v4223, %v18
+  br i1 %v4222, label %v4224, label %v4225
 
 v4224:
-  %v4225 = getelementptr i64, ptr %v974, i64 %v4204
-  %v4226 = load i64, ptr %v4225, align 8, !noalias !495
-  %v4227 = icmp sgt i64 %v4226, 0
-  br i1 %v4227, label %v4228, label %v4229
+  %v4226 = getelementptr double, ptr %v999, i64 %v4223
+  %v4227 = load double, ptr %v4226, align 8, !noalias !520
+  %v4228 = add nsw i64 %v4223, %v17
+  %v4229 = icmp slt i64 %v4228, 0
+  %v4230 = select i1 %v4229, i64 %v166, i64 0
+  %v4231 = getelementptr double, ptr %v165, i64 %v4228
+  %v4232 = getelementptr double, ptr %v4231, i64 %v4230
+  %v4233 = load double, ptr %v4232, align 8, !noalias !520
+  %v4234 = fcmp une double %v4227, %v4233
+  br i1 %v4234, label %v4235, label %v4225
 
-v4228:
-  %v4230 = getelementptr double, ptr %v92, i64 %v4226
-  %v4231 = getelementptr i8, ptr %v4230, i64 -8
-  %v4232 = load double, ptr %v4231, align 8, !noalias !495
-  %v4233 = getelementptr double, ptr %v133, i64 %v4195
-  %v4234 = getelementptr double, ptr %v4233, i64 %v4213
-  %v4235 = load double, ptr %v4234, align 8, !noalias !495
-  %v4236 = fcmp oeq double %v4232, %v4235
-  br label %v4229
+v4235:
+  %v4236 = fcmp ord double %v4227, 0.000000e+00
+  br i1 %v4236, label %v4225, label %v4237
 
-v4229:
-  %v4237 = phi i1 [ %v4236, %v4228 ], [ false, %v4224 ]
-  br i1 %v976, label %v4238, label %v4239
+v4237:
+  %v4238 = fcmp ord double %v4233, 0.000000e+00
+  %v4239 = select i1 %v4238, double 0xFFF0000000000000, double 0x7FF0000000000000
+  br label %v4225
 
-v4239:
-  %v4240 = mul i64 %v969, %v4206
-  %v4241 = select i1 %v4202, i64 %v196, i64 0
-  %v4242 = add i64 %v4241, %v4195
-  %v4243 = getelementptr double, ptr %v977, i64 %v4242
-  %v4244 = getelementptr double, ptr %v193, i64 %v4242
-  %v4245 = add nsw i64 %v4226, -1
-  %v4246 = select i1 %v4227, i64 0, i64 %v101
-  %v4247 = add i64 %v4245, %v4246
-  %v4248 = mul i64 %v4247, %v102
-  %v4249 = getelementptr double, ptr %v99, i64 %v4240
-  %v4250 = getelementptr double, ptr %v4249, i64 %v4248
-  br label %v4251
+v4225:
+  %v4240 = phi double [ 0xFFF0000000000000, %v4220 ], [ 0xFFF0000000000000, %v4235 ], [ %v4239, %v4237 ], [ 0x7FF0000000000000, %v4224 ]
+  %v4241 = fcmp uno double %v4242, 0.000000e+00
+  br i1 %v4241, label %v4243, label %v4244
 
-v4252:
-  %v4253 = getelementptr double, ptr %v4250, i64 %v4254
-  store double %v4255, ptr %v4253, align 8, !noalias !495
-  br label %v4256
+v4243:
+  store double %v4240, ptr %v4245, align 8, !noalias !520
+  br label %v4244
 
-v4256:
-  %v4257 = icmp eq i64 %v10, %v4258
-  br i1 %v4257, label %v4259, label %v4251
+v4244:
+  %v4246 = icmp eq i64 %v207, %v4247
+  br i1 %v4246, label %v4190, label %v4219
 
-v4259:
-  %v4260 = fcmp une double %v4261, 0.000000e+00
-  br i1 %v4260, label %v4262, label %v4238
+v4219:
+  %v4223 = phi i64 [ %v4247, %v4244 ], [ 0, %v4181 ]
+  %v4247 = add nsw i64 %v4223, 1
+  %v4245 = getelementptr double, ptr %v1000, i64 %v4223
+  %v4242 = load double, ptr %v4245, align 8, !noalias !520
+  %v4248 = tail call double @llvm.fabs.f64(double %v4242)
+  %v4221 = getelementptr double, ptr %v1001, i64 %v4223
+  %v4249 = load double, ptr %v4221, align 8, !noalias !520
+  %v4250 = fadd double %v4248, %v4249
+  %v4251 = fcmp ueq double %v4250, 0x7FF0000000000000
+  br i1 %v4251, label %v4220, label %v4244
 
-v4262:
-  %v4263 = load i64, ptr %v4205, align 8, !noalias !499
-  %v4264 = icmp sgt i64 %v4263, -1
-  br i1 %v4264, label %v4265, label %v4238
+v4151:
+  %v4252 = load i64, ptr %v983, align 8, !noalias !520
+  %v4253 = inttoptr i64 %v4252 to ptr
+  tail call void %v4253(ptr nonnull %v976, ptr %v995, ptr %v165, ptr %v172, ptr %v179, ptr %v997), !noalias !520
+  br label %v4190
 
-v4265:
-  %v4266 = getelementptr i64, ptr %v110, i64 %v4263
-  %v4267 = load i64, ptr %v4266, align 8, !noalias !499
-  %v4268 = icmp eq i64 %v4267, 0
-  br i1 %v4268, label %v4269, label %v4238
+v4190:
+  br label %v4186
 
-v4269:
-  store i64 3, ptr %v4266, align 8, !noalias !499
-  br label %v4238
+v4189:
+  %v4192 = add nsw i64 %v4191, -1
+  %v4188 = add i64 %v4187, 1
+  %v4254 = icmp slt i64 %v4187, 0
+  %v4255 = select i1 %v4254, i64 %v207, i64 0
+  %v4256 = add i64 %v4255, %v4187
+  %v4257 = getelementptr double, ptr %v1005, i64 %v4256
+  %v4258 = load double, ptr %v4257, align 8, !noalias !509
+  %v4259 = getelementptr double, ptr %v991, i64 %v4256
+  %v4260 = load double, ptr %v4259, align 8, !noalias !509
+  %v4261 = fsub double %v4258, %v4260
+  %v4262 = tail call double @llvm.fabs.f64(double %v4261)
+  %v4263 = getelementptr double, ptr %v993, i64 %v4256
+  %v4264 = load double, ptr %v4263, align 8, !noalias !509
+  %v4265 = fcmp ueq double %v4262, 0x7FF0000000000000
+  %v4266 = fadd double %v4264, %v4262
+  %v4267 = select i1 %v4265, double %v4264, double %v4266
+  %v4268 = getelementptr double, ptr %v990, i64 %v4256
+  %v4269 = load double, ptr %v4268, align 8, !noalias !509
+  %v4270 = fneg double %v4267
+  %v4271 = fcmp ult double %v4269, %v4270
+  br i1 %v4271, label %v4194, label %v4186
 
-v4238:
-  br i1 %v978, label %v4197, label %v4270
+v4115:
+  %v4272 = phi double [ 0.000000e+00, %v4103 ], [ %v4125, %v4120 ]
+  %v4118 = phi i64 [ 0, %v4103 ], [ %v4122, %v4120 ]
+  %v4122 = add nsw i64 %v4118, 1
+  %v4273 = mul i64 %v4118, %v196
+  %v4274 = getelementptr double, ptr %v4107, i64 %v4273
+  %v4119 = load double, ptr %v4274, align 8, !noalias !495
+  %v4275 = fmul double %v4119, 0.000000e+00
+  %v4125 = fadd double %v4272, %v4275
+  %v4276 = getelementptr double, ptr %v4108, i64 %v4273
+  store double %v4119, ptr %v4276, align 8, !noalias !495
+  br i1 %v4101, label %v4116, label %v4120
 
-v4270:
-  %v4271 = load double, ptr %v980, align 8, !noalias !502
-  %v4272 = load double, ptr %v92, align 8, !noalias !502
-  %v4273 = fsub double %v4271, %v4272
-  %v4274 = fmul double %v4273, 1.000000e-13
-  %v4275 = load double, ptr %v133, align 8, !noalias !502
-  %v4276 = tail call double @llvm.fabs.f64(double %v4275)
-  %v4277 = fmul double %v4276, 4.000000e-15
-  %v4278 = fcmp ogt double %v4277, %v4274
-  %v4279 = select i1 %v4278, double %v4277, double %v4274
-  %v4280 = fadd double %v4275, %v4279
-  store double %v4280, ptr %v982, align 8, !noalias !509
-  %v4281 = load i64, ptr %v6, align 8, !noalias !510
-  %v4282 = inttoptr i64 %v4281 to ptr
-  tail call void %v4282(ptr nonnull %v133, ptr %v968, ptr %v165, ptr %v172, ptr %v179, ptr %v984), !noalias !510
-  br i1 %v976, label %v4283, label %v4284
+v4061:
+  %v4277 = icmp sgt i64 %v4062, 0
+  %v4278 = zext i1 %v4277 to i64
+  %v4065 = add i64 %v4064, %v4278
+  %v4279 = sext i1 %v4277 to i64
+  %v4063 = add nsw i64 %v4062, %v4279
+  %v4060 = select i1 %v4277, i64 %v4064, i64 0
+  br i1 %v4277, label %v4058, label %v4003
 
-v4283:
-  %v4285 = load i64, ptr %v989, align 8, !noalias !513
-  %v4286 = inttoptr i64 %v4285 to ptr
-  tail call void %v4286(ptr nonnull %v133, ptr %v991, ptr %v165, ptr %v172, ptr %v179, ptr %v993), !noalias !513
-  br i1 %v995, label %v4287, label %v4288
+v4004:
+  %v4025 = phi i1 [ %v4049, %v4011 ], [ false, %v3822 ]
+  %v4013 = phi i64 [ %v4051, %v4011 ], [ 0, %v3822 ]
+  %v4051 = add nsw i64 %v4013, 1
+  %v4280 = getelementptr i64, ptr %v142, i64 %v4013
+  %v4007 = load i64, ptr %v4280, align 8, !noalias !479
+  %v4281 = icmp slt i64 %v4007, 0
+  br i1 %v4281, label %v4011, label %v4005
 
-v4289:
-  %v4290 = tail call double @llvm.fabs.f64(double %v4291)
-  %v4292 = getelementptr double, ptr %v999, i64 %v4293
-  %v4294 = load double, ptr %v4292, align 8, !noalias !513
-  %v4295 = fadd double %v4290, %v4294
-  %v4296 = fcmp ueq double %v4295, 0x7FF0000000000000
-  br i1 %v4296, label %v4297, label %v4298
+v4003:
+  %v4282 = xor i1 %v1437, true
+  %v4283 = or i1 %v307, %v4282
+  %v4284 = select i1 %v1437, i64 0, i64 %v1108
+  br i1 %v4283, label %v1107, label %v4285
 
-v4297:
-  %v4299 = fcmp une double %v4291, 0.000000e+00
-  br i1 %v4299, label %v4300, label %v4301
+v4285:
+  %v4286 = phi i64 [ %v4287, %v4288 ], [ 0, %v4003 ]
+  %v4289 = phi i64 [ %v4290, %v4288 ], [ %v1013, %v4003 ]
+  %v4291 = phi i64 [ %v4292, %v4288 ], [ %v1012, %v4003 ]
+  %v4293 = phi i1 [ %v4294, %v4288 ], [ false, %v4003 ]
+  %v4295 = phi i64 [ %v4296, %v4288 ], [ 0, %v4003 ]
+  %v4297 = icmp slt i64 %v4286, 0
+  %v4298 = select i1 %v4297, i64 %v144, i64 0
+  %v4299 = add i64 %v4298, %v4286
+  %v4300 = getelementptr i64, ptr %v142, i64 %v4299
+  %v4301 = load i64, ptr %v4300, align 8, !noalias !524
+  %v4302 = icmp slt i64 %v4301, 0
+  br i1 %v4302, label %v4288, label %v4303
 
-v4300:
-  %v4302 = getelementptr double, ptr %v999, i64 %v4293
-  store double 0.000000e+00, ptr %v4302, align 8, !noalias !513
-  br label %v4301
+v4303:
+  %v4304 = mul i64 %v4301, %v126
+  %v4305 = getelementptr i64, ptr %v124, i64 %v4304
+  %v4306 = load i64, ptr %v4305, align 8, !noalias !524
+  %v4307 = getelementptr i8, ptr %v4305, i64 24
+  %v4308 = load i64, ptr %v4307, align 8, !noalias !524
+  %v4309 = add nsw i64 %v4308, %v4306
+  %v4310 = icmp slt i64 %v4309, %v298
+  br i1 %v4310, label %v4311, label %v4312
 
-v4301:
-  %v4303 = icmp slt i64 %v4293, %v18
-  br i1 %v4303, label %v4304, label %v4305
+v4312:
+  %v4313 = getelementptr i64, ptr %v110, i64 %v4301
+  %v4314 = load i64, ptr %v4313, align 8, !noalias !528
+  %v4315 = icmp eq i64 %v4314, 0
+  br i1 %v4315, label %v4316, label %v4317
 
-v4304:
-  %v4306 = getelementptr double, ptr %v996, i64 %v4293
-  %v4307 = load double, ptr %v4306, align 8, !noalias !513
-  %v4308 = add nsw i64 %v4293, %v17
-  %v4309 = icmp slt i64 %v4308, 0
-  %v4310 = select i1 %v4309, i64 %v166, i64 0
-  %v4311 = getelementptr double, ptr %v165, i64 %v4308
-  %v4312 = getelementptr double, ptr %v4311, i64 %v4310
-  %v4313 = load double, ptr %v4312, align 8, !noalias !513
-  %v4314 = fcmp une double %v4307, %v4313
-  br i1 %v4314, label %v4315, label %v4305
+v4316:
+  store i64 5, ptr %v4313, align 8, !noalias !528
+  br label %v4317
 
-v4315:
-  %v4316 = fcmp ord double %v4307, 0.000000e+00
-  br i1 %v4316, label %v4305, label %v4317
+v4311:
+  %v4318 = select i1 %v4297, i64 %v135, i64 0
+  %v4319 = add i64 %v4318, %v4286
+  %v4320 = getelementptr double, ptr %v1015, i64 %v4319
+  %v4321 = load double, ptr %v4320, align 8, !noalias !524
+  %v4322 = sitofp i64 %v4309 to double
+  %v4323 = fcmp ugt double %v4321, %v4322
+  br i1 %v4323, label %v4317, label %v4324
 
-v4317:
-  %v4318 = fcmp ord double %v4313, 0.000000e+00
-  br label %v4305
+v4324:
+  br i1 %v1016, label %v4325, label %v4326
 
-v4305:
-  %v4319 = phi i1 [ true, %v4301 ], [ true, %v4315 ], [ %v4318, %v4317 ], [ false, %v4304 ]
-  %v4320 = fcmp uno double %v4291, 0.000000e+00
-  br i1 %v4320, label %v4321, label %v4322
+v4326:
+  %v4327 = getelementptr double, ptr %v193, i64 %v4286
+  %v4328 = select i1 %v4297, i64 %v196, i64 0
+  %v4329 = getelementptr double, ptr %v4327, i64 %v4328
+  br label %v4330
 
-v4322:
-  %v4323 = fcmp oeq double %v4291, 0.000000e+00
-  %v4324 = and i1 %v4323, %v4319
-  %v4325 = and i1 %v4303, %v4324
-  br i1 %v4325, label %v4321, label %v4298
-
-v4321:
-  %v4326 = select i1 %v4319, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v4326, ptr %v4327, align 8, !noalias !513
-  br label %v4298
-
-v4298:
-  %v4328 = icmp eq i64 %v207, %v4329
-  br i1 %v4328, label %v4330, label %v4288
-
-v4288:
-  %v4293 = phi i64 [ %v4329, %v4298 ], [ 0, %v4283 ]
-  %v4329 = add nsw i64 %v4293, 1
-  %v4327 = getelementptr double, ptr %v997, i64 %v4293
-  %v4291 = load double, ptr %v4327, align 8, !noalias !513
-  %v4331 = fcmp ueq double %v4291, 0.000000e+00
-  br i1 %v4331, label %v4297, label %v4289
-
-v4332:
-  %v4333 = phi i64 [ %v4334, %v4335 ], [ %v18, %v4336 ]
-  %v4337 = phi i64 [ %v4338, %v4335 ], [ %v1009, %v4336 ]
-  %v4339 = icmp sgt i64 %v4337, 0
-  br i1 %v4339, label %v4335, label %v4197
-
-v4340:
-  %v4341 = getelementptr i64, ptr %v1013, i64 %v4204
-  store i64 %v4333, ptr %v4341, align 8, !noalias !509
-  %v4342 = load i64, ptr %v4205, align 8, !noalias !517
-  %v4343 = icmp sgt i64 %v4342, -1
-  br i1 %v4343, label %v4344, label %v4345
-
-v4344:
-  %v4346 = getelementptr i64, ptr %v110, i64 %v4342
-  %v4347 = load i64, ptr %v4346, align 8, !noalias !517
-  %v4348 = icmp eq i64 %v4347, 0
-  br i1 %v4348, label %v4349, label %v4345
-
-v4349:
-  store i64 4, ptr %v4346, align 8, !noalias !517
-  br label %v4345
+v4325:
+  %v4331 = phi double [ 0.000000e+00, %v4324 ], [ %v4332, %v4330 ]
+  %v4333 = getelementptr double, ptr %v133, i64 %v4319
+  %v4334 = load double, ptr %v4333, align 8, !noalias !531
+  %v4335 = getelementptr double, ptr %v1018, i64 %v4319
+  %v4336 = load double, ptr %v4335, align 8, !noalias !531
+  %v4337 = fsub double %v4334, %v4336
+  %v4338 = getelementptr double, ptr %v1020, i64 %v4319
+  %v4339 = load double, ptr %v4338, align 8, !noalias !531
+  %v4340 = fadd double %v4339, 1.000000e+00
+  store double %v4340, ptr %v4338, align 8, !noalias !531
+  %v4341 = getelementptr double, ptr %v1022, i64 %v4319
+  %v4342 = load double, ptr %v4341, align 8, !noalias !531
+  %v4343 = fmul double %v4342, 1.050000e+00
+  %v4344 = fcmp ogt double %v4337, %v4343
+  br i1 %v4344, label %v4345, label %v4346
 
 v4345:
-  %v4350 = load double, ptr %v4219, align 8, !noalias !509
-  store double %v4350, ptr %v4221, align 8, !noalias !509
-  %v4351 = getelementptr double, ptr %v1015, i64 %v4214
-  store double 0.000000e+00, ptr %v4351, align 8, !noalias !509
-  br label %v4197
+  %v4347 = fcmp ogt double %v4340, 0.000000e+00
+  %v4348 = select i1 %v4347, double 0.000000e+00, double %v4340
+  store double %v4348, ptr %v4338, align 8, !noalias !531
+  %v4349 = getelementptr double, ptr %v1024, i64 %v4319
+  store double %v4331, ptr %v4349, align 8, !noalias !531
+  br label %v4346
 
-v4284:
-  %v4352 = phi i64 [ %v4353, %v4284 ], [ 0, %v4270 ]
-  %v4353 = add nsw i64 %v4352, 1
-  %v4354 = mul i64 %v4352, %v196
-  %v4355 = getelementptr double, ptr %v977, i64 %v4354
-  %v4356 = load double, ptr %v4355, align 8, !noalias !509
-  %v4357 = getelementptr double, ptr %v986, i64 %v4354
-  %v4358 = load double, ptr %v4357, align 8, !noalias !509
-  %v4359 = fmul double %v4279, %v4358
-  %v4360 = fadd double %v4356, %v4359
-  %v4361 = getelementptr double, ptr %v988, i64 %v4354
-  store double %v4360, ptr %v4361, align 8, !noalias !509
-  %v4362 = icmp eq i64 %v10, %v4353
-  br i1 %v4362, label %v4283, label %v4284
-
-v4330:
-  %v4363 = load i64, ptr %v989, align 8, !noalias !520
-  %v4364 = inttoptr i64 %v4363 to ptr
-  tail call void %v4364(ptr nonnull %v982, ptr %v1001, ptr %v165, ptr %v172, ptr %v179, ptr %v1003), !noalias !520
-  br label %v4365
-
-v4366:
-  %v4367 = tail call double @llvm.fabs.f64(double %v4368)
-  %v4369 = getelementptr double, ptr %v1007, i64 %v4370
-  %v4371 = load double, ptr %v4369, align 8, !noalias !520
-  %v4372 = fadd double %v4367, %v4371
-  %v4373 = fcmp ueq double %v4372, 0x7FF0000000000000
-  br i1 %v4373, label %v4374, label %v4375
-
-v4374:
-  %v4376 = fcmp une double %v4368, 0.000000e+00
-  br i1 %v4376, label %v4377, label %v4378
-
-v4377:
-  %v4379 = getelementptr double, ptr %v1007, i64 %v4370
-  store double 0.000000e+00, ptr %v4379, align 8, !noalias !520
-  br label %v4378
-
-v4378:
-  %v4380 = icmp slt i64 %v4370, %v18
-  br i1 %v4380, label %v4381, label %v4382
-
-v4381:
-  %v4383 = getelementptr double, ptr %v1005, i64 %v4370
-  %v4384 = load double, ptr %v4383, align 8, !noalias !520
-  %v4385 = add nsw i64 %v4370, %v17
-  %v4386 = icmp slt i64 %v4385, 0
-  %v4387 = select i1 %v4386, i64 %v166, i64 0
-  %v4388 = getelementptr double, ptr %v165, i64 %v4385
-  %v4389 = getelementptr double, ptr %v4388, i64 %v4387
-  %v4390 = load double, ptr %v4389, align 8, !noalias !520
-  %v4391 = fcmp une double %v4384, %v4390
-  br i1 %v4391, label %v4392, label %v4382
-
-v4392:
-  %v4393 = fcmp ord double %v4384, 0.000000e+00
-  br i1 %v4393, label %v4382, label %v4394
-
-v4394:
-  %v4395 = fcmp ord double %v4390, 0.000000e+00
-  br label %v4382
-
-v4382:
-  %v4396 = phi i1 [ true, %v4378 ], [ true, %v4392 ], [ %v4395, %v4394 ], [ false, %v4381 ]
-  %v4397 = fcmp uno double %v4368, 0.000000e+00
-  br i1 %v4397, label %v4398, label %v4399
-
-v4399:
-  %v4400 = fcmp oeq double %v4368, 0.000000e+00
-  %v4401 = and i1 %v4400, %v4396
-  %v4402 = and i1 %v4380, %v4401
-  br i1 %v4402, label %v4398, label %v4375
-
-v4398:
-  %v4403 = select i1 %v4396, double 0xFFF0000000000000, double 0x7FF0000000000000
-  store double %v4403, ptr %v4404, align 8, !noalias !520
-  br label %v4375
-
-v4375:
-  %v4405 = icmp eq i64 %v207, %v4406
-  br i1 %v4405, label %v4336, label %v4365
+v4346:
+  %v4350 = load double, ptr %v4333, align 8, !noalias !531
+  store double %v4350, ptr %v4335, align 8, !noalias !531
+  store double %v4337, ptr %v4341, align 8, !noalias !531
+  %v4351 = fmul double %v4322, 2.000000e+00
+  store double %v4351, ptr %v4320, align 8, !noalias !531
+  %v4352 = getelementptr double, ptr %v1026, i64 %v4319
+  %v4353 = load double, ptr %v4352, align 8, !noalias !531
+  %v4354 = load double, ptr %v4333, align 8, !noalias !531
+  %v4355 = fsub double %v4353, %v4354
+  %v4356 = fmul double %v4322, 5.000000e-01
+  %v4357 = fmul double %v4356, %v4355
+  %v4358 = fdiv double %v4357, %v4337
+  %v4359 = load double, ptr %v4338, align 8, !noalias !531
+  %v4360 = fcmp olt double %v4359, 0.000000e+00
+  %v4361 = select i1 %v4360, double 1.000000e+15, double 1.000000e+11
+  %v4362 = icmp sgt i64 %v4309, 499999
+  %v4363 = fcmp ogt double %v4358, %v4361
+  %v4364 = select i1 %v4362, i1 %v4363, i1 false
+  br i1 %v4364, label %v4365, label %v4366
 
 v4365:
-  %v4370 = phi i64 [ %v4406, %v4375 ], [ 0, %v4330 ]
-  %v4406 = add nsw i64 %v4370, 1
-  %v4404 = getelementptr double, ptr %v1006, i64 %v4370
-  %v4368 = load double, ptr %v4404, align 8, !noalias !520
-  %v4407 = fcmp ueq double %v4368, 0.000000e+00
-  br i1 %v4407, label %v4374, label %v4366
+  %v4367 = load i64, ptr %v4300, align 8, !noalias !535
+  %v4368 = icmp sgt i64 %v4367, -1
+  br i1 %v4368, label %v4369, label %v4366
 
-v4287:
-  %v4408 = load i64, ptr %v989, align 8, !noalias !520
-  %v4409 = inttoptr i64 %v4408 to ptr
-  tail call void %v4409(ptr nonnull %v982, ptr %v1001, ptr %v165, ptr %v172, ptr %v179, ptr %v1003), !noalias !520
-  br label %v4336
+v4369:
+  %v4370 = getelementptr i64, ptr %v110, i64 %v4367
+  %v4371 = load i64, ptr %v4370, align 8, !noalias !535
+  %v4372 = icmp eq i64 %v4371, 0
+  br i1 %v4372, label %v4373, label %v4366
 
-v4336:
-  br label %v4332
+v4373:
+  store i64 5, ptr %v4370, align 8, !noalias !535
+  br label %v4366
 
-v4335:
-  %v4338 = add nsw i64 %v4337, -1
-  %v4334 = add i64 %v4333, 1
-  %v4410 = icmp slt i64 %v4333, 0
-  %v4411 = select i1 %v4410, i64 %v207, i64 0
-  %v4412 = add i64 %v4411, %v4333
-  %v4413 = getelementptr double, ptr %v1011, i64 %v4412
-  %v4414 = load double, ptr %v4413, align 8, !noalias !509
-  %v4415 = getelementptr double, ptr %v997, i64 %v4412
-  %v4416 = load double, ptr %v4415, align 8, !noalias !509
-  %v4417 = fsub double %v4414, %v4416
-  %v4418 = tail call double @llvm.fabs.f64(double %v4417)
-  %v4419 = getelementptr double, ptr %v999, i64 %v4412
-  %v4420 = load double, ptr %v4419, align 8, !noalias !509
-  %v4421 = fcmp ueq double %v4418, 0x7FF0000000000000
-  %v4422 = fadd double %v4420, %v4418
-  %v4423 = select i1 %v4421, double %v4420, double %v4422
-  %v4424 = getelementptr double, ptr %v996, i64 %v4412
-  %v4425 = load double, ptr %v4424, align 8, !noalias !509
-  %v4426 = fneg double %v4423
-  %v4427 = fcmp ult double %v4425, %v4426
-  br i1 %v4427, label %v4340, label %v4332
+v4366:
+  %v4374 = load double, ptr %v4338, align 8, !noalias !531
+  %v4375 = fcmp ult double %v4374, 5.000000e+00
+  br i1 %v4375, label %v4317, label %v4376
 
-v4251:
-  %v4428 = phi double [ 0.000000e+00, %v4239 ], [ %v4261, %v4256 ]
-  %v4254 = phi i64 [ 0, %v4239 ], [ %v4258, %v4256 ]
-  %v4258 = add nsw i64 %v4254, 1
-  %v4429 = mul i64 %v4254, %v196
-  %v4430 = getelementptr double, ptr %v4243, i64 %v4429
-  %v4255 = load double, ptr %v4430, align 8, !noalias !495
-  %v4431 = fmul double %v4255, 0.000000e+00
-  %v4261 = fadd double %v4428, %v4431
-  %v4432 = getelementptr double, ptr %v4244, i64 %v4429
-  store double %v4255, ptr %v4432, align 8, !noalias !495
-  br i1 %v4237, label %v4252, label %v4256
+v4376:
+  %v4377 = getelementptr double, ptr %v1028, i64 %v4319
+  %v4378 = load double, ptr %v4377, align 8, !noalias !531
+  %v4379 = fmul double %v4378, 2.000000e+00
+  %v4380 = fcmp ogt double %v4331, %v4379
+  br i1 %v4380, label %v4381, label %v4317
 
-v4197:
-  %v4433 = icmp sgt i64 %v4198, 0
-  %v4434 = zext i1 %v4433 to i64
-  %v4201 = add i64 %v4200, %v4434
-  %v4435 = sext i1 %v4433 to i64
-  %v4199 = add nsw i64 %v4198, %v4435
-  %v4196 = select i1 %v4433, i64 %v4200, i64 0
-  br i1 %v4433, label %v4194, label %v4139
+v4381:
+  %v4382 = sub nsw i64 %v298, %v4309
+  %v4383 = sitofp i64 %v4382 to double
+  %v4384 = fmul double %v4383, 2.000000e+00
+  %v4385 = fcmp ogt double %v4358, %v4384
+  br i1 %v4385, label %v4386, label %v4317
 
-v4140:
-  %v4161 = phi i1 [ %v4185, %v4147 ], [ false, %v3958 ]
-  %v4149 = phi i64 [ %v4187, %v4147 ], [ 0, %v3958 ]
-  %v4187 = add nsw i64 %v4149, 1
-  %v4436 = getelementptr i64, ptr %v142, i64 %v4149
-  %v4143 = load i64, ptr %v4436, align 8, !noalias !479
-  %v4437 = icmp slt i64 %v4143, 0
-  br i1 %v4437, label %v4147, label %v4141
+v4386:
+  %v4387 = load i64, ptr %v4300, align 8, !noalias !538
+  %v4388 = icmp sgt i64 %v4387, -1
+  br i1 %v4388, label %v4389, label %v4317
 
-v4139:
-  %v4438 = xor i1 %v1473, true
-  %v4439 = or i1 %v307, %v4438
-  %v4440 = select i1 %v1473, i64 0, i64 %v1114
-  br i1 %v4439, label %v1113, label %v4441
+v4389:
+  %v4390 = getelementptr i64, ptr %v110, i64 %v4387
+  %v4391 = load i64, ptr %v4390, align 8, !noalias !538
+  %v4392 = icmp eq i64 %v4391, 0
+  br i1 %v4392, label %v4393, label %v4317
+
+v4393:
+  store i64 8, ptr %v4390, align 8, !noalias !538
+  br label %v4317
+
+v4330:
+  %v4394 = phi double [ 0.000000e+00, %v4326 ], [ %v4332, %v4330 ]
+  %v4395 = phi i64 [ 0, %v4326 ], [ %v4396, %v4330 ]
+  %v4396 = add nsw i64 %v4395, 1
+  %v4397 = mul i64 %v4395, %v196
+  %v4398 = getelementptr double, ptr %v4329, i64 %v4397
+  %v4399 = load double, ptr %v4398, align 8, !noalias !531
+  %v4400 = tail call double @llvm.fabs.f64(double %v4399)
+  %v4401 = fcmp ogt double %v4400, %v4394
+  %v4332 = select i1 %v4401, double %v4400, double %v4394
+  %v4402 = icmp eq i64 %v10, %v4396
+  br i1 %v4402, label %v4325, label %v4330
+
+v4317:
+  %v4403 = select i1 %v4297, i64 %v135, i64 0
+  %v4404 = add i64 %v4403, %v4286
+  %v4405 = getelementptr double, ptr %v1030, i64 %v4404
+  %v4406 = load double, ptr %v4405, align 8, !noalias !524
+  %v4407 = fcmp ogt double %v4406, 5.000000e-01
+  br i1 %v4407, label %v4408, label %v4409
+
+v4408:
+  %v4410 = getelementptr double, ptr %v133, i64 %v4404
+  %v4411 = load double, ptr %v4410, align 8, !noalias !524
+  %v4412 = getelementptr double, ptr %v1032, i64 %v4404
+  %v4413 = load double, ptr %v4412, align 8, !noalias !524
+  %v4414 = fcmp oeq double %v4411, %v4413
+  br i1 %v4414, label %v4415, label %v4409
+
+v4415:
+  %v4416 = getelementptr i64, ptr %v1033, i64 %v4299
+  %v4417 = load i64, ptr %v4416, align 8, !noalias !541
+  %v4418 = add nsw i64 %v4417, 1
+  store i64 %v4418, ptr %v4416, align 8, !noalias !541
+  %v4419 = icmp slt i64 %v4417, -1
+  %v4420 = select i1 %v4419, i64 %v70, i64 0
+  %v4421 = getelementptr double, ptr %v69, i64 %v4418
+  %v4422 = getelementptr double, ptr %v4421, i64 %v4420
+  %v4423 = load double, ptr %v4422, align 8, !noalias !541
+  %v4424 = fcmp oeq double %v4423, 0x7FF0000000000000
+  br i1 %v4424, label %v4425, label %v4426
+
+v4425:
+  %v4427 = load i64, ptr %v4300, align 8, !noalias !541
+  %v4428 = icmp slt i64 %v4427, 0
+  %v4429 = select i1 %v4428, i64 %v111, i64 0
+  %v4430 = getelementptr i64, ptr %v110, i64 %v4427
+  %v4431 = getelementptr i64, ptr %v4430, i64 %v4429
+  %v4432 = load i64, ptr %v4431, align 8, !noalias !541
+  %v4433 = icmp eq i64 %v4432, 0
+  br i1 %v4433, label %v4434, label %v4409
+
+v4434:
+  store i64 1, ptr %v4431, align 8, !noalias !541
+  br label %v4409
+
+v4426:
+  store double %v4423, ptr %v4412, align 8, !noalias !541
+  %v4435 = select i1 %v4419, i64 %v86, i64 0
+  %v4436 = getelementptr i64, ptr %v85, i64 %v4418
+  %v4437 = getelementptr i64, ptr %v4436, i64 %v4435
+  %v4438 = load i64, ptr %v4437, align 8, !noalias !541
+  %v4439 = icmp eq i64 %v4438, 0
+  br i1 %v4439, label %v4440, label %v4441
+
+v4440:
+  %v4442 = getelementptr double, ptr %v1037, i64 %v4404
+  store double 1.000000e+00, ptr %v4442, align 8, !noalias !541
+  br label %v4443
 
 v4441:
-  %v4442 = phi i64 [ %v4443, %v4444 ], [ 0, %v4139 ]
-  %v4445 = phi i64 [ %v4446, %v4444 ], [ %v1019, %v4139 ]
-  %v4447 = phi i64 [ %v4448, %v4444 ], [ %v1018, %v4139 ]
-  %v4449 = phi i1 [ %v4450, %v4444 ], [ false, %v4139 ]
-  %v4451 = phi i64 [ %v4452, %v4444 ], [ 0, %v4139 ]
-  %v4453 = icmp slt i64 %v4442, 0
-  %v4454 = select i1 %v4453, i64 %v144, i64 0
-  %v4455 = add i64 %v4454, %v4442
-  %v4456 = getelementptr i64, ptr %v142, i64 %v4455
-  %v4457 = load i64, ptr %v4456, align 8, !noalias !524
-  %v4458 = icmp slt i64 %v4457, 0
-  br i1 %v4458, label %v4444, label %v4459
+  %v4444 = getelementptr double, ptr %v1035, i64 %v4404
+  %v4445 = load double, ptr %v4444, align 8, !noalias !541
+  %v4446 = fcmp olt double %v4445, 2.500000e-01
+  %v4447 = select i1 %v4446, double 2.500000e-01, double %v4445
+  store double %v4447, ptr %v4444, align 8, !noalias !541
+  %v4448 = load i64, ptr %v452, align 8, !noalias !541
+  %v4449 = tail call i64 @llvm.smax.i64(i64 %v4448, i64 1)
+  br label %v4443
 
-v4459:
-  %v4460 = mul i64 %v4457, %v126
-  %v4461 = getelementptr i64, ptr %v124, i64 %v4460
-  %v4462 = load i64, ptr %v4461, align 8, !noalias !524
-  %v4463 = getelementptr i8, ptr %v4461, i64 24
-  %v4464 = load i64, ptr %v4463, align 8, !noalias !524
-  %v4465 = add nsw i64 %v4464, %v4462
-  %v4466 = icmp slt i64 %v4465, %v298
-  br i1 %v4466, label %v4467, label %v4468
+v4443:
+  %v4450 = phi i64 [ %v4449, %v4441 ], [ 2, %v4440 ]
+  store i64 %v4450, ptr %v452, align 8, !noalias !541
+  br i1 %v1038, label %v4409, label %v4451
 
-v4468:
-  %v4469 = getelementptr i64, ptr %v110, i64 %v4457
-  %v4470 = load i64, ptr %v4469, align 8, !noalias !528
-  %v4471 = icmp eq i64 %v4470, 0
-  br i1 %v4471, label %v4472, label %v4473
+v4451:
+  %v4452 = select i1 %v4419, i64 %v77, i64 0
+  %v4453 = add i64 %v4452, %v4418
+  %v4454 = mul i64 %v4453, %v78
+  %v4455 = getelementptr double, ptr %v76, i64 %v4454
+  br label %v4456
 
-v4472:
-  store i64 5, ptr %v4469, align 8, !noalias !528
-  br label %v4473
+v4456:
+  %v4457 = phi i64 [ 0, %v4451 ], [ %v4458, %v4456 ]
+  %v4458 = add nsw i64 %v4457, 1
+  %v4459 = getelementptr double, ptr %v4455, i64 %v4457
+  %v4460 = load double, ptr %v4459, align 8, !noalias !545
+  %v4461 = getelementptr i64, ptr %v62, i64 %v4457
+  %v4462 = load i64, ptr %v4461, align 8, !noalias !545
+  %v4463 = mul nsw i64 %v4462, %v9
+  %v4464 = add nsw i64 %v4463, %v4286
+  %v4465 = icmp slt i64 %v4464, 0
+  %v4466 = select i1 %v4465, i64 %v166, i64 0
+  %v4467 = getelementptr double, ptr %v165, i64 %v4464
+  %v4468 = getelementptr double, ptr %v4467, i64 %v4466
+  store double %v4460, ptr %v4468, align 8, !noalias !545
+  %v4469 = icmp eq i64 %v63, %v4458
+  br i1 %v4469, label %v4409, label %v4456
 
-v4467:
-  %v4474 = select i1 %v4453, i64 %v135, i64 0
-  %v4475 = add i64 %v4474, %v4442
-  %v4476 = getelementptr double, ptr %v1021, i64 %v4475
-  %v4477 = load double, ptr %v4476, align 8, !noalias !524
-  %v4478 = sitofp i64 %v4465 to double
-  %v4479 = fcmp ugt double %v4477, %v4478
-  br i1 %v4479, label %v4473, label %v4480
+v4409:
+  %v4470 = getelementptr i64, ptr %v110, i64 %v4301
+  %v4471 = load i64, ptr %v4470, align 8, !noalias !524
+  %v4472 = icmp eq i64 %v4471, 0
+  br i1 %v4472, label %v4473, label %v4474
 
-v4480:
-  br i1 %v1022, label %v4481, label %v4482
+v4474:
+  %v4475 = getelementptr i64, ptr %v1040, i64 %v4299
+  %v4476 = load i64, ptr %v4475, align 8, !noalias !524
+  %v4477 = getelementptr i64, ptr %v117, i64 %v4301
+  store i64 %v4476, ptr %v4477, align 8, !noalias !524
+  store i64 -1, ptr %v4300, align 8, !noalias !524
+  %v4478 = getelementptr double, ptr %v1042, i64 %v4404
+  store double 0.000000e+00, ptr %v4478, align 8, !noalias !549
+  %v4479 = load i64, ptr %v151, align 8, !noalias !549
+  %v4480 = load i64, ptr %v1043, align 8, !noalias !549
+  %v4481 = icmp eq i64 %v4479, %v4480
+  br i1 %v4481, label %v4482, label %v4483
 
-v4482:
-  %v4483 = getelementptr double, ptr %v193, i64 %v4442
-  %v4484 = select i1 %v4453, i64 %v196, i64 0
-  %v4485 = getelementptr double, ptr %v4483, i64 %v4484
-  br label %v4486
+v4483:
+  %v4484 = add nsw i64 %v4479, 1
+  store i64 %v4484, ptr %v151, align 8, !noalias !549
+  store i64 2, ptr %v452, align 8, !noalias !549
+  store i64 %v4479, ptr %v4300, align 8, !noalias !549
+  %v4485 = icmp slt i64 %v4479, 0
+  %v4486 = select i1 %v4485, i64 %v49, i64 0
+  %v4487 = getelementptr i64, ptr %v48, i64 %v4479
+  %v4488 = getelementptr i64, ptr %v4487, i64 %v4486
+  %v4489 = load i64, ptr %v4488, align 8, !noalias !549
+  %v4490 = icmp slt i64 %v4489, 0
+  %v4491 = select i1 %v4490, i64 %v56, i64 0
+  %v4492 = getelementptr i64, ptr %v55, i64 %v4489
+  %v4493 = getelementptr i64, ptr %v4492, i64 %v4491
+  %v4494 = load i64, ptr %v4493, align 8, !noalias !549
+  %v4495 = getelementptr i64, ptr %v1044, i64 %v4299
+  store i64 %v4494, ptr %v4495, align 8, !noalias !549
+  store i64 1, ptr %v4475, align 8, !noalias !549
+  %v4496 = getelementptr i64, ptr %v1046, i64 %v4299
+  store i64 0, ptr %v4496, align 8, !noalias !549
+  br i1 %v1047, label %v4497, label %v4498
 
-v4481:
-  %v4487 = phi double [ 0.000000e+00, %v4480 ], [ %v4488, %v4486 ]
-  %v4489 = getelementptr double, ptr %v133, i64 %v4475
-  %v4490 = load double, ptr %v4489, align 8, !noalias !531
-  %v4491 = getelementptr double, ptr %v1024, i64 %v4475
-  %v4492 = load double, ptr %v4491, align 8, !noalias !531
-  %v4493 = fsub double %v4490, %v4492
-  %v4494 = getelementptr double, ptr %v1026, i64 %v4475
-  %v4495 = load double, ptr %v4494, align 8, !noalias !531
-  %v4496 = fadd double %v4495, 1.000000e+00
-  store double %v4496, ptr %v4494, align 8, !noalias !531
-  %v4497 = getelementptr double, ptr %v1028, i64 %v4475
-  %v4498 = load double, ptr %v4497, align 8, !noalias !531
-  %v4499 = fmul double %v4498, 1.050000e+00
-  %v4500 = fcmp ogt double %v4493, %v4499
-  br i1 %v4500, label %v4501, label %v4502
+v4498:
+  %v4499 = select i1 %v4485, i64 %v40, i64 0
+  %v4500 = add i64 %v4499, %v4479
+  %v4501 = mul i64 %v4500, %v41
+  %v4502 = getelementptr double, ptr %v39, i64 %v4501
+  br label %v4503
 
-v4501:
-  %v4503 = fcmp ogt double %v4496, 0.000000e+00
-  %v4504 = select i1 %v4503, double 0.000000e+00, double %v4496
-  store double %v4504, ptr %v4494, align 8, !noalias !531
-  %v4505 = getelementptr double, ptr %v1030, i64 %v4475
-  store double %v4487, ptr %v4505, align 8, !noalias !531
-  br label %v4502
+v4497:
+  br i1 %v1048, label %v4504, label %v4505
 
-v4502:
-  %v4506 = load double, ptr %v4489, align 8, !noalias !531
-  store double %v4506, ptr %v4491, align 8, !noalias !531
-  store double %v4493, ptr %v4497, align 8, !noalias !531
-  %v4507 = fmul double %v4478, 2.000000e+00
-  store double %v4507, ptr %v4476, align 8, !noalias !531
-  %v4508 = getelementptr double, ptr %v1032, i64 %v4475
-  %v4509 = load double, ptr %v4508, align 8, !noalias !531
-  %v4510 = load double, ptr %v4489, align 8, !noalias !531
-  %v4511 = fsub double %v4509, %v4510
-  %v4512 = fmul double %v4478, 5.000000e-01
-  %v4513 = fmul double %v4512, %v4511
-  %v4514 = fdiv double %v4513, %v4493
-  %v4515 = load double, ptr %v4494, align 8, !noalias !531
-  %v4516 = fcmp olt double %v4515, 0.000000e+00
-  %v4517 = select i1 %v4516, double 1.000000e+15, double 1.000000e+11
-  %v4518 = icmp sgt i64 %v4465, 499999
-  %v4519 = fcmp ogt double %v4514, %v4517
-  %v4520 = select i1 %v4518, i1 %v4519, i1 false
-  br i1 %v4520, label %v4521, label %v4522
+v4505:
+  %v4506 = load i64, ptr %v4495, align 8, !noalias !549
+  %v4507 = icmp slt i64 %v4506, 0
+  %v4508 = select i1 %v4507, i64 %v77, i64 0
+  %v4509 = add i64 %v4508, %v4506
+  %v4510 = mul i64 %v4509, %v78
+  %v4511 = getelementptr double, ptr %v76, i64 %v4510
+  br label %v4512
 
-v4521:
-  %v4523 = load i64, ptr %v4456, align 8, !noalias !535
-  %v4524 = icmp sgt i64 %v4523, -1
-  br i1 %v4524, label %v4525, label %v4522
+v4512:
+  %v4513 = phi i64 [ 0, %v4505 ], [ %v4514, %v4512 ]
+  %v4514 = add nsw i64 %v4513, 1
+  %v4515 = getelementptr double, ptr %v4511, i64 %v4513
+  %v4516 = load double, ptr %v4515, align 8, !noalias !552
+  %v4517 = getelementptr i64, ptr %v62, i64 %v4513
+  %v4518 = load i64, ptr %v4517, align 8, !noalias !552
+  %v4519 = mul nsw i64 %v4518, %v9
+  %v4520 = add nsw i64 %v4519, %v4286
+  %v4521 = icmp slt i64 %v4520, 0
+  %v4522 = select i1 %v4521, i64 %v166, i64 0
+  %v4523 = getelementptr double, ptr %v165, i64 %v4520
+  %v4524 = getelementptr double, ptr %v4523, i64 %v4522
+  store double %v4516, ptr %v4524, align 8, !noalias !552
+  %v4525 = icmp eq i64 %v4514, %v63
+  br i1 %v4525, label %v4504, label %v4512
 
-v4525:
-  %v4526 = getelementptr i64, ptr %v110, i64 %v4523
-  %v4527 = load i64, ptr %v4526, align 8, !noalias !535
-  %v4528 = icmp eq i64 %v4527, 0
-  br i1 %v4528, label %v4529, label %v4522
+v4526:
+  %v4527 = getelementptr double, ptr %v133, i64 %v4404
+  br label %v4528
 
 v4529:
-  store i64 5, ptr %v4526, align 8, !noalias !535
-  br label %v4522
+  %v4530 = mul i64 %v4531, %v135
+  %v4532 = getelementptr double, ptr %v4527, i64 %v4530
+  %v4533 = load double, ptr %v4532, align 8, !noalias !556
+  %v4534 = fcmp une double %v4533, 0xFFF0000000000000
+  br i1 %v4534, label %v4535, label %v4536
 
-v4522:
-  %v4530 = load double, ptr %v4494, align 8, !noalias !531
-  %v4531 = fcmp ult double %v4530, 5.000000e+00
-  br i1 %v4531, label %v4473, label %v4532
+v4535:
+  %v4537 = mul i64 %v4531, %v135
+  %v4538 = getelementptr double, ptr %v4527, i64 %v4537
+  store double 0.000000e+00, ptr %v4538, align 8, !noalias !556
+  br label %v4536
 
-v4532:
-  %v4533 = getelementptr double, ptr %v1034, i64 %v4475
-  %v4534 = load double, ptr %v4533, align 8, !noalias !531
-  %v4535 = fmul double %v4534, 2.000000e+00
-  %v4536 = fcmp ogt double %v4487, %v4535
-  br i1 %v4536, label %v4537, label %v4473
+v4536:
+  %v4539 = icmp eq i64 %v4540, 32
+  br i1 %v4539, label %v4541, label %v4528
 
-v4537:
-  %v4538 = sub nsw i64 %v298, %v4465
-  %v4539 = sitofp i64 %v4538 to double
-  %v4540 = fmul double %v4539, 2.000000e+00
-  %v4541 = fcmp ogt double %v4514, %v4540
-  br i1 %v4541, label %v4542, label %v4473
+v4541:
+  %v4542 = getelementptr double, ptr %v1051, i64 %v4404
+  store double 5.000000e+03, ptr %v4542, align 8, !noalias !556
+  store double 1.000000e+00, ptr %v4478, align 8, !noalias !556
+  %v4543 = getelementptr double, ptr %v1053, i64 %v4404
+  store double 0xFFF0000000000000, ptr %v4543, align 8, !noalias !556
+  %v4544 = getelementptr double, ptr %v1055, i64 %v4404
+  store double 0x7FF0000000000000, ptr %v4544, align 8, !noalias !556
+  %v4545 = load double, ptr %v92, align 8, !noalias !549
+  store double %v4545, ptr %v4527, align 8, !noalias !549
+  %v4546 = load double, ptr %v92, align 8, !noalias !549
+  %v4547 = getelementptr double, ptr %v1057, i64 %v4404
+  store double %v4546, ptr %v4547, align 8, !noalias !549
+  %v4548 = load i64, ptr %v4495, align 8, !noalias !549
+  %v4549 = icmp slt i64 %v4548, 0
+  %v4550 = select i1 %v4549, i64 %v70, i64 0
+  %v4551 = getelementptr double, ptr %v69, i64 %v4548
+  %v4552 = getelementptr double, ptr %v4551, i64 %v4550
+  %v4553 = load double, ptr %v4552, align 8, !noalias !549
+  %v4554 = getelementptr double, ptr %v1059, i64 %v4404
+  store double %v4553, ptr %v4554, align 8, !noalias !549
+  br label %v4482
 
-v4542:
-  %v4543 = load i64, ptr %v4456, align 8, !noalias !538
-  %v4544 = icmp sgt i64 %v4543, -1
-  br i1 %v4544, label %v4545, label %v4473
+v4528:
+  %v4531 = phi i64 [ 0, %v4526 ], [ %v4540, %v4536 ]
+  %v4540 = add nsw i64 %v4531, 1
+  %v4555 = icmp ult i64 %v4531, 30
+  br i1 %v4555, label %v4535, label %v4529
 
-v4545:
-  %v4546 = getelementptr i64, ptr %v110, i64 %v4543
-  %v4547 = load i64, ptr %v4546, align 8, !noalias !538
-  %v4548 = icmp eq i64 %v4547, 0
-  br i1 %v4548, label %v4549, label %v4473
+v4503:
+  %v4556 = phi i64 [ 0, %v4498 ], [ %v4557, %v4503 ]
+  %v4557 = add nsw i64 %v4556, 1
+  %v4558 = getelementptr double, ptr %v4502, i64 %v4556
+  %v4559 = load double, ptr %v4558, align 8, !noalias !549
+  %v4560 = mul nsw i64 %v4556, %v9
+  %v4561 = add nsw i64 %v4560, %v4286
+  %v4562 = icmp slt i64 %v4561, 0
+  %v4563 = select i1 %v4562, i64 %v166, i64 0
+  %v4564 = getelementptr double, ptr %v165, i64 %v4561
+  %v4565 = getelementptr double, ptr %v4564, i64 %v4563
+  store double %v4559, ptr %v4565, align 8, !noalias !549
+  %v4566 = icmp eq i64 %v4557, %v41
+  br i1 %v4566, label %v4497, label %v4503
 
-v4549:
-  store i64 8, ptr %v4546, align 8, !noalias !538
-  br label %v4473
+v4504:
+  br i1 %v1049, label %v4526, label %v4567
 
-v4486:
-  %v4550 = phi double [ 0.000000e+00, %v4482 ], [ %v4488, %v4486 ]
-  %v4551 = phi i64 [ 0, %v4482 ], [ %v4552, %v4486 ]
-  %v4552 = add nsw i64 %v4551, 1
-  %v4553 = mul i64 %v4551, %v196
-  %v4554 = getelementptr double, ptr %v4485, i64 %v4553
-  %v4555 = load double, ptr %v4554, align 8, !noalias !531
-  %v4556 = tail call double @llvm.fabs.f64(double %v4555)
-  %v4557 = fcmp ogt double %v4556, %v4550
-  %v4488 = select i1 %v4557, double %v4556, double %v4550
-  %v4558 = icmp eq i64 %v10, %v4552
-  br i1 %v4558, label %v4481, label %v4486
+v4567:
+  %v4568 = getelementptr double, ptr %v193, i64 %v4286
+  %v4569 = select i1 %v4485, i64 %v31, i64 0
+  %v4570 = add i64 %v4569, %v4479
+  %v4571 = mul i64 %v4570, %v32
+  %v4572 = getelementptr double, ptr %v30, i64 %v4571
+  %v4573 = select i1 %v4297, i64 %v196, i64 0
+  %v4574 = getelementptr double, ptr %v4568, i64 %v4573
+  br label %v4575
+
+v4575:
+  %v4576 = phi i64 [ 0, %v4567 ], [ %v4577, %v4575 ]
+  %v4577 = add nsw i64 %v4576, 1
+  %v4578 = getelementptr double, ptr %v4572, i64 %v4576
+  %v4579 = load double, ptr %v4578, align 8, !noalias !549
+  %v4580 = mul i64 %v4576, %v196
+  %v4581 = getelementptr double, ptr %v4574, i64 %v4580
+  store double %v4579, ptr %v4581, align 8, !noalias !549
+  %v4582 = icmp eq i64 %v4577, %v10
+  br i1 %v4582, label %v4526, label %v4575
 
 v4473:
-  %v4559 = select i1 %v4453, i64 %v135, i64 0
-  %v4560 = add i64 %v4559, %v4442
-  %v4561 = getelementptr double, ptr %v1036, i64 %v4560
-  %v4562 = load double, ptr %v4561, align 8, !noalias !524
-  %v4563 = fcmp ogt double %v4562, 5.000000e-01
-  br i1 %v4563, label %v4564, label %v4565
+  %v4583 = getelementptr double, ptr %v1061, i64 %v4404
+  %v4584 = load double, ptr %v4583, align 8, !noalias !524
+  %v4585 = fcmp ult double %v4584, 1.500000e+01
+  br i1 %v4585, label %v4482, label %v4586
 
-v4564:
-  %v4566 = getelementptr double, ptr %v133, i64 %v4560
-  %v4567 = load double, ptr %v4566, align 8, !noalias !524
-  %v4568 = getelementptr double, ptr %v1038, i64 %v4560
-  %v4569 = load double, ptr %v4568, align 8, !noalias !524
-  %v4570 = fcmp oeq double %v4567, %v4569
-  br i1 %v4570, label %v4571, label %v4565
+v4586:
+  %v4587 = load double, ptr %v1063, align 8, !noalias !524
+  %v4588 = getelementptr double, ptr %v133, i64 %v4404
+  %v4589 = load double, ptr %v4588, align 8, !noalias !524
+  %v4590 = fsub double %v4587, %v4589
+  %v4591 = getelementptr double, ptr %v1064, i64 %v4404
+  %v4592 = load double, ptr %v4591, align 8, !noalias !524
+  %v4593 = fmul double %v4592, 2.500000e+02
+  %v4594 = fcmp ogt double %v4590, %v4593
+  br i1 %v4594, label %v4482, label %v4595
 
-v4571:
-  %v4572 = getelementptr i64, ptr %v1039, i64 %v4455
-  %v4573 = load i64, ptr %v4572, align 8, !noalias !541
-  %v4574 = add nsw i64 %v4573, 1
-  store i64 %v4574, ptr %v4572, align 8, !noalias !541
-  %v4575 = icmp slt i64 %v4573, -1
-  %v4576 = select i1 %v4575, i64 %v70, i64 0
-  %v4577 = getelementptr double, ptr %v69, i64 %v4574
-  %v4578 = getelementptr double, ptr %v4577, i64 %v4576
-  %v4579 = load double, ptr %v4578, align 8, !noalias !541
-  %v4580 = fcmp oeq double %v4579, 0x7FF0000000000000
-  br i1 %v4580, label %v4581, label %v4582
+v4595:
+  store double 0.000000e+00, ptr %v4583, align 8, !noalias !524
+  br label %v4482
 
-v4581:
-  %v4583 = load i64, ptr %v4456, align 8, !noalias !541
-  %v4584 = icmp slt i64 %v4583, 0
-  %v4585 = select i1 %v4584, i64 %v111, i64 0
-  %v4586 = getelementptr i64, ptr %v110, i64 %v4583
-  %v4587 = getelementptr i64, ptr %v4586, i64 %v4585
-  %v4588 = load i64, ptr %v4587, align 8, !noalias !541
-  %v4589 = icmp eq i64 %v4588, 0
-  br i1 %v4589, label %v4590, label %v4565
-
-v4590:
-  store i64 1, ptr %v4587, align 8, !noalias !541
-  br label %v4565
-
-v4582:
-  store double %v4579, ptr %v4568, align 8, !noalias !541
-  %v4591 = select i1 %v4575, i64 %v86, i64 0
-  %v4592 = getelementptr i64, ptr %v85, i64 %v4574
-  %v4593 = getelementptr i64, ptr %v4592, i64 %v4591
-  %v4594 = load i64, ptr %v4593, align 8, !noalias !541
-  %v4595 = icmp eq i64 %v4594, 0
-  br i1 %v4595, label %v4596, label %v4597
-
-v4596:
-  %v4598 = getelementptr double, ptr %v1043, i64 %v4560
-  store double 1.000000e+00, ptr %v4598, align 8, !noalias !541
-  br label %v4599
-
-v4597:
-  %v4600 = getelementptr double, ptr %v1041, i64 %v4560
-  %v4601 = load double, ptr %v4600, align 8, !noalias !541
-  %v4602 = fcmp olt double %v4601, 2.500000e-01
-  %v4603 = select i1 %v4602, double 2.500000e-01, double %v4601
-  store double %v4603, ptr %v4600, align 8, !noalias !541
-  %v4604 = load i64, ptr %v452, align 8, !noalias !541
-  %v4605 = tail call i64 @llvm.smax.i64(i64 %v4604, i64 1)
-  br label %v4599
+v4482:
+  %v4596 = phi i1 [ %v4293, %v4473 ], [ true, %v4586 ], [ %v4293, %v4595 ], [ %v4293, %v4474 ], [ %v4293, %v4541 ]
+  %v4597 = load i64, ptr %v4300, align 8, !noalias !524
+  %v4598 = icmp sgt i64 %v4597, -1
+  br i1 %v4598, label %v4599, label %v4288
 
 v4599:
-  %v4606 = phi i64 [ %v4605, %v4597 ], [ 2, %v4596 ]
-  store i64 %v4606, ptr %v452, align 8, !noalias !541
-  br i1 %v1044, label %v4565, label %v4607
+  %v4600 = add nsw i64 %v4295, 1
+  %v4601 = getelementptr double, ptr %v1066, i64 %v4404
+  %v4602 = load double, ptr %v4601, align 8, !noalias !524
+  %v4603 = fcmp ogt double %v4602, 0.000000e+00
+  br i1 %v4603, label %v4604, label %v4605
 
-v4607:
-  %v4608 = select i1 %v4575, i64 %v77, i64 0
-  %v4609 = add i64 %v4608, %v4574
-  %v4610 = mul i64 %v4609, %v78
-  %v4611 = getelementptr double, ptr %v76, i64 %v4610
-  br label %v4612
+v4605:
+  %v4606 = mul i64 %v4597, %v126
+  %v4607 = getelementptr i64, ptr %v124, i64 %v4606
+  %v4608 = load i64, ptr %v4607, align 8, !noalias !524
+  %v4609 = and i64 %v4608, 127
+  %v4610 = getelementptr double, ptr %v1068, i64 %v4404
+  %v4611 = load double, ptr %v4610, align 8, !noalias !524
+  %v4612 = fcmp olt double %v4611, %v1069
+  %v4613 = select i1 %v4612, double %v4611, double %v1069
+  %v4614 = sitofp i64 %v4309 to double
+  %v4615 = fsub double %v4613, %v4614
+  %v4616 = sub nsw i64 128, %v4609
+  %v4617 = uitofp i64 %v4616 to double
+  %v4618 = fcmp ogt double %v4615, %v4617
+  %v4619 = select i1 %v4618, double %v4617, double %v4615
+  br label %v4604
 
-v4612:
-  %v4613 = phi i64 [ 0, %v4607 ], [ %v4614, %v4612 ]
-  %v4614 = add nsw i64 %v4613, 1
-  %v4615 = getelementptr double, ptr %v4611, i64 %v4613
-  %v4616 = load double, ptr %v4615, align 8, !noalias !545
-  %v4617 = getelementptr i64, ptr %v62, i64 %v4613
-  %v4618 = load i64, ptr %v4617, align 8, !noalias !545
-  %v4619 = mul nsw i64 %v4618, %v9
-  %v4620 = add nsw i64 %v4619, %v4442
-  %v4621 = icmp slt i64 %v4620, 0
-  %v4622 = select i1 %v4621, i64 %v166, i64 0
-  %v4623 = getelementptr double, ptr %v165, i64 %v4620
-  %v4624 = getelementptr double, ptr %v4623, i64 %v4622
-  store double %v4616, ptr %v4624, align 8, !noalias !545
-  %v4625 = icmp eq i64 %v63, %v4614
-  br i1 %v4625, label %v4565, label %v4612
+v4604:
+  %v4620 = phi double [ %v4619, %v4605 ], [ 1.000000e+00, %v4599 ]
+  %v4621 = getelementptr double, ptr %v1071, i64 %v4404
+  store double %v4620, ptr %v4621, align 8, !noalias !524
+  %v4622 = getelementptr double, ptr %v1073, i64 %v4404
+  %v4623 = load double, ptr %v4622, align 8, !noalias !560
+  %v4624 = getelementptr double, ptr %v1075, i64 %v4404
+  store double %v4623, ptr %v4624, align 8, !noalias !560
+  %v4625 = getelementptr i64, ptr %v1077, i64 %v4299
+  %v4626 = load i64, ptr %v4625, align 8, !noalias !560
+  %v4627 = icmp slt i64 %v4626, %v93
+  br i1 %v4627, label %v4628, label %v4288
 
-v4565:
-  %v4626 = getelementptr i64, ptr %v110, i64 %v4457
-  %v4627 = load i64, ptr %v4626, align 8, !noalias !524
-  %v4628 = icmp eq i64 %v4627, 0
-  br i1 %v4628, label %v4629, label %v4630
+v4628:
+  %v4629 = icmp slt i64 %v4626, 0
+  %v4630 = select i1 %v4629, i64 %v93, i64 0
+  %v4631 = getelementptr double, ptr %v92, i64 %v4626
+  %v4632 = getelementptr double, ptr %v4631, i64 %v4630
+  %v4633 = load double, ptr %v4632, align 8, !noalias !560
+  %v4634 = load double, ptr %v4622, align 8, !noalias !560
+  %v4635 = fcmp olt double %v4634, %v4633
+  %v4636 = select i1 %v4635, double %v4634, double %v4633
+  store double %v4636, ptr %v4624, align 8, !noalias !560
+  br label %v4288
 
-v4630:
-  %v4631 = getelementptr i64, ptr %v1046, i64 %v4455
-  %v4632 = load i64, ptr %v4631, align 8, !noalias !524
-  %v4633 = getelementptr i64, ptr %v117, i64 %v4457
-  store i64 %v4632, ptr %v4633, align 8, !noalias !524
-  store i64 -1, ptr %v4456, align 8, !noalias !524
-  %v4634 = getelementptr double, ptr %v1048, i64 %v4560
-  store double 0.000000e+00, ptr %v4634, align 8, !noalias !549
-  %v4635 = load i64, ptr %v151, align 8, !noalias !549
-  %v4636 = load i64, ptr %v1049, align 8, !noalias !549
-  %v4637 = icmp eq i64 %v4635, %v4636
-  br i1 %v4637, label %v4638, label %v4639
+v4288:
+  %v4296 = phi i64 [ %v4295, %v4285 ], [ %v4295, %v4482 ], [ %v4600, %v4604 ], [ %v4600, %v4628 ]
+  %v4294 = phi i1 [ %v4293, %v4285 ], [ %v4596, %v4482 ], [ %v4596, %v4604 ], [ %v4596, %v4628 ]
+  %v4637 = icmp sgt i64 %v4291, 0
+  %v4638 = sext i1 %v4637 to i64
+  %v4292 = add nsw i64 %v4291, %v4638
+  %v4639 = zext i1 %v4637 to i64
+  %v4290 = add i64 %v4289, %v4639
+  %v4287 = select i1 %v4637, i64 %v4289, i64 0
+  br i1 %v4637, label %v4285, label %v4640
 
-v4639:
-  %v4640 = add nsw i64 %v4635, 1
-  store i64 %v4640, ptr %v151, align 8, !noalias !549
-  store i64 2, ptr %v452, align 8, !noalias !549
-  store i64 %v4635, ptr %v4456, align 8, !noalias !549
-  %v4641 = icmp slt i64 %v4635, 0
-  %v4642 = select i1 %v4641, i64 %v49, i64 0
-  %v4643 = getelementptr i64, ptr %v48, i64 %v4635
-  %v4644 = getelementptr i64, ptr %v4643, i64 %v4642
-  %v4645 = load i64, ptr %v4644, align 8, !noalias !549
-  %v4646 = icmp slt i64 %v4645, 0
-  %v4647 = select i1 %v4646, i64 %v56, i64 0
-  %v4648 = getelementptr i64, ptr %v55, i64 %v4645
-  %v4649 = getelementptr i64, ptr %v4648, i64 %v4647
-  %v4650 = load i64, ptr %v4649, align 8, !noalias !549
-  %v4651 = getelementptr i64, ptr %v1050, i64 %v4455
-  store i64 %v4650, ptr %v4651, align 8, !noalias !549
-  store i64 1, ptr %v4631, align 8, !noalias !549
-  %v4652 = getelementptr i64, ptr %v1052, i64 %v4455
-  store i64 0, ptr %v4652, align 8, !noalias !549
-  br i1 %v1053, label %v4653, label %v4654
-
-v4654:
-  %v4655 = select i1 %v4641, i64 %v40, i64 0
-  %v4656 = add i64 %v4655, %v4635
-  %v4657 = mul i64 %v4656, %v41
-  %v4658 = getelementptr double, ptr %v39, i64 %v4657
-  br label %v4659
-
-v4653:
-  br i1 %v1054, label %v4660, label %v4661
-
-v4661:
-  %v4662 = load i64, ptr %v4651, align 8, !noalias !549
-  %v4663 = icmp slt i64 %v4662, 0
-  %v4664 = select i1 %v4663, i64 %v77, i64 0
-  %v4665 = add i64 %v4664, %v4662
-  %v4666 = mul i64 %v4665, %v78
-  %v4667 = getelementptr double, ptr %v76, i64 %v4666
-  br label %v4668
-
-v4668:
-  %v4669 = phi i64 [ 0, %v4661 ], [ %v4670, %v4668 ]
-  %v4670 = add nsw i64 %v4669, 1
-  %v4671 = getelementptr double, ptr %v4667, i64 %v4669
-  %v4672 = load double, ptr %v4671, align 8, !noalias !552
-  %v4673 = getelementptr i64, ptr %v62, i64 %v4669
-  %v4674 = load i64, ptr %v4673, align 8, !noalias !552
-  %v4675 = mul nsw i64 %v4674, %v9
-  %v4676 = add nsw i64 %v4675, %v4442
-  %v4677 = icmp slt i64 %v4676, 0
-  %v4678 = select i1 %v4677, i64 %v166, i64 0
-  %v4679 = getelementptr double, ptr %v165, i64 %v4676
-  %v4680 = getelementptr double, ptr %v4679, i64 %v4678
-  store double %v4672, ptr %v4680, align 8, !noalias !552
-  %v4681 = icmp eq i64 %v4670, %v63
-  br i1 %v4681, label %v4660, label %v4668
-
-v4682:
-  %v4683 = getelementptr double, ptr %v133, i64 %v4560
-  br label %v4684
-
-v4685:
-  %v4686 = mul i64 %v4687, %v135
-  %v4688 = getelementptr double, ptr %v4683, i64 %v4686
-  %v4689 = load double, ptr %v4688, align 8, !noalias !556
-  %v4690 = fcmp une double %v4689, 0xFFF0000000000000
-  br i1 %v4690, label %v4691, label %v4692
-
-v4691:
-  %v4693 = mul i64 %v4687, %v135
-  %v4694 = getelementptr double, ptr %v4683, i64 %v4693
-  store double 0.000000e+00, ptr %v4694, align 8, !noalias !556
-  br label %v4692
-
-v4692:
-  %v4695 = icmp eq i64 %v4696, 32
-  br i1 %v4695, label %v4697, label %v4684
-
-v4697:
-  %v4698 = getelementptr double, ptr %v1057, i64 %v4560
-  store double 5.000000e+03, ptr %v4698, align 8, !noalias !556
-  store double 1.000000e+00, ptr %v4634, align 8, !noalias !556
-  %v4699 = getelementptr double, ptr %v1059, i64 %v4560
-  store double 0xFFF0000000000000, ptr %v4699, align 8, !noalias !556
-  %v4700 = getelementptr double, ptr %v1061, i64 %v4560
-  store double 0x7FF0000000000000, ptr %v4700, align 8, !noalias !556
-  %v4701 = load double, ptr %v92, align 8, !noalias !549
-  store double %v4701, ptr %v4683, align 8, !noalias !549
-  %v4702 = load double, ptr %v92, align 8, !noalias !549
-  %v4703 = getelementptr double, ptr %v1063, i64 %v4560
-  store double %v4702, ptr %v4703, align 8, !noalias !549
-  %v4704 = load i64, ptr %v4651, align 8, !noalias !549
-  %v4705 = icmp slt i64 %v4704, 0
-  %v4706 = select i1 %v4705, i64 %v70, i64 0
-  %v4707 = getelementptr double, ptr %v69, i64 %v4704
-  %v4708 = getelementptr double, ptr %v4707, i64 %v4706
-  %v4709 = load double, ptr %v4708, align 8, !noalias !549
-  %v4710 = getelementptr double, ptr %v1065, i64 %v4560
-  store double %v4709, ptr %v4710, align 8, !noalias !549
-  br label %v4638
-
-v4684:
-  %v4687 = phi i64 [ 0, %v4682 ], [ %v4696, %v4692 ]
-  %v4696 = add nsw i64 %v4687, 1
-  %v4711 = icmp ult i64 %v4687, 30
-  br i1 %v4711, label %v4691, label %v4685
-
-v4659:
-  %v4712 = phi i64 [ 0, %v4654 ], [ %v4713, %v4659 ]
-  %v4713 = add nsw i64 %v4712, 1
-  %v4714 = getelementptr double, ptr %v4658, i64 %v4712
-  %v4715 = load double, ptr %v4714, align 8, !noalias !549
-  %v4716 = mul nsw i64 %v4712, %v9
-  %v4717 = add nsw i64 %v4716, %v4442
-  %v4718 = icmp slt i64 %v4717, 0
-  %v4719 = select i1 %v4718, i64 %v166, i64 0
-  %v4720 = getelementptr double, ptr %v165, i64 %v4717
-  %v4721 = getelementptr double, ptr %v4720, i64 %v4719
-  store double %v4715, ptr %v4721, align 8, !noalias !549
-  %v4722 = icmp eq i64 %v4713, %v41
-  br i1 %v4722, label %v4653, label %v4659
-
-v4660:
-  br i1 %v1055, label %v4682, label %v4723
-
-v4723:
-  %v4724 = getelementptr double, ptr %v193, i64 %v4442
-  %v4725 = select i1 %v4641, i64 %v31, i64 0
-  %v4726 = add i64 %v4725, %v4635
-  %v4727 = mul i64 %v4726, %v32
-  %v4728 = getelementptr double, ptr %v30, i64 %v4727
-  %v4729 = select i1 %v4453, i64 %v196, i64 0
-  %v4730 = getelementptr double, ptr %v4724, i64 %v4729
-  br label %v4731
-
-v4731:
-  %v4732 = phi i64 [ 0, %v4723 ], [ %v4733, %v4731 ]
-  %v4733 = add nsw i64 %v4732, 1
-  %v4734 = getelementptr double, ptr %v4728, i64 %v4732
-  %v4735 = load double, ptr %v4734, align 8, !noalias !549
-  %v4736 = mul i64 %v4732, %v196
-  %v4737 = getelementptr double, ptr %v4730, i64 %v4736
-  store double %v4735, ptr %v4737, align 8, !noalias !549
-  %v4738 = icmp eq i64 %v4733, %v10
-  br i1 %v4738, label %v4682, label %v4731
-
-v4629:
-  %v4739 = getelementptr double, ptr %v1067, i64 %v4560
-  %v4740 = load double, ptr %v4739, align 8, !noalias !524
-  %v4741 = fcmp ult double %v4740, 1.500000e+01
-  br i1 %v4741, label %v4638, label %v4742
-
-v4742:
-  %v4743 = load double, ptr %v1069, align 8, !noalias !524
-  %v4744 = getelementptr double, ptr %v133, i64 %v4560
-  %v4745 = load double, ptr %v4744, align 8, !noalias !524
-  %v4746 = fsub double %v4743, %v4745
-  %v4747 = getelementptr double, ptr %v1070, i64 %v4560
-  %v4748 = load double, ptr %v4747, align 8, !noalias !524
-  %v4749 = fmul double %v4748, 2.500000e+02
-  %v4750 = fcmp ogt double %v4746, %v4749
-  br i1 %v4750, label %v4638, label %v4751
-
-v4751:
-  store double 0.000000e+00, ptr %v4739, align 8, !noalias !524
-  br label %v4638
-
-v4638:
-  %v4752 = phi i1 [ %v4449, %v4629 ], [ true, %v4742 ], [ %v4449, %v4751 ], [ %v4449, %v4630 ], [ %v4449, %v4697 ]
-  %v4753 = load i64, ptr %v4456, align 8, !noalias !524
-  %v4754 = icmp sgt i64 %v4753, -1
-  br i1 %v4754, label %v4755, label %v4444
-
-v4755:
-  %v4756 = add nsw i64 %v4451, 1
-  %v4757 = getelementptr double, ptr %v1072, i64 %v4560
-  %v4758 = load double, ptr %v4757, align 8, !noalias !524
-  %v4759 = fcmp ogt double %v4758, 0.000000e+00
-  br i1 %v4759, label %v4760, label %v4761
-
-v4761:
-  %v4762 = mul i64 %v4753, %v126
-  %v4763 = getelementptr i64, ptr %v124, i64 %v4762
-  %v4764 = load i64, ptr %v4763, align 8, !noalias !524
-  %v4765 = and i64 %v4764, 127
-  %v4766 = getelementptr double, ptr %v1074, i64 %v4560
-  %v4767 = load double, ptr %v4766, align 8, !noalias !524
-  %v4768 = fcmp olt double %v4767, %v1075
-  %v4769 = select i1 %v4768, double %v4767, double %v1075
-  %v4770 = sitofp i64 %v4465 to double
-  %v4771 = fsub double %v4769, %v4770
-  %v4772 = sub nsw i64 128, %v4765
-  %v4773 = uitofp i64 %v4772 to double
-  %v4774 = fcmp ogt double %v4771, %v4773
-  %v4775 = select i1 %v4774, double %v4773, double %v4771
-  br label %v4760
-
-v4760:
-  %v4776 = phi double [ %v4775, %v4761 ], [ 1.000000e+00, %v4755 ]
-  %v4777 = getelementptr double, ptr %v1077, i64 %v4560
-  store double %v4776, ptr %v4777, align 8, !noalias !524
-  %v4778 = getelementptr double, ptr %v1079, i64 %v4560
-  %v4779 = load double, ptr %v4778, align 8, !noalias !560
-  %v4780 = getelementptr double, ptr %v1081, i64 %v4560
-  store double %v4779, ptr %v4780, align 8, !noalias !560
-  %v4781 = getelementptr i64, ptr %v1083, i64 %v4455
-  %v4782 = load i64, ptr %v4781, align 8, !noalias !560
-  %v4783 = icmp slt i64 %v4782, %v93
-  br i1 %v4783, label %v4784, label %v4444
-
-v4784:
-  %v4785 = icmp slt i64 %v4782, 0
-  %v4786 = select i1 %v4785, i64 %v93, i64 0
-  %v4787 = getelementptr double, ptr %v92, i64 %v4782
-  %v4788 = getelementptr double, ptr %v4787, i64 %v4786
-  %v4789 = load double, ptr %v4788, align 8, !noalias !560
-  %v4790 = load double, ptr %v4778, align 8, !noalias !560
-  %v4791 = fcmp olt double %v4790, %v4789
-  %v4792 = select i1 %v4791, double %v4790, double %v4789
-  store double %v4792, ptr %v4780, align 8, !noalias !560
-  br label %v4444
-
-v4444:
-  %v4452 = phi i64 [ %v4451, %v4441 ], [ %v4451, %v4638 ], [ %v4756, %v4760 ], [ %v4756, %v4784 ]
-  %v4450 = phi i1 [ %v4449, %v4441 ], [ %v4752, %v4638 ], [ %v4752, %v4760 ], [ %v4752, %v4784 ]
-  %v4793 = icmp sgt i64 %v4447, 0
-  %v4794 = sext i1 %v4793 to i64
-  %v4448 = add nsw i64 %v4447, %v4794
-  %v4795 = zext i1 %v4793 to i64
-  %v4446 = add i64 %v4445, %v4795
-  %v4443 = select i1 %v4793, i64 %v4445, i64 0
-  br i1 %v4793, label %v4441, label %v4796
-
-v1113:
-  %v1112 = phi i64 [ %v1116, %v4139 ], [ %v4797, %v4796 ]
-  %v1115 = phi i64 [ %v4440, %v4139 ], [ %v4452, %v4796 ]
-  %v4798 = icmp sgt i64 %v1115, 0
-  %v4799 = icmp sgt i64 %v1112, 0
-  %v4800 = select i1 %v4798, i1 %v4799, i1 false
-  br i1 %v4800, label %v1110, label %v451
+v1107:
+  %v1106 = phi i64 [ %v1110, %v4003 ], [ %v4641, %v4640 ]
+  %v1109 = phi i64 [ %v4284, %v4003 ], [ %v4296, %v4640 ]
+  %v4642 = icmp sgt i64 %v1109, 0
+  %v4643 = icmp sgt i64 %v1106, 0
+  %v4644 = select i1 %v4642, i1 %v4643, i1 false
+  br i1 %v4644, label %v1104, label %v451
 
 v451:
-  %v4801 = phi i64 [ %v446, %v309 ], [ %v1115, %v1113 ]
-  br i1 %v307, label %v4802, label %v4803
+  %v4645 = phi i64 [ %v446, %v309 ], [ %v1109, %v1107 ]
+  br i1 %v307, label %v4646, label %v4647
 
-v4803:
-  %v4804 = mul i64 %v135, 168
-  %v4805 = getelementptr i8, ptr %v133, i64 %v4804
-  %v4806 = mul i64 %v135, 176
-  %v4807 = getelementptr i8, ptr %v133, i64 %v4806
-  %v4808 = add nsw i64 %v11, -1
-  %v4809 = mul i64 %v135, 152
-  %v4810 = getelementptr i8, ptr %v133, i64 %v4809
-  br label %v4811
+v4647:
+  %v4648 = mul i64 %v135, 168
+  %v4649 = getelementptr i8, ptr %v133, i64 %v4648
+  %v4650 = mul i64 %v135, 176
+  %v4651 = getelementptr i8, ptr %v133, i64 %v4650
+  %v4652 = add nsw i64 %v11, -1
+  %v4653 = mul i64 %v135, 152
+  %v4654 = getelementptr i8, ptr %v133, i64 %v4653
+  br label %v4655
 
-v4812:
-  %v4813 = getelementptr double, ptr %v4805, i64 %v4814
-  %v4815 = load double, ptr %v4813, align 8, !noalias !564
-  %v4816 = fptosi double %v4815 to i64
-  %v4817 = getelementptr double, ptr %v4807, i64 %v4814
-  %v4818 = load double, ptr %v4817, align 8, !noalias !564
-  %v4819 = fptosi double %v4818 to i64
-  %v4820 = mul i64 %v4821, %v126
-  %v4822 = getelementptr i64, ptr %v124, i64 %v4820
-  %v4823 = load i64, ptr %v4822, align 8, !noalias !564
-  %v4824 = add nsw i64 %v4823, %v4816
-  store i64 %v4824, ptr %v4822, align 8, !noalias !564
-  %v4825 = getelementptr i8, ptr %v4822, i64 24
-  %v4826 = load i64, ptr %v4825, align 8, !noalias !564
-  %v4827 = add nsw i64 %v4826, %v4819
-  store i64 %v4827, ptr %v4825, align 8, !noalias !564
-  %v4828 = getelementptr i8, ptr %v4822, i64 8
-  %v4829 = load i64, ptr %v4828, align 8, !noalias !564
-  %v4830 = add nsw i64 %v4819, %v4816
-  %v4831 = mul nsw i64 %v4830, %v4808
-  %v4832 = add nsw i64 %v4831, %v4816
-  %v4833 = add nsw i64 %v4832, %v4829
-  store i64 %v4833, ptr %v4828, align 8, !noalias !564
-  store double 0.000000e+00, ptr %v4813, align 8, !noalias !564
-  store double 0.000000e+00, ptr %v4817, align 8, !noalias !564
-  %v4834 = getelementptr double, ptr %v4810, i64 %v4814
-  %v4835 = load double, ptr %v4834, align 8, !noalias !564
-  %v4836 = sitofp i64 %v4830 to double
-  %v4837 = fsub double %v4835, %v4836
-  store double %v4837, ptr %v4834, align 8, !noalias !564
-  br label %v4838
+v4656:
+  %v4657 = getelementptr double, ptr %v4649, i64 %v4658
+  %v4659 = load double, ptr %v4657, align 8, !noalias !564
+  %v4660 = fptosi double %v4659 to i64
+  %v4661 = getelementptr double, ptr %v4651, i64 %v4658
+  %v4662 = load double, ptr %v4661, align 8, !noalias !564
+  %v4663 = fptosi double %v4662 to i64
+  %v4664 = mul i64 %v4665, %v126
+  %v4666 = getelementptr i64, ptr %v124, i64 %v4664
+  %v4667 = load i64, ptr %v4666, align 8, !noalias !564
+  %v4668 = add nsw i64 %v4667, %v4660
+  store i64 %v4668, ptr %v4666, align 8, !noalias !564
+  %v4669 = getelementptr i8, ptr %v4666, i64 24
+  %v4670 = load i64, ptr %v4669, align 8, !noalias !564
+  %v4671 = add nsw i64 %v4670, %v4663
+  store i64 %v4671, ptr %v4669, align 8, !noalias !564
+  %v4672 = getelementptr i8, ptr %v4666, i64 8
+  %v4673 = load i64, ptr %v4672, align 8, !noalias !564
+  %v4674 = add nsw i64 %v4663, %v4660
+  %v4675 = mul nsw i64 %v4674, %v4652
+  %v4676 = add nsw i64 %v4675, %v4660
+  %v4677 = add nsw i64 %v4676, %v4673
+  store i64 %v4677, ptr %v4672, align 8, !noalias !564
+  store double 0.000000e+00, ptr %v4657, align 8, !noalias !564
+  store double 0.000000e+00, ptr %v4661, align 8, !noalias !564
+  %v4678 = getelementptr double, ptr %v4654, i64 %v4658
+  %v4679 = load double, ptr %v4678, align 8, !noalias !564
+  %v4680 = sitofp i64 %v4674 to double
+  %v4681 = fsub double %v4679, %v4680
+  store double %v4681, ptr %v4678, align 8, !noalias !564
+  br label %v4682
 
-v4838:
-  %v4839 = icmp sgt i64 %v4840, 1
-  br i1 %v4839, label %v4811, label %v4802
+v4682:
+  %v4683 = icmp sgt i64 %v4684, 1
+  br i1 %v4683, label %v4655, label %v4646
 
-v4811:
-  %v4814 = phi i64 [ 0, %v4803 ], [ %v4841, %v4838 ]
-  %v4840 = phi i64 [ %v308, %v4803 ], [ %v4842, %v4838 ]
-  %v4842 = add nsw i64 %v4840, -1
-  %v4841 = add nsw i64 %v4814, 1
-  %v4843 = getelementptr i64, ptr %v142, i64 %v4814
-  %v4821 = load i64, ptr %v4843, align 8, !noalias !564
-  %v4844 = icmp sgt i64 %v4821, -1
-  br i1 %v4844, label %v4812, label %v4838
+v4655:
+  %v4658 = phi i64 [ 0, %v4647 ], [ %v4685, %v4682 ]
+  %v4684 = phi i64 [ %v308, %v4647 ], [ %v4686, %v4682 ]
+  %v4686 = add nsw i64 %v4684, -1
+  %v4685 = add nsw i64 %v4658, 1
+  %v4687 = getelementptr i64, ptr %v142, i64 %v4658
+  %v4665 = load i64, ptr %v4687, align 8, !noalias !564
+  %v4688 = icmp sgt i64 %v4665, -1
+  br i1 %v4688, label %v4656, label %v4682
 
-v4845:
-  %v4846 = phi i32 [ 0, %v4802 ], [ %v3825, %v3827 ]
-  ret i32 %v4846
+v4689:
+  %v4690 = phi i32 [ 0, %v4646 ], [ %v3689, %v3691 ]
+  ret i32 %v4690
 
 v333:
   %v443 = phi i64 [ 0, %v310 ], [ %v442, %v340 ]
-  %v445 = phi i64 [ %v308, %v310 ], [ %v4847, %v340 ]
-  %v336 = phi i64 [ 0, %v310 ], [ %v4848, %v340 ]
-  %v4847 = add nsw i64 %v445, -1
-  %v4848 = add nsw i64 %v336, 1
+  %v445 = phi i64 [ %v308, %v310 ], [ %v4691, %v340 ]
+  %v336 = phi i64 [ 0, %v310 ], [ %v4692, %v340 ]
+  %v4691 = add nsw i64 %v445, -1
+  %v4692 = add nsw i64 %v336, 1
   %v439 = getelementptr i64, ptr %v142, i64 %v336
-  %v4849 = load i64, ptr %v439, align 8
-  %v4850 = icmp slt i64 %v4849, 0
-  br i1 %v4850, label %v334, label %v340
+  %v4693 = load i64, ptr %v439, align 8
+  %v4694 = icmp slt i64 %v4693, 0
+  br i1 %v4694, label %v334, label %v340
 
-v1451:
-  %v4851 = load i64, ptr %v6, align 8, !noalias !568
-  %v4852 = inttoptr i64 %v4851 to ptr
-  tail call void %v4852(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v560), !noalias !568
-  br label %v1452
+v1415:
+  %v4695 = load i64, ptr %v6, align 8, !noalias !568
+  %v4696 = inttoptr i64 %v4695 to ptr
+  tail call void %v4696(ptr %v133, ptr %v158, ptr %v165, ptr %v172, ptr %v179, ptr %v554), !noalias !568
+  br label %v1416
 
-v1452:
-  br i1 %v561, label %v4853, label %v4854
+v1416:
+  br i1 %v555, label %v4697, label %v4698
 
-v4853:
-  %v4855 = load double, ptr %v563, align 8, !noalias !571
-  %v4856 = fcmp olt double %v4855, 5.000000e-01
-  br i1 %v4856, label %v4857, label %v4858
+v4697:
+  %v4699 = load double, ptr %v557, align 8, !noalias !571
+  %v4700 = fcmp olt double %v4699, 5.000000e-01
+  br i1 %v4700, label %v4701, label %v4702
 
-v4857:
-  br i1 %v564, label %v4859, label %v4860
+v4701:
+  br i1 %v558, label %v4703, label %v4704
 
-v4859:
-  br i1 %v576, label %v4861, label %v4862, !prof !386
+v4703:
+  br i1 %v570, label %v4705, label %v4706, !prof !386
 
-v4863:
-  %v4864 = icmp eq i64 %v4865, %v609
-  br i1 %v4864, label %v4858, label %v4866
+v4707:
+  %v4708 = icmp eq i64 %v4709, %v603
+  br i1 %v4708, label %v4702, label %v4710
 
-v4867:
-  %v4868 = load i64, ptr %v586, align 8, !noalias !575
-  %v4869 = icmp eq i64 %v4868, %v4865
-  br i1 %v4869, label %v4870, label %v4871
+v4711:
+  %v4712 = load i64, ptr %v580, align 8, !noalias !575
+  %v4713 = icmp eq i64 %v4712, %v4709
+  br i1 %v4713, label %v4714, label %v4715
 
-v4870:
-  %v4872 = load double, ptr %v588, align 8, !noalias !575
-  %v4873 = fmul double %v4872, 1.000000e-03
-  br label %v4871
+v4714:
+  %v4716 = load double, ptr %v582, align 8, !noalias !575
+  %v4717 = fmul double %v4716, 1.000000e-03
+  br label %v4715
 
-v4871:
-  %v4874 = phi double [ %v4873, %v4870 ], [ 0.000000e+00, %v4867 ]
-  store double %v4874, ptr %v4875, align 8, !noalias !575
-  br i1 %v564, label %v4876, label %v4877
+v4715:
+  %v4718 = phi double [ %v4717, %v4714 ], [ 0.000000e+00, %v4711 ]
+  store double %v4718, ptr %v4719, align 8, !noalias !575
+  br i1 %v558, label %v4720, label %v4721
 
-v4878:
-  %v4879 = phi i64 [ %v4880, %v4878 ], [ 0, %v4866 ]
-  %v4880 = add nsw i64 %v4879, 1
-  %v4881 = mul i64 %v4879, %v196
-  %v4882 = getelementptr double, ptr %v193, i64 %v4881
-  %v4883 = load double, ptr %v4882, align 8, !noalias !575
-  %v4884 = tail call double @llvm.fabs.f64(double %v4883)
-  %v4885 = fcmp ogt double %v4886, %v4884
-  %v4887 = select i1 %v4885, double %v4886, double %v4884
-  %v4888 = fcmp ogt double %v4887, 0.000000e+00
-  %v4889 = fmul double %v4887, 1.200000e-05
-  %v4890 = select i1 %v4888, double %v4889, double 1.200000e-05
-  %v4891 = getelementptr i64, ptr %v266, i64 %v4879
-  %v4892 = load i64, ptr %v4891, align 8, !noalias !575
-  %v4893 = icmp eq i64 %v4892, %v4865
-  %v4894 = select i1 %v4893, double %v4890, double 0.000000e+00
-  %v4895 = getelementptr double, ptr %v4896, i64 %v4879
-  store double %v4894, ptr %v4895, align 8, !noalias !575
-  %v4897 = icmp eq i64 %v10, %v4880
-  br i1 %v4897, label %v4867, label %v4878
+v4722:
+  %v4723 = phi i64 [ %v4724, %v4722 ], [ 0, %v4710 ]
+  %v4724 = add nsw i64 %v4723, 1
+  %v4725 = mul i64 %v4723, %v196
+  %v4726 = getelementptr double, ptr %v193, i64 %v4725
+  %v4727 = load double, ptr %v4726, align 8, !noalias !575
+  %v4728 = tail call double @llvm.fabs.f64(double %v4727)
+  %v4729 = fcmp ogt double %v4730, %v4728
+  %v4731 = select i1 %v4729, double %v4730, double %v4728
+  %v4732 = fcmp ogt double %v4731, 0.000000e+00
+  %v4733 = fmul double %v4731, 1.200000e-05
+  %v4734 = select i1 %v4732, double %v4733, double 1.200000e-05
+  %v4735 = getelementptr i64, ptr %v266, i64 %v4723
+  %v4736 = load i64, ptr %v4735, align 8, !noalias !575
+  %v4737 = icmp eq i64 %v4736, %v4709
+  %v4738 = select i1 %v4737, double %v4734, double 0.000000e+00
+  %v4739 = getelementptr double, ptr %v4740, i64 %v4723
+  store double %v4738, ptr %v4739, align 8, !noalias !575
+  %v4741 = icmp eq i64 %v10, %v4724
+  br i1 %v4741, label %v4711, label %v4722
 
-v4898:
-  %v4899 = getelementptr double, ptr %v602, i64 %v4900
-  store double %v4901, ptr %v4899, align 8, !noalias !581
-  br label %v4902
+v4742:
+  %v4743 = getelementptr double, ptr %v596, i64 %v4744
+  store double %v4745, ptr %v4743, align 8, !noalias !581
+  br label %v4746
 
-v4903:
-  %v4904 = select i1 %v4905, i64 %v295, i64 0
-  %v4906 = getelementptr i64, ptr %v294, i64 %v4907
-  %v4908 = getelementptr i64, ptr %v4906, i64 %v4904
-  %v4909 = load i64, ptr %v4908, align 8, !noalias !581
-  %v4910 = icmp slt i64 %v4909, 0
-  %v4911 = select i1 %v4910, i64 %v223, i64 0
-  %v4912 = getelementptr double, ptr %v222, i64 %v4909
-  %v4913 = getelementptr double, ptr %v4912, i64 %v4911
-  store double %v4901, ptr %v4913, align 8, !noalias !581
-  br label %v4902
+v4747:
+  %v4748 = select i1 %v4749, i64 %v295, i64 0
+  %v4750 = getelementptr i64, ptr %v294, i64 %v4751
+  %v4752 = getelementptr i64, ptr %v4750, i64 %v4748
+  %v4753 = load i64, ptr %v4752, align 8, !noalias !581
+  %v4754 = icmp slt i64 %v4753, 0
+  %v4755 = select i1 %v4754, i64 %v223, i64 0
+  %v4756 = getelementptr double, ptr %v222, i64 %v4753
+  %v4757 = getelementptr double, ptr %v4756, i64 %v4755
+  store double %v4745, ptr %v4757, align 8, !noalias !581
+  br label %v4746
 
-v4902:
-  %v4914 = icmp sgt i64 %v4915, 1
-  br i1 %v4914, label %v4916, label %v4863
+v4746:
+  %v4758 = icmp sgt i64 %v4759, 1
+  br i1 %v4758, label %v4760, label %v4707
 
-v4860:
-  %v4917 = phi i64 [ %v4918, %v4860 ], [ 0, %v4857 ]
-  %v4918 = add nsw i64 %v4917, 1
-  %v4919 = mul i64 %v4917, %v196
-  %v4920 = getelementptr double, ptr %v193, i64 %v4919
-  %v4921 = load double, ptr %v4920, align 8, !noalias !581
-  %v4922 = getelementptr double, ptr %v567, i64 %v4919
-  store double %v4921, ptr %v4922, align 8, !noalias !581
-  %v4923 = getelementptr double, ptr %v569, i64 %v4919
-  store double 0.000000e+00, ptr %v4923, align 8, !noalias !581
-  %v4924 = icmp eq i64 %v10, %v4918
-  br i1 %v4924, label %v4859, label %v4860
+v4704:
+  %v4761 = phi i64 [ %v4762, %v4704 ], [ 0, %v4701 ]
+  %v4762 = add nsw i64 %v4761, 1
+  %v4763 = mul i64 %v4761, %v196
+  %v4764 = getelementptr double, ptr %v193, i64 %v4763
+  %v4765 = load double, ptr %v4764, align 8, !noalias !581
+  %v4766 = getelementptr double, ptr %v561, i64 %v4763
+  store double %v4765, ptr %v4766, align 8, !noalias !581
+  %v4767 = getelementptr double, ptr %v563, i64 %v4763
+  store double 0.000000e+00, ptr %v4767, align 8, !noalias !581
+  %v4768 = icmp eq i64 %v10, %v4762
+  br i1 %v4768, label %v4703, label %v4704
 
-v4925:
-  %v4926 = phi i64 [ %v159, %v4927 ], [ %v4928, %v4929 ]
-  %v4930 = sub i64 %v4926, %v4931
-  %v4932 = tail call i64 @llvm.smax.i64(i64 %v4930, i64 0)
-  %v4896 = getelementptr double, ptr %v158, i64 %v4931
-  br i1 %v581, label %v4933, label %v4858
+v4769:
+  %v4770 = phi i64 [ %v159, %v4771 ], [ %v4772, %v4773 ]
+  %v4774 = sub i64 %v4770, %v4775
+  %v4776 = tail call i64 @llvm.smax.i64(i64 %v4774, i64 0)
+  %v4740 = getelementptr double, ptr %v158, i64 %v4775
+  br i1 %v575, label %v4777, label %v4702
 
-v4933:
-  %v4934 = select i1 %v573, i64 %v4932, i64 0
-  %v4935 = getelementptr double, ptr %v4896, i64 %v10
-  %v4875 = getelementptr double, ptr %v4935, i64 %v4934
-  br label %v4866
+v4777:
+  %v4778 = select i1 %v567, i64 %v4776, i64 0
+  %v4779 = getelementptr double, ptr %v4740, i64 %v10
+  %v4719 = getelementptr double, ptr %v4779, i64 %v4778
+  br label %v4710
 
-v4861:
-  br label %v4862
+v4705:
+  br label %v4706
 
-v4862:
-  %v4936 = phi i64 [ 0, %v4861 ], [ %v575, %v4859 ]
-  br i1 %v577, label %v4937, label %v4938, !prof !128
+v4706:
+  %v4780 = phi i64 [ 0, %v4705 ], [ %v569, %v4703 ]
+  br i1 %v571, label %v4781, label %v4782, !prof !128
 
-v4938:
-  br label %v4937
+v4782:
+  br label %v4781
 
-v4937:
-  %v4931 = phi i64 [ %v159, %v4938 ], [ %v4936, %v4862 ]
-  br i1 %v579, label %v4939, label %v4929, !prof !386
+v4781:
+  %v4775 = phi i64 [ %v159, %v4782 ], [ %v4780, %v4706 ]
+  br i1 %v573, label %v4783, label %v4773, !prof !386
 
-v4939:
-  br label %v4929
+v4783:
+  br label %v4773
 
-v4929:
-  %v4928 = phi i64 [ 0, %v4939 ], [ %v578, %v4937 ]
-  br i1 %v580, label %v4925, label %v4927, !prof !128
+v4773:
+  %v4772 = phi i64 [ 0, %v4783 ], [ %v572, %v4781 ]
+  br i1 %v574, label %v4769, label %v4771, !prof !128
 
-v4927:
-  br label %v4925
+v4771:
+  br label %v4769
 
-v4866:
-  %v4865 = phi i64 [ 0, %v4933 ], [ %v4940, %v4863 ]
-  %v4940 = add nsw i64 %v4865, 1
-  %v4941 = load double, ptr %v583, align 8, !noalias !575
-  %v4942 = load double, ptr %v23, align 8, !noalias !575
-  %v4886 = fdiv double %v4941, %v4942
-  br i1 %v564, label %v4867, label %v4878
+v4710:
+  %v4709 = phi i64 [ 0, %v4777 ], [ %v4784, %v4707 ]
+  %v4784 = add nsw i64 %v4709, 1
+  %v4785 = load double, ptr %v577, align 8, !noalias !575
+  %v4786 = load double, ptr %v23, align 8, !noalias !575
+  %v4730 = fdiv double %v4785, %v4786
+  br i1 %v558, label %v4711, label %v4722
 
-v4943:
-  %v4944 = load double, ptr %v133, align 8, !noalias !582
-  %v4945 = load double, ptr %v4875, align 8, !noalias !582
-  %v4946 = fmul double %v4945, 5.000000e-01
-  %v4947 = fadd double %v4944, %v4946
-  store double %v4947, ptr %v591, align 8, !noalias !582
-  %v4948 = load i64, ptr %v6, align 8, !noalias !586
-  %v4949 = inttoptr i64 %v4948 to ptr
-  tail call void %v4949(ptr nonnull %v591, ptr %v594, ptr %v165, ptr %v172, ptr %v179, ptr %v604), !noalias !586
-  br label %v4950
+v4787:
+  %v4788 = load double, ptr %v133, align 8, !noalias !582
+  %v4789 = load double, ptr %v4719, align 8, !noalias !582
+  %v4790 = fmul double %v4789, 5.000000e-01
+  %v4791 = fadd double %v4788, %v4790
+  store double %v4791, ptr %v585, align 8, !noalias !582
+  %v4792 = load i64, ptr %v6, align 8, !noalias !586
+  %v4793 = inttoptr i64 %v4792 to ptr
+  tail call void %v4793(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v598), !noalias !586
+  br label %v4794
 
-v4950:
-  %v4951 = phi i64 [ %v4952, %v4950 ], [ 0, %v4943 ]
-  %v4952 = add nsw i64 %v4951, 1
-  %v4953 = mul i64 %v4951, %v196
-  %v4954 = getelementptr double, ptr %v193, i64 %v4953
-  %v4955 = load double, ptr %v4954, align 8, !noalias !582
-  %v4956 = getelementptr double, ptr %v4896, i64 %v4951
-  %v4957 = load double, ptr %v4956, align 8, !noalias !582
-  %v4958 = fmul double %v4957, 5.000000e-01
-  %v4959 = fsub double %v4955, %v4958
-  %v4960 = getelementptr double, ptr %v595, i64 %v4953
-  store double %v4959, ptr %v4960, align 8, !noalias !582
-  %v4961 = icmp eq i64 %v10, %v4952
-  br i1 %v4961, label %v4962, label %v4950
+v4794:
+  %v4795 = phi i64 [ %v4796, %v4794 ], [ 0, %v4787 ]
+  %v4796 = add nsw i64 %v4795, 1
+  %v4797 = mul i64 %v4795, %v196
+  %v4798 = getelementptr double, ptr %v193, i64 %v4797
+  %v4799 = load double, ptr %v4798, align 8, !noalias !582
+  %v4800 = getelementptr double, ptr %v4740, i64 %v4795
+  %v4801 = load double, ptr %v4800, align 8, !noalias !582
+  %v4802 = fmul double %v4801, 5.000000e-01
+  %v4803 = fsub double %v4799, %v4802
+  %v4804 = getelementptr double, ptr %v589, i64 %v4797
+  store double %v4803, ptr %v4804, align 8, !noalias !582
+  %v4805 = icmp eq i64 %v10, %v4796
+  br i1 %v4805, label %v4806, label %v4794
 
-v4876:
-  %v4963 = load double, ptr %v133, align 8, !noalias !582
-  %v4964 = fmul double %v4874, 5.000000e-01
-  %v4965 = fadd double %v4964, %v4963
-  store double %v4965, ptr %v591, align 8, !noalias !582
-  %v4966 = load i64, ptr %v6, align 8, !noalias !586
-  %v4967 = inttoptr i64 %v4966 to ptr
-  tail call void %v4967(ptr nonnull %v591, ptr %v594, ptr %v165, ptr %v172, ptr %v179, ptr %v606), !noalias !586
-  br label %v4962
+v4720:
+  %v4807 = load double, ptr %v133, align 8, !noalias !582
+  %v4808 = fmul double %v4718, 5.000000e-01
+  %v4809 = fadd double %v4808, %v4807
+  store double %v4809, ptr %v585, align 8, !noalias !582
+  %v4810 = load i64, ptr %v6, align 8, !noalias !586
+  %v4811 = inttoptr i64 %v4810 to ptr
+  tail call void %v4811(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v600), !noalias !586
+  br label %v4806
 
-v4962:
-  %v4968 = load double, ptr %v133, align 8, !noalias !582
-  %v4969 = load double, ptr %v4875, align 8, !noalias !582
-  %v4970 = fmul double %v4969, 5.000000e-01
-  %v4971 = fsub double %v4968, %v4970
-  store double %v4971, ptr %v591, align 8, !noalias !582
-  %v4972 = load i64, ptr %v6, align 8, !noalias !586
-  %v4973 = inttoptr i64 %v4972 to ptr
-  tail call void %v4973(ptr nonnull %v591, ptr %v594, ptr %v165, ptr %v172, ptr %v179, ptr %v608), !noalias !586
-  br i1 %v564, label %v4974, label %v4975
+v4806:
+  %v4812 = load double, ptr %v133, align 8, !noalias !582
+  %v4813 = load double, ptr %v4719, align 8, !noalias !582
+  %v4814 = fmul double %v4813, 5.000000e-01
+  %v4815 = fsub double %v4812, %v4814
+  store double %v4815, ptr %v585, align 8, !noalias !582
+  %v4816 = load i64, ptr %v6, align 8, !noalias !586
+  %v4817 = inttoptr i64 %v4816 to ptr
+  tail call void %v4817(ptr nonnull %v585, ptr %v588, ptr %v165, ptr %v172, ptr %v179, ptr %v602), !noalias !586
+  br i1 %v558, label %v4818, label %v4819
 
-v4976:
-  %v4977 = fsub double %v4978, %v4979
-  br label %v4980
+v4820:
+  %v4821 = fsub double %v4822, %v4823
+  br label %v4824
 
-v4981:
-  %v4982 = getelementptr double, ptr %v600, i64 %v4983
-  %v4984 = load double, ptr %v4982, align 8, !noalias !582
-  %v4985 = fsub double %v4978, %v4984
-  %v4986 = fmul double %v4985, 2.000000e+00
-  br label %v4980
+v4825:
+  %v4826 = getelementptr double, ptr %v594, i64 %v4827
+  %v4828 = load double, ptr %v4826, align 8, !noalias !582
+  %v4829 = fsub double %v4822, %v4828
+  %v4830 = fmul double %v4829, 2.000000e+00
+  br label %v4824
 
-v4980:
-  %v4987 = phi double [ %v4986, %v4981 ], [ %v4977, %v4976 ]
-  store double %v4987, ptr %v4988, align 8, !noalias !582
-  %v4989 = icmp eq i64 %v10, %v4990
-  br i1 %v4989, label %v4974, label %v4975
+v4824:
+  %v4831 = phi double [ %v4830, %v4825 ], [ %v4821, %v4820 ]
+  store double %v4831, ptr %v4832, align 8, !noalias !582
+  %v4833 = icmp eq i64 %v10, %v4834
+  br i1 %v4833, label %v4818, label %v4819
 
-v4877:
-  %v4991 = phi i64 [ %v4992, %v4877 ], [ 0, %v4871 ]
-  %v4992 = add nsw i64 %v4991, 1
-  %v4993 = mul i64 %v4991, %v196
-  %v4994 = getelementptr double, ptr %v193, i64 %v4993
-  %v4995 = load double, ptr %v4994, align 8, !noalias !582
-  %v4996 = getelementptr double, ptr %v4896, i64 %v4991
-  %v4997 = load double, ptr %v4996, align 8, !noalias !582
-  %v4998 = fmul double %v4997, 5.000000e-01
-  %v4999 = fadd double %v4995, %v4998
-  %v5000 = getelementptr double, ptr %v595, i64 %v4993
-  store double %v4999, ptr %v5000, align 8, !noalias !582
-  %v5001 = icmp eq i64 %v10, %v4992
-  br i1 %v5001, label %v4943, label %v4877
+v4721:
+  %v4835 = phi i64 [ %v4836, %v4721 ], [ 0, %v4715 ]
+  %v4836 = add nsw i64 %v4835, 1
+  %v4837 = mul i64 %v4835, %v196
+  %v4838 = getelementptr double, ptr %v193, i64 %v4837
+  %v4839 = load double, ptr %v4838, align 8, !noalias !582
+  %v4840 = getelementptr double, ptr %v4740, i64 %v4835
+  %v4841 = load double, ptr %v4840, align 8, !noalias !582
+  %v4842 = fmul double %v4841, 5.000000e-01
+  %v4843 = fadd double %v4839, %v4842
+  %v4844 = getelementptr double, ptr %v589, i64 %v4837
+  store double %v4843, ptr %v4844, align 8, !noalias !582
+  %v4845 = icmp eq i64 %v10, %v4836
+  br i1 %v4845, label %v4787, label %v4721
 
-v4975:
-  %v5002 = phi i64 [ %v4990, %v4980 ], [ 0, %v4962 ]
-  %v4990 = add nsw i64 %v5002, 1
-  %v4983 = mul i64 %v5002, %v196
-  %v5003 = getelementptr double, ptr %v193, i64 %v4983
-  %v5004 = load double, ptr %v5003, align 8, !noalias !582
-  %v5005 = getelementptr double, ptr %v595, i64 %v4983
-  store double %v5004, ptr %v5005, align 8, !noalias !582
-  %v4988 = getelementptr double, ptr %v597, i64 %v4983
-  %v4978 = load double, ptr %v4988, align 8, !noalias !582
-  %v5006 = getelementptr double, ptr %v599, i64 %v4983
-  %v4979 = load double, ptr %v5006, align 8, !noalias !582
-  %v5007 = fsub double %v4979, %v4979
-  %v5008 = fcmp oeq double %v5007, 0.000000e+00
-  br i1 %v5008, label %v4976, label %v4981
+v4819:
+  %v4846 = phi i64 [ %v4834, %v4824 ], [ 0, %v4806 ]
+  %v4834 = add nsw i64 %v4846, 1
+  %v4827 = mul i64 %v4846, %v196
+  %v4847 = getelementptr double, ptr %v193, i64 %v4827
+  %v4848 = load double, ptr %v4847, align 8, !noalias !582
+  %v4849 = getelementptr double, ptr %v589, i64 %v4827
+  store double %v4848, ptr %v4849, align 8, !noalias !582
+  %v4832 = getelementptr double, ptr %v591, i64 %v4827
+  %v4822 = load double, ptr %v4832, align 8, !noalias !582
+  %v4850 = getelementptr double, ptr %v593, i64 %v4827
+  %v4823 = load double, ptr %v4850, align 8, !noalias !582
+  %v4851 = fsub double %v4823, %v4823
+  %v4852 = fcmp oeq double %v4851, 0.000000e+00
+  br i1 %v4852, label %v4820, label %v4825
 
-v4974:
-  %v5009 = getelementptr i64, ptr %v273, i64 %v4865
-  %v5010 = load i64, ptr %v5009, align 8, !noalias !581
-  %v5011 = getelementptr i8, ptr %v5009, i64 8
-  %v5012 = load i64, ptr %v5011, align 8, !noalias !581
-  %v5013 = sub i64 %v5012, %v5010
-  %v5014 = icmp slt i64 %v5013, 1
-  br i1 %v5014, label %v4863, label %v4916
+v4818:
+  %v4853 = getelementptr i64, ptr %v273, i64 %v4709
+  %v4854 = load i64, ptr %v4853, align 8, !noalias !581
+  %v4855 = getelementptr i8, ptr %v4853, i64 8
+  %v4856 = load i64, ptr %v4855, align 8, !noalias !581
+  %v4857 = sub i64 %v4856, %v4854
+  %v4858 = icmp slt i64 %v4857, 1
+  br i1 %v4858, label %v4707, label %v4760
+
+v4760:
+  %v4759 = phi i64 [ %v4859, %v4746 ], [ %v4857, %v4818 ]
+  %v4751 = phi i64 [ %v4860, %v4746 ], [ %v4854, %v4818 ]
+  %v4859 = add nsw i64 %v4759, -1
+  %v4860 = add i64 %v4751, 1
+  %v4749 = icmp slt i64 %v4751, 0
+  %v4861 = select i1 %v4749, i64 %v281, i64 0
+  %v4862 = getelementptr i64, ptr %v280, i64 %v4751
+  %v4863 = getelementptr i64, ptr %v4862, i64 %v4861
+  %v4864 = load i64, ptr %v4863, align 8, !noalias !581
+  %v4865 = select i1 %v4749, i64 %v288, i64 0
+  %v4866 = getelementptr i64, ptr %v287, i64 %v4751
+  %v4867 = getelementptr i64, ptr %v4866, i64 %v4865
+  %v4868 = load i64, ptr %v4867, align 8, !noalias !581
+  %v4869 = icmp slt i64 %v4864, 0
+  %v4870 = select i1 %v4869, i64 %v195, i64 0
+  %v4871 = add i64 %v4870, %v4864
+  %v4744 = mul i64 %v4871, %v196
+  %v4872 = getelementptr double, ptr %v591, i64 %v4744
+  %v4873 = load double, ptr %v4872, align 8, !noalias !581
+  %v4874 = icmp slt i64 %v4868, 0
+  %v4875 = select i1 %v4874, i64 %v4776, i64 0
+  %v4876 = getelementptr double, ptr %v4740, i64 %v4868
+  %v4877 = getelementptr double, ptr %v4876, i64 %v4875
+  %v4878 = load double, ptr %v4877, align 8, !noalias !581
+  %v4879 = fdiv double %v4873, %v4878
+  %v4880 = fsub double %v4879, %v4879
+  %v4881 = fcmp oeq double %v4880, 0.000000e+00
+  %v4745 = select i1 %v4881, double %v4879, double 0.000000e+00
+  %v4882 = icmp eq i64 %v4868, %v10
+  br i1 %v4882, label %v4742, label %v4747
+
+v4702:
+  br i1 %v604, label %v4883, label %v4698
+
+v4884:
+  %v4885 = mul i64 %v4886, %v607
+  %v4887 = icmp slt i64 %v4885, 0
+  %v4888 = select i1 %v4887, i64 %v230, i64 0
+  %v4889 = getelementptr double, ptr %v229, i64 %v4885
+  %v4890 = getelementptr double, ptr %v4889, i64 %v4888
+  %v4891 = load double, ptr %v4890, align 8, !noalias !571
+  %v4892 = load double, ptr %v609, align 8, !noalias !571
+  %v4893 = fadd double %v4891, %v4892
+  store double %v4893, ptr %v4890, align 8, !noalias !571
+  %v4894 = icmp eq i64 %v10, %v4895
+  br i1 %v4894, label %v4896, label %v4883
+
+v4897:
+  %v4898 = icmp eq i64 %v4899, %v10
+  br i1 %v4898, label %v4698, label %v4896
+
+v4900:
+  %v4901 = phi i64 [ %v4902, %v4896 ], [ %v4903, %v4904 ]
+  %v4905 = getelementptr i64, ptr %v236, i64 %v4902
+  store i64 %v4901, ptr %v4905, align 8, !noalias !589
+  %v4906 = add nsw i64 %v4901, %v4907
+  %v4908 = icmp slt i64 %v4906, 0
+  %v4909 = select i1 %v4908, i64 %v230, i64 0
+  %v4910 = getelementptr double, ptr %v229, i64 %v4906
+  %v4911 = getelementptr double, ptr %v4910, i64 %v4909
+  %v4912 = load double, ptr %v4911, align 8, !noalias !589
+  %v4913 = load double, ptr %v4914, align 8, !noalias !589
+  store double %v4912, ptr %v4914, align 8, !noalias !589
+  store double %v4913, ptr %v4911, align 8, !noalias !589
+  br i1 %v4915, label %v4916, label %v4917
 
 v4916:
-  %v4915 = phi i64 [ %v5015, %v4902 ], [ %v5013, %v4974 ]
-  %v4907 = phi i64 [ %v5016, %v4902 ], [ %v5010, %v4974 ]
-  %v5015 = add nsw i64 %v4915, -1
-  %v5016 = add i64 %v4907, 1
-  %v4905 = icmp slt i64 %v4907, 0
-  %v5017 = select i1 %v4905, i64 %v281, i64 0
-  %v5018 = getelementptr i64, ptr %v280, i64 %v4907
-  %v5019 = getelementptr i64, ptr %v5018, i64 %v5017
-  %v5020 = load i64, ptr %v5019, align 8, !noalias !581
-  %v5021 = select i1 %v4905, i64 %v288, i64 0
-  %v5022 = getelementptr i64, ptr %v287, i64 %v4907
-  %v5023 = getelementptr i64, ptr %v5022, i64 %v5021
-  %v5024 = load i64, ptr %v5023, align 8, !noalias !581
-  %v5025 = icmp slt i64 %v5020, 0
-  %v5026 = select i1 %v5025, i64 %v195, i64 0
-  %v5027 = add i64 %v5026, %v5020
-  %v4900 = mul i64 %v5027, %v196
-  %v5028 = getelementptr double, ptr %v597, i64 %v4900
-  %v5029 = load double, ptr %v5028, align 8, !noalias !581
-  %v5030 = icmp slt i64 %v5024, 0
-  %v5031 = select i1 %v5030, i64 %v4932, i64 0
-  %v5032 = getelementptr double, ptr %v4896, i64 %v5024
-  %v5033 = getelementptr double, ptr %v5032, i64 %v5031
-  %v5034 = load double, ptr %v5033, align 8, !noalias !581
-  %v5035 = fdiv double %v5029, %v5034
-  %v5036 = fsub double %v5035, %v5035
-  %v5037 = fcmp oeq double %v5036, 0.000000e+00
-  %v4901 = select i1 %v5037, double %v5035, double 0.000000e+00
-  %v5038 = icmp eq i64 %v5024, %v10
-  br i1 %v5038, label %v4898, label %v4903
+  %v4918 = sub i64 %v4919, %v4899
+  %v4920 = icmp slt i64 %v4918, 1
+  br i1 %v4920, label %v4897, label %v4921
 
-v4858:
-  br i1 %v610, label %v5039, label %v4854
+v4922:
+  %v4923 = icmp sgt i64 %v4924, 1
+  br i1 %v4923, label %v4921, label %v4897
 
-v5040:
-  %v5041 = mul i64 %v5042, %v613
-  %v5043 = icmp slt i64 %v5041, 0
-  %v5044 = select i1 %v5043, i64 %v230, i64 0
-  %v5045 = getelementptr double, ptr %v229, i64 %v5041
-  %v5046 = getelementptr double, ptr %v5045, i64 %v5044
-  %v5047 = load double, ptr %v5046, align 8, !noalias !571
-  %v5048 = load double, ptr %v615, align 8, !noalias !571
-  %v5049 = fadd double %v5047, %v5048
-  store double %v5049, ptr %v5046, align 8, !noalias !571
-  %v5050 = icmp eq i64 %v10, %v5051
-  br i1 %v5050, label %v5052, label %v5039
+v4896:
+  %v4902 = phi i64 [ %v4899, %v4897 ], [ 0, %v4884 ]
+  %v4899 = add nsw i64 %v4902, 1
+  %v4907 = mul nsw i64 %v4902, %v10
+  %v4925 = add nsw i64 %v4902, %v253
+  %v4926 = add nsw i64 %v4925, 1
+  %v4927 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4926, i64 %v10)
+  %v4928 = add i64 %v610, %v4925
+  %v4919 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v4928, i64 %v10)
+  %v4929 = getelementptr double, ptr %v229, i64 %v4907
+  %v4914 = getelementptr double, ptr %v4929, i64 %v4902
+  %v4930 = sub i64 %v4927, %v4899
+  %v4931 = tail call i64 @llvm.smax.i64(i64 %v4930, i64 0)
+  %v4915 = icmp slt i64 %v4930, 1
+  br i1 %v4915, label %v4900, label %v4932
 
-v5053:
-  %v5054 = icmp eq i64 %v5055, %v10
-  br i1 %v5054, label %v4854, label %v5052
+v4932:
+  %v4933 = load double, ptr %v4914, align 8, !noalias !589
+  %v4934 = tail call double @llvm.fabs.f64(double %v4933)
+  br label %v4904
 
-v5056:
-  %v5057 = phi i64 [ %v5058, %v5052 ], [ %v5059, %v5060 ]
-  %v5061 = getelementptr i64, ptr %v236, i64 %v5058
-  store i64 %v5057, ptr %v5061, align 8, !noalias !589
-  %v5062 = add nsw i64 %v5057, %v5063
-  %v5064 = icmp slt i64 %v5062, 0
-  %v5065 = select i1 %v5064, i64 %v230, i64 0
-  %v5066 = getelementptr double, ptr %v229, i64 %v5062
-  %v5067 = getelementptr double, ptr %v5066, i64 %v5065
-  %v5068 = load double, ptr %v5067, align 8, !noalias !589
-  %v5069 = load double, ptr %v5070, align 8, !noalias !589
-  store double %v5068, ptr %v5070, align 8, !noalias !589
-  store double %v5069, ptr %v5067, align 8, !noalias !589
-  br i1 %v5071, label %v5072, label %v5073
+v4904:
+  %v4935 = phi i64 [ %v4903, %v4904 ], [ %v4902, %v4932 ]
+  %v4936 = phi double [ %v4937, %v4904 ], [ %v4934, %v4932 ]
+  %v4938 = phi i64 [ %v4939, %v4904 ], [ %v4931, %v4932 ]
+  %v4940 = phi i64 [ %v4941, %v4904 ], [ %v4899, %v4932 ]
+  %v4939 = add nsw i64 %v4938, -1
+  %v4941 = add i64 %v4940, 1
+  %v4942 = add nsw i64 %v4940, %v4907
+  %v4943 = icmp slt i64 %v4942, 0
+  %v4944 = select i1 %v4943, i64 %v230, i64 0
+  %v4945 = getelementptr double, ptr %v229, i64 %v4942
+  %v4946 = getelementptr double, ptr %v4945, i64 %v4944
+  %v4947 = load double, ptr %v4946, align 8, !noalias !589
+  %v4948 = tail call double @llvm.fabs.f64(double %v4947)
+  %v4949 = fcmp ogt double %v4948, %v4936
+  %v4937 = select i1 %v4949, double %v4948, double %v4936
+  %v4903 = select i1 %v4949, i64 %v4940, i64 %v4935
+  %v4950 = icmp sgt i64 %v4938, 1
+  br i1 %v4950, label %v4904, label %v4900
 
-v5072:
-  %v5074 = sub i64 %v5075, %v5055
-  %v5076 = icmp slt i64 %v5074, 1
-  br i1 %v5076, label %v5053, label %v5077
+v4917:
+  %v4951 = phi i64 [ %v4952, %v4917 ], [ %v4931, %v4900 ]
+  %v4953 = phi i64 [ %v4954, %v4917 ], [ %v4899, %v4900 ]
+  %v4952 = add nsw i64 %v4951, -1
+  %v4954 = add i64 %v4953, 1
+  %v4955 = add nsw i64 %v4953, %v4907
+  %v4956 = icmp slt i64 %v4955, 0
+  %v4957 = select i1 %v4956, i64 %v230, i64 0
+  %v4958 = getelementptr double, ptr %v229, i64 %v4955
+  %v4959 = getelementptr double, ptr %v4958, i64 %v4957
+  %v4960 = load double, ptr %v4959, align 8, !noalias !589
+  %v4961 = load double, ptr %v4914, align 8, !noalias !589
+  %v4962 = fdiv double %v4960, %v4961
+  store double %v4962, ptr %v4959, align 8, !noalias !589
+  %v4963 = icmp sgt i64 %v4951, 1
+  br i1 %v4963, label %v4917, label %v4916
 
-v5078:
-  %v5079 = icmp sgt i64 %v5080, 1
-  br i1 %v5079, label %v5077, label %v5053
+v4921:
+  %v4924 = phi i64 [ %v4964, %v4922 ], [ %v4918, %v4916 ]
+  %v4965 = phi i64 [ %v4966, %v4922 ], [ %v4899, %v4916 ]
+  %v4964 = add nsw i64 %v4924, -1
+  %v4966 = add i64 %v4965, 1
+  %v4967 = mul nsw i64 %v4965, %v10
+  %v4968 = add nsw i64 %v4967, %v4901
+  %v4969 = icmp slt i64 %v4968, 0
+  %v4970 = select i1 %v4969, i64 %v230, i64 0
+  %v4971 = getelementptr double, ptr %v229, i64 %v4968
+  %v4972 = getelementptr double, ptr %v4971, i64 %v4970
+  %v4973 = load double, ptr %v4972, align 8, !noalias !589
+  %v4974 = add nsw i64 %v4967, %v4902
+  %v4975 = icmp slt i64 %v4974, 0
+  %v4976 = select i1 %v4975, i64 %v230, i64 0
+  %v4977 = getelementptr double, ptr %v229, i64 %v4974
+  %v4978 = getelementptr double, ptr %v4977, i64 %v4976
+  %v4979 = load double, ptr %v4978, align 8, !noalias !589
+  store double %v4979, ptr %v4972, align 8, !noalias !589
+  store double %v4973, ptr %v4978, align 8, !noalias !589
+  %v4980 = fcmp oeq double %v4973, 0.000000e+00
+  %v4981 = or i1 %v4915, %v4980
+  br i1 %v4981, label %v4922, label %v4982
 
-v5052:
-  %v5058 = phi i64 [ %v5055, %v5053 ], [ 0, %v5040 ]
-  %v5055 = add nsw i64 %v5058, 1
-  %v5063 = mul nsw i64 %v5058, %v10
-  %v5081 = add nsw i64 %v5058, %v253
-  %v5082 = add nsw i64 %v5081, 1
-  %v5083 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v5082, i64 %v10)
-  %v5084 = add i64 %v616, %v5081
-  %v5075 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %v5084, i64 %v10)
-  %v5085 = getelementptr double, ptr %v229, i64 %v5063
-  %v5070 = getelementptr double, ptr %v5085, i64 %v5058
-  %v5086 = sub i64 %v5083, %v5055
-  %v5087 = tail call i64 @llvm.smax.i64(i64 %v5086, i64 0)
-  %v5071 = icmp slt i64 %v5086, 1
-  br i1 %v5071, label %v5056, label %v5088
+v4982:
+  %v4983 = phi i64 [ %v4984, %v4982 ], [ %v4931, %v4921 ]
+  %v4985 = phi i64 [ %v4986, %v4982 ], [ %v4899, %v4921 ]
+  %v4984 = add nsw i64 %v4983, -1
+  %v4986 = add i64 %v4985, 1
+  %v4987 = add nsw i64 %v4985, %v4967
+  %v4988 = icmp slt i64 %v4987, 0
+  %v4989 = select i1 %v4988, i64 %v230, i64 0
+  %v4990 = getelementptr double, ptr %v229, i64 %v4987
+  %v4991 = getelementptr double, ptr %v4990, i64 %v4989
+  %v4992 = load double, ptr %v4991, align 8, !noalias !589
+  %v4993 = add nsw i64 %v4985, %v4907
+  %v4994 = icmp slt i64 %v4993, 0
+  %v4995 = select i1 %v4994, i64 %v230, i64 0
+  %v4996 = getelementptr double, ptr %v229, i64 %v4993
+  %v4997 = getelementptr double, ptr %v4996, i64 %v4995
+  %v4998 = load double, ptr %v4997, align 8, !noalias !589
+  %v4999 = fmul double %v4973, %v4998
+  %v5000 = fsub double %v4992, %v4999
+  store double %v5000, ptr %v4991, align 8, !noalias !589
+  %v5001 = icmp sgt i64 %v4983, 1
+  br i1 %v5001, label %v4982, label %v4922
 
-v5088:
-  %v5089 = load double, ptr %v5070, align 8, !noalias !589
-  %v5090 = tail call double @llvm.fabs.f64(double %v5089)
-  br label %v5060
+v4883:
+  %v4886 = phi i64 [ %v4895, %v4884 ], [ 0, %v4702 ]
+  %v4895 = add nsw i64 %v4886, 1
+  %v5002 = sub i64 %v4886, %v605
+  %v5003 = tail call i64 @llvm.smax.i64(i64 %v5002, i64 0)
+  %v5004 = add i64 %v606, %v4886
+  %v5005 = tail call i64 @llvm.smin.i64(i64 %v5004, i64 %v10)
+  %v5006 = sub i64 %v5005, %v5003
+  %v5007 = icmp slt i64 %v5006, 1
+  br i1 %v5007, label %v4884, label %v5008
 
-v5060:
-  %v5091 = phi i64 [ %v5059, %v5060 ], [ %v5058, %v5088 ]
-  %v5092 = phi double [ %v5093, %v5060 ], [ %v5090, %v5088 ]
-  %v5094 = phi i64 [ %v5095, %v5060 ], [ %v5087, %v5088 ]
-  %v5096 = phi i64 [ %v5097, %v5060 ], [ %v5055, %v5088 ]
-  %v5095 = add nsw i64 %v5094, -1
-  %v5097 = add i64 %v5096, 1
-  %v5098 = add nsw i64 %v5096, %v5063
-  %v5099 = icmp slt i64 %v5098, 0
-  %v5100 = select i1 %v5099, i64 %v230, i64 0
-  %v5101 = getelementptr double, ptr %v229, i64 %v5098
-  %v5102 = getelementptr double, ptr %v5101, i64 %v5100
-  %v5103 = load double, ptr %v5102, align 8, !noalias !589
-  %v5104 = tail call double @llvm.fabs.f64(double %v5103)
-  %v5105 = fcmp ogt double %v5104, %v5092
-  %v5093 = select i1 %v5105, double %v5104, double %v5092
-  %v5059 = select i1 %v5105, i64 %v5096, i64 %v5091
-  %v5106 = icmp sgt i64 %v5094, 1
-  br i1 %v5106, label %v5060, label %v5056
+v5008:
+  %v5009 = mul nsw i64 %v4886, %v10
+  br label %v5010
 
-v5073:
-  %v5107 = phi i64 [ %v5108, %v5073 ], [ %v5087, %v5056 ]
-  %v5109 = phi i64 [ %v5110, %v5073 ], [ %v5055, %v5056 ]
-  %v5108 = add nsw i64 %v5107, -1
-  %v5110 = add i64 %v5109, 1
-  %v5111 = add nsw i64 %v5109, %v5063
-  %v5112 = icmp slt i64 %v5111, 0
-  %v5113 = select i1 %v5112, i64 %v230, i64 0
-  %v5114 = getelementptr double, ptr %v229, i64 %v5111
-  %v5115 = getelementptr double, ptr %v5114, i64 %v5113
-  %v5116 = load double, ptr %v5115, align 8, !noalias !589
-  %v5117 = load double, ptr %v5070, align 8, !noalias !589
-  %v5118 = fdiv double %v5116, %v5117
-  store double %v5118, ptr %v5115, align 8, !noalias !589
-  %v5119 = icmp sgt i64 %v5107, 1
-  br i1 %v5119, label %v5073, label %v5072
+v5010:
+  %v5011 = phi i64 [ %v5006, %v5008 ], [ %v5012, %v5010 ]
+  %v5013 = phi i64 [ %v5003, %v5008 ], [ %v5014, %v5010 ]
+  %v5012 = add nsw i64 %v5011, -1
+  %v5014 = add i64 %v5013, 1
+  %v5015 = add nsw i64 %v5013, %v5009
+  %v5016 = icmp slt i64 %v5015, 0
+  %v5017 = select i1 %v5016, i64 %v223, i64 0
+  %v5018 = getelementptr double, ptr %v222, i64 %v5015
+  %v5019 = getelementptr double, ptr %v5018, i64 %v5017
+  %v5020 = load double, ptr %v5019, align 8, !noalias !571
+  %v5021 = fneg double %v5020
+  %v5022 = select i1 %v5016, i64 %v230, i64 0
+  %v5023 = getelementptr double, ptr %v229, i64 %v5015
+  %v5024 = getelementptr double, ptr %v5023, i64 %v5022
+  store double %v5021, ptr %v5024, align 8, !noalias !571
+  %v5025 = icmp sgt i64 %v5011, 1
+  br i1 %v5025, label %v5010, label %v4884
+
+v4698:
+  br i1 %v614, label %v1436, label %v5026
+
+v5027:
+  br i1 %v620, label %v5028, label %v5029
+
+v5029:
+  %v5030 = mul i64 %v5031, %v621
+  %v5032 = getelementptr double, ptr %v193, i64 %v5030
+  br label %v5033
+
+v5034:
+  %v5035 = icmp slt i64 %v5036, 0
+  %v5037 = select i1 %v5035, i64 %v251, i64 0
+  %v5038 = getelementptr i64, ptr %v250, i64 %v5036
+  %v5039 = getelementptr i64, ptr %v5038, i64 %v5037
+  store i64 %v5040, ptr %v5039, align 8, !noalias !592
+  %v5041 = add nsw i64 %v5036, 1
+  br label %v5042
+
+v5042:
+  %v5043 = phi i64 [ %v5041, %v5034 ], [ %v5036, %v5044 ]
+  %v5045 = icmp eq i64 %v10, %v5046
+  br i1 %v5045, label %v5028, label %v5044
+
+v5028:
+  %v5047 = phi i64 [ 0, %v5027 ], [ %v5043, %v5042 ]
+  %v5048 = icmp sgt i64 %v5047, 0
+  %v5049 = icmp slt i64 %v5047, %v10
+  %v5050 = and i1 %v5048, %v5049
+  br i1 %v5050, label %v5051, label %v5052
+
+v5051:
+  %v5053 = phi i64 [ %v5054, %v5055 ], [ %v5047, %v5028 ]
+  %v5056 = phi i64 [ %v5057, %v5055 ], [ 0, %v5028 ]
+  %v5058 = getelementptr i64, ptr %v250, i64 %v5056
+  %v5059 = load i64, ptr %v5058, align 8, !noalias !592
+  %v5057 = add nsw i64 %v5056, 1
+  %v5060 = sub nsw i64 %v5059, %v254
+  %v5061 = tail call i64 @llvm.smax.i64(i64 %v5060, i64 0)
+  %v5062 = add i64 %v628, %v5059
+  %v5063 = tail call i64 @llvm.smin.i64(i64 %v5062, i64 %v10)
+  %v5064 = sub i64 %v5063, %v5061
+  %v5065 = icmp slt i64 %v5064, 1
+  br i1 %v5065, label %v5055, label %v5066
+
+v5066:
+  %v5067 = mul nsw i64 %v5059, %v10
+  br label %v5068
+
+v5069:
+  %v5070 = icmp slt i64 %v5071, 0
+  %v5072 = select i1 %v5070, i64 %v244, i64 0
+  %v5073 = getelementptr i64, ptr %v243, i64 %v5071
+  %v5074 = getelementptr i64, ptr %v5073, i64 %v5072
+  %v5075 = load i64, ptr %v5074, align 8, !noalias !592
+  %v5076 = icmp eq i64 %v5075, 0
+  br i1 %v5076, label %v5077, label %v5078
 
 v5077:
-  %v5080 = phi i64 [ %v5120, %v5078 ], [ %v5074, %v5072 ]
-  %v5121 = phi i64 [ %v5122, %v5078 ], [ %v5055, %v5072 ]
-  %v5120 = add nsw i64 %v5080, -1
-  %v5122 = add i64 %v5121, 1
-  %v5123 = mul nsw i64 %v5121, %v10
-  %v5124 = add nsw i64 %v5123, %v5057
-  %v5125 = icmp slt i64 %v5124, 0
-  %v5126 = select i1 %v5125, i64 %v230, i64 0
-  %v5127 = getelementptr double, ptr %v229, i64 %v5124
-  %v5128 = getelementptr double, ptr %v5127, i64 %v5126
-  %v5129 = load double, ptr %v5128, align 8, !noalias !589
-  %v5130 = add nsw i64 %v5123, %v5058
-  %v5131 = icmp slt i64 %v5130, 0
-  %v5132 = select i1 %v5131, i64 %v230, i64 0
-  %v5133 = getelementptr double, ptr %v229, i64 %v5130
-  %v5134 = getelementptr double, ptr %v5133, i64 %v5132
-  %v5135 = load double, ptr %v5134, align 8, !noalias !589
-  store double %v5135, ptr %v5128, align 8, !noalias !589
-  store double %v5129, ptr %v5134, align 8, !noalias !589
-  %v5136 = fcmp oeq double %v5129, 0.000000e+00
-  %v5137 = or i1 %v5071, %v5136
-  br i1 %v5137, label %v5078, label %v5138
+  store i64 1, ptr %v5074, align 8, !noalias !592
+  %v5079 = getelementptr i64, ptr %v250, i64 %v5080
+  store i64 %v5071, ptr %v5079, align 8, !noalias !592
+  %v5081 = add nsw i64 %v5080, 1
+  br label %v5078
 
-v5138:
-  %v5139 = phi i64 [ %v5140, %v5138 ], [ %v5087, %v5077 ]
-  %v5141 = phi i64 [ %v5142, %v5138 ], [ %v5055, %v5077 ]
-  %v5140 = add nsw i64 %v5139, -1
-  %v5142 = add i64 %v5141, 1
-  %v5143 = add nsw i64 %v5141, %v5123
-  %v5144 = icmp slt i64 %v5143, 0
-  %v5145 = select i1 %v5144, i64 %v230, i64 0
-  %v5146 = getelementptr double, ptr %v229, i64 %v5143
-  %v5147 = getelementptr double, ptr %v5146, i64 %v5145
-  %v5148 = load double, ptr %v5147, align 8, !noalias !589
-  %v5149 = add nsw i64 %v5141, %v5063
+v5078:
+  %v5082 = phi i64 [ %v5080, %v5069 ], [ %v5081, %v5077 ], [ %v5080, %v5068 ]
+  %v5083 = icmp sgt i64 %v5084, 1
+  br i1 %v5083, label %v5068, label %v5055
+
+v5055:
+  %v5054 = phi i64 [ %v5053, %v5051 ], [ %v5082, %v5078 ]
+  %v5085 = icmp slt i64 %v5057, %v5054
+  %v5086 = icmp slt i64 %v5054, %v10
+  %v5087 = and i1 %v5085, %v5086
+  br i1 %v5087, label %v5051, label %v5052
+
+v5044:
+  %v5036 = phi i64 [ %v5043, %v5042 ], [ 0, %v5033 ]
+  %v5040 = phi i64 [ %v5046, %v5042 ], [ 0, %v5033 ]
+  %v5046 = add nsw i64 %v5040, 1
+  %v5088 = getelementptr double, ptr %v627, i64 %v5040
+  %v5089 = load double, ptr %v5088, align 8, !noalias !592
+  %v5090 = fcmp une double %v5089, 0.000000e+00
+  %v5091 = getelementptr i64, ptr %v243, i64 %v5040
+  %v5092 = zext i1 %v5090 to i64
+  store i64 %v5092, ptr %v5091, align 8, !noalias !592
+  br i1 %v5090, label %v5034, label %v5042
+
+v5068:
+  %v5080 = phi i64 [ %v5053, %v5066 ], [ %v5082, %v5078 ]
+  %v5084 = phi i64 [ %v5064, %v5066 ], [ %v5093, %v5078 ]
+  %v5071 = phi i64 [ %v5061, %v5066 ], [ %v5094, %v5078 ]
+  %v5093 = add nsw i64 %v5084, -1
+  %v5094 = add i64 %v5071, 1
+  %v5095 = add nsw i64 %v5071, %v5067
+  %v5096 = icmp slt i64 %v5095, 0
+  %v5097 = select i1 %v5096, i64 %v223, i64 0
+  %v5098 = getelementptr double, ptr %v222, i64 %v5095
+  %v5099 = getelementptr double, ptr %v5098, i64 %v5097
+  %v5100 = load double, ptr %v5099, align 8, !noalias !592
+  %v5101 = fcmp une double %v5100, 0.000000e+00
+  br i1 %v5101, label %v5069, label %v5078
+
+v5102:
+  %v5103 = select i1 %v5104, i64 %v195, i64 0
+  %v5105 = add i64 %v5103, %v5106
+  %v5107 = mul i64 %v5105, %v196
+  %v5108 = getelementptr double, ptr %v632, i64 %v5107
+  %v5109 = load double, ptr %v5108, align 8, !noalias !598
+  br label %v5110
+
+v5110:
+  %v5111 = phi double [ %v5109, %v5102 ], [ 0.000000e+00, %v5112 ]
+  %v5113 = mul i64 %v5114, %v196
+  %v5115 = getelementptr double, ptr %v5116, i64 %v5113
+  store double %v5111, ptr %v5115, align 8, !noalias !598
+  %v5117 = icmp eq i64 %v10, %v5118
+  br i1 %v5117, label %v5119, label %v5112
+
+v5033:
+  %v5120 = phi i64 [ 0, %v5029 ], [ %v5121, %v5033 ]
+  %v5121 = add nsw i64 %v5120, 1
+  %v5122 = mul i64 %v5120, %v196
+  %v5123 = getelementptr double, ptr %v5032, i64 %v5122
+  %v5124 = load double, ptr %v5123, align 8, !noalias !598
+  %v5125 = getelementptr double, ptr %v623, i64 %v5122
+  %v5126 = load double, ptr %v5125, align 8, !noalias !598
+  %v5127 = fadd double %v5124, %v5126
+  %v5128 = getelementptr i64, ptr %v259, i64 %v5120
+  %v5129 = load i64, ptr %v5128, align 8, !noalias !598
+  %v5130 = icmp slt i64 %v5129, 0
+  %v5131 = select i1 %v5130, i64 %v195, i64 0
+  %v5132 = add i64 %v5131, %v5129
+  %v5133 = mul i64 %v5132, %v196
+  %v5134 = getelementptr double, ptr %v625, i64 %v5133
+  store double %v5127, ptr %v5134, align 8, !noalias !598
+  %v5135 = icmp eq i64 %v10, %v5121
+  br i1 %v5135, label %v5044, label %v5033
+
+v5052:
+  br i1 %v620, label %v5119, label %v5136
+
+v5137:
+  %v5138 = icmp eq i64 %v10, %v5139
+  br i1 %v5138, label %v5140, label %v5136
+
+v5141:
+  %v5142 = icmp sgt i64 %v5143, 1
+  br i1 %v5142, label %v5140, label %v5144
+
+v5144:
+  %v5145 = mul i64 %v633, %v5031
+  %v5116 = getelementptr double, ptr %v193, i64 %v5145
+  br label %v5112
+
+v5136:
+  %v5146 = phi i64 [ %v5139, %v5137 ], [ 0, %v5052 ]
+  %v5139 = add nsw i64 %v5146, 1
+  %v5147 = getelementptr i64, ptr %v236, i64 %v5146
+  %v5148 = load i64, ptr %v5147, align 8, !noalias !599
+  %v5149 = add nsw i64 %v5148, %v626
   %v5150 = icmp slt i64 %v5149, 0
-  %v5151 = select i1 %v5150, i64 %v230, i64 0
-  %v5152 = getelementptr double, ptr %v229, i64 %v5149
+  %v5151 = select i1 %v5150, i64 %v159, i64 0
+  %v5152 = getelementptr double, ptr %v158, i64 %v5149
   %v5153 = getelementptr double, ptr %v5152, i64 %v5151
-  %v5154 = load double, ptr %v5153, align 8, !noalias !589
-  %v5155 = fmul double %v5129, %v5154
-  %v5156 = fsub double %v5148, %v5155
-  store double %v5156, ptr %v5147, align 8, !noalias !589
-  %v5157 = icmp sgt i64 %v5139, 1
-  br i1 %v5157, label %v5138, label %v5078
+  %v5154 = load double, ptr %v5153, align 8, !noalias !599
+  %v5155 = getelementptr double, ptr %v630, i64 %v5146
+  %v5156 = load double, ptr %v5155, align 8, !noalias !599
+  store double %v5156, ptr %v5153, align 8, !noalias !599
+  store double %v5154, ptr %v5155, align 8, !noalias !599
+  %v5157 = add i64 %v629, %v5146
+  %v5158 = tail call i64 @llvm.smin.i64(i64 %v5157, i64 %v10)
+  %v5159 = sub i64 %v5158, %v5139
+  %v5160 = icmp slt i64 %v5159, 1
+  br i1 %v5160, label %v5137, label %v5161
 
-v5039:
-  %v5042 = phi i64 [ %v5051, %v5040 ], [ 0, %v4858 ]
-  %v5051 = add nsw i64 %v5042, 1
-  %v5158 = sub i64 %v5042, %v611
-  %v5159 = tail call i64 @llvm.smax.i64(i64 %v5158, i64 0)
-  %v5160 = add i64 %v612, %v5042
-  %v5161 = tail call i64 @llvm.smin.i64(i64 %v5160, i64 %v10)
-  %v5162 = sub i64 %v5161, %v5159
-  %v5163 = icmp slt i64 %v5162, 1
-  br i1 %v5163, label %v5040, label %v5164
+v5161:
+  %v5162 = mul nsw i64 %v5146, %v10
+  br label %v5163
 
-v5164:
-  %v5165 = mul nsw i64 %v5042, %v10
-  br label %v5166
+v5163:
+  %v5164 = phi i64 [ %v5159, %v5161 ], [ %v5165, %v5163 ]
+  %v5166 = phi i64 [ %v5139, %v5161 ], [ %v5167, %v5163 ]
+  %v5165 = add nsw i64 %v5164, -1
+  %v5167 = add i64 %v5166, 1
+  %v5168 = add nsw i64 %v5166, %v626
+  %v5169 = icmp slt i64 %v5168, 0
+  %v5170 = select i1 %v5169, i64 %v159, i64 0
+  %v5171 = getelementptr double, ptr %v158, i64 %v5168
+  %v5172 = getelementptr double, ptr %v5171, i64 %v5170
+  %v5173 = load double, ptr %v5172, align 8, !noalias !599
+  %v5174 = add nsw i64 %v5166, %v5162
+  %v5175 = icmp slt i64 %v5174, 0
+  %v5176 = select i1 %v5175, i64 %v230, i64 0
+  %v5177 = getelementptr double, ptr %v229, i64 %v5174
+  %v5178 = getelementptr double, ptr %v5177, i64 %v5176
+  %v5179 = load double, ptr %v5178, align 8, !noalias !599
+  %v5180 = fmul double %v5154, %v5179
+  %v5181 = fsub double %v5173, %v5180
+  store double %v5181, ptr %v5172, align 8, !noalias !599
+  %v5182 = icmp sgt i64 %v5164, 1
+  br i1 %v5182, label %v5163, label %v5137
 
-v5166:
-  %v5167 = phi i64 [ %v5162, %v5164 ], [ %v5168, %v5166 ]
-  %v5169 = phi i64 [ %v5159, %v5164 ], [ %v5170, %v5166 ]
-  %v5168 = add nsw i64 %v5167, -1
-  %v5170 = add i64 %v5169, 1
-  %v5171 = add nsw i64 %v5169, %v5165
-  %v5172 = icmp slt i64 %v5171, 0
-  %v5173 = select i1 %v5172, i64 %v223, i64 0
-  %v5174 = getelementptr double, ptr %v222, i64 %v5171
-  %v5175 = getelementptr double, ptr %v5174, i64 %v5173
-  %v5176 = load double, ptr %v5175, align 8, !noalias !571
-  %v5177 = fneg double %v5176
-  %v5178 = select i1 %v5172, i64 %v230, i64 0
-  %v5179 = getelementptr double, ptr %v229, i64 %v5171
-  %v5180 = getelementptr double, ptr %v5179, i64 %v5178
-  store double %v5177, ptr %v5180, align 8, !noalias !571
-  %v5181 = icmp sgt i64 %v5167, 1
-  br i1 %v5181, label %v5166, label %v5040
+v5140:
+  %v5143 = phi i64 [ %v5183, %v5141 ], [ %v10, %v5137 ]
+  %v5183 = add nsw i64 %v5143, -1
+  %v5184 = add nsw i64 %v5183, %v626
+  %v5185 = icmp slt i64 %v5184, 0
+  %v5186 = select i1 %v5185, i64 %v159, i64 0
+  %v5187 = getelementptr double, ptr %v158, i64 %v5184
+  %v5188 = getelementptr double, ptr %v5187, i64 %v5186
+  %v5189 = load double, ptr %v5188, align 8, !noalias !599
+  %v5190 = mul nsw i64 %v5183, %v10
+  %v5191 = add nsw i64 %v5190, %v5183
+  %v5192 = icmp slt i64 %v5191, 0
+  %v5193 = select i1 %v5192, i64 %v230, i64 0
+  %v5194 = getelementptr double, ptr %v229, i64 %v5191
+  %v5195 = getelementptr double, ptr %v5194, i64 %v5193
+  %v5196 = load double, ptr %v5195, align 8, !noalias !599
+  %v5197 = fdiv double %v5189, %v5196
+  store double %v5197, ptr %v5188, align 8, !noalias !599
+  %v5198 = sub i64 %v5183, %v631
+  %v5199 = tail call i64 @llvm.smax.i64(i64 %v5198, i64 0)
+  %v5200 = sub i64 %v5183, %v5199
+  %v5201 = icmp slt i64 %v5200, 1
+  br i1 %v5201, label %v5141, label %v5202
 
-v4854:
-  br i1 %v620, label %v1472, label %v5182
+v5202:
+  %v5203 = phi i64 [ %v5204, %v5202 ], [ %v5200, %v5140 ]
+  %v5205 = phi i64 [ %v5206, %v5202 ], [ %v5199, %v5140 ]
+  %v5204 = add nsw i64 %v5203, -1
+  %v5206 = add i64 %v5205, 1
+  %v5207 = add nsw i64 %v5205, %v626
+  %v5208 = icmp slt i64 %v5207, 0
+  %v5209 = select i1 %v5208, i64 %v159, i64 0
+  %v5210 = getelementptr double, ptr %v158, i64 %v5207
+  %v5211 = getelementptr double, ptr %v5210, i64 %v5209
+  %v5212 = load double, ptr %v5211, align 8, !noalias !599
+  %v5213 = add nsw i64 %v5205, %v5190
+  %v5214 = icmp slt i64 %v5213, 0
+  %v5215 = select i1 %v5214, i64 %v230, i64 0
+  %v5216 = getelementptr double, ptr %v229, i64 %v5213
+  %v5217 = getelementptr double, ptr %v5216, i64 %v5215
+  %v5218 = load double, ptr %v5217, align 8, !noalias !599
+  %v5219 = fmul double %v5197, %v5218
+  %v5220 = fsub double %v5212, %v5219
+  store double %v5220, ptr %v5211, align 8, !noalias !599
+  %v5221 = icmp sgt i64 %v5203, 1
+  br i1 %v5221, label %v5202, label %v5141
 
-v5183:
-  br i1 %v626, label %v5184, label %v5185
+v5112:
+  %v5114 = phi i64 [ 0, %v5144 ], [ %v5118, %v5110 ]
+  %v5118 = add nsw i64 %v5114, 1
+  %v5222 = getelementptr i64, ptr %v259, i64 %v5114
+  %v5106 = load i64, ptr %v5222, align 8, !noalias !598
+  %v5104 = icmp slt i64 %v5106, 0
+  %v5223 = select i1 %v5104, i64 %v244, i64 0
+  %v5224 = getelementptr i64, ptr %v243, i64 %v5106
+  %v5225 = getelementptr i64, ptr %v5224, i64 %v5223
+  %v5226 = load i64, ptr %v5225, align 8, !noalias !598
+  %v5227 = icmp eq i64 %v5226, 0
+  br i1 %v5227, label %v5110, label %v5102
 
-v5185:
-  %v5186 = mul i64 %v5187, %v627
-  %v5188 = getelementptr double, ptr %v193, i64 %v5186
-  br label %v5189
+v5119:
+  %v5228 = icmp eq i64 %v5229, %v612
+  br i1 %v5228, label %v1436, label %v5026
 
-v5190:
-  %v5191 = icmp slt i64 %v5192, 0
-  %v5193 = select i1 %v5191, i64 %v251, i64 0
-  %v5194 = getelementptr i64, ptr %v250, i64 %v5192
-  %v5195 = getelementptr i64, ptr %v5194, i64 %v5193
-  store i64 %v5196, ptr %v5195, align 8, !noalias !592
-  %v5197 = add nsw i64 %v5192, 1
-  br label %v5198
+v1436:
+  %v5230 = load i64, ptr %v634, align 8, !noalias !603
+  %v5231 = inttoptr i64 %v5230 to ptr
+  tail call void %v5231(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !603
+  br i1 %v307, label %v1434, label %v1424
 
-v5198:
-  %v5199 = phi i64 [ %v5197, %v5190 ], [ %v5192, %v5200 ]
-  %v5201 = icmp eq i64 %v10, %v5202
-  br i1 %v5201, label %v5184, label %v5200
+v5026:
+  %v5229 = phi i64 [ %v5031, %v5119 ], [ 1, %v4698 ]
+  %v5031 = add i64 %v5229, 1
+  %v5232 = getelementptr i64, ptr %v6, i64 %v5229
+  %v5233 = getelementptr i8, ptr %v5232, i64 104
+  %v5234 = load i64, ptr %v5233, align 8, !noalias !606
+  %v5235 = inttoptr i64 %v5234 to ptr
+  tail call void %v5235(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !606
+  %v5236 = load i64, ptr %v6, align 8, !noalias !609
+  %v5237 = mul nsw i64 %v5031, %v617
+  %v5238 = getelementptr double, ptr %v158, i64 %v5237
+  %v5239 = inttoptr i64 %v5236 to ptr
+  tail call void %v5239(ptr %v616, ptr %v619, ptr %v165, ptr %v172, ptr %v179, ptr %v5238), !noalias !609
+  br i1 %v555, label %v5027, label %v5119
 
-v5184:
-  %v5203 = phi i64 [ 0, %v5183 ], [ %v5199, %v5198 ]
-  %v5204 = icmp sgt i64 %v5203, 0
-  %v5205 = icmp slt i64 %v5203, %v10
-  %v5206 = and i1 %v5204, %v5205
-  br i1 %v5206, label %v5207, label %v5208
+v1424:
+  %v1425 = phi i1 [ %v1431, %v1426 ], [ %v1412, %v1436 ]
+  %v5240 = phi i1 [ %v1423, %v1426 ], [ false, %v1436 ]
+  %v1433 = phi i64 [ %v5241, %v1426 ], [ %v308, %v1436 ]
+  %v1419 = phi i64 [ %v5242, %v1426 ], [ 0, %v1436 ]
+  %v5241 = add nsw i64 %v1433, -1
+  %v5242 = add nsw i64 %v1419, 1
+  br i1 %v5240, label %v1422, label %v1417
 
-v5207:
-  %v5209 = phi i64 [ %v5210, %v5211 ], [ %v5203, %v5184 ]
-  %v5212 = phi i64 [ %v5213, %v5211 ], [ 0, %v5184 ]
-  %v5214 = getelementptr i64, ptr %v250, i64 %v5212
-  %v5215 = load i64, ptr %v5214, align 8, !noalias !592
-  %v5213 = add nsw i64 %v5212, 1
-  %v5216 = sub nsw i64 %v5215, %v254
-  %v5217 = tail call i64 @llvm.smax.i64(i64 %v5216, i64 0)
-  %v5218 = add i64 %v634, %v5215
-  %v5219 = tail call i64 @llvm.smin.i64(i64 %v5218, i64 %v10)
-  %v5220 = sub i64 %v5219, %v5217
-  %v5221 = icmp slt i64 %v5220, 1
-  br i1 %v5221, label %v5211, label %v5222
+v1527:
+  %v1537 = xor i1 %v1522, true
+  %v5243 = xor i1 %v1523, true
+  %v1539 = select i1 %v5243, i1 true, i1 %v661
+  br label %v1440
 
-v5222:
-  %v5223 = mul nsw i64 %v5215, %v10
-  br label %v5224
+v3691:
+  store ptr %v3688, ptr %v1, align 8
+  br label %v4689
 
-v5225:
-  %v5226 = icmp slt i64 %v5227, 0
-  %v5228 = select i1 %v5226, i64 %v244, i64 0
-  %v5229 = getelementptr i64, ptr %v243, i64 %v5227
-  %v5230 = getelementptr i64, ptr %v5229, i64 %v5228
-  %v5231 = load i64, ptr %v5230, align 8, !noalias !592
-  %v5232 = icmp eq i64 %v5231, 0
-  br i1 %v5232, label %v5233, label %v5234
+v3690:
+  %v5244 = select i1 %v1437, i1 %v1435, i1 false
+  %v5245 = xor i1 %v5244, true
+  %v5246 = or i1 %v307, %v5245
+  br i1 %v5246, label %v3811, label %v3812
 
-v5233:
-  store i64 1, ptr %v5230, align 8, !noalias !592
-  %v5235 = getelementptr i64, ptr %v250, i64 %v5236
-  store i64 %v5227, ptr %v5235, align 8, !noalias !592
-  %v5237 = add nsw i64 %v5236, 1
-  br label %v5234
+v4640:
+  %v4641 = select i1 %v4294, i64 0, i64 %v1110
+  br label %v1107
 
-v5234:
-  %v5238 = phi i64 [ %v5236, %v5225 ], [ %v5237, %v5233 ], [ %v5236, %v5224 ]
-  %v5239 = icmp sgt i64 %v5240, 1
-  br i1 %v5239, label %v5224, label %v5211
-
-v5211:
-  %v5210 = phi i64 [ %v5209, %v5207 ], [ %v5238, %v5234 ]
-  %v5241 = icmp slt i64 %v5213, %v5210
-  %v5242 = icmp slt i64 %v5210, %v10
-  %v5243 = and i1 %v5241, %v5242
-  br i1 %v5243, label %v5207, label %v5208
-
-v5200:
-  %v5192 = phi i64 [ %v5199, %v5198 ], [ 0, %v5189 ]
-  %v5196 = phi i64 [ %v5202, %v5198 ], [ 0, %v5189 ]
-  %v5202 = add nsw i64 %v5196, 1
-  %v5244 = getelementptr double, ptr %v633, i64 %v5196
-  %v5245 = load double, ptr %v5244, align 8, !noalias !592
-  %v5246 = fcmp une double %v5245, 0.000000e+00
-  %v5247 = getelementptr i64, ptr %v243, i64 %v5196
-  %v5248 = zext i1 %v5246 to i64
-  store i64 %v5248, ptr %v5247, align 8, !noalias !592
-  br i1 %v5246, label %v5190, label %v5198
-
-v5224:
-  %v5236 = phi i64 [ %v5209, %v5222 ], [ %v5238, %v5234 ]
-  %v5240 = phi i64 [ %v5220, %v5222 ], [ %v5249, %v5234 ]
-  %v5227 = phi i64 [ %v5217, %v5222 ], [ %v5250, %v5234 ]
-  %v5249 = add nsw i64 %v5240, -1
-  %v5250 = add i64 %v5227, 1
-  %v5251 = add nsw i64 %v5227, %v5223
-  %v5252 = icmp slt i64 %v5251, 0
-  %v5253 = select i1 %v5252, i64 %v223, i64 0
-  %v5254 = getelementptr double, ptr %v222, i64 %v5251
-  %v5255 = getelementptr double, ptr %v5254, i64 %v5253
-  %v5256 = load double, ptr %v5255, align 8, !noalias !592
-  %v5257 = fcmp une double %v5256, 0.000000e+00
-  br i1 %v5257, label %v5225, label %v5234
-
-v5258:
-  %v5259 = select i1 %v5260, i64 %v195, i64 0
-  %v5261 = add i64 %v5259, %v5262
-  %v5263 = mul i64 %v5261, %v196
-  %v5264 = getelementptr double, ptr %v638, i64 %v5263
-  %v5265 = load double, ptr %v5264, align 8, !noalias !598
-  br label %v5266
-
-v5266:
-  %v5267 = phi double [ %v5265, %v5258 ], [ 0.000000e+00, %v5268 ]
-  %v5269 = mul i64 %v5270, %v196
-  %v5271 = getelementptr double, ptr %v5272, i64 %v5269
-  store double %v5267, ptr %v5271, align 8, !noalias !598
-  %v5273 = icmp eq i64 %v10, %v5274
-  br i1 %v5273, label %v5275, label %v5268
-
-v5189:
-  %v5276 = phi i64 [ 0, %v5185 ], [ %v5277, %v5189 ]
-  %v5277 = add nsw i64 %v5276, 1
-  %v5278 = mul i64 %v5276, %v196
-  %v5279 = getelementptr double, ptr %v5188, i64 %v5278
-  %v5280 = load double, ptr %v5279, align 8, !noalias !598
-  %v5281 = getelementptr double, ptr %v629, i64 %v5278
-  %v5282 = load double, ptr %v5281, align 8, !noalias !598
-  %v5283 = fadd double %v5280, %v5282
-  %v5284 = getelementptr i64, ptr %v259, i64 %v5276
-  %v5285 = load i64, ptr %v5284, align 8, !noalias !598
-  %v5286 = icmp slt i64 %v5285, 0
-  %v5287 = select i1 %v5286, i64 %v195, i64 0
-  %v5288 = add i64 %v5287, %v5285
-  %v5289 = mul i64 %v5288, %v196
-  %v5290 = getelementptr double, ptr %v631, i64 %v5289
-  store double %v5283, ptr %v5290, align 8, !noalias !598
-  %v5291 = icmp eq i64 %v10, %v5277
-  br i1 %v5291, label %v5200, label %v5189
-
-v5208:
-  br i1 %v626, label %v5275, label %v5292
-
-v5293:
-  %v5294 = icmp eq i64 %v10, %v5295
-  br i1 %v5294, label %v5296, label %v5292
-
-v5297:
-  %v5298 = icmp sgt i64 %v5299, 1
-  br i1 %v5298, label %v5296, label %v5300
-
-v5300:
-  %v5301 = mul i64 %v639, %v5187
-  %v5272 = getelementptr double, ptr %v193, i64 %v5301
-  br label %v5268
-
-v5292:
-  %v5302 = phi i64 [ %v5295, %v5293 ], [ 0, %v5208 ]
-  %v5295 = add nsw i64 %v5302, 1
-  %v5303 = getelementptr i64, ptr %v236, i64 %v5302
-  %v5304 = load i64, ptr %v5303, align 8, !noalias !599
-  %v5305 = add nsw i64 %v5304, %v632
-  %v5306 = icmp slt i64 %v5305, 0
-  %v5307 = select i1 %v5306, i64 %v159, i64 0
-  %v5308 = getelementptr double, ptr %v158, i64 %v5305
-  %v5309 = getelementptr double, ptr %v5308, i64 %v5307
-  %v5310 = load double, ptr %v5309, align 8, !noalias !599
-  %v5311 = getelementptr double, ptr %v636, i64 %v5302
-  %v5312 = load double, ptr %v5311, align 8, !noalias !599
-  store double %v5312, ptr %v5309, align 8, !noalias !599
-  store double %v5310, ptr %v5311, align 8, !noalias !599
-  %v5313 = add i64 %v635, %v5302
-  %v5314 = tail call i64 @llvm.smin.i64(i64 %v5313, i64 %v10)
-  %v5315 = sub i64 %v5314, %v5295
-  %v5316 = icmp slt i64 %v5315, 1
-  br i1 %v5316, label %v5293, label %v5317
-
-v5317:
-  %v5318 = mul nsw i64 %v5302, %v10
-  br label %v5319
-
-v5319:
-  %v5320 = phi i64 [ %v5315, %v5317 ], [ %v5321, %v5319 ]
-  %v5322 = phi i64 [ %v5295, %v5317 ], [ %v5323, %v5319 ]
-  %v5321 = add nsw i64 %v5320, -1
-  %v5323 = add i64 %v5322, 1
-  %v5324 = add nsw i64 %v5322, %v632
-  %v5325 = icmp slt i64 %v5324, 0
-  %v5326 = select i1 %v5325, i64 %v159, i64 0
-  %v5327 = getelementptr double, ptr %v158, i64 %v5324
-  %v5328 = getelementptr double, ptr %v5327, i64 %v5326
-  %v5329 = load double, ptr %v5328, align 8, !noalias !599
-  %v5330 = add nsw i64 %v5322, %v5318
-  %v5331 = icmp slt i64 %v5330, 0
-  %v5332 = select i1 %v5331, i64 %v230, i64 0
-  %v5333 = getelementptr double, ptr %v229, i64 %v5330
-  %v5334 = getelementptr double, ptr %v5333, i64 %v5332
-  %v5335 = load double, ptr %v5334, align 8, !noalias !599
-  %v5336 = fmul double %v5310, %v5335
-  %v5337 = fsub double %v5329, %v5336
-  store double %v5337, ptr %v5328, align 8, !noalias !599
-  %v5338 = icmp sgt i64 %v5320, 1
-  br i1 %v5338, label %v5319, label %v5293
-
-v5296:
-  %v5299 = phi i64 [ %v5339, %v5297 ], [ %v10, %v5293 ]
-  %v5339 = add nsw i64 %v5299, -1
-  %v5340 = add nsw i64 %v5339, %v632
-  %v5341 = icmp slt i64 %v5340, 0
-  %v5342 = select i1 %v5341, i64 %v159, i64 0
-  %v5343 = getelementptr double, ptr %v158, i64 %v5340
-  %v5344 = getelementptr double, ptr %v5343, i64 %v5342
-  %v5345 = load double, ptr %v5344, align 8, !noalias !599
-  %v5346 = mul nsw i64 %v5339, %v10
-  %v5347 = add nsw i64 %v5346, %v5339
-  %v5348 = icmp slt i64 %v5347, 0
-  %v5349 = select i1 %v5348, i64 %v230, i64 0
-  %v5350 = getelementptr double, ptr %v229, i64 %v5347
-  %v5351 = getelementptr double, ptr %v5350, i64 %v5349
-  %v5352 = load double, ptr %v5351, align 8, !noalias !599
-  %v5353 = fdiv double %v5345, %v5352
-  store double %v5353, ptr %v5344, align 8, !noalias !599
-  %v5354 = sub i64 %v5339, %v637
-  %v5355 = tail call i64 @llvm.smax.i64(i64 %v5354, i64 0)
-  %v5356 = sub i64 %v5339, %v5355
-  %v5357 = icmp slt i64 %v5356, 1
-  br i1 %v5357, label %v5297, label %v5358
-
-v5358:
-  %v5359 = phi i64 [ %v5360, %v5358 ], [ %v5356, %v5296 ]
-  %v5361 = phi i64 [ %v5362, %v5358 ], [ %v5355, %v5296 ]
-  %v5360 = add nsw i64 %v5359, -1
-  %v5362 = add i64 %v5361, 1
-  %v5363 = add nsw i64 %v5361, %v632
-  %v5364 = icmp slt i64 %v5363, 0
-  %v5365 = select i1 %v5364, i64 %v159, i64 0
-  %v5366 = getelementptr double, ptr %v158, i64 %v5363
-  %v5367 = getelementptr double, ptr %v5366, i64 %v5365
-  %v5368 = load double, ptr %v5367, align 8, !noalias !599
-  %v5369 = add nsw i64 %v5361, %v5346
-  %v5370 = icmp slt i64 %v5369, 0
-  %v5371 = select i1 %v5370, i64 %v230, i64 0
-  %v5372 = getelementptr double, ptr %v229, i64 %v5369
-  %v5373 = getelementptr double, ptr %v5372, i64 %v5371
-  %v5374 = load double, ptr %v5373, align 8, !noalias !599
-  %v5375 = fmul double %v5353, %v5374
-  %v5376 = fsub double %v5368, %v5375
-  store double %v5376, ptr %v5367, align 8, !noalias !599
-  %v5377 = icmp sgt i64 %v5359, 1
-  br i1 %v5377, label %v5358, label %v5297
-
-v5268:
-  %v5270 = phi i64 [ 0, %v5300 ], [ %v5274, %v5266 ]
-  %v5274 = add nsw i64 %v5270, 1
-  %v5378 = getelementptr i64, ptr %v259, i64 %v5270
-  %v5262 = load i64, ptr %v5378, align 8, !noalias !598
-  %v5260 = icmp slt i64 %v5262, 0
-  %v5379 = select i1 %v5260, i64 %v244, i64 0
-  %v5380 = getelementptr i64, ptr %v243, i64 %v5262
-  %v5381 = getelementptr i64, ptr %v5380, i64 %v5379
-  %v5382 = load i64, ptr %v5381, align 8, !noalias !598
-  %v5383 = icmp eq i64 %v5382, 0
-  br i1 %v5383, label %v5266, label %v5258
-
-v5275:
-  %v5384 = icmp eq i64 %v5385, %v618
-  br i1 %v5384, label %v1472, label %v5182
-
-v1472:
-  %v5386 = load i64, ptr %v640, align 8, !noalias !603
-  %v5387 = inttoptr i64 %v5386 to ptr
-  tail call void %v5387(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !603
-  br i1 %v307, label %v1470, label %v1460
-
-v5182:
-  %v5385 = phi i64 [ %v5187, %v5275 ], [ 1, %v4854 ]
-  %v5187 = add i64 %v5385, 1
-  %v5388 = getelementptr i64, ptr %v6, i64 %v5385
-  %v5389 = getelementptr i8, ptr %v5388, i64 104
-  %v5390 = load i64, ptr %v5389, align 8, !noalias !606
-  %v5391 = inttoptr i64 %v5390 to ptr
-  tail call void %v5391(ptr %v133, ptr %v158, ptr %v165, ptr %v23, ptr %v179, ptr %v186), !noalias !606
-  %v5392 = load i64, ptr %v6, align 8, !noalias !609
-  %v5393 = mul nsw i64 %v5187, %v623
-  %v5394 = getelementptr double, ptr %v158, i64 %v5393
-  %v5395 = inttoptr i64 %v5392 to ptr
-  tail call void %v5395(ptr %v622, ptr %v625, ptr %v165, ptr %v172, ptr %v179, ptr %v5394), !noalias !609
-  br i1 %v561, label %v5183, label %v5275
-
-v1460:
-  %v1461 = phi i1 [ %v1467, %v1462 ], [ %v1448, %v1472 ]
-  %v5396 = phi i1 [ %v1459, %v1462 ], [ false, %v1472 ]
-  %v1469 = phi i64 [ %v5397, %v1462 ], [ %v308, %v1472 ]
-  %v1455 = phi i64 [ %v5398, %v1462 ], [ 0, %v1472 ]
-  %v5397 = add nsw i64 %v1469, -1
-  %v5398 = add nsw i64 %v1455, 1
-  br i1 %v5396, label %v1458, label %v1453
-
-v1563:
-  %v1573 = xor i1 %v1558, true
-  %v5399 = xor i1 %v1559, true
-  %v1575 = select i1 %v5399, i1 true, i1 %v667
-  br label %v1476
-
-v3827:
-  store ptr %v3824, ptr %v1, align 8
-  br label %v4845
-
-v3826:
-  %v5400 = select i1 %v1473, i1 %v1471, i1 false
-  %v5401 = xor i1 %v5400, true
-  %v5402 = or i1 %v307, %v5401
-  br i1 %v5402, label %v3947, label %v3948
-
-v4796:
-  %v4797 = select i1 %v4450, i64 0, i64 %v1116
-  br label %v1113
-
-v4802:
-  store i64 %v4801, ptr %v0, align 8
-  br label %v4845
+v4646:
+  store i64 %v4645, ptr %v0, align 8
+  br label %v4689
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -7853,22 +7577,22 @@ v151:
 !221 = distinct !{!221, !220, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %excinfo"}
 !222 = !{!208, !210, !211, !213, !152, !154, !101, !103}
 !223 = !{!211, !213, !152, !154, !101, !103}
-!224 = !{!225, !227, !228, !230, !211, !213, !152, !154, !101, !103}
-!225 = distinct !{!225, !226, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!226 = distinct !{!226, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!227 = distinct !{!227, !226, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!228 = distinct !{!228, !229, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
-!229 = distinct !{!229, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
-!230 = distinct !{!230, !229, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
-!231 = !{!232, !234, !225, !227, !228, !230, !211, !213, !152, !154, !101, !103}
-!232 = distinct !{!232, !233, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
-!233 = distinct !{!233, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
-!234 = distinct !{!234, !233, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
-!235 = !{!236, !238, !228, !230, !211, !213, !152, !154, !101, !103}
+!224 = !{!225, !227, !228, !230, !231, !233, !211, !213, !152, !154, !101, !103}
+!225 = distinct !{!225, !226, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %retptr"}
+!226 = distinct !{!226, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d"}
+!227 = distinct !{!227, !226, !"_ZN5pages13solver_layout11interpolateB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_280_29d: %excinfo"}
+!228 = distinct !{!228, !229, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!229 = distinct !{!229, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!230 = distinct !{!230, !229, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!231 = distinct !{!231, !232, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
+!232 = distinct !{!232, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}
+!233 = distinct !{!233, !232, !"_ZN5pages14event_location13decide_withinB3v74B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %excinfo"}
+!234 = !{!228, !230, !231, !233, !211, !213, !152, !154, !101, !103}
+!235 = !{!236, !238, !231, !233, !211, !213, !152, !154, !101, !103}
 !236 = distinct !{!236, !237, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %retptr"}
 !237 = distinct !{!237, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29"}
 !238 = distinct !{!238, !237, !"_ZN5pages13solver_layout6decideB3v75B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi1E1C7mutable7alignedE24Literal_5bint_5d_2816_2923Literal_5bint_5d_289_29: %excinfo"}
-!239 = !{!228, !230, !211, !213, !152, !154, !101, !103}
+!239 = !{!231, !233, !211, !213, !152, !154, !101, !103}
 !240 = !{!241, !243, !244, !246, !247, !211, !213, !152, !154, !101, !103}
 !241 = distinct !{!241, !242, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d: %retptr"}
 !242 = distinct !{!242, !"_ZN5pages13solver_layout16put_state_withinB3v53B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1388Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_2010_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29d"}

@@ -284,8 +284,8 @@ def prepare(solver, times):
 def decide(solver, times, state_row, point):
     """Write decisions, distances and rounding errors at a row of states into a sample point.
 
-    A distance that is NaN is infinite: below 0 if the decision has changed, and of a guard.  So is
-    one of 0 behind a change, which may stay 0 where numbers underflow.
+    A distance that is NaN is infinite: below 0 if the decision has changed, and of a guard.  One of
+    0 is on neither side: a run that meets a switch exactly may slide on it.
     """
     Z, P, T, W, D = solver.memory
     shape, points = solver.shape, solver.points
@@ -293,14 +293,13 @@ def decide(solver, times, state_row, point):
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
     for j in range(points.shape[2]):
         size = abs(points[point, DISTANCE, j])
-        if size > 0.0 and size + points[point, ROUNDING, j] < math.inf:
+        if size + points[point, ROUNDING, j] < math.inf:
             continue
-        if size != 0.0:
-            points[point, ROUNDING, j] = 0.0
+        points[point, ROUNDING, j] = 0.0
         is_new = j >= shape.decisions or differs(
             points[point, DECISION, j], P[shape.first_decision + j]
         )
-        if size != size or (size == 0.0 and is_new and j < shape.decisions):
+        if size != size:
             points[point, DISTANCE, j] = -math.inf if is_new else math.inf
 
 

@@ -103,10 +103,11 @@ def test_a_question_about_other_questions_follows_them():
     np.testing.assert_allclose(x, right, atol=1e-8)
 
 
-def test_a_question_whose_numbers_differ_on_both_sides_is_asked_on_each():
+@pytest.mark.parametrize("start", [0.1, 0.13, 0.25, 0.3])
+def test_a_question_whose_numbers_differ_on_both_sides_is_asked_on_each(start):
     """On x = 0 the mean of z' is 0.2, then 0.6 where 2 z > 1 on one side, then 1 on both."""
     faster = "where(where(x > 0, z, 2*z) > 1, 1.0, 0.2)"
-    x = rest_of(f"x' = -sign(x); z' = {faster}", [0.1, 0.4])
+    x = rest_of(f"x' = -sign(x); z' = {faster}", [start, 0.4])
     times = [0.0, 0.5, 0.5 + 0.5 / 0.6, 10.0]
     right = np.interp(T, times, [0.4, 0.5, 1.0, 1.0 + 10.0 - times[2]])
     np.testing.assert_allclose(x[:, 1], right, atol=1e-7)
