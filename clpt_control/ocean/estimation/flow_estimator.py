@@ -55,8 +55,8 @@ SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "3"
-ROWS, RUN = 60, 15  # last positions that are compared, those of one run of them
-MOST = 4  # times as many positions without a measurement as in doubt
+# last positions that are compared, those of one run, and how many of them to one in doubt
+ROWS, RUN, MOST = 60, 15, 4
 
 
 class Ahead(NamedTuple):
@@ -358,8 +358,9 @@ class FlowEstimator:
         return ahead._ahead()
 
     def _with(self, state: dict[str, Any]) -> "FlowEstimator":
-        """Return a copy of this estimator in another state."""
+        """Return a copy of this estimator in another state, which takes each position as a fix."""
         estimator = copy.copy(self)
+        estimator.is_screened = False
         estimator.state = state
         return estimator
 
@@ -638,7 +639,6 @@ class FlowEstimator:
                 self.rival = None
         if doubted[-1]:
             self.rival = self.rival or self._with(self.state)
-            self.rival.is_screened = False
         elif self.rival and not shown[-1]:
             self.rival.fix(*position)
         if len(rows) > ROWS:

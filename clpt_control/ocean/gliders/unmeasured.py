@@ -170,6 +170,7 @@ def _interpolated(
 
     At the ends of reckoned lines the position jumps.
     """
+    empty = np.zeros(len(time), bool)
     latitudes = np.radians(positions[:, 0])
     unwrapped = np.unwrap(positions, axis=0, period=360.0)
     in_degrees = unwrapped @ [1j * PER_DEGREE, PER_DEGREE * np.cos(latitudes.mean())]
@@ -209,8 +210,7 @@ def _interpolated(
         is_jump &= detour * spans[1:-1] > 20 * tolerance[1:] + BENDS
         if np.sum(is_jump) > 1:
             last = np.append(False, inner[:-1]) & ~np.append(inner[1:], False)
-            return "reckoned", inner | last, ~inner & inner
+            return "reckoned", inner | last, empty
         if _is_shown(inner[1:-1], tolerance, 1.5 * QUIETEST**2):
-            return "interpolated", inner, ~inner & inner
-    empty = np.zeros(len(time), bool)
+            return "interpolated", inner, empty
     return "", empty, empty
