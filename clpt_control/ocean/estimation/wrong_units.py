@@ -42,6 +42,7 @@ CAUSES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "speeds look like knots": lambda w: KNOT * w,
     "speeds look like km/h": lambda w: w / 3.6,
     "displacements look like km": lambda w: 1000.0 * w,
+    "": np.zeros_like,  # of a vehicle that keeps its place
     "courses look like those that the vehicle comes from, or latitudes and longitudes have the "
     "wrong signs": lambda w: -w,
     "east and north look swapped, or courses are counted from east": lambda w: w[
@@ -85,7 +86,8 @@ def wrong_motion(
     )
     turned = residual(g, rotated(w, angle))
     if residuals[cause] < limit and residuals[cause] < 2 * turned:
-        return f"the ways over ground contradict those through the water: {cause}"
+        sentence = f"the ways over ground contradict those through the water: {cause}"
+        return sentence if cause else ""
     if turned < limit and abs(angle) > TURNED:
         side = "anticlockwise" if angle > 0 else "clockwise"
         return (

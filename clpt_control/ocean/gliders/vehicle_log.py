@@ -132,8 +132,9 @@ def _dated(cells: DataFrame) -> DataFrame:
     if "date" not in names or len(times) != 2 or cells.columns.has_duplicates:
         return cells
     date, time = times
+    is_dated = cells[time].str.contains(r"\d-\d\d-\d")
     joined = cells[date].str.replace("/", "-") + "T" + cells[time]
-    return cells.assign(**{time: joined}).drop(columns=date)
+    return cells.assign(**{time: cells[time].where(is_dated, joined)}).drop(columns=date)
 
 
 def log_legs(text: str, path: str | Path) -> list[Dive | Skipped]:
@@ -226,7 +227,7 @@ def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
     if flow > FASTEST:
         raise DataError(
             f"{path}: the fixes show a flow of {flow:.3g} m/s: times look like minutes, hours or "
-            f"days. Each {TIME.must_be}"
+            f"days, or places like ddmm.mmm. A time {TIME.must_be}"
         )
     legs = [leg for leg in legs if leg.track is not None]
     if len(legs) < FEWEST_LEGS:
@@ -336,7 +337,7 @@ def _legs_of(
         if reading.skipped:
             legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
         if not reading.is_taken:
-            cure = "" if time_fault(time) else ". Sort the rows by time"
+            cure = "" if time_fault(time) else ". Sort the rows by time, each with its own"
             left_out.append(f"{where}: {reading.skipped}{cure}")
             continue
         if points:

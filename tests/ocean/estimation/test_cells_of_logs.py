@@ -140,6 +140,8 @@ def dated(date, time, name="time"):
         ("%Y%m%d", "%H%M%S"),
         ("%Y/%m/%d", "%H:%M"),
         ("%Y-%m-%d", "%H:%M:%S UTC"),
+        ("%Y-%m-%d", "%Y-%m-%dT%H:%M:%SZ"),
+        ("%d/%m/%Y", "%Y-%m-%d %H:%M:%S"),
     ],
 )
 def test_date_and_time_are_joined(tmp_path, date, time):

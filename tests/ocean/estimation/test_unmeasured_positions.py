@@ -244,3 +244,15 @@ def test_true_fixes_stay(tmp_path, name, noise, digits, every):
     assert (len(legs), whys) == (59, [])
     estimator, _ = fed(rows)
     assert estimator.legs == 59
+
+
+def test_a_moored_vehicle_has_no_wrong_unit():
+    random, rows = np.random.default_rng(8), []
+    for k in range(72):
+        water = random.normal([-0.15, 0.1], 0.005)
+        motion = degrees(atan2(*water)), float(np.hypot(*water))
+        place = place_from(47.1, -20.3, *random.normal(0, 10, 2))
+        rows.append((1.7e9 + 7200.0 * k, *place, *motion))
+    estimator, _ = fed(rows)
+    assert estimator.legs == 71
+    assert "contradict" not in " ".join(estimator.warnings)
