@@ -11,7 +11,7 @@ of w and n, in discrete time their covariances; P is the covariance of the error
 hash of (seed, j, signal): the same in every reading and at every call, without a state.  Held for
 T it is white up to some 1/(2 T), with the intensity s^2 T.
 
-Ports: u, y -> x_hat, P; none -> n.
+Ports: the inputs u and outputs y of the plant, with its labels -> x_hat, P; none -> n.
 Sources: Luenberger 1971, An introduction to observers; Kalman and Bucy 1961, New results in linear
 filtering and prediction theory; Kalman 1960, A new approach to linear filtering and prediction.
 """
@@ -27,6 +27,7 @@ from ..base.errors import BlockError
 from ..base.random_numbers import normal
 from ..engine.model.block import Block
 from ..engine.model.declaration import Each
+from ..engine.model.ports import labels
 from ..engine.model.system import SHAPES
 from .common import Ports, check_positive, checked_sizes, make_block
 
@@ -61,12 +62,12 @@ def observer(
     name : str, optional
         Name of the block.
     **ports : str
-        A port under another name, ``u="force", y="angle"``.
+        A port under another name, ``u="force", x_hat="estimate"``.
 
     Returns
     -------
     Block
-        With ports u and y, and x_hat.
+        With the inputs and outputs of the plant as inputs u and y, and x_hat.
 
     Examples
     --------
@@ -145,13 +146,13 @@ def kalman_filter(
     name : str, optional
         Name of the block.
     **ports : str
-        A port under another name, ``u="force", y="angle"``.
+        A port under another name, ``u="force", x_hat="estimate"``.
 
     Returns
     -------
     Block
-        With ports u and y, and x_hat and P, the covariance of its error; x_hat starts at 0. In
-        discrete time both are those after the measurement.
+        With the inputs and outputs of the plant as inputs u and y, and x_hat and P, the covariance
+        of its error; x_hat starts at 0. In discrete time both are those after the measurement.
 
     Examples
     --------
@@ -197,16 +198,17 @@ def _of_plant(
     matrices: dict[str, Any],
     **declared: Any,
 ) -> Block:
-    """Make a block that reads u and y of a plant, with the plant's own names of them."""
+    """Make a block that reads u and y of a plant, by the plant's labels or the names of ports."""
     shapes = {key: MATRIX_SHAPES[key] for key in matrices}
     inputs = {"u": "m", "y": "q"}
     dt = system.dt or 0
     block = make_block(
         name, ports, matrices, inputs=inputs, shapes=shapes, dt=dt, **declared
     )
-    block.read_from = dict(
-        zip(block.input_ports, (system.input_labels, system.output_labels), strict=True)
-    )
+    read: list[str] = []
+    for port, own in (("u", system.input_labels), ("y", system.output_labels)):
+        read += labels({ports[port]: len(own)}) if port in ports else own
+    block.set_inputs(read)
     return block
 
 

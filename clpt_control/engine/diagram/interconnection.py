@@ -16,15 +16,7 @@ from ...base.arguments import attribute_of, brief, has, nearest, public
 from ...base.errors import BlockError, DiagramError
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
-from ..model.ports import (
-    Vector,
-    bare_labels,
-    counts_of,
-    labels,
-    spans_of,
-    vector,
-    whole_labels,
-)
+from ..model.ports import Vector, counts_of, labels, spans_of, vector, whole_labels
 from ..model.sampled import Sampled
 from ..model.system import System
 from ..trace.arrays import Array
@@ -223,17 +215,12 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             user = blocks[ports[0].block]
             breaks = attribute_of(user, "breakpoints_function")
             rises = attribute_of(breaks, "trigger") == name
-            # of the plant of an observer
-            own = bare_labels(attribute_of(user, "read_from", {}).get(name, ()))
-            wanted = bare_labels(labels({name: len(own)}))
             raise DiagramError(
                 f"'{name}', an input of {names[ports[0].block]}, is made by no block"
                 f"{suggestion}; there are {', '.join(available)}; "
                 f"external='{name}' supplies it from outside"
                 + ", where each rise above 1/2 is an event"
                 * rises
-                + f". To feed it from the plant, label its {', '.join(own)} as "
-                f"{', '.join(wanted)}" * (own != wanted)
             )
         _check_fit(name, ports, blocks)
 

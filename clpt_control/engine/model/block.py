@@ -123,8 +123,6 @@ class Block(ReadBlock):
     # of a sampled block: the first state that holds an input
     first_held: int | None = None
     units: Mapping[str, str] = MappingProxyType({})
-    # input port -> labels of the signals of another system that it is meant for
-    read_from: Mapping[str, list[str]] = MappingProxyType({})
 
     def __init__(
         self,

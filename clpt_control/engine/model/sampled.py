@@ -96,7 +96,6 @@ class Sampled(Block):
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
         self.units = inner.units
-        self.read_from = dict(inner.read_from)
 
     def samples_at(self, t: float) -> bool:
         """Return whether a time is a sample."""

@@ -134,7 +134,9 @@ def _dated(cells: DataFrame) -> DataFrame:
     date, time = times
     is_dated = cells[time].str.contains(r"\d-\d\d-\d")
     joined = cells[date].str.replace("/", "-") + "T" + cells[time]
-    return cells.assign(**{time: cells[time].where(is_dated, joined)}).drop(columns=date)
+    return cells.assign(**{time: cells[time].where(is_dated, joined)}).drop(
+        columns=date
+    )
 
 
 def log_legs(text: str, path: str | Path) -> list[Dive | Skipped]:
@@ -337,7 +339,9 @@ def _legs_of(
         if reading.skipped:
             legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
         if not reading.is_taken:
-            cure = "" if time_fault(time) else ". Sort the rows by time, each with its own"
+            cure = (
+                "" if time_fault(time) else ". Sort the rows by time, each with its own"
+            )
             left_out.append(f"{where}: {reading.skipped}{cure}")
             continue
         if points:
