@@ -1,8 +1,7 @@
-"""Ensemble statistics and their plot: percentiles over the members.
+"""Ensemble statistics: percentiles over the members.
 
 Of a scenario: CLPE in each cycle, errors of what was learned.  Of any diagram: its summaries, and
-each output over time with ``trajectories=True``; without them the plot shows the rms of each output
-over the first varied number.
+each output over time with ``trajectories=True``.
 """
 
 import json
@@ -13,8 +12,7 @@ import numpy as np
 
 from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
-from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, literal
-from ..simulation.comparison import named, panels_for
+from ..simulation.comparison import named
 from .results import COMPLETED, STATUS
 
 if TYPE_CHECKING:
@@ -44,10 +42,10 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
         raise ArgumentError(
             f"percentiles: name = '{name}': must have the dimensions member and another"
         )
-    return _percentiles_of(data[name])
+    return percentiles_of(data[name])
 
 
-def _percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
+def percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
     """Return percentiles over the members, shape (5, n); n is 1 for numbers by member."""
     signal = signal if signal.ndim == 2 else signal.expand_dims("one", axis=1)
     members, columns = signal.shape
@@ -83,7 +81,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
         "first_failed": int(failed[0]) if len(failed) else None,
         "percents": list(PERCENTS),
         "summaries": {
-            named(label, unit_of(one)): _listed(_percentiles_of(one)[:, 0])
+            named(label, unit_of(one)): _listed(percentiles_of(one)[:, 0])
             for label, one in summaries_of(data).items()
         },
     }
@@ -152,72 +150,3 @@ def unit_of(values: "xarray.DataArray") -> str:
 
 def _listed(column: np.ndarray) -> list[float] | None:
     return column.tolist() if np.isfinite(column).all() else None
-
-
-@public
-def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
-    """Draw percentiles of CLPE and of the parameter error, or of a diagram's outputs.
-
-    Without trajectories, the rms of a diagram's outputs is drawn over the first varied number.
-
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> data = clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
-    >>> clpe, error = ensemble_plot(data)
-    """
-    of_diagram = is_of_diagram(data)
-    required = [] if of_diagram else ["clpe_rms"]
-    check_holds("ensemble_plot: data", data, required, ENSEMBLE)
-    data = by_member(data)
-    curves = curves_of(data)
-    shown = curves or rms_of(data)
-    if of_diagram:
-        axes = panels_for(ax, len(shown), f"data[{[*data.data_vars][-1:]}]")
-    else:
-        axes = axes_for(ax, 6.4, 3.0 * len(shown), nrows=len(shown))
-    panels = np.ravel(axes)
-    for panel, (label, values) in zip(panels, shown.items(), strict=True):
-        x = values[values.dims[1]] if curves else _first_varied(data)
-        if curves:
-            _draw_bands(panel, x, _percentiles_of(values))
-        else:
-            panel.plot(x.values, values.values, ".", color=BLUE)
-        panel.set_ylabel(literal(named(label, unit_of(values))))
-        if panel is panels[-1] or not of_diagram:
-            name = x.attrs.get("long_name", str(x.name))
-            panel.set_xlabel(literal(named(name, x.attrs.get("units"))))
-    count = f"{data.sizes['member']:,}".replace(",", " ")
-    panels[0].set_title(f"{count} members", **TITLE)
-    if curves and panels[0].lines:
-        legend_above_data(panels[0])
-    return axes
-
-
-def _draw_bands(ax: Any, x: "xarray.DataArray", bands: np.ndarray) -> None:
-    """Draw percentiles over x, on a logarithmic axis if they are positive and not over time."""
-    if not np.isfinite(bands).any():
-        message = "no run has come so far"
-        ax.text(0.5, 0.5, message, ha="center", color=GREY, transform=ax.transAxes)
-        ax.set_axis_off()
-        return
-    low, quarter, median, three_quarters, high = bands
-    times, area = x.values, {"color": BLUE, "linewidth": 0}
-    ax.fill_between(times, low, high, alpha=0.18, label="5 to 95 %", **area)
-    ax.fill_between(
-        times, quarter, three_quarters, alpha=0.35, label="25 to 75 %", **area
-    )
-    line = {"color": BLUE, "marker": "o" if len(times) < 12 else None}
-    ax.plot(times, median, linewidth=1.5, markersize=4, label="median", **line)
-    for edge in (low, high):
-        ax.plot(times, edge, linewidth=0.6, linestyle="--", markersize=2, **line)
-    if x.name != "time" and np.nanmin(bands) > 0:
-        ax.set_yscale("log")
-    if times.dtype.kind == "i":  # cycles
-        ax.xaxis.get_major_locator().set_params(integer=True)
-
-
-def _first_varied(data: "xarray.Dataset") -> "xarray.DataArray":
-    """Return the first number that varies, or the number of the member."""
-    keys = json.loads(data.attrs["ensemble"])["keys"]
-    single = [data[key] for key in keys if key in data and data[key].ndim == 1]
-    return single[0] if single else data["member"]

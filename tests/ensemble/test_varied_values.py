@@ -243,6 +243,84 @@ def test_an_ensemble_says_what_it_is_and_is_written_as_netcdf(tmp_path):
         assert made["title"] == "Ensemble of lag"
 
 
+def pushed():
+    """y' = a + b + c + d from 0, of which the rms on [0, 1] is (a + b + c + d)/3^(1/2)."""
+    values = {"a": 0.0, "b": 0.0, "c": 0.0, "d": 0.0}
+    return control.nlsys(
+        lambda t, x, u, p: [sum(p.get(name, 0.0) for name in "abcd")],
+        lambda t, x, u, p: x,
+        **{"inputs": 0, "states": ["y"], "outputs": ["y"], "params": values},
+        name="pushed",
+    )
+
+
+FEW, MANY = [1.0, 2.0, 4.0], np.arange(1.0, 11.0)
+SWEEPS = {
+    "colours": (
+        {"a": MANY, "b": FEW},
+        "30 members",
+        ["a"],
+        ["b = 1", "b = 2", "b = 4"],
+    ),
+    "the longer along x": (
+        {"a": FEW, "b": MANY},
+        "30 members",
+        ["b"],
+        ["a = 1", "a = 2", "a = 4"],
+    ),
+    "panels": (
+        {"a": FEW, "b": FEW, "c": [5.0, 7.0]},
+        "18 members\nc = 5",
+        ["a", "a"],
+        ["b = 1", "b = 2", "b = 4"],
+    ),
+    "held": (
+        {"a": FEW, "b": FEW, "c": [5.0, 7.0], "d": [0.5, 0.6]},
+        "36 members, 18 of them with d = 0.5\nc = 5",
+        ["a", "a"],
+        ["b = 1", "b = 2", "b = 4"],
+    ),
+    "not drawn apart": (
+        {"a": FEW, "b": FEW, "c": MANY},
+        "90 members; c varies, too",
+        ["a"],
+        ["b = 1", "b = 2", "b = 4"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_a_sweep_is_drawn_over_the_numbers_that_vary(name):
+    vary, title, labels, legend = SWEEPS[name]
+    data = clpt.run_ensemble(pushed(), vary, timepts=np.linspace(0, 1, 101))
+    panels = np.ravel(data.clpt.plot())
+    assert panels[0].get_title("left") == title
+    assert [panel.get_xlabel() for panel in panels] == labels
+    texts = [text.get_text() for text in panels[-1].get_legend().get_texts()]
+    assert texts == legend
+    for panel, c in zip(panels, vary.get("c", [0.0]), strict=False):
+        for line, value in zip(panel.lines, FEW, strict=True):
+            x, rms = line.get_data()
+            if name != "not drawn apart":
+                others = value + c + vary.get("d", [0.0])[0]
+                np.testing.assert_allclose(rms, (x + others) / 3**0.5, rtol=1e-2)
+
+
+def test_a_sweep_of_two_long_ranges_is_a_map():
+    data = clpt.run_ensemble(
+        pushed(), {"a": MANY, "b": MANY, "c": [5.0, 7.0]}, timepts=[0.0, 0.5, 1.0]
+    )
+    panels = data.clpt.plot()
+    assert [panel.get_ylabel() for panel in panels] == ["b", ""]
+    shown = panels[1].collections[0]
+    a, b = shown.get_offsets().T
+    by_trapezoids = 0.5 * (0.0 / 2 + 0.25 + 1.0 / 2)
+    np.testing.assert_allclose(
+        shown.get_array(), (a + b + 7.0) * by_trapezoids**0.5, rtol=1e-9
+    )
+    assert shown.norm.vmin == panels[0].collections[0].norm.vmin
+
+
 def test_a_state_whose_label_is_a_word_of_the_function_varies():
     def rate(t, x, u, p):
         own = dict(zip(("s", "i"), x, strict=True))

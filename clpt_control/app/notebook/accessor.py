@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 # kind of dataset -> name of a plot -> its function; "" is the plot that shows most
 PLOTS: dict[str, dict[str, str]] = {
     "team": {"": "simulation.run_plots:team_plot"},
-    "ensemble": {"": "ensemble.ensemble_statistics:ensemble_plot"},
+    "ensemble": {"": "ensemble.ensemble_plots:ensemble_plot"},
     "run": {
         "": "simulation.run_plots:run_plot",
         "track": "simulation.track_chart:track_plot",

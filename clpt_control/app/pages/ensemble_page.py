@@ -12,10 +12,10 @@ from xarray import Dataset
 
 from ...base.html import Result, folded, listing
 from ...base.page import Page, Section, drawn, versions_section
+from ...ensemble.ensemble_plots import ensemble_plot
 from ...ensemble.ensemble_statistics import (
     by_member,
     curves_of,
-    ensemble_plot,
     ensemble_summary,
     is_of_diagram,
     rms_of,
@@ -95,7 +95,7 @@ def _spread(data: Dataset, summary: Summary, completed: int) -> Section:
             sentences.append(f"{hidden} more outputs are not drawn")
     else:
         if len(rms_of(data)) <= MAX_PORTS:
-            caption = "rms of each output over the first number that varies."
+            caption = "rms of each output over the numbers that vary."
             figures = [drawn("rms", 4.2, caption, ensemble_plot, data)]
         sentences.append(
             "`run_ensemble(..., trajectories=True)` stores outputs over time"
