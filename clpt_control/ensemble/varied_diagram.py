@@ -13,6 +13,7 @@ further ones.  If a guard stops a member, they are those until then.
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -157,6 +158,13 @@ class VariedDiagram:
         self.title = f"Ensemble of {diagram.name}"
         self.trajectories = trajectories
         self.summary = dict(summary or {})
+        for name, user in self.summary.items():
+            try:
+                signature(user).bind(None)
+            except TypeError as error:
+                raise ScenarioError(
+                    f"summary: {name}: must be a function of one run, run.y: {error}"
+                ) from None
         # 1. the diagram, with parameters that its systems do not declare
         read_anew(diagram)
         sizes = request.sizes

@@ -449,6 +449,7 @@ def test_a_summary_is_refused_where_it_is_not_computed(tmp_path):
     for summary, options, said in (
         ({"a": lambda run: 1.0}, {"out": tmp_path / "a.zarr"}, "result in memory"),
         ({"a": lambda run: run.y}, {}, "summary: a returned .* Return one number"),
+        ({"a": lambda t, y: y}, {}, "summary: a: must be a function of one run"),
         ({"y_final": lambda run: 1.0}, {}, "y_final is used twice as a name"),
     ):
         says(

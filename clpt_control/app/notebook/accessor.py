@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...base.arguments import public
-from ...base.errors import ArgumentError, DataError
+from ...base.errors import ArgumentError, DataError, refuse_unused
 from ...base.files import atomic_path, check_writable, write_file
 from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
 from ...engine.diagram.wiring import columns_of
@@ -192,6 +192,10 @@ class ClptAccessor:
             if names:
                 advice = f"must be {names}, for a {self.kind}"
             raise ArgumentError(f"plot '{name}': {advice}")
+        if self.kind not in ("run", "diagram"):
+            refuse_unused(
+                f"is for a run, not for a {self.kind}. Leave it out", **options
+            )
         draw = resolve_name(f"clpt_control.{plots[name]}")
         return draw(self._data, ax=ax, **options)
 

@@ -197,6 +197,8 @@ def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
 
 def test_a_run_of_a_scenario_and_of_a_team(made, tmp_path):
     run, both = made["run"], made["team"]
+    said = "label: is for a run, not for a team"
+    says(clpt.ScenarioError, said, both.clpt.plot, label="mine")
     table = run.clpt.table(tmp_path / "run.mat")
     read = loadmat(tmp_path / "run.mat", simplify_cells=True)
     np.testing.assert_array_equal(
