@@ -55,9 +55,9 @@ class Clock:
     """
 
     def __init__(self, timepts: Any, unit: str | None = None):
-        own = short_unit(attribute_of(timepts, "attrs", {}).get("units", ""))
-        self.unit = unit or (own if own in SECONDS else "s")
-        self.check_unit("timepts", own)
+        timepts_unit = short_unit(attribute_of(timepts, "attrs", {}).get("units", ""))
+        self.unit = unit or (timepts_unit if timepts_unit in SECONDS else "s")
+        self.check_unit("timepts", timepts_unit)
         self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
         self.has_zero = labels.dtype.kind == "M"
@@ -67,16 +67,16 @@ class Clock:
 
     def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
         """Return times as numbers."""
-        first = labels[0] if labels.dtype.kind == "M" else 0
+        begin = labels[0] if labels.dtype.kind == "M" else 0
         if self.zero is None:
-            self.zero = first
-        if isinstance(first, int) is not isinstance(self.zero, int):
+            self.zero = begin
+        if isinstance(begin, int) is not isinstance(self.zero, int):
             raise SimulationError(
                 f"{argument}: dates and numbers are given as times. Give one kind"
             )
-        if first != self.zero and not self.has_zero:
+        if begin != self.zero and not self.has_zero:
             raise SimulationError(
-                f"{argument}: begins at {first}, other data at {self.zero}. "
+                f"{argument}: begins at {begin}, other data at {self.zero}. "
                 "Give timepts as dates, of which the first is t = 0"
             )
         if labels.dtype.kind == "M":
@@ -107,13 +107,13 @@ class Clock:
 
 
 def check_complete(
-    argument: str, labels: Iterable[str], found: Collection, given: Iterable
+    argument: str, labels: Iterable[str], present: Collection, names: Iterable
 ) -> None:
-    """Refuse data of `given` names in which a label was not found."""
+    """Refuse data of some names in which a label is not present."""
     for label in labels:
-        if label not in found:
+        if label not in present:
             raise SimulationError(
-                f"{argument}: has no signal '{label}', but {', '.join(map(str, given))}. "
+                f"{argument}: has no signal '{label}', but {', '.join(map(str, names))}. "
                 f"Give a dict by name, {{'{label}': values}}"
             )
 
@@ -161,10 +161,10 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
     return {name: read._replace(values=row, names=None) for name, row in named}
 
 
-def own_times(given: Mapping[Any, Labelled]) -> np.ndarray:
+def own_times(signals: Mapping[Any, Labelled]) -> np.ndarray:
     """Return all times of labelled values, in order."""
-    own = [row.times for row in given.values() if row.times is not None]
-    return np.unique(np.concatenate([[], *own]))
+    times = [row.times for row in signals.values() if row.times is not None]
+    return np.unique(np.concatenate([[], *times]))
 
 
 def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
@@ -255,8 +255,8 @@ def _order(labels: np.ndarray) -> np.ndarray | None:
     if labels.dtype.kind not in "iuf":
         return None
     order = np.argsort(labels)
-    first = {*(labels[order] - range(len(labels))).tolist()}
-    return order if first in ({0}, {1}) else None
+    offsets = {*(labels[order] - range(len(labels))).tolist()}
+    return order if offsets in ({0}, {1}) else None
 
 
 def _signals_of(

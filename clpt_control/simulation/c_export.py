@@ -47,12 +47,12 @@ def c_file(
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
     system, own_arguments = as_diagram(system)
-    own = own_arguments.get("initial_state")
+    default_state = own_arguments.get("initial_state")
     try:
         run = CompiledRun(system, params)
         if kind is not None:
             refuse_levels(run)
-        start = start_of(system, initial_state, own, run.runner.nstates)
+        start = start_of(system, initial_state, default_state, run.runner.nstates)
         _check_finite(run, start, params or {})
         return (kind or CFile)(run, start)
     except Uncompiled as error:
@@ -245,10 +245,10 @@ class CFile:
         """
         lengths = {}
         for j, (k, _) in enumerate(self.periods):
-            each: Any = self.wiring.nodes[k].system.breakpoints_function
+            breakpoints: Any = self.wiring.nodes[k].system.breakpoints_function
             is_counted = self.parameters[k].interval < 0.0
-            if is_counted and not isinstance(each.period, str):
-                lengths[j] = each.part * each.period
+            if is_counted and not isinstance(breakpoints.period, str):
+                lengths[j] = breakpoints.part * breakpoints.period
         shortest = min(lengths.values(), default=1.0)
         for parts in range(1, MOST_PARTS):
             turns = {j: length / shortest * parts for j, length in lengths.items()}
@@ -317,10 +317,10 @@ class CFile:
             if block.first_held is not None:
                 turns = f"t / {c_number(block.period)}"
                 test = f"fabs({turns} - floor({turns} + 0.5)) < {ROUNDING}"
-                if whole := self.turns.get(intervals.index(k)):
+                if turn_count := self.turns.get(intervals.index(k)):
                     count = f"floor(t * {self.rate} + 0.5)"
                     test = f"fabs(t * {self.rate} - {count}) <= {self._near}"
-                    test = f"{test} && fmod({count}, {whole}) == 0.0"
+                    test = f"{test} && fmod({count}, {turn_count}) == 0.0"
                 yield f"kept[{self._jump_index(k)}] = {test} ? -1.0 : 0.0;"
 
 

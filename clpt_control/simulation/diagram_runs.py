@@ -76,8 +76,8 @@ class SystemRun:
 
     def made_runner(self, engine: str | None, varied: Sequence[str]) -> Runner:
         """Return the engine of this system."""
-        apart = fields_of(self.wiring, varied)
-        return make_runner(self.wiring, self.params, engine, self.name, apart)
+        varied_fields = fields_of(self.wiring, varied)
+        return make_runner(self.wiring, self.params, engine, self.name, varied_fields)
 
     @property
     def labels(self) -> list[str]:
@@ -128,9 +128,9 @@ class SystemRun:
         """
         self.check_memory(len(times))
         runner = runner or self.runner
-        given = start, times, inputs, options
+        request = start, times, inputs, options
         if isinstance(runner, NativeDiagram):
-            solution, why = run_compared(runner, *given, is_compared)
+            solution, why = run_compared(runner, *request, is_compared)
             if not why:
                 return solution, runner.signals(solution, inputs)
             self.leave_machine_code(why)
@@ -138,7 +138,7 @@ class SystemRun:
 
             parameters = runner.block_parameters
             runner = PythonDiagram(self.wiring).with_parameters(parameters)
-        return run_in_python(runner, self.name, *given)
+        return run_in_python(runner, self.name, *request)
 
     def leave_machine_code(self, why: str) -> None:
         """Warn that the system runs in Python."""
@@ -183,8 +183,8 @@ class DiagramRun(SystemRun):
             from .initial_states import check_initial_alpha
 
             check_initial_alpha(self, request.start)
-        given = request.start, request.times, request.inputs, request.options
-        solution, signals = self.run(*given, runner, is_compared)
+        arguments = request.start, request.times, request.inputs, request.options
+        solution, signals = self.run(*arguments, runner, is_compared)
         if request.steps is not None:
             steps = request.steps[request.steps < len(solution.t)]
             solution = replace(solution, t=solution.t[steps], x=solution.x[steps])

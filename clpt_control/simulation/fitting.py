@@ -63,8 +63,8 @@ class FittedOutput(NamedTuple):
     @property
     def correlation(self) -> float:
         """Lag-one correlation of the residuals, near 0 if they are noise."""
-        left = self.residuals[np.isfinite(self.residuals)]
-        return left[1:] @ left[:-1] / max(left @ left, SMALLEST)
+        finite = self.residuals[np.isfinite(self.residuals)]
+        return finite[1:] @ finite[:-1] / max(finite @ finite, SMALLEST)
 
     def __str__(self) -> str:
         share = f"{100.0 * self.explained:.2f} % of the variance explained"
@@ -191,16 +191,16 @@ class FitProblem:
                 raise ArgumentError(f"data: {name} is given twice")
             labels = [self.run.output_labels[k] for k in columns]
             check_unit(f"data['{name}']", signal.units, [units[k] for k in columns])
-            given = signal.ordered(f"data['{name}']", labels)
+            array = signal.ordered(f"data['{name}']", labels)
             own_times: Any = signal.times
             count = len(columns)
             n = len(own_times)
-            if given.shape[-1:] != (n,) or given.size != n * count:
+            if array.shape[-1:] != (n,) or array.size != n * count:
                 raise ArgumentError(
-                    f"data: {name} has {given.size} numbers; must be {n} samples of {count} signals"
+                    f"data: {name} has {array.size} numbers; must be {n} samples of {count} signals"
                 )
             samples = np.full((count, len(times)), np.nan)
-            samples[:, np.searchsorted(times, own_times)] = given.reshape(count, n)
+            samples[:, np.searchsorted(times, own_times)] = array.reshape(count, n)
             values += [*samples]
             self.columns += columns
             self.outputs += labels if count > 1 else [name]
@@ -448,10 +448,10 @@ def fit_parameters(
     clock = clock_of(diagram, timepts)
     if hasattr(data, "data_vars") or hasattr(data, "columns"):
         outputs = indices_by_name(diagram.output_labels)
-        others = {"states"}  # of a run
+        not_measured = {"states"}  # of a run
         if inputs is not None:
-            others |= {*indices_by_name(diagram.input_labels)}
-        data = data[[k for k in data if k in outputs or k not in others]]
+            not_measured |= {*indices_by_name(diagram.input_labels)}
+        data = data[[k for k in data if k in outputs or k not in not_measured]]
     times, measured = _measurements(data, clock)
     run = SensitivityRun(
         system,
@@ -470,29 +470,29 @@ def fit_parameters(
 
 def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labelled]]:
     """Return the times of all measurements, and the values of each name."""
-    given = labelled("data", data, clock)
-    if not isinstance(given, dict):
+    signals = labelled("data", data, clock)
+    if not isinstance(signals, dict):
         raise ArgumentError(
             "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
-    at = np.unique(clock.at)
-    for name, signal in given.items():
+    clock_times = np.unique(clock.at)
+    for name, signal in signals.items():
         if signal.times is None:
             values = signal.values
             if values.ndim and axes_of(data[name]) is None:
                 values = np.moveaxis(values, 0, -1)  # arrays have samples first
-            given[name] = signal._replace(values=values, times=at)
+            signals[name] = signal._replace(values=values, times=clock_times)
         elif (np.diff(signal.times) <= 0).any():
             raise SimulationError(f"data['{name}']: must be at increasing times")
-    times = own_times(given)
+    times = own_times(signals)
     if not len(times):
         raise ArgumentError(
             "timepts: is required with arrays, or a table without `time`"
         )
-    if not len(at):
+    if not len(clock_times):
         clock.at = times
-    elif not np.allclose(np.clip(times, at[0], at[-1]), times):
+    elif not np.allclose(np.clip(times, clock_times[0], clock_times[-1]), times):
         raise SimulationError(
             f"timepts: the data are from {times[0]:.9g} to {times[-1]:.9g}. Leave it out"
         )
-    return checked_times("data.time", times), given
+    return checked_times("data.time", times), signals

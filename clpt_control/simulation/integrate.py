@@ -121,19 +121,23 @@ def simulate(
         "atol": atol,
         "method": method and checked_method(method),
     }
-    own: dict[str, Any] = {
+    unrecorded: dict[str, Any] = {
         "first_step": first_step,
         "max_step": None if max_step == np.inf else max_step,
     }
-    steps = {**own, "progress": progress}
-    own |= {"timepts": timepts, "engine": engine}
+    steps = {**unrecorded, "progress": progress}
+    unrecorded |= {"timepts": timepts, "engine": engine}
     skipped = 0  # samples before the caller's
     if not isinstance(system, control.InputOutputSystem):
         from .loops import closed_loop
         from .scenario_runs import refuse_arguments, simulated
 
-        given = {"inputs": inputs, "initial_state": initial_state, "params": params}
-        refuse_arguments(system, stop=stop, **given)
+        loop_arguments = {
+            "inputs": inputs,
+            "initial_state": initial_state,
+            "params": params,
+        }
+        refuse_arguments(system, stop=stop, **loop_arguments)
         times, skipped = times_from_zero(system, timepts)
         if initial_state is not None or params:
             system, timepts = closed_loop(system), times
@@ -148,11 +152,11 @@ def simulate(
         arguments = request.diagram, params, request.sizes, engine
         key = diagram_key(*arguments) if stop is None else None
 
-        def made() -> DiagramRun:
+        def new_run() -> DiagramRun:
             with request.drawn_around():
                 return DiagramRun(*arguments, stop)
 
-        with cached_run(key, made) as run:
+        with cached_run(key, new_run) as run:
             data = run.dataset(*run.solve(request))
             overrides = inputs, initial_state, stop, *solver.values()
             if not run.is_unchanged or any(value is not None for value in overrides):
@@ -160,9 +164,9 @@ def simulate(
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    if np.size(own["timepts"]) == 2:
+    if np.size(unrecorded["timepts"]) == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
-    _note_arguments(data, own, {**solver, "params": params or None})
+    _note_arguments(data, unrecorded, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
         from .flows import note_speeds, speeds_of
 
@@ -177,13 +181,13 @@ def simulate(
 
 
 def _note_arguments(
-    run: "xarray.Dataset", repeating: Mapping[str, Any], others: Mapping[str, Any]
+    run: "xarray.Dataset", repeating: Mapping[str, Any], of_scenario: Mapping[str, Any]
 ) -> None:
     """Note the arguments of `simulate` that the scenario and variables of a run do not have."""
-    given = dict(repeating)
+    arguments = dict(repeating)
     names = run.attrs.keys()
     if names.isdisjoint({"scenario", TEAM}) or not names.isdisjoint(BEYOND):
-        given |= {**others, "timepts": None}
-    given = {key: value for key, value in given.items() if value is not None}
-    if given:
-        run.encoding[ARGUMENTS] = given
+        arguments |= {**of_scenario, "timepts": None}
+    arguments = {key: value for key, value in arguments.items() if value is not None}
+    if arguments:
+        run.encoding[ARGUMENTS] = arguments

@@ -163,8 +163,13 @@ def closed_loop(
     """
     external = (external,) if isinstance(external, str) else tuple(external)
     if isinstance(scenario, Team) or errors:
-        given = {"external": external, "law": law, "replace": replace, "insert": insert}
-        wrong = [name for name, value in given.items() if value]
+        changes = {
+            "external": external,
+            "law": law,
+            "replace": replace,
+            "insert": insert,
+        }
+        wrong = [name for name, value in changes.items() if value]
         if wrong or (errors and isinstance(scenario, Team)):
             raise DiagramError(
                 f"closed_loop: {wrong[0] if wrong else 'errors'} does not go with "

@@ -166,7 +166,7 @@ def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
     features = [Feature("track", "LineString", fixes, BLUE)][: len(fixes) - 1]
     for k, fix in enumerate(fixes):
         leg = estimate.isel(leg=k)
-        place = float(leg.predicted_latitude), float(leg.predicted_longitude)
+        predicted = float(leg.predicted_latitude), float(leg.predicted_longitude)
         radius = float(leg.forecast_radius)
         off = float(np.hypot(*leg.position_error.values))
         time = iso(seconds_since_1970(str(leg.end_time.values)[:23]))
@@ -176,7 +176,7 @@ def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
         if np.isfinite(radius):  # tomography forecasts nothing
             words = f"{off:.0f} m from its forecast, whose region has the radius {radius:.0f} m"
             properties |= {"error_m": off, "radius_m": radius}
-            outline = ring(place, (0.0, 0.0), radius, radius, 0.0)
+            outline = ring(predicted, (0.0, 0.0), radius, radius, 0.0)
             regions = [Feature(f"region of {name}", "Polygon", outline, PURPLE, time)]
         fix_name = f"fix of {name}"
         features.append(
@@ -195,16 +195,16 @@ def run_on_map(run: "xarray.Dataset") -> list[Feature]:
             "origin = [41.2, -69.5]"
         )
 
-    def places(points: np.ndarray) -> np.ndarray:
+    def on_earth(points: np.ndarray) -> np.ndarray:
         return np.column_stack(scenario.plane.to_earth(*points.T))
 
-    track = places(run.position.values)
+    track = on_earth(run.position.values)
     features = [Feature("track", "LineString", track, BLUE)]
     if "predicted_position" in run:
-        predicted = places(run.predicted_position.values)
+        predicted = on_earth(run.predicted_position.values)
         features.append(Feature("prediction", "LineString", predicted, GREEN))
-    for number, place in enumerate(places(waypoints_of(run, scenario)), 1):
-        features.append(Feature(f"waypoint {number}", "Point", [place], ORANGE))
+    for number, waypoint in enumerate(on_earth(waypoints_of(run, scenario)), 1):
+        features.append(Feature(f"waypoint {number}", "Point", [waypoint], ORANGE))
     origin = run.attrs.get("time_origin")
     for name, sample in (("start", 0), ("end", -1)):
         elapsed = round(float(run.time[sample]) * SECONDS[scenario.units.time])

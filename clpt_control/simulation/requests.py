@@ -68,8 +68,7 @@ class Request(NamedTuple):
 
     def with_state(self, state: Any) -> "Request":
         """Return the run from another initial state; a mapping changes the states it names."""
-        own = self.start
-        start = start_of(self.diagram, state, own, len(own))
+        start = start_of(self.diagram, state, self.start, len(self.start))
         if not np.isfinite(start).all():
             raise SimulationError(f"initial_state = {start}: must be finite")
         return self._replace(start=start)
@@ -77,8 +76,8 @@ class Request(NamedTuple):
     def with_inputs(self, inputs: Any) -> "Request":
         """Return the run with other inputs."""
         clock = clock_of(self.diagram, self.timepts)
-        given = labelled("inputs", inputs, clock)
-        read = inputs_at(self.diagram, inputs, given, clock.at, self.times)
+        signals = labelled("inputs", inputs, clock)
+        read = inputs_at(self.diagram, inputs, signals, clock.at, self.times)
         return self._replace(inputs=read)
 
 
@@ -116,7 +115,7 @@ def request_of(
     # 1. the diagram's own arguments
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
-    own = own_arguments.pop("initial_state", None)
+    default_state = own_arguments.pop("initial_state", None)
     # 2. times
     times, skipped, steps = timepts, 0, None
     if clock is None:
@@ -124,16 +123,16 @@ def request_of(
         times = None if timepts is None else distinct_times(clock.at)
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = times_from_zero(loop.scenario, times)
-    given = labelled("inputs", inputs, clock)
+    signals = labelled("inputs", inputs, clock)
     if times is None:
-        times = own_times(given) if isinstance(given, dict) else clock.at
+        times = own_times(signals) if isinstance(signals, dict) else clock.at
         if not len(times):
             raise SimulationError("timepts: is required to simulate a diagram")
     if timepts is None:
         clock.at = times
     # 3. arrays
-    read = inputs_at(diagram, inputs, given, clock.at, times)
-    start = start_of(diagram, initial_state, own, diagram.nstates)
+    read = inputs_at(diagram, inputs, signals, clock.at, times)
+    start = start_of(diagram, initial_state, default_state, diagram.nstates)
     if multiples and diagram.dt:
         steps = steps_between(times, diagram.dt)
     if steps is not None:
@@ -183,13 +182,13 @@ def distinct_times(times: np.ndarray) -> np.ndarray:
     return checked_times("timepts", times)
 
 
-def start_of(diagram: Any, state: Any, own: Any, count: int | None) -> np.ndarray:
-    """Return the states given in any form of python-control, `own` for None, else zero.
+def start_of(diagram: Any, state: Any, default: Any, count: int | None) -> np.ndarray:
+    """Return the states given in any form of python-control, `default` for None, else zero.
 
     The number of states, None, may be open.  A last zero is repeated.
     """
     name = "initial_state"
-    state = numbers(name, vector_by_name(name, diagram, "state", state, own))
+    state = numbers(name, vector_by_name(name, diagram, "state", state, default))
     if count is None:
         count = state.size
     if state.ndim:
@@ -205,44 +204,56 @@ def start_of(diagram: Any, state: Any, own: Any, count: int | None) -> np.ndarra
 
 
 def inputs_at(
-    diagram: Any, inputs: Any, given: Any, at: np.ndarray, times: np.ndarray
+    diagram: Any,
+    inputs: Any,
+    named_inputs: Any,
+    clock_times: np.ndarray,
+    times: np.ndarray,
 ) -> Inputs:
-    """Return inputs, `given` as `labelled` returns them, for a run at `times`.
+    """Return inputs, `named_inputs` as `labelled` returns them, for a run at `times`.
 
-    Samples without times are those `at` some times.
+    Samples without times are at `clock_times`.
     """
     labels, count = diagram.input_labels, diagram.ninputs
     check_positions("inputs", inputs, labels)
-    if isinstance(given, list):
-        rows = [row for value in given for row in _rows("inputs", value, at)]
+    if isinstance(named_inputs, list):
+        rows = [
+            row for value in named_inputs for row in _rows("inputs", value, clock_times)
+        ]
         if count is not None:
             check_rows("inputs", rows, count)
         if count != len(labels):
-            return _joined(rows, at, times)
-        given = dict(zip(labels, rows, strict=True))
-    if isinstance(given, dict):
+            return _joined(rows, clock_times, times)
+        named_inputs = dict(zip(labels, rows, strict=True))
+    if isinstance(named_inputs, dict):
         rows = [Labelled(np.array(0.0))] * len(labels)
-        signals = signals_by_name("inputs", diagram, "input", inputs, given)
+        signals = signals_by_name("inputs", diagram, "input", inputs, named_inputs)
         for argument, columns, signal in signals:
-            own_rows = _rows(argument, signal, at, len(columns))
+            own_rows = _rows(argument, signal, clock_times, len(columns))
             for column, row in zip(columns, own_rows, strict=True):
                 rows[column] = row
-        return _joined(rows, at, times)
+        return _joined(rows, clock_times, times)
     if count is None:
-        count = 1 if np.shape(given) in ((), at.shape) else len(given)
-    read = read_inputs(given, times if given is None else at, count)
+        count = (
+            1
+            if np.shape(named_inputs) in ((), clock_times.shape)
+            else len(named_inputs)
+        )
+    read = read_inputs(
+        named_inputs, times if named_inputs is None else clock_times, count
+    )
     if len(read.samples[0]) > 1:
-        _check_within(times, at)
+        _check_within(times, clock_times)
     return read
 
 
 def _rows(
-    argument: str, signal: Labelled, at: np.ndarray, count: int | None = None
+    argument: str, signal: Labelled, clock_times: np.ndarray, count: int | None = None
 ) -> list[Labelled]:
     """Return a row, a number or samples, for each signal; one number is the value of all."""
     values, times, *_ = signal
     if values.ndim < 2:
-        is_row = times is not None or values.shape == at.shape != (count,)
+        is_row = times is not None or values.shape == clock_times.shape != (count,)
         values = values.reshape((1, -1) if is_row else (-1, 1))
     if times is None and count == 1:
         values = values.reshape(1, -1)
@@ -251,35 +262,37 @@ def _rows(
     if count is not None:
         check_rows(argument, values, count)
     length = values.shape[-1]
-    if values.ndim > 2 or (times is None and length not in (1, len(at))):
+    if values.ndim > 2 or (times is None and length not in (1, len(clock_times))):
         raise ArgumentError(
-            f"{argument}: has {length} values; there are {len(at)} times"
+            f"{argument}: has {length} values; there are {len(clock_times)} times"
         )
     if times is None and length > 1:
-        times = at
+        times = clock_times
     return [signal._replace(values=row, times=times) for row in values]
 
 
-def _check_within(times: np.ndarray, own: np.ndarray) -> None:
+def _check_within(times: np.ndarray, input_times: np.ndarray) -> None:
     """Refuse times of a run outside of the inputs' own."""
-    margin = 1e-9 * max(1.0, abs(own[-1]))
-    if times[0] < own[0] - margin or times[-1] > own[-1] + margin:
+    margin = 1e-9 * max(1.0, abs(input_times[-1]))
+    if times[0] < input_times[0] - margin or times[-1] > input_times[-1] + margin:
         raise SimulationError(
-            f"inputs: are from {own[0]:.9g} to {own[-1]:.9g}. "
+            f"inputs: are from {input_times[0]:.9g} to {input_times[-1]:.9g}. "
             "Give timepts within these times"
         )
 
 
-def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
+def _joined(rows: list[Labelled], clock_times: np.ndarray, times: np.ndarray) -> Inputs:
     """Return rows of inputs for a run at `times`: at all of their own times, if these differ."""
-    own = [row.times for row in rows if row.times is not None]
-    for row_times in own:
+    times_of_rows = [row.times for row in rows if row.times is not None]
+    for row_times in times_of_rows:
         _check_within(times, row_times)
-    if all(np.array_equal(row_times, at) for row_times in own):
+    if all(np.array_equal(row_times, clock_times) for row_times in times_of_rows):
         values = np.array(np.broadcast_arrays(*(row.values for row in rows)))
-        values, at = (values, at) if own else (values.ravel(), times)
-        return read_inputs(values, at, len(rows))
-    t = np.unique(np.concatenate(own))
+        values, clock_times = (
+            (values, clock_times) if times_of_rows else (values.ravel(), times)
+        )
+        return read_inputs(values, clock_times, len(rows))
+    t = np.unique(np.concatenate(times_of_rows))
     rounding = 1e-12 * np.abs(t).max()  # times that differ by less are equal
     t = t[np.append(True, np.diff(t) > rounding)]
     u = np.empty((len(rows), 2, len(t)))  # before and after each time
@@ -289,8 +302,8 @@ def _joined(rows: list[Labelled], at: np.ndarray, times: np.ndarray) -> Inputs:
         else:
             x = t[np.searchsorted(t, row.times, "right") - 1]
             after[:] = np.interp(t, x, row.values)
-            left = np.interp(-t, -x[::-1], row.values[::-1])
-            before[:] = np.where(np.isin(t, x), left, after)
+            before_jumps = np.interp(-t, -x[::-1], row.values[::-1])
+            before[:] = np.where(np.isin(t, x), before_jumps, after)
     jumps = (u[:, 0] != u[:, 1]).any(axis=0)
     values = np.repeat(u[:, 1], 1 + jumps, axis=1)
     values[:, np.flatnonzero(jumps) + np.arange(jumps.sum())] = u[:, 0, jumps]

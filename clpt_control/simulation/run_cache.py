@@ -75,12 +75,12 @@ def _fingerprint(functions: tuple) -> Fingerprint:
     _, last = _LAST.get(identities, (None, None))
     if last is not None and last.reads is not None and last.reads.unchanged():
         return last
-    made = reachable(*functions)
-    if made.reads is not None:
+    fingerprint = reachable(*functions)
+    if fingerprint.reads is not None:
         if len(_LAST) >= MOST_FINGERPRINTS:
             _LAST.clear()
-        _LAST[identities] = functions, made
-    return made
+        _LAST[identities] = functions, fingerprint
+    return fingerprint
 
 
 def _plain_key(values: tuple) -> tuple | None:

@@ -113,7 +113,9 @@ class SensitivityRun(DiagramRun):
         parameters = self.runner.block_parameters
         start = self.request.start
         locations = self.locations.values()
-        return np.array([value_at(place, parameters, start) for place in locations])
+        return np.array(
+            [value_at(location, parameters, start) for location in locations]
+        )
 
     def with_values(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
         """Return the initial state and the parameters of blocks with values of varied numbers."""
@@ -134,8 +136,8 @@ class SensitivityRun(DiagramRun):
         for row, location in zip(x[1:], self.locations.values(), strict=True):
             row[list(location.states)] = 1.0
         options = replace(request.options, **solver)
-        given = x.ravel(), request.times, request.inputs, options
-        solution, blocks = self.run(*given, self.runner.with_parameters(parameters))
+        arguments = x.ravel(), request.times, request.inputs, options
+        solution, blocks = self.run(*arguments, self.runner.with_parameters(parameters))
 
         # arrays of shape (nt, count, 1 + nparameters)
         blocks = blocks.reshape(len(blocks), len(x), -1)

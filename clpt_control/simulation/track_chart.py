@@ -76,8 +76,10 @@ def _number(ax: Any, points: np.ndarray, track: np.ndarray) -> None:
     reach = NUMBER_DISTANCE * np.ptp(ax.get_xlim())
     drawn = np.concatenate([track[:: max(1, len(track) // 2000)], points])
     for k, point in enumerate(points, 1):
-        near = drawn[np.hypot(*(drawn - point).T) < 3 * reach]
-        away = np.hypot(*np.moveaxis(point + reach * sides[:, None] - near, -1, 0))
+        drawn_nearby = drawn[np.hypot(*(drawn - point).T) < 3 * reach]
+        away = np.hypot(
+            *np.moveaxis(point + reach * sides[:, None] - drawn_nearby, -1, 0)
+        )
         x, y = point + reach * sides[away.min(axis=1).argmax()]
         ax.text(x, y, str(k), fontsize=8, ha="center", va="center")
 

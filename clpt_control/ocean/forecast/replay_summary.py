@@ -114,8 +114,8 @@ def rms_of(
     rms = {}
     for name in models:
         sizes = np.array([clpe[name] for clpe in errors], float)
-        known = sizes[~np.isnan(sizes)]
-        rms[name] = float(np.sqrt(np.mean(known**2))) if known.size else None
+        finite = sizes[~np.isnan(sizes)]
+        rms[name] = float(np.sqrt(np.mean(finite**2))) if finite.size else None
     return rms
 
 

@@ -113,8 +113,10 @@ def _degrees(text: str, size: float = 1.0) -> float | None:
     matched = SEXAGESIMAL.fullmatch(text)
     if value is not None or matched is None:
         return value
-    before, *parts, behind = matched.groups("")
-    degrees = sum(float(part or 0.0) / 60.0**k for k, part in enumerate(parts))
+    before, *components, behind = matched.groups("")
+    degrees = sum(
+        float(component or 0.0) / 60.0**k for k, component in enumerate(components)
+    )
     signs = {"N": 1.0, "E": 1.0, "S": -1.0, "W": -1.0, "-": -size}
     return signs.get(before or behind, size) * degrees
 

@@ -133,8 +133,8 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
                 break
     fix_table = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     # as columns, or as rows if fixes have a dimension of their own
-    beside = int(data[names[t_name]].dims == dims)
-    table = pandas.concat([pandas.DataFrame(columns), fix_table], axis=beside)
+    columns_axis = int(data[names[t_name]].dims == dims)
+    table = pandas.concat([pandas.DataFrame(columns), fix_table], axis=columns_axis)
     # sums of larger are infinite
     table = _timed(table.where(abs(table) < 1e300).reset_index(drop=True))
     table.attrs = {
@@ -150,14 +150,14 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
 def _timed(table: pandas.DataFrame) -> pandas.DataFrame:
     """Return the columns with a time for each displacement, between those of its neighbours."""
     lost = table.time.isna() & (table.east.abs() + table.north.abs() > 0)
-    known = table.time.fillna(table.t_fix)
-    if lost.any() and not known.dropna().is_monotonic_increasing:
+    times = table.time.fillna(table.t_fix)
+    if lost.any() and not times.dropna().is_monotonic_increasing:
         raise DataError(
             f"{lost.sum()} displacements have no time, the first in row {lost.argmax()} (from 0), "
             "and rows or fixes are not in order of time. Give the times, or sort the rows"
         )
-    between = known.interpolate(limit_area="inside")
-    return table.assign(time=table.time.where(~lost, between))
+    interpolated = times.interpolate(limit_area="inside")
+    return table.assign(time=table.time.where(~lost, interpolated))
 
 
 def _currents_elsewhere(
@@ -299,11 +299,11 @@ def _frame(heading: xarray.DataArray) -> str:
     """
     attributes = "; ".join(f"{key} {text}" for key, text in heading.attrs.items())
     words = re.sub(NEITHER, "", re.sub(r"[^\w.,;+]+|_", " ", attributes.lower()))
-    rest = re.sub(APPLIED, "", words)
-    corrected = rest != words
+    unapplied = re.sub(APPLIED, "", words)
+    corrected = unapplied != words
     denied = re.search(DENIED, words)
-    true = re.search(TRUE, rest) or (corrected and not denied)
-    magnetic = denied if corrected else re.search(MAGNETIC, rest)
+    true = re.search(TRUE, unapplied) or (corrected and not denied)
+    magnetic = denied if corrected else re.search(MAGNETIC, unapplied)
     if true and magnetic:
         return attributes
     return "magnetic" if magnetic else "true" if true else ""

@@ -199,19 +199,19 @@ def checked_angles(
     if key == "heading":  # of AIS and NMEA 2000
         good[np.isin(np.round(good, 6), FILLS_OF["degrees"])] = nan
     wrong = angles[outside]
-    known = good[np.isfinite(good)]
+    finite = good[np.isfinite(good)]
     limits = "{:g} to {:g} degrees".format(*ANGLES[key])
-    told = f"{wrong.size} numbers of {name} are not within {limits}"
+    fault = f"{wrong.size} numbers of {name} are not within {limits}"
     if np.unique(wrong).size > 1:
         raise DataError(
-            f"{told}, such as {wrong.min():g} and {wrong.max():g}. Correct its units, {units!r}, "
+            f"{fault}, such as {wrong.min():g} and {wrong.max():g}. Correct its units, {units!r}, "
             "or set these to NaN"
         )
-    notes = [f"{told}: taken as gaps"] if wrong.size else []
-    is_small = known.any() and np.abs(known).max() <= 2 * np.pi
+    notes = [f"{fault}: taken as gaps"] if wrong.size else []
+    is_small = finite.any() and np.abs(finite).max() <= 2 * np.pi
     in_degrees = units.lower().startswith(("deg", "°"))
     if key == "heading" and is_small and (in_degrees or units in ("", "1")):
-        if not in_degrees or np.ptp(known) > np.pi:
+        if not in_degrees or np.ptp(finite) > np.pi:
             raise DataError(
                 f"{name} has the units {units!r} and only numbers within 2 pi, which look like "
                 "radians. Set its units to 'radian', or to 'degrees' if they are degrees"

@@ -83,7 +83,9 @@ def counted(kinds: list[str]) -> str:
 
 def _resolution(positions: Array) -> float:
     """Return the resolution of positions (m): that of decimals of degrees or of minutes."""
-    for scale in (10.0**digits * parts for digits in range(8) for parts in (1, 6)):
+    for scale in (
+        10.0**digits * per_degree for digits in range(8) for per_degree in (1, 6)
+    ):
         scaled = positions * scale
         if np.all(np.abs(scaled - np.round(scaled)) < 6e-9 * scale):
             return PER_DEGREE / scale
@@ -145,22 +147,22 @@ def _reckoned(
     """
     size = np.abs(np.nan_to_num(steps))
     error = _moved(positions) * np.conj(steps) / np.maximum(size, MOVED) - size
-    along, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
-    agrees = (np.abs(error.real) <= along) & (np.abs(error.imag) <= across)
+    lengthwise, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
+    agrees = (np.abs(error.real) <= lengthwise) & (np.abs(error.imag) <= across)
     agrees &= size > MOVED
     # area of a rectangle as that of a circle
-    tolerance = np.sqrt(4 * along * across / np.pi)
+    tolerance = np.sqrt(4 * lengthwise * across / np.pi)
     agrees &= _is_shown(agrees, tolerance, 2 * QUIETEST**2)
     # with jitter, between jumps that stand alone at rows like the others
     off = np.abs(error)
     across += np.minimum(OF_STEP * size, LARGEST)
-    near = (off <= across) & (size > MOVED)
+    is_close = (off <= across) & (size > MOVED)
     jumps = off > 10 * across + BENDS
     spans = np.diff(time)
-    alone = near[:-2] & jumps[1:-1] & near[2:] & (spans[1:-1] < 4 * spans[:-2])
-    if 2 * np.sum(alone) > 1 + np.sum(jumps) and np.sum(near) > 0.4 * len(near):
-        agrees = near
-    return "reckoned", np.append(False, agrees), np.append(False, near)
+    alone = is_close[:-2] & jumps[1:-1] & is_close[2:] & (spans[1:-1] < 4 * spans[:-2])
+    if 2 * np.sum(alone) > 1 + np.sum(jumps) and np.sum(is_close) > 0.4 * len(is_close):
+        agrees = is_close
+    return "reckoned", np.append(False, agrees), np.append(False, is_close)
 
 
 def _interpolated(
@@ -178,8 +180,8 @@ def _interpolated(
     curved = np.abs(moved[1:] * moved[:-1] * np.tan(latitudes[1:-1])) / RADIUS
     spans = np.diff(time)
     weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
-    own = steps / spans
-    turned = np.abs(np.diff(own))
+    through_water = steps / spans
+    turned = np.abs(np.diff(through_water))
     # lines with jitter; of constant course, shortest ones and, closer, those in degrees
     for least, ground, curvature in (
         (JITTER, moved, curved),
@@ -191,13 +193,13 @@ def _interpolated(
         change = np.abs(np.diff(velocity))
         inner = np.pad(change * weights <= tolerance, 1)
         ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-        drift = velocity - np.nan_to_num(own)
+        drift = velocity - np.nan_to_num(through_water)
         unexplained = np.abs(np.diff(drift)) * weights > 2 * tolerance
         if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
             continue
         # turns of the vehicle that no line follows
         turns = turned * weights > tolerance + BENDS
-        turns &= turned > 0.5 * np.abs(own[1:])
+        turns &= turned > 0.5 * np.abs(through_water[1:])
         missed = np.sum(turns & inner[1:-1])
         if 4 * missed > np.sum(turns) + 3 and np.mean(inner) > 0.5:
             return "interpolated", inner, ~inner & inner

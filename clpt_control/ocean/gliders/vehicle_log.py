@@ -144,7 +144,7 @@ def log_legs(text: str, path: str | Path) -> list[Dive | Skipped]:
     cells = _dated(table_of(text, path, f"a log with {GIVE}"))
     cells = cells[~(cells == cells.shift()).all(axis=1)]
     columns = _columns(list(cells.columns), path)
-    motions = [part for part in MOTIONS if {*part} <= {*columns}]
+    motions = [motion for motion in MOTIONS if {*motion} <= {*columns}]
     if {STEERING, STRETCH} <= {*motions}:
         raise DataError(
             f"{path}: has both course, speed and dr_east_m, dr_north_m. Leave one pair out"
@@ -209,8 +209,8 @@ def _moment(
         numbers["course"] = degrees(atan2(east, north))
         numbers["speed"] = hypot(east, north)
     fix, steering, stretch = (
-        (numbers[part[0]], numbers[part[1]]) if part[0] in numbers else None
-        for part in (PLACE, STEERING, STRETCH)
+        (numbers[pair[0]], numbers[pair[1]]) if pair[0] in numbers else None
+        for pair in (PLACE, STEERING, STRETCH)
     )
     if fix and all(map(isnan, fix)):
         fix = None
@@ -255,15 +255,17 @@ def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
 def _in_order(times: dict[int, float]) -> set[int]:
     """Return the lines of the longest part of a log that is in the order of time."""
     ends: list[float] = []  # -time at the begin of the best part of each length
-    parts: list[tuple] = [()]  # the best of each length: its first line, and the others
+    best_lines: list[tuple] = [
+        ()
+    ]  # the best of each length: its first line, and the others
     for number, time in reversed(times.items()):
         length = bisect_right(ends, -time)
         ends[length : length + 1] = [-time]
-        parts[length + 1 : length + 2] = [(number, parts[length])]
+        best_lines[length + 1 : length + 2] = [(number, best_lines[length])]
     ordered = set()
-    part = parts[-1]
-    while part:
-        line, part = part
+    remaining = best_lines[-1]
+    while remaining:
+        line, remaining = remaining
         ordered.add(line)
     return ordered
 
