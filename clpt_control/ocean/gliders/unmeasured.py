@@ -123,7 +123,7 @@ def _repeated(
         water = np.cumsum(steps[run][: k - run.start - 1])
         farthest = np.max(np.abs(water), initial=0.0)  # NaN if not known
         candidates[run][1:] = farthest > MOVED
-        chance = q * q / (4 * np.pi * QUIETEST**2)
+        chance = min(q * q / (4 * np.pi * QUIETEST**2), 1.0)
         is_exact = np.all(positions[run] == positions[run.start])
         is_held = bool(is_exact and chance ** len(water) < SELDOM)
         stays = STAYS * np.max(jitter[run], initial=JITTER) + 3 * q

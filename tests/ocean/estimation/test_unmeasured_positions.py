@@ -256,3 +256,14 @@ def test_a_moored_vehicle_has_no_wrong_unit():
     estimator, _ = fed(rows)
     assert estimator.legs == 71
     assert "contradict" not in " ".join(estimator.warnings)
+
+
+def test_a_moored_vehicle_without_noise_is_in_no_flow(tmp_path):
+    """Positions of one decimal, which repeat more often than a power of a chance can say."""
+    rows = [(1.7e9 + 600.0 * k, 36.7, -122.1, 0.0, 0.0) for k in range(100)]
+    legs, whys = recorded(tmp_path / "log.csv", rows)
+    assert (len(legs), whys) == (99, [])
+    np.testing.assert_array_equal(flow_of(legs), 0.0)
+    estimator, notes = fed(rows)
+    assert (estimator.legs, {*notes}) == (99, {""})
+    np.testing.assert_array_equal(estimator.flow_parameters, 0.0)
