@@ -64,6 +64,42 @@ def test_a_key_names_parameters_and_states_of_blocks():
         assert quantity.state in states | {""}, key
 
 
+def test_a_parameter_has_the_value_of_one_key():
+    """But of an own gain, which stands in place of the common one, and of a basis."""
+    keys = {}
+    for key, quantity in QUANTITIES.items():
+        for name in quantity.parameters.split():
+            keys.setdefault(name, []).append(key)
+    several = [tuple(names) for names in keys.values() if len(names) > 1]
+    assert {*several} <= {
+        ("basis.centers", "flow.basis.centers"),
+        ("basis.widths", "flow.basis.widths"),
+        ("basis.phases", "flow.basis.phases"),
+        ("learning.gain", "learning.gains.parameters"),
+        ("learning.gain", "learning.gains.feedback"),
+        ("learning.gain", "learning.gains.feedforward"),
+    }
+
+
+def test_a_key_has_the_symbol_of_the_glossary():
+    """`flow.parameters`, theta there, is in a row that begins with it."""
+    rows = (ROOT / "docs" / "glossary.md").read_text("utf-8").splitlines()
+    plain = re.compile(r"\\hat(\\\w+)|[\\_]")
+    symbols = {}
+    for row in rows:
+        _, symbol, *cells = re.split(r"(?<!\\)\|", row) if "|" in row else ("", "")
+        keys = re.findall(r"`(\w+\.\w+)`(?:, `(\w+)`)?", "|".join(cells[2:3]))
+        names = re.findall(r"\$(.*?)\$", symbol)
+        for key, second in keys:
+            both = [key, f"{key.partition('.')[0]}.{second}"]
+            symbols |= dict(zip(both, names, strict=False))
+    declared = {key: q.symbol for key, q in QUANTITIES.items() if q.symbol}
+    assert len(declared) > 5
+    for key, symbol in declared.items():
+        letters = plain.sub(lambda m: (m[1] or "") and f"{m[1]}hat", symbols[key])
+        assert plain.sub("", letters) == symbol.replace("_", ""), key
+
+
 def test_a_key_names_what_laws_read():
     read = {*LawContext.__annotations__}
     for name, kind in (("gains", Gains), ("fixes", Fixes)):
