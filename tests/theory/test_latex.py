@@ -1,6 +1,8 @@
 """Verdicts in LaTeX: a theorem with its proof, a proposition, or a conjecture."""
 
 import re
+import shutil
+import subprocess
 
 import pytest
 from small_scenarios import paper_of
@@ -10,7 +12,7 @@ import clpt_control as clpt
 
 ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
 FORGETTING = {"learning.composite_least_squares.forgetting": 0.1}  # that law needs one
-MATHEMATICS = r"\$[^$]*\$|\\\[[^\n]*\\\]"
+MATHEMATICS = r"\$[^$]*\$|\\\[(?s:.*?)\\\]"
 PYTHON = r"\*|`|(?<!\\)[_&#%]|[<>|]"  # no text of LaTeX
 
 
@@ -64,7 +66,7 @@ def test_a_condition_is_told():
     )
     text = well_formed(clpt.lyapunov(lag, lambda s: s.x**2 / 2))
     assert r"\dot V = - k\,x^{2}$" in text
-    assert "Conditions: where k $>$ 0; where w = 0." in text
+    assert "Conditions: where $k > 0$; where $w = 0$." in text
 
 
 @pytest.mark.parametrize(("factor", "status"), [(1, "proved"), (3, "refuted")])
@@ -75,7 +77,7 @@ def test_a_claim_is_a_formula(factor, status):
     assert verdict.status == status
     claimed = r"- x^{2}" if factor == 1 else r"- 3\,x^{2}"
     assert rf"\dot V \le {claimed}$" in text
-    assert ("Refuted: $\\dot V$ is above the claim at a point: t = " in text) == (
+    assert ("Refuted: $\\dot V$ is above the claim at a point: $t = " in text) == (
         status == "refuted"
     )
 
@@ -90,7 +92,7 @@ def test_a_claim_is_a_formula(factor, status):
 def test_claims_are_formulas(V, forms, rate):
     """x' = -x: V' = -x tanh(x) or -x^2/sqrt(1 + x^2), less y^2."""
     text = well_formed(verdict_of(f"x' = -x; y' = -y; V = {V}"))
-    assert f"V is positive definite in {forms} (exact)" in text.replace(
+    assert f"$V$ is positive definite in {forms} (exact)" in text.replace(
         "$y$, $x$", forms
     )
     [item] = re.findall(r"item \$\\dot V = (.*) \\le 0\$ \(exact\)", text)
@@ -103,7 +105,7 @@ def test_an_open_verdict_is_a_conjecture():
     assert verdict.status == "open"
     text = well_formed(verdict)
     assert r"V = \tanh{\left(x^{2} \right)}$" in text
-    assert "Not shown: V is positive definite." in text
+    assert "Not shown: $V$ is positive definite." in text
 
 
 def test_a_search_without_a_V_is_a_conjecture_without_formulas():
@@ -152,3 +154,48 @@ def test_theorem_3_2_is_typeset():
     assert rf"\dot{{K}}_{{1}} &= - \frac{{4\,z_{{1}}\,{e[0]}}}{{5}}" in text
     assert "Conclusion: CLPE goes to zero." in text
     assert r"K\_1" not in text.partition("Conditions")[0]
+
+
+SWING = "x' = v; v' = -sin(x) - d_1*v; V = v**2/2 + 1 - cos(x); d_1 = 0.5"
+LONG = "; ".join(f"x{k}' = -{k + 1}*x{k}**3 - x{k}*sin(x{k})**2" for k in range(12))
+OF_EACH_KIND = [
+    (SWING, {}),
+    (LONG, {}),
+    ("x' = -x; V = tanh(x**2)", {}),
+    ("x' = x + 3*x**2; V = x**2", {}),
+    ("x' = -k*x + d; V = x**2/2; k = 3; input d", {}),
+    ("th' = -th/(1 + y**2); y' = 1; V = th**2/2", {}),
+    ("y' = -y + h*r; m' = -m + r; h' = -(y - m)*r; V = (y - m)**2/2 + (h - 1)**2/2; input r", {}),
+    ("a' = -clip(a, -1, 1); b' = -b - maximum(b, 0); V = a**2 + b**2", {}),
+    ("x' = -1e50*x; V = x**2", {}),
+    ("γ' = -θ*γ; é' = -é; θ = 3", {}),
+    ("x' = -x + d; V = x**2; input d", {"where": {"d": (-1, 2)}}),
+    ("x' = -x + x*y; y' = -y; V = x**2 + y**2", {"within": {"x": (-2, 2), "y": (-2, 2)}}),
+]  # fmt: skip
+ARTICLE = r"""\documentclass{article}
+\usepackage{amsmath,amsthm}
+\newtheorem{theorem}{Theorem}\newtheorem{proposition}{Proposition}
+\newtheorem{conjecture}{Conjecture}
+\begin{document}
+%s
+\end{document}"""
+
+
+def test_latex_of_each_kind_compiles(tmp_path):
+    verdicts = [verdict_of(text, **more) for text, more in OF_EACH_KIND]
+    texts = [*map(well_formed, verdicts)]
+    assert all(len(line) <= 1000 for text in texts for line in text.splitlines())
+    assert all(len(verdict.sentence) <= 300 for verdict in verdicts)
+    if not shutil.which("pdflatex"):
+        pytest.skip("pdflatex is not installed")
+    (tmp_path / "all.tex").write_text(ARTICLE % "\n\n".join(texts))
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout[-800:]
+
+
+def test_conclusions_and_conditions_are_mathematics():
+    text = well_formed(verdict_of(SWING))
+    assert r"$v$, $\sin{\left(x \right)}$ go to zero." in text
+    assert "Conditions: where $d_{1} > 0$." in text
+    assert r" \ldots \le 0$" in well_formed(verdict_of(LONG))

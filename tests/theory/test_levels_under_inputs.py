@@ -255,3 +255,34 @@ def test_altered_file_is_refused(name, text, other, tmp_path):
     altered = file[start:].replace(text, other)
     assert altered != file[start:]
     assert compiled(tmp_path, file[:start] + altered)[0] is False
+
+
+def test_letters_of_a_sentence_are_none_of_the_loop():
+    """Lorenz with its own r: V comes down to 4 b r^2 s/min(1, b, s)."""
+    s, r, b = 10.0, 28.0, 8 / 3
+    loop = clpt.Block(
+        "lorenz",
+        update=lambda t, x, u, p: {
+            "x": p.s * (x.y - x.x),
+            "y": p.r * x.x - x.y - x.x * x.z,
+            "z": x.x * x.y - p.b * x.z,
+        },
+        states={"x": 1, "y": 1, "z": 1},
+        parameters={"s": s, "r": r, "b": b},
+    )
+    V = lambda s: s.r * s.x**2 + s.s * s.y**2 + s.s * (s.z - 2 * s.r) ** 2  # noqa: E731
+    verdict = clpt.lyapunov(loop, V)
+    assert "V' <= -r_1 V + c, c = 4*b*r**2*s, r_1 = Min(1, b, s)" in verdict.sentence
+    assert "so V comes down to c/r_1" in verdict.sentence
+    assert verdict.level == pytest.approx(4 * b * r**2 * s, rel=1e-3)
+
+
+def test_a_large_level_is_printed_by_its_power():
+    lag = clpt.Block(
+        "lag",
+        update=lambda t, x, u, p: {"x": -x.x + u.d},
+        states={"x": 1},
+        inputs={"d": 1},
+    )
+    verdict = clpt.lyapunov(lag, lambda s: s.x**2, where={"d": (-1e30, 1e30)})
+    assert "V' <= -V + 1e60, so V comes down to 1e60;" in verdict.sentence

@@ -203,8 +203,11 @@ MISTAKES = {
     "as they are x' has no value": written("x' = -x/k; k = 0"),
     "leave the claim out": (PLANT, half, {"claim": 0, "within": {"x": (-1, 1)}}),
     **{
-        f"has a {name}, as time or a function is called": (DRIVEN(inputs=[name]), half)
-        for name in ("t", "sign", "inside", "clip", "Abs")
+        f"has a {name}, as time, V or a function is called": (
+            DRIVEN(inputs=[name]),
+            half,
+        )
+        for name in ("t", "V", "sign", "inside", "clip", "Abs")
     },
 }
 

@@ -147,7 +147,7 @@ def test_a_state_called_as_an_error_is_another_symbol():
 
 def test_a_state_called_as_the_time_is_refused():
     with pytest.raises(
-        ClptError, match="own: has a t, as time or a function is called"
+        ClptError, match="own: has a t, as time, V or a function is called"
     ):
         prove(beside("t' = 0*t", {"t": 1})(), points=POINTS)
 

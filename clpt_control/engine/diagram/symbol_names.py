@@ -7,6 +7,7 @@ parameter with the name of a state or an output of its block is "plant.parameter
 these rules; a theory may define other rules in a subclass.
 """
 
+import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Set
 from math import prod
@@ -39,9 +40,9 @@ def typeset(expression: Any, accent: str = "{}") -> str:
     latex = {}
     for symbol in expression.free_symbols:
         block, _, label = str(symbol).rpartition(".")
-        name, _, index = label.rstrip("]").partition("[")
+        name, _, index = in_ascii(label.rstrip("]")).partition("[")
         text = sympy.latex(sympy.Symbol(name))
-        if text == name and len(name) > 1:
+        if text == name and len(name) > 1 and "{" not in name:
             text = rf"\mathrm{{{name}}}"
         letter, underscore, own_index = text.partition("_")
         text = accent.format(letter) + underscore + own_index
@@ -51,6 +52,20 @@ def typeset(expression: Any, accent: str = "{}") -> str:
             text += rf"^{{\mathrm{{{block}}}}}".replace("_", r"\_")
         latex[symbol] = text
     return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
+
+
+def in_ascii(name: str) -> str:
+    """Return a name with Greek letters as words, ``gamma``, and letters without accents."""
+
+    def word(letter: str) -> str:
+        kind, _, greek = unicodedata.name(letter, "").rpartition(" LETTER ")
+        words = greek.replace("LAMDA", "LAMBDA").split(" WITH ")[0].split()
+        if not kind.startswith("GREEK"):
+            return letter
+        return words[-1].title() if "CAPITAL" in kind else words[-1].lower()
+
+    plain = unicodedata.normalize("NFKD", "".join(map(word, name)))
+    return plain.encode("ascii", "ignore").decode()
 
 
 def with_equations(expression: Any) -> Any:

@@ -9,13 +9,15 @@ import sympy
 from ...base.units import at_least, at_most
 
 LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
+LARGEST_NUMERATOR = 10**15
 
 
 def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
 
     def is_long(e: Any) -> bool:
-        return any(n.q > LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational))
+        numbers = [(abs(n.p), n.q) for n in e.atoms(sympy.Rational)]
+        return any(p > LARGEST_NUMERATOR or q > LARGEST_DENOMINATOR for p, q in numbers)
 
     def rounded(e: Any) -> Any:
         """Return an expression with long numbers rounded, functions of them as one number."""
@@ -23,7 +25,7 @@ def short(expression: Any, most: int = 160) -> str:
             return e
         if not e.is_number:
             return e.func(*map(rounded, e.args))
-        if e.is_Rational and abs(e - e.round()) < 1e-6 * abs(e):
+        if e.is_Rational and 1e6 * abs(e - e.round()) < abs(e) < LARGEST_NUMERATOR:
             return e.round()
         return e.n(6)
 
@@ -31,7 +33,13 @@ def short(expression: Any, most: int = 160) -> str:
     text = str(rounded(expression) if hasattr(expression, "atoms") else expression)
     for symbol in symbols:
         text = text.replace(f"_{symbol.name}", symbol.name)
-    return text if len(text) <= most else text[:most] + " ..."
+    return cut(_plain(text), most)
+
+
+def _plain(text: str) -> str:
+    """Return a text with numbers such as 0.3750, 2.0, 3851. and 1.000e+50 without their ends."""
+    text = re.sub(r"(\.\d*?[1-9])0+(?=\b|e)|(?<=\d)\.0*(?=e|(?!\w))", r"\1", text)
+    return re.sub(r"(?<=\d)e\+", "e", text)
 
 
 def cut(text: str, most: int) -> str:
@@ -59,7 +67,8 @@ def bound_text(bound: Any, up: bool = True) -> str:
         """Return an expression of positive symbols with its numbers rounded."""
         if e.is_Rational or e.is_Float:
             text = (at_most if up else at_least)(float(e), 4)
-            return e if e.is_Integer else sympy.Float(text, 4)
+            is_exact = e.is_Integer and abs(e) < LARGEST_NUMERATOR
+            return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
             return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)
         coefficient, factor = e.as_coeff_Mul()
@@ -84,6 +93,4 @@ def bound_text(bound: Any, up: bool = True) -> str:
         return sympy.Add(*sums, evaluate=False)
 
     bound = sympy.sympify(bound)
-    text = str(grouped(rounded(bound, up)))
-    # 0.3750, 2.0 and 3851.
-    return re.sub(r"(\.\d*?[1-9])0+\b|(?<=\d)\.0*(?!\w)", r"\1", text)
+    return _plain(str(grouped(rounded(bound, up))))

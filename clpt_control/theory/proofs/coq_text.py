@@ -17,6 +17,7 @@ import sympy
 from sympy.printing.str import StrPrinter
 
 from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import in_ascii
 
 FUNCTIONS = {
     "Abs": "Rabs",
@@ -111,9 +112,10 @@ Proof. small_V_of near_le V_parts (fun i (t : R) => {V}). Qed."""
 
 def name_in_coq(name: str) -> tuple[str, list[str]]:
     """Return the name of a signal or a parameter in Coq, and its indices along axes of N."""
-    if not NAME(name):
+    plain = in_ascii(name)
+    if not NAME(plain):
         raise DiagramError(f"{name}: is no name in Coq. Use letters, digits and _")
-    base, *indices = re.findall(r"[^\[\],]+", name)
+    base, *indices = re.findall(r"[^\[\],]+", plain)
     fixed = "".join(f"'{index}" for index in indices if index.isdigit())
     text = base.replace(":", "''").replace(".", "'")
     return f"r_{text}{fixed}", [index for index in indices if not index.isdigit()]

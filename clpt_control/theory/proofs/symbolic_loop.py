@@ -100,10 +100,10 @@ def equated(
 
 
 def refuse_names(name: str, names: Iterable[str]) -> None:
-    """Reject a state, a signal or a parameter with the name of time or of a function."""
-    for reserved in sorted({"t", "Abs", *NUMPY_OF} & {*names}):
+    """Reject a state, a signal or a parameter with the name of time, V or a function."""
+    for reserved in sorted({"t", "V", "Abs", *NUMPY_OF} & {*names}):
         raise DiagramError(
-            f"{name}: has a {reserved}, as time or a function is called. Rename it"
+            f"{name}: has a {reserved}, as time, V or a function is called. Rename it"
         )
 
 

@@ -180,7 +180,8 @@ class SystemCandidate(LyapunovCandidate):
         refuse_levels(eq)
         if not eq.motion:
             raise DiagramError(f"{name}: has no states, so V' is not defined")
-        refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
+        outputs = eq.signals.keys() - {"V"}  # V may be an output
+        refuse_names(name, {*outputs, *eq.states, *eq.inputs, *eq.fields})
         for s, rate in self.motion.items():
             if rate.xreplace(eq.values).has(*NO_VALUE):
                 raise DiagramError(
@@ -266,7 +267,7 @@ class SystemCandidate(LyapunovCandidate):
         for port, symbols in self.eq.signals.items():
             for index, value in np.ndenumerate(symbols):
                 total = sympy.expand(value)
-                if total.is_Add:
+                if total.is_Add and port != "V":
                     name = element_name(port, symbols.shape, index)
                     symbol = sympy.Symbol(name, real=True)
                     names |= {total: symbol, sympy.expand(-total): -symbol}

@@ -21,6 +21,7 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Mapping, Sequence
+from itertools import chain, count
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -347,7 +348,8 @@ class Bounding:
         corners = [weights[s] * c / a for s, a in A.items()]
         heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
         level = sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
-        return bounded("V' <= 0 where V >= level", "ceiling", level)
+        claim = f"V' <= 0 where V >= {bound_text(level)}"
+        return bounded(claim, "ceiling", level)
 
     def pulled_to(self, pull: Pull, more: str = "") -> Fall | None:
         """Return what V comes to, or the mean of the errors that V' loses."""
@@ -355,15 +357,22 @@ class Bounding:
             return None
         push = bound_text(pull.push)
         if pull.rate == 0:
-            mean = "e^T KD e is at most 2 c"
-            claim = f"V' <= -e^T KD e/2 + c, c = {push}{more}"
+            c = self.letter("c")
+            mean = f"e^T KD e is at most 2 {c}"
+            claim = f"V' <= -e^T KD e/2 + {c}, {c} = {push}{more}"
             return bounded(claim, "mean", bound=mean)
         rate, level = bound_text(pull.rate, up=False), pull.push / pull.rate
         if pull.rate.is_number and pull.push.is_number:
             share = "" if rate == "1" else f"{rate} "
             return bounded(f"V' <= -{share}V + {push}{more}", "pulled", level)
-        claim = f"V' <= -r V + c, c = {push}, r = {rate}{more}"
-        return bounded(claim, "pulled", level, bound="c/r")
+        r, c = map(self.letter, "rc")
+        claim = f"V' <= -{r} V + {c}, {c} = {push}, {r} = {rate}{more}"
+        return bounded(claim, "pulled", level, bound=f"{c}/{r}")
+
+    def letter(self, first: str) -> str:
+        """Return a letter of the sentence, with a number where the loop has one so called."""
+        numbered = (f"{first}_{k}" for k in count(1))
+        return next(e for e in chain([first], numbered) if e not in self.case.eq.named)
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
