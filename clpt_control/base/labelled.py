@@ -188,12 +188,13 @@ def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
 def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
     """Return name, labels and unit of a dimension of xarray: of times or texts before numbers."""
 
-    def rank(name: Any) -> tuple[bool, bool]:
-        return coordinates[name].dtype.kind not in "mMOU", name != dim
+    def rank(name: Any) -> tuple[bool, bool, bool]:
+        kind = coordinates[name].dtype.kind
+        return name not in TIME, kind not in "mMOU", name != dim
 
-    for name in (*TIME, *sorted(coordinates, key=rank)):
-        labels = coordinates.get(name)
-        if labels is not None and labels.dims == (dim,):
+    for name in sorted(coordinates, key=rank):  # those that are given
+        labels = coordinates[name]
+        if labels.dims == (dim,):
             return name, labels.values, labels.attrs.get("units", "")
     return dim, None, ""
 
@@ -223,6 +224,11 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
             if labels is not None:
                 times = clock.read(argument, labels, unit)
                 array = np.flip(array, k) if labels[0] > labels[-1] else array
+            elif array.shape[k] != len(clock.at):
+                raise SimulationError(
+                    f"{argument}: has {array.shape[k]} samples along {dim} without times; timepts "
+                    f"has {len(clock.at)}. Give {dim} a coordinate"
+                )
         elif kind and all(isinstance(label, str) for label in labels):
             ranks.append(0)
             names = labels.tolist()

@@ -403,3 +403,32 @@ def test_units_of_params_and_of_timepts():
         clpt.simulate(integrators(), minutes, inputs)
     with pytest.raises(clpt.ArgumentError, match="timepts: its times are in"):
         clpt.simulate(clpt.closed_loop(clpt.paper_scenario()), minutes)
+
+
+def test_samples_along_a_dimension_without_times_are_those_of_timepts():
+    """xarray would number them 0, 1, 2."""
+    bare = xarray.Dataset({"a": ("time", 10 * TIMES), "b": ("time", 0 * TIMES + 10)})
+    run = clpt.simulate(integrators(), 10 * TIMES, bare)
+    np.testing.assert_allclose(run.states, RIGHT * [100, 10], atol=1e-5)
+    growth = control.nlsys(
+        *(lambda t, x, u, p: p["k"], None),
+        inputs=0,
+        outputs="a",
+        states="a",
+        params={"k": 1.0},
+        name="growth",
+    )
+    fit = clpt.fit_parameters(growth, bare[["a"]], {"k": 0.5}, 7 * TIMES)
+    assert fit.values["k"] == pytest.approx(10 / 7)
+    for times in ([0, 1.5], np.linspace(0, 1, 6)):
+        said = (
+            f"inputs.*has 5 samples along time without times; timepts has {len(times)}"
+        )
+        with pytest.raises(clpt.SimulationError, match=said):
+            clpt.simulate(integrators(), times, bare)
+    for verb in (
+        lambda: clpt.simulate(integrators(), None, bare),
+        lambda: clpt.fit_parameters(growth, bare[["a"]], {"k": 0.5}),
+    ):
+        with pytest.raises(clpt.SimulationError, match="without times; timepts has 0"):
+            verb()
