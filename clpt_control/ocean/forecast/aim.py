@@ -38,6 +38,7 @@ from .table_rows import (
     REACHED,
     UNDER_WAY,
     Place,
+    Row,
     against,
     clock,
     compass,
@@ -81,7 +82,7 @@ class Aim:
         state: str,
         tau: float | None,
         stay: float,
-    ) -> None:
+    ):
         """Work out how a dive is steered that was planned as T s at V m/s, in what carries it c.
 
         It goes s through the water, and with stays between them tau of it reach the target.
@@ -114,7 +115,7 @@ class Aim:
     def __repr__(self) -> str:
         return f"<Aim: {aim_sentence(self.as_dict())}>"
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Row:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
         plan = self.ahead.plan
         fields = dict(vars(self))
@@ -176,7 +177,7 @@ def checked_target(lat: float, lon: float) -> Place:
     )
 
 
-def aim_sentence(leg: dict[str, Any]) -> str:
+def aim_sentence(leg: Row) -> str:
     """Return the sentence on `Aim.as_dict`."""
     text = f"aim at {place(leg['latitude'], leg['longitude'])}, "
     made_good = leg["made_good"]

@@ -18,12 +18,11 @@ navigation files have them (DesiredH, Lat, Lon), to be typed.
 """
 
 from math import cos, radians, sin
-from typing import Any
 
 from ...base.geodesy import east_of, place_from
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
-from .table_rows import REACHED, compass, minutes, place_in
+from .table_rows import REACHED, Report, Row, compass, minutes, place_in
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it
 MOST = 8  # waypoints that a goto_list holds
@@ -36,7 +35,7 @@ UNTIL = (  # arguments of a goto_list
 )
 
 
-def paste(report: dict[str, Any]) -> dict[str, str] | None:
+def paste(report: Report) -> dict[str, str] | None:
     """Return name and text of what goes onto the vehicle, of what `--json` prints.
 
     None where nothing is aimed at, or no file says which kind of vehicle it is.
@@ -49,7 +48,7 @@ def paste(report: dict[str, Any]) -> dict[str, str] | None:
     return {"file": name, "text": "\n".join(lines) + "\n"}
 
 
-def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+def _seaglider(legs: list[Row], _: bool) -> tuple[str, list[str]]:
     names = [f"AIM{k + 1}" for k in range(len(legs))]
     lines = [
         "/ in the cmdfile, for the next dive:",
@@ -63,7 +62,7 @@ def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
     return "targets", lines
 
 
-def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]:
+def _slocum(legs: list[Row], corrects: bool) -> tuple[str, list[str]]:
     next_leg = legs[0]
     waypoints = [place_in(leg, "") for leg in legs[:MOST]]
     comment = (
@@ -93,7 +92,7 @@ def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]
     return "goto_l10.ma", [*lines, "<end:waypoints>"]
 
 
-def _seaexplorer(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+def _seaexplorer(legs: list[Row], _: bool) -> tuple[str, list[str]]:
     lines = [f"DesiredH {compass(legs[0]['heading'])}"]
     lines += ["Lat {} Lon {}".format(*_numbers(*place_in(leg, ""))) for leg in legs]
     return "seaexplorer.txt", lines

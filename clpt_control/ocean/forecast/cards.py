@@ -6,7 +6,6 @@ script `clock.js` counts them on.
 """
 
 from math import hypot
-from typing import Any
 
 from ...base.geodesy import direction, displacement, distance
 from ...base.html import safe, unbroken
@@ -16,6 +15,7 @@ from .surfacing import CLOCK, Way, overdue_times
 from .table_rows import (
     AGAINST,
     BASES,
+    Report,
     against,
     age,
     clock,
@@ -34,7 +34,6 @@ from .table_rows import (
     within,
 )
 
-Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
 
 
@@ -215,7 +214,8 @@ def _current(report: Report) -> str:
 def _speed_factor(report: Report) -> str:
     rows = report["each_dive"]
     texts = ["1: as fast as its files say"]
-    week_ago = _week_ago(rows)
+    until = rows[-1]["end_time"] - 7 * DAY
+    week_ago = next((row for row in reversed(rows) if row["end_time"] <= until), None)
     if week_ago is not None:
         texts.append(f"a week ago {_factor(week_ago)}, dive {week_ago['dive']}")
     return card("Factor on speed", _factor(rows[-1]), "; ".join(texts))
@@ -223,12 +223,6 @@ def _speed_factor(report: Report) -> str:
 
 def _factor(row: Report) -> str:
     return f"{row['speed_factor']:.2f} +- {row['speed_factor_error']:.2f}"
-
-
-def _week_ago(rows: list[Report]) -> Report | None:
-    """Return the last dive that ended a week before the last one, None of a shorter record."""
-    until = rows[-1]["end_time"] - 7 * DAY
-    return next((row for row in reversed(rows) if row["end_time"] <= until), None)
 
 
 def _position_error(report: Report) -> str:

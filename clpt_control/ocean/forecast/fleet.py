@@ -45,6 +45,8 @@ from .replay_page import AGAIN, ranked_table
 from .surfacing import RECENT, overdue_times
 from .table_rows import (
     Columns,
+    Report,
+    Row,
     age,
     cells,
     clock,
@@ -71,7 +73,7 @@ class Event(NamedTuple):
     sentence: str
 
 
-def events(report: dict[str, Any], now: float) -> list[Event]:
+def events(report: Report, now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
     rows = report["each_dive"]
     ahead = report["next_dive"]
@@ -88,18 +90,18 @@ def events(report: dict[str, Any], now: float) -> list[Event]:
     return happened
 
 
-def _event(name: str, row: dict[str, Any], sentence: str) -> Event:
+def _event(name: str, row: Row, sentence: str) -> Event:
     """Return the event that began with the dive of a row."""
     return Event(name, row["dive"], row["end"], sentence)
 
 
-def _overdue(last: int, ahead: dict[str, Any]) -> str:
+def _overdue(last: int, ahead: Row) -> str:
     """Return the sentence on a vehicle that is overdue after its last dive."""
     expected = f"{clock(ahead['time'])} {within(ahead)}"
     return f"{OVERDUE} after dive {last}: should have surfaced at {expected}"
 
 
-def standing(report: dict[str, Any], page: str, now: float) -> dict[str, Any]:
+def standing(report: Report, page: str, now: float) -> Row:
     """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
     asks = events(report, now)
     last = report["each_dive"][-1]
@@ -120,7 +122,7 @@ def standing(report: dict[str, Any], page: str, now: float) -> dict[str, Any]:
     }
 
 
-def unread(vehicle: str, why: str) -> dict[str, Any]:
+def unread(vehicle: str, why: str) -> Row:
     """Return the row of a vehicle without a replay."""
     return {
         "vehicle": vehicle,
@@ -130,10 +132,10 @@ def unread(vehicle: str, why: str) -> dict[str, Any]:
     }
 
 
-def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def ordered(rows: list[Row]) -> list[Row]:
     """Return rows, what asks for a pilot first, then by the time of the next surfacing."""
 
-    def sort_key(row: dict[str, Any]) -> tuple[int, bool, str]:
+    def sort_key(row: Row) -> tuple[int, bool, str]:
         rank = min(map(ORDER.index, row["asks"]), default=len(ORDER))
         if "dive" not in row:
             return rank, False, ""
@@ -146,7 +148,7 @@ def _out(running: int) -> str:
     return f"{OUT} x{running}" if running > 1 else OUT if running else "in"
 
 
-def _record(headlines: dict[str, Any]) -> str:
+def _record(headlines: Row) -> str:
     count = headlines["judged"]
     return f"{headlines['inside']} of {count}" if count else "-"
 
@@ -167,7 +169,7 @@ FLEET: Columns = {
 }
 
 
-def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
+def fleet_cells(row: Row) -> dict[str, str]:
     """Return the cells of a row by the titles of their columns."""
     if "dive" in row:
         return cells(row, FLEET)
@@ -178,7 +180,7 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     }
 
 
-def fleet_page(fleet: dict[str, Any]) -> Page:
+def fleet_page(fleet: Report) -> Page:
     """Return the page of a fleet, which links the page of each vehicle."""
     rows = fleet["vehicles"]
     cells_of_rows = [
@@ -202,7 +204,7 @@ def fleet_page(fleet: dict[str, Any]) -> Page:
     )
 
 
-def _times(row: dict[str, Any]) -> str:
+def _times(row: Row) -> str:
     """Return the times and the sentence of a row by which the script counts on."""
     if "dive" not in row:
         return ""
@@ -211,14 +213,14 @@ def _times(row: dict[str, Any]) -> str:
     return attributes(overdue_marks(ahead, row["time"]) | words)
 
 
-def fleet_sentence(rows: list[dict[str, Any]]) -> str:
+def fleet_sentence(rows: list[Row]) -> str:
     """Return how many vehicles there are, and how many need a pilot."""
     asks = sum(bool(row["asks"]) for row in rows)
     verb = "needs" if asks == 1 else "need"
     return f"{len(rows)} vehicle{'s'[: len(rows) != 1]}, {asks} {verb} a pilot"
 
 
-def _running(rows: list[dict[str, Any]]) -> int:
+def _running(rows: list[Row]) -> int:
     """Return how many dives in a row, up to the last one, came up outside their ellipses."""
     return len(list(takewhile(is_outside, reversed(rows))))
 
@@ -252,7 +254,7 @@ def plain_argument(sentence: str) -> str:
 class Alerts:
     """Runs a command, or none, for each new event; `out` has those that were told."""
 
-    def __init__(self, command: Sequence[str], out: Path) -> None:
+    def __init__(self, command: Sequence[str], out: Path):
         self.command = list(command)
         self.path = out / TOLD
         self.told: list[str] = []
@@ -262,7 +264,7 @@ class Alerts:
             keys = json.loads(read_text(self.path, "is not text"))
             self.told = [str(key) for key in keys] if isinstance(keys, list) else []
 
-    def tell(self, report: dict[str, Any]) -> None:
+    def tell(self, report: Report) -> None:
         """Run the command for what is new in what `--json` prints of a vehicle."""
         if not (self.command and report["each_dive"]):
             return

@@ -9,7 +9,7 @@ East and north of an ellipse are those at the start of its dive, where its covar
 from collections.abc import Callable
 from itertools import pairwise
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ...base.geodesy import displacement
 from ...base.map_files import BLUE, ORANGE, PURPLE, Feature, geojson, kml, ring
@@ -17,6 +17,8 @@ from ..estimation.fix_model import PERCENT
 from .surfacing import ELLIPSE
 from .table_rows import (
     Place,
+    Report,
+    Row,
     compass,
     ellipse_words,
     is_outside,
@@ -30,12 +32,12 @@ LAST = 5  # dives whose ellipses are drawn
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 
-def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:
+def ring_of(row: Row, begin: Place, end: Place) -> list[Place]:
     """Return the closed ring of an ellipse about the end of a way."""
     return ring(begin, displacement(*begin, *end), *(row[name] for name in ELLIPSE))
 
 
-def words_of_next(ahead: dict[str, Any]) -> str:
+def words_of_next(ahead: Row) -> str:
     """Return the popup's words on the next surfacing."""
     bearing = compass(ahead["ellipse_bearing"])
     when = f"{ahead['time']} {within(ahead)}"
@@ -43,7 +45,7 @@ def words_of_next(ahead: dict[str, Any]) -> str:
     return f"{when}, {ahead['place']}; {size}, the long axis to {bearing}"
 
 
-def words_of_dive(row: dict[str, Any]) -> str:
+def words_of_dive(row: Row) -> str:
     """Return the popup's words on a dive."""
     error = f"position error {row['clpe']['adaptive']:.0f} m"
     if row["forecast"] is not None:
@@ -61,7 +63,7 @@ class Kind(NamedTuple):
     places: tuple[str, ...]
     name: str = ""
     colour: str = ""
-    words: Callable[[dict[str, Any]], str] = lambda row: ""
+    words: Callable[[Row], str] = lambda row: ""
     time: str = ""
 
 
@@ -86,7 +88,7 @@ KINDS = {
 }
 
 
-def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
+def layers_of(report: Report) -> dict[str, list[Feature]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
     The ellipses are those of the last dives with a forecast.
@@ -111,7 +113,7 @@ def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
     }
 
 
-def _feature(kind: str, row: dict[str, Any]) -> Feature:
+def _feature(kind: str, row: Row) -> Feature:
     """Return a feature of a row; only points have the values of the row."""
     _, prefixes, name, colour, words_of, time = KINDS[kind]
     points = [place_in(row, prefix) for prefix in prefixes]
@@ -129,7 +131,7 @@ def _feature(kind: str, row: dict[str, Any]) -> Feature:
     return Feature(name.format_map(row), shape, points, colour, when, words, properties)
 
 
-def next_geojson(report: dict[str, Any]) -> str:
+def next_geojson(report: Report) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
     layers = layers_of(report)
     row = report["each_dive"][-1]
@@ -139,7 +141,7 @@ def next_geojson(report: dict[str, Any]) -> str:
     return geojson([last, *(feature for kind in AHEAD for feature in layers[kind])])
 
 
-def track_kml(report: dict[str, Any], name: str) -> str:
+def track_kml(report: Report, name: str) -> str:
     """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
     layers = layers_of(report)
     fixes = layers["fix"]

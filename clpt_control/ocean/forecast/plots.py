@@ -10,6 +10,7 @@ from ...base.arguments import public
 from ...base.figures import BLUE, GREEN, GREY, ORANGE, TITLE, axes_for, legend_below
 from .netcdf_export import Source, report_of
 from .replay_summary import rms_of
+from .table_rows import Row
 from .track_map import map_plot
 
 LINES = {
@@ -108,12 +109,12 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     return axes
 
 
-def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:
+def _surfaced(rows: list[Row]) -> np.ndarray:
     """Return when the vehicle surfaced."""
     return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
 
 
-def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
+def _column(rows: list[Row], key: str) -> np.ndarray:
     """Return a number of each dive, NaN where it is not known."""
     return np.array([row.get(key) for row in rows], dtype=float)
 

@@ -5,7 +5,6 @@ that becomes overdue.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from ...base.figures import legend_below
 from ...base.html import Result, listing, safe, unbroken
@@ -31,7 +30,7 @@ LEGEND_COLUMNS = 2
 
 
 def replay_page(
-    report: dict[str, Any], again: bool = False, title: str | None = None
+    report: table_rows.Report, again: bool = False, title: str | None = None
 ) -> Page:
     """Return the page of what `clpt replay --json` prints, with one dive at least.
 
@@ -71,7 +70,7 @@ def replay_page(
     )
 
 
-def _map(report: dict[str, Any]) -> str:
+def _map(report: table_rows.Report) -> str:
     """Return the map with its buttons, and the legend of what it shows."""
     layers = layers_of(report)
     entries = [(kind, name) for kind, name in KEYS.items() if layers[kind]]
@@ -84,7 +83,7 @@ def _map(report: dict[str, Any]) -> str:
     )
 
 
-def _dives(rows: list[dict[str, Any]]) -> Result:
+def _dives(rows: list[table_rows.Row]) -> Result:
     """Return the table of dives, the last one first."""
     words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
     marks = [f' id="map-dive{k}" title="{safe(text)}"' for k, text in enumerate(words)]

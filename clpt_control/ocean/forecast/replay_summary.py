@@ -29,7 +29,7 @@ from .aim import Aim, aim_sentence
 from .flow_models import FlowModel
 from .step import FLOW_MODEL, Step
 from .surfacing import NextDive
-from .table_rows import BASES, ellipse_words, place, velocity, when, wide
+from .table_rows import BASES, Report, Row, ellipse_words, place, velocity, when, wide
 
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
@@ -125,7 +125,7 @@ def summary(
     skipped: Sequence[Skipped] = (),
     next_dive: NextDive | None = None,
     aims: Sequence[Aim] = (),
-) -> dict[str, Any]:
+) -> Row:
     """Summarize a replay, as `clpt replay --json` prints it.
 
     Parameters
@@ -205,7 +205,7 @@ def summary(
     }
 
 
-def _of_flow_model(replay: Any, model: FlowModel) -> dict[str, Any]:
+def _of_flow_model(replay: Any, model: FlowModel) -> Row:
     """Return what the flow model is, how many dives it covers, and why not the others."""
     steps = replay.steps
     bare = [step.dive for step in steps if step.clpe[FLOW_MODEL] is None]
@@ -222,7 +222,7 @@ def _of_flow_model(replay: Any, model: FlowModel) -> dict[str, Any]:
 # --- sentences ------------------------------------------------------------------------------------
 
 
-def next_surfacing(ahead: dict[str, Any]) -> str:
+def next_surfacing(ahead: Row) -> str:
     """Return the sentence on `NextDive.as_dict`."""
     remarks = "".join(
         f"; {remark}" for remark in (wide(ahead), uncovered(ahead)) if remark
@@ -235,13 +235,13 @@ def next_surfacing(ahead: dict[str, Any]) -> str:
     )
 
 
-def uncovered(ahead: dict[str, Any]) -> str:
+def uncovered(ahead: Row) -> str:
     """Return why the flow model does not cover the next dive, empty if it does."""
     why = ahead["why_uncovered"]
     return f"the flow model does not cover the next dive: {why}" if why else ""
 
 
-def record_sentence(forecast: dict[str, Any]) -> str:
+def record_sentence(forecast: Row) -> str:
     """Return how many surfacings were as forecast.
 
     >>> record_sentence({"judged": 13, "inside": 12, "on_time": 13}).replace(PERCENT, "P %")
@@ -255,19 +255,19 @@ def record_sentence(forecast: dict[str, Any]) -> str:
     return f"forecast, made before the dive: {inside}, {on_time}"
 
 
-def coming(report: dict[str, Any]) -> list[str]:
+def coming(report: Report) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing and aims."""
     sentences = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
     return [*sentences, *map(aim_sentence, report["aim"])]
 
 
-def beyond_cards(report: dict[str, Any]) -> list[str]:
+def beyond_cards(report: Report) -> list[str]:
     """Return sentences on what no card has: later aims, and a flow model without the next dive."""
     why = uncovered(report["next_dive"])
     return [*([why] if why else []), *map(aim_sentence, report["aim"][1:])]
 
 
-def remarks(summary: dict[str, Any]) -> list[str]:
+def remarks(summary: Report) -> list[str]:
     """Return lines on what was learned, noted and skipped, of what `--json` prints."""
     lines = []
     if "flow_model" in summary and summary["each_dive"]:
@@ -298,7 +298,7 @@ def remarks(summary: dict[str, Any]) -> list[str]:
     return lines
 
 
-def coverage(model: dict[str, Any], used: int) -> list[str]:
+def coverage(model: Row, used: int) -> list[str]:
     """Return lines that say which dives a flow model covers, and why not the others.
 
     >>> none = {"dive": 7, "why": "outside the forecast's area"}
@@ -314,7 +314,7 @@ def coverage(model: dict[str, Any], used: int) -> list[str]:
     return [*lines, *by_reason(model["uncovered"], "why", "no flow model for ")]
 
 
-def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
+def by_reason(entries: list[Row], key: str, before: str = "") -> list[str]:
     """Return a line for each reason, with the dives that share it.
 
     >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")

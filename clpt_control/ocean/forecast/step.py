@@ -20,7 +20,7 @@ from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
 from ..gliders.dives import FIELDS, Dive
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
-from .table_rows import direction, place_in, placed, utc, vector
+from .table_rows import Row, direction, place_in, placed, utc, vector
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
@@ -69,7 +69,7 @@ class Step:
         return np.array([[a, b], [-b, a]])
 
     @cached_property
-    def row(self) -> dict[str, Any]:
+    def row(self) -> Row:
         """All of this by name, for JSON.
 
         Lengths are in m, times ISO 8601 UTC, currents in m/s, angles in degrees clockwise from
@@ -107,7 +107,7 @@ class Step:
         }
         return {key: finite_or_none(value) for key, value in row.items()}
 
-    def _forecast_row(self) -> dict[str, Any] | None:
+    def _forecast_row(self) -> Row | None:
         """Return the forecast before the dive; None where it cannot be compared with the dive."""
         if self.headline is None or self.headline_held is None:
             return None
@@ -120,7 +120,7 @@ class Step:
             "on_time": on_time,
         }
 
-    def _hindsight_row(self) -> dict[str, Any]:
+    def _hindsight_row(self) -> Row:
         """Return the forecast with the dead reckoning and the duration of the dive."""
         dive = self.dive
         east, north = self.forecast

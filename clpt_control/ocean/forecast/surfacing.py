@@ -64,6 +64,7 @@ from .table_rows import (
     GIVEN,
     PLANNED,
     REPEATED,
+    Row,
     clock,
     direction,
     in_minutes,
@@ -336,7 +337,7 @@ class NextDive:
         inside = squared_distance(away, np.zeros(2), self.covariance) <= CHI_SQUARED
         return inside, abs(dive.t_gpse - self.plan.t_gpse) <= self.time_half_width
 
-    def as_dict(self) -> dict[str, Any]:
+    def as_dict(self) -> Row:
         """Return the forecast by name, for JSON: degrees, m and s."""
         now, clock_name = self.now()
         return {
@@ -369,7 +370,7 @@ def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
     )
 
 
-def overdue_times(ahead: dict[str, Any], end: str) -> tuple[float, float]:
+def overdue_times(ahead: Row, end: str) -> tuple[float, float]:
     """Return from when until when a vehicle is overdue, s since 1970.
 
     `ahead` is `NextDive.as_dict`, `end` the end of the last dive.

@@ -26,6 +26,7 @@ BASES = {  # of the guess of the next dive
 REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
 SOON = 48.0  # hours; a longer age is in days
 Row = dict[str, Any]
+Report = dict[str, Any]  # of a replay, ready for JSON
 # title: rank, and cell of a row
 Columns = dict[str, tuple[int, Callable[[Row], str | None]]]
 
@@ -78,7 +79,7 @@ def in_degrees(lat: float, lon: float) -> str:
     >>> in_degrees(-42.93, 8.42), in_degrees(0.0, 190.0)
     ('42.9300 S 8.4200 E', '0.0000 N 170.0000 W')
     """
-    pairs = ((round(lat, 4), "NS"), (round(east_of(lon), 4), "EW"))
+    pairs = (round(lat, 4), "NS"), (round(east_of(lon), 4), "EW")
     return " ".join(f"{abs(angle):.4f} {names[angle < 0]}" for angle, names in pairs)
 
 

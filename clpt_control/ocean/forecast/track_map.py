@@ -34,7 +34,7 @@ from ...base.html import plain
 from ..estimation.fix_model import PERCENT
 from .map_layers import layers_of
 from .netcdf_export import Source, report_of
-from .table_rows import Place, clock, degrees_minutes, is_outside
+from .table_rows import Place, Report, clock, degrees_minutes, is_outside
 
 FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
@@ -113,9 +113,7 @@ def edges_of(points: np.ndarray, degree: np.ndarray) -> np.ndarray:
     return np.array([(low + high) / 2 - half_size, (low + high) / 2 + half_size])
 
 
-def _drawn(
-    report: dict[str, Any], ax: Axes | None, margins: tuple[float, float]
-) -> Axes:
+def _drawn(report: Report, ax: Axes | None, margins: tuple[float, float]) -> Axes:
     """Draw what `clpt replay --json` prints, inches around it."""
     rows = report["each_dive"]
     of = {
@@ -199,7 +197,7 @@ def draw_grid_and_scale_bar(ax: Axes, degree: np.ndarray) -> None:
     scale_bar(ax, "km", 1000 / degree[0])
 
 
-def map_svg(report: dict[str, Any]) -> str:
+def map_svg(report: Report) -> str:
     """Return the map as an element of a page, with what its script needs.
 
     That is where the chart lies in it, its edges in degrees, and how long a unit is, m.
