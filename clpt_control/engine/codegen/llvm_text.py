@@ -38,6 +38,7 @@ from .vectors import (
     sum_of_parts,
     vector,
     width_of,
+    word,
 )
 
 ARRAYS = ("t", "X", "P", "T", "W", "D")
@@ -160,17 +161,15 @@ class LLVMPrinter(LoopPrinter):
                 continue
             step = index
             if stride != 1:
-                step = builder.mul(index, ir.Constant(WORD, stride))
+                step = builder.mul(index, word(stride))
             position = step if position is None else builder.add(position, step)
         columns = self.columns(array)
         if position is None:
-            return builder.gep(
-                self.arrays[array], [ir.Constant(WORD, offset * columns)]
-            )
+            return builder.gep(self.arrays[array], [word(offset * columns)])
         if offset:
-            position = builder.add(position, ir.Constant(WORD, offset))
+            position = builder.add(position, word(offset))
         if columns > 1:
-            position = builder.mul(position, ir.Constant(WORD, columns))
+            position = builder.mul(position, word(columns))
         return builder.gep(self.arrays[array], [position])
 
     def load(self, element: Element) -> Any:
@@ -266,8 +265,8 @@ class LLVMPrinter(LoopPrinter):
         """
         builder = self.builder
         zero = constant(0.0, self.lanes)
-        first = ir.Constant(WORD, 0)
-        positions = [ir.Constant(WORD, k) for k in range(LANES)]
+        first = word(0)
+        positions = [word(k) for k in range(LANES)]
         with builder.goto_entry_block():
             kind = ir.ArrayType(zero.type, LANES)
             arrays = [builder.alloca(kind) for _ in range(sums)]
@@ -282,7 +281,7 @@ class LLVMPrinter(LoopPrinter):
             if type(index) is int:
                 current = [of_sum[index % LANES] for of_sum in addresses]
             else:
-                position = builder.and_(index, ir.Constant(WORD, LANES - 1))
+                position = builder.and_(index, word(LANES - 1))
                 current = [builder.gep(array, [first, position]) for array in arrays]
             totals = body(index, [builder.load(address) for address in current])
             for total, address in zip(totals, current, strict=True):
@@ -311,7 +310,7 @@ class LLVMPrinter(LoopPrinter):
         after = builder.append_basic_block()
         builder.branch(inside)
         builder.position_at_end(inside)
-        index_phi = self.phi(ir.Constant(WORD, indices.start), before)
+        index_phi = self.phi(word(indices.start), before)
         sum_phis = [self.phi(start, before) for start in sums]
         # print an iteration, or two side by side if it is a long chain
         self.has_chain = False
@@ -319,20 +318,18 @@ class LLVMPrinter(LoopPrinter):
         remaining = indices[:0]
         if self.has_chain and builder.block is inside:
             if len(indices) >= 4:
-                second_index = builder.add(index_phi, ir.Constant(WORD, indices.step))
+                second_index = builder.add(index_phi, word(indices.step))
                 results = body(second_index, results)
                 paired = len(indices) // 2 * 2
                 remaining = indices[paired:]
                 indices = indices[:paired:2]
             sort_by_start(inside)
         # end the loop
-        next_index = builder.add(index_phi, ir.Constant(WORD, indices.step))
+        next_index = builder.add(index_phi, word(indices.step))
         index_phi.add_incoming(next_index, builder.block)
         for phi, value in zip(sum_phis, results, strict=True):
             phi.add_incoming(value, builder.block)
-        continues = builder.icmp_signed(
-            "<", next_index, ir.Constant(WORD, indices.stop)
-        )
+        continues = builder.icmp_signed("<", next_index, word(indices.stop))
         builder.cbranch(continues, inside, after)
         builder.position_at_end(after)
         for index in remaining:
@@ -388,11 +385,11 @@ class LLVMPrinter(LoopPrinter):
             terms = [(builder.fptosi(numbers[0], WORD), stride)] if is_pick else []
             address = self.address(Element(array, offset, terms))
             if columns > 1:
-                address = builder.gep(address, [ir.Constant(WORD, lane)])
+                address = builder.gep(address, [word(lane)])
             if is_pick:
                 results.append(builder.load(address))
                 continue
-            sizes = [ir.Constant(WORD, size) for size in (stride * columns, count)]
+            sizes = [word(size) for size in (stride * columns, count)]
             arguments = [address, *sizes, *numbers]
             results.append(calculate_on_row(builder, name, arguments))
         result = gathered(builder, results)

@@ -19,7 +19,17 @@ from ..record.graph import deep
 from .llvm_text import LLVMPrinter
 from .plan import Program
 from .series import Coefficients
-from .vectors import BIT, DOUBLE, WORD, constant, elements, gathered, splat, vector
+from .vectors import (
+    BIT,
+    DOUBLE,
+    WORD,
+    constant,
+    elements,
+    gathered,
+    splat,
+    vector,
+    word,
+)
 
 SAFETY = 0.9
 GROWTH = 8.0
@@ -37,8 +47,16 @@ SAMPLES, SEGMENTS, COUNT, MOST, SEGMENT, NEXT, STATUS, STEPS = 0, 1, 2, 3, 4, 8,
 ARRAYS = (*"XPTW", "times", "edges", "values", "out", "numbers", "indices", "integers")
 WORDS = ("indices", "integers")
 BLOCKS = (
-    *("segment", "step", "body", "inside", "accept", "samples", "sample", "after"),
-    *("end", "done"),
+    "segment",
+    "step",
+    "body",
+    "inside",
+    "accept",
+    "samples",
+    "sample",
+    "after",
+    "end",
+    "done",
 )
 
 
@@ -97,9 +115,9 @@ class SeriesPrinter(Coefficients):
         builder.position_at_end(blocks["segment"])
         segment = self.phi(first, before)
         at_segment = {name: self.phi(value, before) for name, value in begun.items()}
-        at_segment["tries"] = self.phi(ir.Constant(WORD, 0), before)
+        at_segment["tries"] = self.phi(word(0), before)
         self.set_parameters(segment, m)
-        time_of_lanes = builder.gep(self.arrays["numbers"], [ir.Constant(WORD, TIME)])
+        time_of_lanes = builder.gep(self.arrays["numbers"], [word(TIME)])
         X, P, T, W = (self.arrays[name] for name in "XPTW")
         prepare = builder.module.globals["prepare"]
         builder.call(prepare, [time_of_lanes, X, P, T, W, W])
@@ -208,7 +226,7 @@ class SeriesPrinter(Coefficients):
             "scale": where(steps, wished, where(unsound, smaller, self.scale)),
             "status": where(fails, failed, status),
             "steps": builder.add(now["steps"], builder.zext(steps, number.type)),
-            "tries": builder.add(now["tries"], ir.Constant(WORD, 1)),
+            "tries": builder.add(now["tries"], word(1)),
         }
         for name, node in last.items():
             back = where(again, node, now[name])
@@ -229,7 +247,7 @@ class SeriesPrinter(Coefficients):
         ended = {**now, **back, "status": status}
         for name, address in kept.items():
             builder.store(ended[name], address, align=8)
-        number = builder.add(segment, ir.Constant(WORD, 1))
+        number = builder.add(segment, word(1))
         not_failed = builder.icmp_signed("!=", status, failed)
         on = builder.and_(builder.not_(is_going), self.any_of(not_failed))
         on = builder.and_(on, builder.icmp_signed("<", number, segments))
@@ -238,7 +256,7 @@ class SeriesPrinter(Coefficients):
             node.add_incoming(ended[name], builder.block)
         builder.cbranch(on, blocks["segment"], blocks["done"])
         builder.position_at_end(blocks["done"])
-        reached = builder.gep(self.arrays["integers"], [ir.Constant(WORD, SEGMENT)])
+        reached = builder.gep(self.arrays["integers"], [word(SEGMENT)])
         builder.store(segment, reached)
         builder.ret_void()
 
@@ -246,12 +264,12 @@ class SeriesPrinter(Coefficients):
 
     def of_lanes(self, name: str, offset: int, kind: ir.Type) -> Any:
         """Return the address of a number of each lane."""
-        address = self.builder.gep(self.arrays[name], [ir.Constant(WORD, offset)])
+        address = self.builder.gep(self.arrays[name], [word(offset)])
         return self.builder.bitcast(address, vector(self.lanes, kind).as_pointer())
 
     def entry(self, name: str, index: Any) -> Any:
         """Return an entry of an array that lanes share."""
-        index = ir.Constant(WORD, index) if type(index) is int else index
+        index = word(index) if type(index) is int else index
         return self.builder.load(self.builder.gep(self.arrays[name], [index]))
 
     def broadcast_to_lanes(self, value: Any) -> Any:
@@ -273,16 +291,16 @@ class SeriesPrinter(Coefficients):
         look, write, after = (builder.append_basic_block() for _ in range(3))
         builder.branch(look)
         builder.position_at_end(look)
-        k = self.phi(ir.Constant(WORD, 0), before)
+        k = self.phi(word(0), before)
         builder.cbranch(builder.icmp_signed("<", k, count), write, after)
         builder.position_at_end(write)
         position = builder.add(builder.mul(segment, count), k)
         value = self.entry("values", position)
-        index = builder.mul(self.entry("indices", k), ir.Constant(WORD, self.lanes))
+        index = builder.mul(self.entry("indices", k), word(self.lanes))
         address = builder.gep(self.arrays["P"], [index])
         address = builder.bitcast(address, vector(self.lanes).as_pointer())
         builder.store(self.broadcast_to_lanes(value), address, align=8)
-        k.add_incoming(builder.add(k, ir.Constant(WORD, 1)), builder.block)
+        k.add_incoming(builder.add(k, word(1)), builder.block)
         builder.branch(look)
         builder.position_at_end(after)
 
@@ -432,14 +450,14 @@ class SeriesPrinter(Coefficients):
         """Write states into the row of a sample; lanes without a sample write behind all rows."""
         builder = self.builder
         n = len(values)
-        behind = builder.mul(count, ir.Constant(WORD, self.lanes))
+        behind = builder.mul(count, word(self.lanes))
         rows = zip(elements(builder, index), elements(builder, is_due), strict=True)
         by_lane = [elements(builder, value) for value in values]
         for lane, (number, due) in enumerate(rows):
-            row = builder.add(builder.mul(count, ir.Constant(WORD, lane)), number)
+            row = builder.add(builder.mul(count, word(lane)), number)
             row = builder.select(due, row, behind)
-            first = builder.mul(row, ir.Constant(WORD, n))
+            first = builder.mul(row, word(n))
             for k in range(n):
-                index = builder.add(first, ir.Constant(WORD, k))
+                index = builder.add(first, word(k))
                 address = builder.gep(self.arrays["out"], [index])
                 builder.store(by_lane[k][lane], address)

@@ -42,6 +42,11 @@ def constant(value: float, width: int, entry: ir.Type = DOUBLE) -> ir.Constant:
     return _constant(value, copysign(1.0, value), width, entry)
 
 
+def word(value: int) -> ir.Constant:
+    """Return a whole number of 64 bits, such as an index."""
+    return ir.Constant(WORD, value)
+
+
 @lru_cache(maxsize=4096)
 def _constant(value: float, sign: float, width: int, entry: ir.Type) -> ir.Constant:
     """Return a constant; it is cached because LLVM's text of it takes long to make."""
@@ -334,7 +339,7 @@ class RowFunction(ir.Function):
         super().__init__(module, ir.FunctionType(DOUBLE, types), name)
         self.linkage = "internal"
         self.append_basic_block()  # in whose place the body is printed
-        names = ("row", "stride", "count", "value", "right")
+        names = "row", "stride", "count", "value", "right"
         for argument, argument_name in zip(self.args, names, strict=False):
             argument.name = argument_name
 
