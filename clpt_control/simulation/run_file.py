@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..base.arguments import public
-from ..base.errors import ClptError, DataError
+from ..base.errors import DataError, naming
 from ..base.files import write_file
 from ..base.files.reading import open_netcdf
 from ..base.run_attributes import (
@@ -124,7 +124,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
             why = NOT_RUNS.get(kind_of(data), f"{NO_RUN}. Make a run with: clpt run")
             raise DataError(f"{path}: {why}")
         run = data.load()
-    try:
+    with naming(path):
         if is_response(run):
             check_response(run)
         else:
@@ -133,8 +133,6 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         for name in KEYS & run.attrs.keys():
             run.encoding[name] = read_note(run.attrs, name)
             del run.attrs[name]
-    except ClptError as error:
-        raise DataError(f"{path}: {error}") from None
     run.attrs.pop(FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run
@@ -146,7 +144,5 @@ def recorded_arguments(path: Path) -> dict[str, Any]:
         return {}
     with open_netcdf(path) as data:
         attributes = data.attrs
-    try:
+    with naming(path):
         return read_note(attributes, ARGUMENTS)
-    except ClptError as error:
-        raise DataError(f"{path}: {error}") from None
