@@ -121,7 +121,7 @@ class CFile:
         functions = [
             f"\n{self.program.function(name)}" for name in self.program.functions
         ]
-        fields: dict[str, Any] = {
+        fields = {
             **OPTIONAL,
             "name": self.name,
             "title": _comment(self.run.name),
@@ -146,7 +146,11 @@ class CFile:
             ),
         }
         if self.turns:
-            intervals = as_lines(self._whole_intervals())
+            # whole intervals that the samples have counted
+            intervals = as_lines(
+                f"kept[{j}] = floor((n + 0.5) / ({turns} * steps));"
+                for j, turns in self.turns.items()
+            )
             fields["counted"] = COUNTED.substitute(intervals=intervals)
         return self.filled(fields)
 
@@ -227,11 +231,6 @@ class CFile:
         for k in self.layout.jumps:
             yield f"kept[{self._jump_index(k)}] = 0.0;"
 
-    def _whole_intervals(self) -> Iterator[str]:
-        """Yield assignments of intervals after n steps, of which a common period has `steps`."""
-        for j, turns in self.turns.items():
-            yield f"kept[{j}] = floor((n + 0.5) / ({turns} * steps));"
-
     @property
     def _near(self) -> str:
         """Rounding of a time, as a share of the common period."""
@@ -245,7 +244,7 @@ class CFile:
         """
         lengths = {}
         for j, (k, _) in enumerate(self.periods):
-            breakpoints: Any = self.wiring.nodes[k].system.breakpoints_function
+            breakpoints = self.wiring.nodes[k].system.breakpoints_function
             is_counted = self.parameters[k].interval < 0.0
             if is_counted and not isinstance(breakpoints.period, str):
                 lengths[j] = breakpoints.part * breakpoints.period

@@ -78,7 +78,16 @@ class DatasetTemplate:
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a Dataset of a run's signals and states, with attributes of its own."""
-        attributes = {**self.attributes, **solver_attributes(solution)}
+        attributes = {
+            **self.attributes,
+            "software": f"Python {python_version()}, {versions(*PACKAGES)}",
+            "status": solution.status,
+            "message": solution.message,
+            "engine": solution.engine,
+            "method": solution.method,
+        }
+        for name, value in solution.statistics.items():
+            attributes[f"solver_{name}"] = value
         if attributes["message"] == COMPLETED:
             unit = (self.time_attributes or {}).get("units", "")
             attributes["message"] += f" (t = {solution.t[-1]:g} {unit})".replace(
@@ -209,15 +218,3 @@ def columns(indices: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.nd
     if len(shape) == 1:
         return lambda signals: signals[:, selected]
     return lambda signals: signals[:, selected].reshape(len(signals), *shape)
-
-
-def solver_attributes(solution: Solution) -> dict[str, Any]:
-    """Return attributes of a run: versions, status and the solver's statistics."""
-    return {
-        "software": f"Python {python_version()}, {versions(*PACKAGES)}",
-        "status": solution.status,
-        "message": solution.message,
-        "engine": solution.engine,
-        "method": solution.method,
-        **{f"solver_{name}": value for name, value in solution.statistics.items()},
-    }

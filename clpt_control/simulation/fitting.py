@@ -173,7 +173,7 @@ class FitProblem:
 
     def _read(self, measured: Mapping[str, Labelled]) -> None:
         """Read the measurements: columns of outputs, their names, values and finite ones."""
-        times = self.run.request.times[self.run.request.skipped :]
+        times = self.times = self.run.request.times[self.run.request.skipped :]
         self.columns: list[int] = []
         self.outputs: list[str] = []
         values: list[np.ndarray] = []
@@ -321,10 +321,9 @@ class FitProblem:
         free_names = [*compress(self.names, free)]
         sentences = [_sentence(free_names, direction) for direction in directions]
         sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
-        times = self.run.request.times[self.run.request.skipped :]
-        modelled = self.run_at(values).outputs[: len(times), self.columns, 0]
+        modelled = self.run_at(values).outputs[: len(self.times), self.columns, 0]
         columns = zip(self.outputs, self.measured.T, modelled.T, strict=True)
-        outputs = {name: FittedOutput(times, *pair) for name, *pair in columns}
+        outputs = {name: FittedOutput(self.times, *pair) for name, *pair in columns}
         start, parameters = self.run.with_values(values)
         params = {}
         for name, location in self.run.locations.items():

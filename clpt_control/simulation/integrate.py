@@ -171,7 +171,7 @@ def simulate(
         from .flows import note_speeds, speeds_of
 
         note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)
-    scenario = getattr(run, "scenario", None)
+    scenario = run.scenario
     if scenario is not None and scenario.learning.row.at_fixes:
         from .flows import long_interval
 

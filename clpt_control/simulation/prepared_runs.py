@@ -55,9 +55,9 @@ class PreparedRun:
             self._run = run = DiagramRun(*arguments, varied=tuple(params))
         self._is_quick = run.runner.engine == "native" and run.runner.nstates
         # parameters with which code is made anew
-        self._fixed: set[str] = set()
-        if self._is_quick:
-            self._fixed = {key for key in params if not self._is_free(key)}
+        self._fixed = {
+            key for key in params if self._is_quick and not self._is_free(key)
+        }
 
     def _arguments(self, params: Mapping[str, Any]) -> tuple[Any, Any, Any, Any]:
         """Return the arguments of a `DiagramRun`."""

@@ -128,7 +128,7 @@ class SensitivityRun(DiagramRun):
     def at(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with values of the varied numbers."""
         request = self.request
-        skipped = self.request.skipped
+        skipped = request.skipped
         start, parameters = self.with_values(values)
         # the state, then its derivative by each number
         x = np.zeros((1 + len(self.locations), len(start)))
