@@ -43,7 +43,8 @@ MARKS = 41  # default number of times of errors
 SUMMARIES = {  # name -> dimensions, powers of length and 1/time, long name
     "clpe_rms": (
         "cycle",
-        *(1, 0),
+        1,
+        0,
         "rms of the CLPE over a cycle, {0.cycle:g} {0.units.time}",
     ),
     "clpe_rms_whole": ("", 1, 0, "rms of the CLPE over the whole run"),
@@ -51,12 +52,14 @@ SUMMARIES = {  # name -> dimensions, powers of length and 1/time, long name
     "gain_error": ("mark", 0, 1, "largest error of a gain"),
     "flow_error": (
         "",
-        *(1, 1),
+        1,
+        1,
         "rms error of the learned flow along the track, last quarter",
     ),
     "share_in_faster_flow": (
         "",
-        *(0, 0),
+        0,
+        0,
         "share of time in a flow faster than the vehicle",
     ),
 }
@@ -214,8 +217,7 @@ class LoopBatch(MemberBatch):
         trajectory = self.states(port)[:, self.varied.times.output]
         if port != "alpha":
             return trajectory
-        count, N = len(trajectory), self.varied.scenario.basis.N
-        return trajectory.reshape(count, -1, 2, N)
+        return trajectory.reshape(*trajectory.shape[:2], 2, -1)
 
     @cached_property
     def along_tracks(self) -> tuple[np.ndarray, np.ndarray]:

@@ -177,7 +177,7 @@ class Ensemble:
             members.runners[m] = self.native if self.compiled else runner, inputs
             # members with equal breakpoints share a schedule
             schedule = runner.schedule(times, inputs)
-            name = (schedule.edges.tobytes(), schedule.values.tobytes())
+            name = schedule.edges.tobytes(), schedule.values.tobytes()
             if name not in numbers:
                 numbers[name] = len(members.schedules)
                 members.schedules.append(schedule)

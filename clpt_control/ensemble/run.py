@@ -237,7 +237,7 @@ def run_ensemble(
     missing = store.missing()
     count = threads or available_threads()
     try:
-        with progress_shown(progress, "ensemble", members) as show:
+        with progress_shown(progress, members) as show:
             report = _reporter(out, members, show)
             present = members - store.count(missing)
             report(present, present)

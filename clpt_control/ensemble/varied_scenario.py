@@ -60,7 +60,7 @@ class VariedScenario:
         self.needs_signals = not {"flow_error", "share_in_faster_flow"} <= self.absent
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
-        of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+        of_law = "learning.gain", f"learning.{scenario.learning.row.table}."
         self.values = {
             key: value
             for key, value in variable_values(scenario).items()
@@ -81,11 +81,9 @@ class VariedScenario:
     @cached_property
     def absent(self) -> set[str]:
         """The names of the summaries that this scenario does not have."""
-        flow, row, replaced = (
-            self.scenario.flow,
-            self.scenario.learning.row,
-            self.changes.replace,
-        )
+        flow = self.scenario.flow
+        row = self.scenario.learning.row
+        replaced = self.changes.replace
         own_flow = "true_flow" in replaced
         are_absent = {
             "flow_parameter_error": own_flow or flow.parameters is None,
@@ -97,7 +95,7 @@ class VariedScenario:
             "feedforward_gain": row.at_fixes,
         }
         absent = {name for name, is_absent in are_absent.items() if is_absent}
-        return absent | ({*TRAJECTORIES} if not self.trajectories else set())
+        return absent if self.trajectories else absent.union(TRAJECTORIES)
 
     # --- checks ---------------------------------------------------------------------------
 

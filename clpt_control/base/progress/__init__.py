@@ -80,11 +80,11 @@ def progress_bar(
 
 @contextmanager
 def progress_shown(
-    progress: bool | Callable[[int], None] | None, title: str, members: int
+    progress: bool | Callable[[int], None] | None, members: int
 ) -> Iterator[Callable[[int], None]]:
     """Yield a function of the number of members done: a progress bar, the caller's, or none."""
     if progress is True:
-        with progress_bar(title, members, "members") as report:
+        with progress_bar("ensemble", members, "members") as report:
             yield report
     else:
         yield progress or (lambda done: None)
