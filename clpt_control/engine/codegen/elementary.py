@@ -340,13 +340,25 @@ def position_in_row(index, count):
     return where(is_inside, position, -1.0)
 
 
+BY_NAME = (
+    exp,
+    expm1,
+    log,
+    tanh,
+    hypot,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    atan2,
+    minimum,
+    maximum,
+    sign,
+)
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
-    **{
-        function.__name__: function
-        for function in (sin, cos, tan, asin, acos, atan, atan2)
-    },
-    **{function.__name__: function for function in (minimum, maximum, sign)},
+    **{function.__name__: function for function in BY_NAME},
     "place": position_in_row,
     "pow": power,
     "mod": remainder,

@@ -34,7 +34,7 @@ class MergedSums:
         self.terms(True, ref, index, unsummed, sums)
         terms = []
         for count, summands in sums.items():
-            symbol = (count, 0)
+            symbol = count, 0
             owners = {owner for _, owner, _ in summands}
             if len(owners) > 1 and len(summands) < MOST:
                 body = self.body(summands)

@@ -53,8 +53,7 @@ LONG = 5_000  # parts of an expression; what has more SymPy takes too long to pr
 UNDEFINED = LOGICAL | named(lambda row: row.smoothness >= KINK and not row.sympy)
 
 
-def _undefined(name: str) -> Any:
-    return sympy.Function(name, real=True)
+_undefined = partial(sympy.Function, real=True)
 
 
 def _in_sympy(name: str, row: Row) -> Callable[..., Any]:

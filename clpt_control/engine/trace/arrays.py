@@ -50,7 +50,7 @@ class Tape:
         self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None
     ) -> "Array":
         """Return the value of an operation; record the operation if it is new."""
-        key = (kind, tuple(map(key_of, arguments)), shape, at)
+        key = kind, tuple(map(key_of, arguments)), shape, at
         if (ref := self._known.get(key)) is None:
             ref = self._known[key] = len(self.operations)
             self.append(Operation(kind, tuple(arguments), shape, at))

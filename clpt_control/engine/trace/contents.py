@@ -130,14 +130,6 @@ def _write_attributes(value: Any, content: Content) -> None:
             owner.__setattr__(value, name, item)
 
 
-def _read_table(value: Any) -> Content:
-    return Content(type(value), [0], [pickle.dumps(value)])
-
-
-def _write_table(value: Any, content: Content) -> None:
-    vars(value).update(vars(pickle.loads(content.items[0])))
-
-
 def holding(make: Callable[..., Any] | None, *names: str) -> Kind:
     """Return the kind of a value that holds others, which never change, in attributes."""
     return Kind(
@@ -176,7 +168,10 @@ DICT = Kind(_read_dict, _write_dict)
 CELL = Kind(_read_cell, _write_cell)
 ARRAY = Kind(_read_array, _write_array)
 ATTRIBUTES = Kind(_read_attributes, _write_attributes)
-PANDAS = Kind(_read_table, _write_table)
+PANDAS = Kind(
+    lambda value: Content(type(value), [0], [pickle.dumps(value)]),
+    lambda value, content: vars(value).update(vars(pickle.loads(content.items[0]))),
+)
 HOLDERS: dict[type, Kind] = {  # of functions
     MethodType: holding(MethodType, "__func__", "__self__"),
     functools.partial: holding(

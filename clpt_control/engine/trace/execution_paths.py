@@ -42,7 +42,7 @@ class Outside(Exception):
 class AnsweringTape(Tape):
     """A tape with the branch outcomes of one execution path."""
 
-    def __init__(self, parameters: Mapping[str, Any]) -> None:
+    def __init__(self, parameters: Mapping[str, Any]):
         super().__init__()
         self.parameters = parameters
         self.pinned: set[str] = set()  # parameters whose value Python asked for

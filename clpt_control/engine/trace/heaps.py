@@ -301,7 +301,7 @@ class Joining:
             path_entry.content.items for path_entry in entries if path_entry is not None
         ]
         if kind is ELEMENTS:
-            items: Any = self._elements(leading, contents)
+            items = self._elements(leading, contents)
         else:
             items = [*map(self.value, zip(*contents, strict=True))]
         if kind.write is not None:

@@ -106,7 +106,7 @@ def read(request: Request) -> Read:
     reached = reachable(request.function, fixed, trusted=request.trusted)
     if len(_TRACED) > MOST_TRACED:
         _TRACED.clear()
-    shapes = (request.states, request.inputs, request.shapes, request.out)
+    shapes = request.states, request.inputs, request.shapes, request.out
     kind = request.role, request.of_control, request.trusted
     key = reached.key, kind, *(tuple(shape.items()) for shape in shapes)
     cached = _TRACED.setdefault(key, [])

@@ -279,8 +279,8 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
         for n in shape:
             _refuse_part_of(n)
         raise
-    new_shape: list[Any] = [*samples[0][1].shape]
-    mapped: list[Any] = []
+    new_shape = [*samples[0][1].shape]
+    mapped = []
     for n, (positions, sample) in zip(shape, samples, strict=False):
         if sample.ndim and sample.base is not positions.base:
             return None
