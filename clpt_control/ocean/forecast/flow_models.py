@@ -163,7 +163,7 @@ def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> comple
 class Forecast(FlowModel):
     """A current on time, latitude, longitude and perhaps depth, of a NetCDF file."""
 
-    def __init__(self, path: Path, units: str | None) -> None:
+    def __init__(self, path: Path, units: str | None):
         from scipy.interpolate import RegularGridInterpolator
 
         column = read_currents(path, column=True, units=units)
@@ -222,7 +222,7 @@ class Forecast(FlowModel):
 class Fitted(FlowModel):
     """A basis with its parameters, of the TOML file that `clpt fit` wrote, its field beside it."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path):
         from ...paper.scenario.file import load_vehicle_scenario
 
         self.scenario = load_vehicle_scenario(path)

@@ -75,7 +75,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
 
     Of a glider's folder on a dockserver they are those in ``from-glider``.
     """
-    files: list[Path] = []
+    files = []
     for path in map(Path, paths):
         try:
             inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
@@ -284,9 +284,9 @@ def read_all_dives(
 ) -> tuple[list[Dive], list[Skipped]]:
     """Read all dives as the files have them, of any number of vehicles."""
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
-    read: list[tuple[Path, list[Dive]]] = []
-    skipped: list[Skipped] = []
-    faults: list[tuple[Path, Skipped]] = []
+    read = []
+    skipped = []
+    faults = []
     for file in files:
         check()
         try:

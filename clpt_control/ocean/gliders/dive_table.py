@@ -69,7 +69,7 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
-    rows: list[Dive | Skipped] = [
+    rows = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         for line, row in zip(cells.index, cells.to_numpy(), strict=True)
     ]

@@ -319,7 +319,7 @@ def cut_dives(
         repeats = fix[1:] == new[-1][1:] and is_dive(new[-1], fix)
         if not repeats:
             new.append(fix)
-    dives: list[Three] = []
+    dives = []
     surfaced = 0  # first fix since the dive before
     for k, (start, end) in enumerate(pairwise(new)):
         if is_dive(start, end):
@@ -365,7 +365,7 @@ def dive_between(
     >>> dive_between(1, fixes, through, dac_east=0.03, dac_north=-0.05).notes
     ("position error over duration differs by 30 mm/s from the file's depth-averaged current",)
     """
-    gps1: dict[str, Any] = dict(
+    gps1 = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
     fields = {"track": through.track, "turned": through.turned, **gps1}
@@ -402,7 +402,7 @@ def without_current(
     return east - current[0] * duration, north - current[1] * duration
 
 
-def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def reckoned(dive: Dive) -> Track:
     """Return dead reckoning: time since the fix before the dive (s), east and north (m).
 
     A straight line at constant speed where the dive has no track; its end fix is not read.

@@ -186,7 +186,9 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
 def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     of = measurements_of(data)
-    of["wet"] = _under_water(of)
+    # under water: by the depth; without depth by the phase, and without a fix
+    wet = (of.phase.isna() | of.phase.isin((0, *UNDER_WATER))) & of.lat.isna()
+    of["wet"] = wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)
     of["behind"] = 0.0
     if has_ends(data):
         return _of_segments(of, segments_of(of))
@@ -242,12 +244,6 @@ def _of_segments(
 
 def _rows_between(of: pandas.DataFrame, start: Fix, end: Fix) -> pandas.DataFrame:
     return of[(of.time > start[0]) & (of.time <= end[0])]
-
-
-def _under_water(of: pandas.DataFrame) -> pandas.Series:
-    """Return which rows are measurements under water."""
-    wet = (of.phase.isna() | of.phase.isin((0, *UNDER_WATER))) & of.lat.isna()
-    return wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)
 
 
 def _dive(

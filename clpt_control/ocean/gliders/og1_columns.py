@@ -106,13 +106,13 @@ def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     clock = names["TIME" if "TIME" in names else t_name]
     time = seconds(data, clock).ravel()
     dims = data[clock].dims
-    notes: list[str] = []
+    notes = []
     unsaid = not said(data[names[t_name]])
     if unsaid and (unit := unit_of_times(fixes[0], time)):
         fixes[0] = fixes[0] / SMALLER[unit]
         notes.append(f"{t_name} has no units and is read as {unit}, as its numbers are")
     columns: dict[str, Any] = {"time": time}
-    used: dict[str, str] = {}
+    used = {}
     for key in QUANTITIES:
         columns[key] = nan
         for name, numbers in columns_of(data, key):

@@ -224,12 +224,12 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
     time, depth, note = _depths(rows_between(of, start[0], end[0]))
-    notes += [note] if note else []
+    notes.append(note)
     wet = time[(depth > LEAST_DEPTH) | np.isnan(depth)]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
     hole, large = hole_under_water(time - start[0], depth, duration)
-    notes += [why or hole] if why or hole else []
+    notes.append(why or hole)
     if large:
         path = None
     currents = own_currents(of, wet[0], end[0], east_of_north)
@@ -241,7 +241,7 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
         path, total, note = reconciled(
             path, wet[0] - start[0], gps, duration, currents, used
         )
-        notes += [note] if note else []
+        notes.append(note)
     track = None
     if path is not None:
         track = np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]
@@ -254,7 +254,7 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
         magvar=east_of_north,
         depth_max=deepest(depth),
         next_course=_next_course(of, end, east_of_north),
-        notes=tuple(notes),
+        notes=tuple(filter(None, notes)),
     )
 
 

@@ -136,7 +136,7 @@ def _length(packed: bytes, offset: int, length: int) -> tuple[int, int]:
 
 def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     """Return the tags of the header and where it ends."""
-    tags: dict[str, str] = {}
+    tags = {}
     offset = 0
     for line in BytesIO(raw):
         name, colon, value = line.decode("ascii", "replace").partition(":")

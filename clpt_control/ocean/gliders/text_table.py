@@ -44,7 +44,7 @@ def table_of(text: str, name: str | Path, must_be: str) -> pandas.DataFrame:
     """
     _, mark = header_of(text)
     decimal = "." if mark == "," else ","
-    rows: dict[int, list[str]] = {}
+    rows = {}
     for k, line in enumerate(text.splitlines(), 1):
         if ROW.match(line):
             try:

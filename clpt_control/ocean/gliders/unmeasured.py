@@ -112,7 +112,7 @@ def _repeated(
 ) -> tuple[str, Array, Array]:
     """Return which positions are the last fix held, and which may be."""
     repeated, candidates = np.zeros((2, len(time)), bool)
-    jumps: list[bool] = []
+    jumps = []
     begin = 0
     jitter = np.clip(OF_STEP * np.abs(np.nan_to_num(steps)), JITTER, LARGEST)
     for k in range(1, len(time) + 1):

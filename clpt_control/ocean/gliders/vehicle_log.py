@@ -105,7 +105,7 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
 
 def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]]:
     """Return the number of each column that is read, and the size of its unit."""
-    columns: dict[str, tuple[int, float]] = {}
+    columns = {}
     for column, cell in enumerate(header):
         name, unit = _name_and_unit(cell)
         is_course = any(word in name for word in ("heading", "course"))
