@@ -85,7 +85,7 @@ def gridded_flow(
     Outside the grid ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` uses the edge's value.
     `units` are named in the message; `position` is the port of the true position.
     """
-    axes = (grid.time, grid.x2, grid.x1)
+    axes = grid.time, grid.x2, grid.x1
     length, time = (units.length, units.time) if units is not None else ("", "")
     guard = Guard(inside, outside, partial(left_the_field, length, time), ADVICE)
     return paper_block(

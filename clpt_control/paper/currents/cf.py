@@ -21,15 +21,31 @@ VELOCITY = {  # quantity: its standard names, and the names in use
         ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
         # of ROMS u_eastward, beside u along the axes of its grid; ua of FVCOM
         (
-            *("u_eastward", "u", "water_u", "uo", "u_velocity"),
-            *("ucur", "u_current", "u_east", "usurf", "ua"),
+            "u_eastward",
+            "u",
+            "water_u",
+            "uo",
+            "u_velocity",
+            "ucur",
+            "u_current",
+            "u_east",
+            "usurf",
+            "ua",
         ),
     ),
     "northward": (
         ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
         (
-            *("v_northward", "v", "water_v", "vo", "v_velocity"),
-            *("vcur", "v_current", "v_north", "vsurf", "va"),
+            "v_northward",
+            "v",
+            "water_v",
+            "vo",
+            "v_velocity",
+            "vcur",
+            "v_current",
+            "v_north",
+            "vsurf",
+            "va",
         ),
     ),
 }
@@ -48,8 +64,16 @@ AXIS_NAMES = {name for _, names in AXES.values() for name in names}
 HEIGHTS = ("altitude", "height")
 DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
 DEPTH_NAMES = (
-    *("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu"),
-    *("sigma", "siglay"),
+    "depth",
+    "z",
+    "lev",
+    "level",
+    "altitude",
+    "s_rho",
+    "deptht",
+    "depthu",
+    "sigma",
+    "siglay",
 )
 CURE = (
     "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "

@@ -26,7 +26,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray
 
 from ...base.arguments import Count, public
 from ...base.errors import DataError, naming
@@ -39,7 +38,7 @@ from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_vehicle_scenario, scenario_to_text
 from .current_grid import Box, Currents, with_all_steps
-from .grid_file import read_currents, source_name
+from .grid_file import Source, read_currents, source_name
 from .identifiability import check_nyquist, check_separable
 from .least_squares import least_squares
 from .plane import ORIGIN, GriddedField, field_dataset, fill_gaps, regular_grid
@@ -101,8 +100,8 @@ class Fit:
 
 @public
 def fit_current(
-    source: str | Path | Sequence[str | Path] | xarray.Dataset,
-    box: tuple[float, float, float, float] | None = None,
+    source: Source,
+    box: Box | None = None,
     *,
     rows: Count = 3,
     columns: Count = 3,
@@ -221,7 +220,7 @@ def fit_current(
     # of places from the track
     away = np.abs(np.hypot(*np.transpose(centers)) - radius_km)
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
-    origin = (plane.lat, plane.lon)
+    origin = plane.lat, plane.lon
     scenario = _scenario(currents, origin, centers, width_km, constituents, radius_km)
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured]

@@ -13,7 +13,6 @@ import re
 from collections.abc import Callable, Iterable
 from functools import reduce
 from operator import or_
-from typing import Any
 
 import numpy as np
 import xarray
@@ -113,7 +112,7 @@ def _is_bad(flag: xarray.DataArray, is_fix: bool) -> np.ndarray:
 
 def _attribute(flag: xarray.DataArray, key: str) -> np.ndarray:
     """Return the numbers of an attribute, which may be a text such as '0b, 1b' or 'A B'."""
-    value: Any = flag.attrs.get(key, [])
+    value = flag.attrs.get(key, [])
     if isinstance(value, str):
         value = re.findall(r"-?\d+", value) or value.split()
     return _codes(np.atleast_1d(value))

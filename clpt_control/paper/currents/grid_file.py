@@ -66,8 +66,8 @@ def sample_currents() -> Path:
 
 @public
 def read_currents(
-    source: str | Path | Sequence[str | Path] | xarray.Dataset,
-    box: tuple[float, float, float, float] | None = None,
+    source: Source,
+    box: Box | None = None,
     *,
     column: bool = False,
     depth: float | None = None,

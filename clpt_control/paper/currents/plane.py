@@ -65,7 +65,7 @@ class GriddedField:
         """The field as a Dataset without units."""
         import xarray
 
-        dims = ("time", "y", "x")
+        dims = "time", "y", "x"
         axes = {"time": self.time, "y": self.x2, "x": self.x1}
         data = xarray.Dataset({"u": (dims, self.u), "v": (dims, self.v)}, axes)
         if self.land is None:

@@ -121,7 +121,7 @@ class ErrorBound:
     [0.25]
     """
 
-    def __init__(self, prior: np.ndarray, radius: float, limits: Limits) -> None:
+    def __init__(self, prior: np.ndarray, radius: float, limits: Limits):
         self.prior, self.radius, self.limits = prior, radius, limits
         self.P = np.diag(prior**2)
         self.level = radius**2

@@ -164,8 +164,8 @@ PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
 # inputs of laws that learn from the vehicle's motion
 MOVING = {**PAPER, "x": 2, "v_x": 2}
 BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # inputs of V with a covariance P
-# the outputs of a law
-LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}
+GAIN_STATES = {"K": State(2), "Gamma": State(2)}
+LEARNED = {"alpha": State((2, "N")), **GAIN_STATES}  # the outputs of a law
 # gamma of K and Gamma, per length squared per time squared; 0 fixes K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from .law import (
+    GAIN_STATES,
     K_GAMMA,
     NOISE,
     PRIOR,
@@ -87,7 +88,7 @@ KNOWN_FLOW = Law(
     parameters={**K_GAMMA, "alpha_M": "alpha_M"},
     one_gain=True,
     promises=promised("true exact", "mean square"),
-    states={"K": State(2), "Gamma": State(2)},
+    states=GAIN_STATES,
     output=known_flow_output,
     outputs={"alpha": (2, "N")},
 )
@@ -150,8 +151,7 @@ KALMAN_FLOW = Law(
     },
     keys={"prior": PRIOR},
     states={
-        "K": State(2),
-        "Gamma": State(2),
+        **GAIN_STATES,
         "theta_hat": State((2, "N"), lambda context, p: context.theta_estimate),
         "P": State(("N", "N"), lambda context, p: context.prior**2 * np.eye(context.N)),
     },

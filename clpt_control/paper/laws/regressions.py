@@ -264,7 +264,7 @@ def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
     def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
         """Return |eta phi_f|^2/(2 w) and r^2 lambda tr(eta P^-1 eta^T)/(2 w)."""
         w, weighted = getattr(p, weight), weighted_error(s, p, truth)
-        rate = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
+        rate = p.forgetting, 1 - np.trace(s["P"]) / p.largest
         eta_P_eta = np.sum((weighted @ s["P"]) * weighted)
         return [
             (unexplained_square(s, p, truth), 1 / (2 * w)),

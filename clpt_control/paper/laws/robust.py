@@ -56,7 +56,7 @@ def sigma(t, x, u, p):
 
 def switching_sigma(t, x, u, p):
     """Eqs. (21)-(23), with a leak from zero at a norm M to `leak` at 2 M."""
-    limits = (p.largest_flow, p.largest_feedback, p.largest_feedforward)
+    limits = p.largest_flow, p.largest_feedback, p.largest_feedforward
     norms = map(np.linalg.norm, (x.alpha, x.K, x.Gamma))
     leaks = (
         p.leak * np.clip(a / M - 1, 0, 1) for a, M in zip(norms, limits, strict=True)
@@ -97,7 +97,7 @@ NORM_LIMITS = {
 
 def beyond_limits(p: Any, truth: Truth) -> str:
     """Return a sentence if the truth is outside the limits of an adapted parameter, or ""."""
-    adapts = (p.gain, p.gain_K, p.gain_Gamma)
+    adapts = p.gain, p.gain_K, p.gain_Gamma
     outside = [
         f"{key} = {getattr(p, key):.3g} is below the truth's {np.linalg.norm(true):.3g}"
         for key, true, gain in zip(NORM_LIMITS, truth, adapts, strict=True)

@@ -34,8 +34,11 @@ LENGTHS = ("reference.points", "basis.centers", "vehicle.position", "learning.po
 DEGREES = 3.0  # lengths this near to the origin's latitude and longitude are degrees
 FINE = 2000  # samples of a run in addition to those of its output
 SPANS = (  # keys of times from one jump to the next
-    *("reference.dwell", "flow.disturbance.period", "learning.sample"),
-    *("localization.interval", "localization.noise_period"),
+    "reference.dwell",
+    "flow.disturbance.period",
+    "learning.sample",
+    "localization.interval",
+    "localization.noise_period",
 )
 # floats of memory for each sample, and for each sample and function: measured, times two
 NUMBERS = (110, 24)
@@ -320,7 +323,7 @@ class Scenario(tables.Table):
         {'phi_z': 3}
         """
         basis = self.basis
-        functions = (basis.centers, basis.widths, self.frequencies, self.phases)
+        functions = basis.centers, basis.widths, self.frequencies, self.phases
         return flow_basis(f"basis_{position}", position, basis.kernel, *functions)
 
     @property
@@ -444,9 +447,7 @@ class Scenario(tables.Table):
 tables.Table.scenario = Scenario
 
 
-@cache
-def _plane(lat: float, lon: float, unit: str) -> LocalPlane:
-    return LocalPlane(lat, lon, unit)
+_plane = cache(LocalPlane)
 
 
 def checked_scenario(nested: Nested, name: str, folder: Path | None) -> Scenario:

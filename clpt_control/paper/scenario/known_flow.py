@@ -38,9 +38,10 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     'known-flow'
     """
     learning = scenario.learning
+    theta = np.asarray(theta, dtype=float)
     values: dict[str, Any] = {
         "learning.law": "known-flow",
-        "learning.theta_estimate": np.asarray(theta, dtype=float),
+        "learning.theta_estimate": theta,
         "learning.parameters": None,
     }
     if learning.row.settings:
@@ -68,7 +69,7 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     dwell = width * METRES[units.length] / SECONDS[units.time]
     points = list(dict.fromkeys(scenario.basis.centers))
     truth = {
-        "flow": {"parameters": np.asarray(theta, dtype=float).tolist()},
+        "flow": {"parameters": theta.tolist()},
         "vehicle": {"feedback": [2 / dwell] * 2, "feedforward": [2 / dwell] * 2},
         "reference": {"kind": "waypoints", "points": points, "dwell": dwell},
         "run": {

@@ -39,8 +39,13 @@ KINDS: dict[str, Any] = {  # `Setting.allowed` -> type
 
 # keys of [learning] that a law does not use if it learns at fixes
 NOT_AT_FIXES = (
-    *("gain", "gains", "adapt_gains", "hedging", "sample"),
-    *("feedback", "feedforward"),
+    "gain",
+    "gains",
+    "adapt_gains",
+    "hedging",
+    "sample",
+    "feedback",
+    "feedforward",
 )
 
 
@@ -163,7 +168,9 @@ class Learning(OwnTables):
         """The keys that this law does not use."""
         unused = {law.table for law in LAWS.values() if law.name != self.law}
         unused.add("parameters" if self.row.alpha_is_constant else "theta_estimate")
-        return unused | (set(NOT_AT_FIXES) if self.row.at_fixes else set())
+        if self.row.at_fixes:
+            unused.update(NOT_AT_FIXES)
+        return unused
 
     @property
     def _required(self) -> list[str]:

@@ -58,7 +58,7 @@ def call_time_hint(key: str, parameters: set[str]) -> str:
 class RecordingContext:
     """Proxy of a `LawContext` that records the names of attributes that are read."""
 
-    def __init__(self, context: Any, names: set[str], prefix: str = "") -> None:
+    def __init__(self, context: Any, names: set[str], prefix: str = ""):
         self._context, self._names, self._prefix = context, names, prefix
 
     def __getattr__(self, name: str) -> Any:

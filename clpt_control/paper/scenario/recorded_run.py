@@ -20,14 +20,16 @@ if TYPE_CHECKING:
     import xarray
 
 ON_THE_PLANE = (  # variables of a run with two axes
-    *("position", "predicted_position", "measured_position", "clpe", "reference"),
-    *(
-        "feedback_gain",
-        "feedforward_gain",
-        "true_flow",
-        "velocity",
-        "commanded_velocity",
-    ),
+    "position",
+    "predicted_position",
+    "measured_position",
+    "clpe",
+    "reference",
+    "feedback_gain",
+    "feedforward_gain",
+    "true_flow",
+    "velocity",
+    "commanded_velocity",
 )
 DIMS = {  # variable of a run -> its dimensions, after those of a team
     "time": ("time",),

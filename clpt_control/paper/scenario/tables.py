@@ -61,7 +61,7 @@ class Table(pydantic.BaseModel):
     model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
     scenario: ClassVar[type["Table"]]  # the one around all tables, which names keys
 
-    def __init__(self, **values: Any) -> None:
+    def __init__(self, **values: Any):
         with _one_sentence(type(self).__name__.lower()):
             super().__init__(**values)
 
@@ -266,7 +266,7 @@ class Basis(Table):
     def _mistakes(self) -> Iterator[str]:
         if (self.periods is None) == (self.constituents is None):
             yield "basis.periods: give either periods or constituents, one of the two"
-        keys = ("widths", "periods", "constituents", "phases")
+        keys = "widths", "periods", "constituents", "phases"
         values = {key: getattr(self, key) for key in keys}
         wrong = [
             f"basis.{key} has {len(value)}"
@@ -346,7 +346,7 @@ class Flow(Table):
     disturbance: Disturbance | None = None
 
     def _mistakes(self) -> Iterator[str]:
-        given = (self.parameters, self.field, self.basis)
+        given = self.parameters, self.field, self.basis
         if sum(value is not None for value in given) != 1:
             yield "flow.parameters: give one of parameters, field and basis"
         if self.field is None and "outside" in self.model_fields_set:
