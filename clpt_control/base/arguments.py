@@ -237,7 +237,7 @@ def _fits_at_once(value: Any, kinds: Kinds) -> bool:
 @cache
 def _classes(kinds: Kinds) -> tuple[type, ...]:
     """Return the kinds that are classes of this package or of python-control."""
-    prefixes = ("clpt_control.", "control.")
+    prefixes = "clpt_control.", "control."
     classes = [kind for kind in kinds if isinstance(kind, type)]
     return tuple(kind for kind in classes if kind.__module__.startswith(prefixes))
 
@@ -255,11 +255,7 @@ def _has_kind(value: Any, kind: Any) -> bool:
         return True
     if kind in (Seed, Count):
         least = 0 if kind == Seed else 1
-        return (
-            isinstance(value, Integral)
-            and not isinstance(value, bool)
-            and int(value) >= least
-        )
+        return _has_kind(value, int) and int(value) >= least
     if kind == Positive:
         return _has_kind(value, float) and 0 < value < np.inf
     if origin in (float, int):

@@ -135,7 +135,7 @@ class LocalPlane:
     (0.0, 11.11)
     """
 
-    def __init__(self, lat: float, lon: float, unit: str = "km") -> None:
+    def __init__(self, lat: float, lon: float, unit: str = "km"):
         if not (abs(lat) <= 90 and np.isfinite(lon)):
             raise DataError(
                 f"origin ({lat}, {lon}): must be latitude and longitude, degrees"

@@ -272,7 +272,7 @@ def _signals_of(
     if clock is None:
         raise SimulationError(f"{argument}: is a response. Give values of one time")
     times = clock.read(argument, np.asarray(response.time))
-    signals: dict[str, Labelled] = {}
+    signals = {}
     for labels, values in (
         (response.input_labels, response.u),
         (response.output_labels, response.y),

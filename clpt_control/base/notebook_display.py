@@ -43,7 +43,7 @@ def _register(load: Callable[[], type]) -> None:
 class _AfterXarray(MetaPathFinder):
     """Finds xarray as the other finders do; registers the accessor after its import."""
 
-    def __init__(self, load: Callable[[], type]) -> None:
+    def __init__(self, load: Callable[[], type]):
         self.load = load
 
     def find_spec(

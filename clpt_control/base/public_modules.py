@@ -24,8 +24,15 @@ PUBLIC_MODULES = {
 # name of python-control -> advice; all other names take linear systems
 HINTS = dict.fromkeys(
     (
-        *("input_output_response", "forced_response", "step_response"),
-        *("impulse_response", "initial_response", "lsim", "step", "impulse", "initial"),
+        "input_output_response",
+        "forced_response",
+        "step_response",
+        "impulse_response",
+        "initial_response",
+        "lsim",
+        "step",
+        "impulse",
+        "initial",
     ),
     "Call clpt.simulate(system, timepts, inputs)",
 )
@@ -60,7 +67,7 @@ def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
 class PublicModule(ModuleType):
     """A module whose stub lists where its names are defined."""
 
-    def __init__(self, name: str, doc: str) -> None:
+    def __init__(self, name: str, doc: str):
         super().__init__(f"{PACKAGE}.{name}", doc)
         stub = Path(__file__).parents[1] / f"{name}.pyi"
         self._modules = {

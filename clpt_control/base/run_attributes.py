@@ -51,8 +51,14 @@ LABELS = "labels"
 DIAGRAM = "diagram"  # of a run in memory; no file has it
 KEYS = {  # note -> its keys
     ARGUMENTS: {
-        *("timepts", "params", "engine", "method"),
-        *("rtol", "atol", "max_step", "first_step"),
+        "timepts",
+        "params",
+        "engine",
+        "method",
+        "rtol",
+        "atol",
+        "max_step",
+        "first_step",
     },
     LABELS: {"name", "inputs", "outputs", "states"},
 }

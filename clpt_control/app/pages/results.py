@@ -91,7 +91,7 @@ def run_result(summary: Summary, title: str) -> Result:
         return Result(title, ["", ""], rows, learning_advice({"": summary}))
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
-    end, disagreement = list(summary["max_disagreement"].items())[-1]
+    *_, (end, disagreement) = summary["max_disagreement"].items()
     rows.append(
         [
             f"largest disagreement ({length}/{time})",
@@ -150,7 +150,7 @@ def _achieved(numbers: Summary, length: str, time: str) -> list[list[str]]:
         ("gain", f"1/{time}"),
     ):
         if by_time := numbers.get(f"max_{quantity.replace(' ', '_')}_error"):
-            end, error = list(by_time.items())[-1]
+            *_, (end, error) = by_time.items()
             rows.append(
                 [
                     f"largest {quantity} error ({unit})",

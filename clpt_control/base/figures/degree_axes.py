@@ -19,7 +19,7 @@ BARS_PER_WIDTH = 5  # about
 class _Degrees(Locator):
     """Ticks of one axis of a chart at even degrees, at the middle of the other axis."""
 
-    def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool) -> None:
+    def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool):
         self.ax, self.plane, self.is_longitude = ax, plane, is_longitude
 
     def _centre(self) -> tuple[float, float]:
