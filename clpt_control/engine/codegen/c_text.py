@@ -19,7 +19,7 @@ from ...base.html import asset
 from ..record.graph import deep
 from ..record.operations import CONDITIONS, TABLE
 from .diagram_record import DiagramRecord, Form, Layout
-from .fused_expressions import Components, Write
+from .fused_expressions import Components, Loops, Write
 from .loop_nests import Body, Element, Key, LoopPrinter
 from .plan import Nest, Planner
 from .switching_conditions import Port
@@ -203,7 +203,7 @@ class CPrinter(LoopPrinter):
         """Return a constant."""
         return c_number(value)
 
-    def operation(self, name: str, loops: tuple[int, ...], values: list[str]) -> str:
+    def operation(self, name: str, loops: Loops, values: list[str]) -> str:
         """Return an operation on its arguments."""
         symbol = TABLE[name].c
         if symbol.isidentifier():

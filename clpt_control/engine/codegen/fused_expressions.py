@@ -32,6 +32,7 @@ OUT_OF_LINE = named(lambda row: row.numpy and row.llvm == "function")
 LIBRARY = named(lambda row: row.llvm == "libm")
 LONG = OUT_OF_LINE | LIBRARY | ON_ROWS | {"div", "sqrt"}  # costly
 Symbol = tuple[int, int]
+Loops = tuple[int, ...]  # a number of each loop, the outermost first
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
 Element = Callable[[Ref, tuple], Value]
@@ -42,7 +43,7 @@ class Component(NamedTuple):
 
     name: str
     arguments: tuple
-    lengths: tuple[int, ...]
+    lengths: Loops
 
 
 class Write(NamedTuple):
@@ -50,8 +51,8 @@ class Write(NamedTuple):
 
     array: str
     first: int
-    strides: tuple[int, ...]
-    lengths: tuple[int, ...]  # of the loops
+    strides: Loops
+    lengths: Loops  # of the loops
     value: Value
     saves: int = -1  # the component that is read from there from now on
     summed: bool = False
@@ -403,6 +404,6 @@ def with_axes(value: Value, axes: Any) -> Value:
     return component, tuple([axes[axis] for axis in old_axes])
 
 
-def row_strides(lengths: tuple[int, ...]) -> tuple[int, ...]:
+def row_strides(lengths: Loops) -> Loops:
     """Return the strides of an array that is stored row by row."""
     return tuple([prod(lengths[k + 1 :]) for k in range(len(lengths))])

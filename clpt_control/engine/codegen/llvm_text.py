@@ -18,7 +18,7 @@ import numpy as np
 from llvmlite import ir
 
 from ..record.graph import deep
-from .fused_expressions import Write
+from .fused_expressions import Loops, Write
 from .loop_nests import NO_LOOP, Body, Element, Key, LoopPrinter
 from .machine import LANES
 from .plan import Nest, Program
@@ -356,7 +356,7 @@ class LLVMPrinter(LoopPrinter):
         """Return one number for each of eight iterations."""
         return splat(self.builder, scalar, LANES)
 
-    def operation(self, name: str, loops: tuple[int, ...], values: list) -> Any:
+    def operation(self, name: str, loops: Loops, values: list) -> Any:
         """Return the result of an operation; a long chain in a loop is printed inline."""
         in_loop = bool(loops) and type(self.indices[loops[-1]]) is not int
         inline = in_loop and name in self.inlined

@@ -7,7 +7,7 @@ at the beginning of the innermost loop on which it depends, and once for each lo
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from .fused_expressions import Component, Write, row_strides
+from .fused_expressions import Component, Loops, Write, row_strides
 from .plan import Nest
 
 # operation -> argument that is a row
@@ -18,7 +18,7 @@ Body = Callable[[Any, list], list]
 Printer = Callable[..., Any]
 Location = tuple[str, int, tuple[int, ...]]  # array, offset, stride of each axis
 # component, loops of its axes, for eight iterations
-Key = tuple[int, tuple[int, ...], bool]
+Key = tuple[int, Loops, bool]
 
 
 class Element(NamedTuple):
@@ -139,7 +139,7 @@ class LoopPrinter:
         apart = sum(stride for loop, stride in steps if loop == self.vector_loop)
         return Element(array, offset, terms, apart if vectorized else None)
 
-    def argument(self, argument: Any, loops: tuple[int, ...], vectorized: bool) -> Any:
+    def argument(self, argument: Any, loops: Loops, vectorized: bool) -> Any:
         """Return an argument: a constant or a computed value."""
         if type(argument) is not tuple:
             return self.number(argument, vectorized)
@@ -147,9 +147,7 @@ class LoopPrinter:
         component_loops = tuple([loops[k] for k in axes])
         return self.value(component, component_loops, vectorized)
 
-    def value(
-        self, component: int, loops: tuple[int, ...], vectorized: bool = False
-    ) -> Any:
+    def value(self, component: int, loops: Loops, vectorized: bool = False) -> Any:
         """Return the value of a component; print it if it is new."""
         key = component, loops, vectorized
         depth = max(loops, default=-1) + 1
@@ -159,9 +157,7 @@ class LoopPrinter:
             scope[key] = self.insert(depth, key, printer)
         return scope[key]
 
-    def printer(
-        self, component: int, loops: tuple[int, ...], vectorized: bool
-    ) -> Callable:
+    def printer(self, component: int, loops: Loops, vectorized: bool) -> Callable:
         """Return a function that prints a value; the arguments of the value are printed first."""
         if vectorized and self.vector_loop not in loops:
             scalar = self.value(component, loops)

@@ -15,19 +15,19 @@ import numpy as np
 from ..record.graph import deep
 from ..record.operations import CONDITIONS
 from .diagram_record import DiagramRecord
-from .fused_expressions import BOUND, Component, Components, Write, row_strides
+from .fused_expressions import BOUND, Component, Components, Loops, Write, row_strides
 from .merged_sums import MergedSums
 from .switching_conditions import Port
 
 NO_TABLES = np.zeros(0)
 LARGEST = 4096  # numbers of an array that is prepared
-Argument = tuple[int, tuple[int, ...]]  # component, and the loop of each of its axes
+Argument = tuple[int, Loops]  # component, and the loop of each of its axes
 
 
 class Nest(NamedTuple):
     """Loops, the outermost first, of which `vector` does eight iterations at once; or no loop."""
 
-    lengths: tuple[int, ...]
+    lengths: Loops
     vector: int
     items: tuple[Write, ...]
 
@@ -217,7 +217,7 @@ class Planner:
         return min(reversed(range(len(strided))), key=strided.__getitem__)
 
 
-def whole_value(c: int, lengths: tuple[int, ...]) -> Argument:
+def whole_value(c: int, lengths: Loops) -> Argument:
     """Return a component as an argument, each axis in its own loop."""
     return c, tuple(range(len(lengths)))
 
