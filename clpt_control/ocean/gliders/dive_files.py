@@ -24,12 +24,12 @@ from typing import Any
 
 from ...base.arguments import public
 from ...base.errors import DataError, naming
-from ...base.files.reading import NETCDF, open_netcdf, read_bytes, read_text
+from ...base.files.reading import NETCDF, AnyPath, open_netcdf, read_bytes, read_text
 from ...base.progress.interrupt import check
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
 from .dive_table import table_dives
-from .dives import Dive, Skipped
+from .dives import Dive, DivesAndSkipped, Skipped
 from .log_rows import STAYS
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .text_table import SUFFIXES
@@ -70,7 +70,7 @@ def may_hold_dives(path: Path) -> bool:
     return named and not path.name.startswith(".") and path.name != RESULTS
 
 
-def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
+def dive_paths(paths: Iterable[AnyPath]) -> list[Path]:
     """Return the files that paths name; those of a folder by name, hidden ones left out.
 
     Of a glider's folder on a dockserver they are those in ``from-glider``.
@@ -99,7 +99,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
     return files
 
 
-def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+def read_dive_file(path: AnyPath) -> DivesAndSkipped:
     """Read a file of any dialect: its dives, and lines of a text that hold none."""
     path = Path(path)
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
@@ -123,7 +123,7 @@ def _dives_and_skipped(
     name: str | None,
     kind: str | None,
     notes: Sequence[str] = (),
-) -> tuple[list[Dive], list[Skipped]]:
+) -> DivesAndSkipped:
     """Return dives with the name of their vehicle, unless they have one, and its kind; the rest.
 
     Each dive gets the notes.
@@ -228,11 +228,11 @@ def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
 
 @public
 def read_dives(
-    paths: str | Path | Iterable[str | Path],
+    paths: AnyPath | Iterable[AnyPath],
     *,
     usable: bool = True,
     least_duration: float = LEAST_DURATION,
-) -> tuple[list[Dive], list[Skipped]]:
+) -> DivesAndSkipped:
     """Read the usable dives of one vehicle from files and folders.
 
     A dive is usable if it has both fixes in their order, finite dead reckoning and a duration
@@ -279,11 +279,9 @@ def read_dives(
     return used, [*skipped, *unused]
 
 
-def read_all_dives(
-    paths: str | Path | Iterable[str | Path],
-) -> tuple[list[Dive], list[Skipped]]:
+def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
     """Read all dives as the files have them, of any number of vehicles."""
-    files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
+    files = dive_paths([paths] if isinstance(paths, AnyPath) else paths)
     read = []
     skipped = []
     faults = []
@@ -306,7 +304,7 @@ def read_all_dives(
     raise DataError(f"{where}: no dive. First reason: {reason}")
 
 
-def read_legs(path: str | Path, drifting: bool) -> tuple[list[Dive], list[Skipped]]:
+def read_legs(path: AnyPath, drifting: bool) -> DivesAndSkipped:
     """Return the usable legs of a table or of vehicle files, and what was skipped.
 
     With `drifting` an unknown displacement through the water is 0.
@@ -328,7 +326,7 @@ def read_legs(path: str | Path, drifting: bool) -> tuple[list[Dive], list[Skippe
     return used, [*skipped, *unused]
 
 
-def is_log_file(path: str | Path) -> bool:
+def is_log_file(path: AnyPath) -> bool:
     """Return whether a file is the log of a vehicle (`vehicle_log`)."""
     if Path(path).suffix.lower() not in SUFFIXES:
         return False
@@ -337,7 +335,7 @@ def is_log_file(path: str | Path) -> bool:
     return False
 
 
-def known_legs(legs: Sequence[Dive]) -> tuple[list[Dive], list[Skipped]]:
+def known_legs(legs: Sequence[Dive]) -> DivesAndSkipped:
     """Return legs of a known displacement, and the others with their reasons."""
     used = []
     skipped = []

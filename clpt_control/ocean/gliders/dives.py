@@ -61,6 +61,7 @@ from .dive_fields import (
 )
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
+Pair = tuple[float, float]
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
 PLACE = ("latitude", "longitude")
 STEERING = ("course", "speed")
@@ -79,7 +80,7 @@ LEAST_GAP = 300.0  # s between two fixes with a dive between them
 class ThroughWater(NamedTuple):
     """Displacement east and north (m), NaN where it is not known, its track, notes."""
 
-    total: tuple[float, float] = (nan, nan)
+    total: Pair = (nan, nan)
     track: Track | None = None
     notes: Sequence[str] = ()
     turned: float | None = None  # by which a magnetic heading was turned, degrees east
@@ -184,22 +185,22 @@ class Dive:
         return self.t_gpse - self.t_gps2
 
     @property
-    def start(self) -> tuple[float, float]:
+    def start(self) -> Pair:
         """Place of the last fix before the dive, degrees north and east."""
         return self.lat_gps2, self.lon_gps2
 
     @property
-    def end(self) -> tuple[float, float]:
+    def end(self) -> Pair:
         """Place of the first fix after the dive, degrees north and east."""
         return self.lat_gpse, self.lon_gpse
 
     @property
-    def over_ground(self) -> tuple[float, float]:
+    def over_ground(self) -> Pair:
         """Displacement between the two fixes, east and north, m."""
         return self.gps_east, self.gps_north
 
     @property
-    def through_water(self) -> tuple[float, float]:
+    def through_water(self) -> Pair:
         """Dead-reckoned displacement, east and north, m."""
         return self.dr_east, self.dr_north
 
@@ -285,6 +286,10 @@ class Skipped:
 
     dive: int | None
     why: str
+
+
+DivesOrSkipped = list[Dive | Skipped]  # of a file, in its order
+DivesAndSkipped = tuple[list[Dive], list[Skipped]]
 
 
 def is_fix(lat: Any, lon: Any) -> Any:
@@ -393,9 +398,7 @@ def noted(dive: Dive, note: str) -> Dive:
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
 
 
-def without_current(
-    start: Fix, end: Fix, current: tuple[float, float]
-) -> tuple[float, float]:
+def without_current(start: Fix, end: Fix, current: Pair) -> Pair:
     """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
     east, north = displacement(*start[1:], *end[1:])
     duration = end[0] - start[0]
@@ -413,7 +416,7 @@ def reckoned(dive: Dive) -> Track:
     return ends[0], ends[1], ends[2]
 
 
-def velocity_of(course: float, speed: float) -> tuple[float, float]:
+def velocity_of(course: float, speed: float) -> Pair:
     """Return the velocity to the east and to the north, m/s; NaN if it is not known.
 
     >>> velocity_of(90.0, 1.0)[0]

@@ -16,10 +16,9 @@ from math import hypot, isfinite, nan
 from typing import NamedTuple
 
 from ...base.units import iso
-from .dives import FASTEST, STEERING, STRETCH, is_fix, velocity_of
+from .dives import FASTEST, STEERING, STRETCH, Pair, is_fix, velocity_of
 from .usable_dives import LATEST, LONGEST, misread
 
-Pair = tuple[float, float]
 NOT_GIVEN, NOT_MOVED = "no course and speed", "no displacement"
 STAYS = f"{NOT_GIVEN} before it", f"{NOT_MOVED} before it"  # ends of their reasons
 ROUNDING = 1.0 + 1e-9

@@ -38,7 +38,9 @@ from .dives import (
     LEAST_DEPTH,
     LEAST_GAP,
     Dive,
+    DivesOrSkipped,
     Fix,
+    Pair,
     Skipped,
     Three,
     ThroughWater,
@@ -69,7 +71,7 @@ def is_known(data: xarray.Dataset) -> bool:
 
 
 def through_water(
-    rows: pandas.DataFrame, start: Fix, end: Fix, current: tuple[float, float]
+    rows: pandas.DataFrame, start: Fix, end: Fix, current: Pair
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
     reckoned = _summed(rows, start, end)
@@ -183,7 +185,7 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
 
-def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
+def dives_of(data: xarray.Dataset, _path: Path) -> DivesOrSkipped:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     of = measurements_of(data)
     # under water: by the depth; without depth by the phase, and without a fix
@@ -196,7 +198,7 @@ def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
     dive_fixes = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
-    dives: list[Dive | Skipped] = []
+    dives: DivesOrSkipped = []
     dated_currents = of.attrs["own_currents"]
     currents = currents_of(
         [(start, end) for _, start, end in dive_fixes], dated_currents
@@ -226,9 +228,9 @@ def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
 
 def _of_segments(
     of: pandas.DataFrame, segments: list[tuple[Fix, Fix, list[str]]]
-) -> list[Dive | Skipped]:
+) -> DivesOrSkipped:
     """Return the dives of segments with a measurement under water, and the others."""
-    dives: list[Dive | Skipped] = []
+    dives: DivesOrSkipped = []
     for count, (start, end, notes) in enumerate(segments, 1):
         inside = _rows_between(of, start, end)
         if isfinite(start[0]) and not inside.wet.any():
@@ -251,7 +253,7 @@ def _dive(
     fixes: Three,
     count: int,
     notes: list[str],
-    dated_current: tuple[float, float] = (nan, nan),
+    dated_current: Pair = (nan, nan),
 ) -> Dive:
     """Make the dive between fixes.
 

@@ -34,7 +34,7 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY, iso
 from .dive_fields import FILLS, NUMBERS
-from .dives import FASTEST, Dive, Fix, Skipped, is_fix, noted
+from .dives import FASTEST, Dive, DivesAndSkipped, Fix, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
@@ -62,7 +62,7 @@ ADD_WEEKS = f"add 1024 weeks, {ROLLOVER:.0f} s, to each early time"
 
 def usable(
     dives: Iterable[Dive], least_duration: float = LEAST_DURATION
-) -> tuple[list[Dive], list[Skipped]]:
+) -> DivesAndSkipped:
     """Sort dives by time and leave out those that cannot be used.
 
     Returns used dives by time, and the others, each with its reason.  Whether a dive is used

@@ -43,12 +43,14 @@ from .dives import (
     VELOCITY,
     YAW,
     Dive,
+    DivesOrSkipped,
     Fix,
+    Pair,
     Skipped,
     make_dive,
     reckoned,
 )
-from .log_rows import LogRows, Pair, Reading, time_fault
+from .log_rows import LogRows, Reading, time_fault
 from .text_table import header_of, table_of
 from .unmeasured import counted, unmeasured
 
@@ -139,7 +141,7 @@ def _dated(cells: DataFrame) -> DataFrame:
     )
 
 
-def log_legs(text: str, path: str | Path) -> list[Dive | Skipped]:
+def log_legs(text: str, path: str | Path) -> DivesOrSkipped:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
     cells = _dated(table_of(text, path, f"a log with {GIVE}"))
     cells = cells[~(cells == cells.shift()).all(axis=1)]
@@ -320,9 +322,9 @@ def _leg(
 
 def _legs_of(
     moments: dict[int, tuple[Moment, str]], path: str | Path
-) -> list[Dive | Skipped]:
+) -> DivesOrSkipped:
     """Return legs and what is left out of rows by line, each with its fault."""
-    legs: list[Dive | Skipped] = []
+    legs: DivesOrSkipped = []
     rows = LogRows()
     start: Fix = (nan, nan, nan)
     points: list[tuple[float, float, float]] = []

@@ -22,7 +22,7 @@ import xarray
 
 from ...base.arguments import public
 from ...base.errors import ClptError, DataError, naming
-from ...base.files.reading import open_netcdf, shown_name, zarr_store
+from ...base.files.reading import AnyPath, open_netcdf, shown_name, zarr_store
 from . import cf
 from .cf_times import dates_of
 from .current_grid import (
@@ -42,7 +42,7 @@ NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
-Source = str | Path | Sequence[str | Path] | xarray.Dataset
+Source = AnyPath | Sequence[AnyPath] | xarray.Dataset
 ZARR = ("zarr.json", ".zgroup", ".zmetadata")  # one is in each folder of Zarr
 
 
@@ -151,7 +151,7 @@ def source_name(source: Source) -> str:
     """Return the name of a source of currents, with which error sentences begin."""
     if isinstance(source, xarray.Dataset):
         return "Dataset"
-    if isinstance(source, str | Path):
+    if isinstance(source, AnyPath):
         return str(source)
     return f"{len(source)} files"
 
@@ -160,7 +160,7 @@ def _files_of(source: Source) -> list[Path] | None:
     """Return the files of a folder or list, or None for a single file or Dataset."""
     if isinstance(source, xarray.Dataset):
         return None
-    if not isinstance(source, str | Path):
+    if not isinstance(source, AnyPath):
         if not source:
             raise DataError("source: an empty list. Give at least one file")
         return [Path(file) for file in source]

@@ -15,7 +15,7 @@ from typing import Any
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
-from ...base.files.reading import open_netcdf, read_bytes
+from ...base.files.reading import AnyPath, open_netcdf, read_bytes
 from ...base.html import asset
 from ...base.run_attributes import BEYOND, FORM, OWN_PARTS, TEAM
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
@@ -24,7 +24,7 @@ LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read
 
 
-def load_vehicle_scenario(path: str | Path) -> Scenario:
+def load_vehicle_scenario(path: AnyPath) -> Scenario:
     """Read a scenario of one vehicle, not a team, from a TOML file or a run's file."""
     path = Path(path)
     return scenario_from_text(read_text(path), str(path), path.parent)
@@ -144,7 +144,7 @@ def _value(value: Any) -> str:
 
 
 @public
-def save_scenario(scenario: Scenario, path: str | Path) -> None:
+def save_scenario(scenario: Scenario, path: AnyPath) -> None:
     """Write a scenario to a TOML file.
 
     Parameters
@@ -170,7 +170,7 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
     write_file(path, scenario_to_text(scenario, path.parent))
 
 
-def run_text(path: str | Path) -> str:
+def run_text(path: AnyPath) -> str:
     """Return the TOML text that a run's file carries, of a scenario or a team."""
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
@@ -189,7 +189,7 @@ def run_text(path: str | Path) -> str:
         return str(text)
 
 
-def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
+def check_form(attributes: Mapping[str, Any], path: AnyPath) -> None:
     """Refuse a run's file of a later format."""
     form = str(attributes.get(FORM, LATEST))
     if form not in map(str, range(1, LATEST + 1)):
