@@ -31,6 +31,7 @@ from .mean_squares import last_quarter, rms
 if TYPE_CHECKING:
     import xarray
 
+Figures = dict[str, Any]  # of a run, by name
 TOLD_TURN = 1.0  # rad between fixes
 BOX = 21  # points on each side of a track's box, and times
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
@@ -96,7 +97,7 @@ def flow_to_draw(
 @public
 def explained_variance(
     scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
-) -> dict[str, Any]:
+) -> Figures:
     """Return the shares of variance that the learned flow explains.
 
     Parameters
@@ -211,7 +212,7 @@ def true_flow(scenario: Scenario, points: np.ndarray, times: np.ndarray) -> np.n
 
 def speed_figures(
     max_speed: float, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray
-) -> dict[str, Any]:
+) -> Figures:
     """Return shares of the time at the speed limit, |v_c| > v_max, and in faster flow.
 
     A vehicle in a faster flow, |F_R| > v_max, cannot hold its position.  Each sample counts until
@@ -241,7 +242,7 @@ def speed_figures(
     }
 
 
-def faster_flow(figures: dict[str, Any], units: Units) -> str:
+def faster_flow(figures: Figures, units: Units) -> str:
     """Return a sentence on flow that was faster than the vehicle, or ""."""
     faster = figures["faster_flow"]
     time = units.time
@@ -254,13 +255,13 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
     )
 
 
-def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
+def speeds_of(run: "xarray.Dataset", max_speed: float) -> Figures:
     """Return the `speed_figures` of a run at its own samples."""
     commanded = run.commanded_velocity.values
     return speed_figures(max_speed, run.time.values, commanded, run.true_flow.values)
 
 
-def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:
+def note_speeds(run: "xarray.Dataset", figures: Figures, units: Units) -> None:
     """Add the share at the speed limit, and a sentence on faster flow, to a run's attributes."""
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
     if sentence := faster_flow(figures, units):

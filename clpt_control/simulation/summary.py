@@ -22,7 +22,7 @@ from ..engine.methods import ROWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team
-from .flows import explained_variance, flow_error, speeds_of
+from .flows import Figures, explained_variance, flow_error, speeds_of
 from .integrate import simulate
 from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
 from .requests import sample_times
@@ -40,7 +40,7 @@ class RunReport(NamedTuple):
 
     run: "Dataset"
     fine: "Dataset"
-    summary: dict[str, Any]
+    summary: Figures
 
 
 def run_and_report(
@@ -89,7 +89,7 @@ def run_and_report(
     return RunReport(run, fine, summary)
 
 
-def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
+def ending_of(system: Scenario | Team, run: "Dataset") -> Figures:
     """Return title, units, status and solver statistics of a run, ready for JSON."""
     units = (system.first if isinstance(system, Team) else system).units
     statistics = {
@@ -109,7 +109,7 @@ def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
 
 def figures_of(
     system: Scenario | Team, run: "Dataset", fine: "Dataset", dense: "Dataset"
-) -> dict[str, Any]:
+) -> Figures:
     """Return the figures of a run, for a team by vehicle, ready for JSON.
 
     Mean squares and speeds are those of `fine`, whose samples are even, errors those of `dense`,
@@ -122,7 +122,7 @@ def figures_of(
         time: float(sample.alpha.reduce(np.ptp, "vehicle").max())
         for time, sample in samples.items()
     }
-    figures: dict[str, Any] = {
+    figures: Figures = {
         "vehicles": list(system.members),
         "coupling": system.coupling,
         "connectivity": system.connectivity,
@@ -153,7 +153,7 @@ def _error_samples(run: "Dataset") -> "dict[str, Dataset]":
 
 def _vehicle_figures(
     scenario: Scenario, run: "Dataset", fine: "Dataset", samples: "dict[str, Dataset]"
-) -> dict[str, Any]:
+) -> Figures:
     """Return the figures of one vehicle; `samples` of its run are by time."""
     figures = clpe_of_samples(scenario, fine)
     vehicle = scenario.vehicle
@@ -185,7 +185,7 @@ def _max_error(estimate: Any, truth: Any) -> float:
     return float(np.abs(estimate - truth).max())
 
 
-def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
+def claims(summary: Figures) -> list[dict[str, str]]:
     """Check the three claims of section IV on a run of its scenario.
 
     >>> summary = {"clpe_rms_per_cycle": [0.2, 0.01],
