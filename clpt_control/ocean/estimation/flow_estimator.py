@@ -185,6 +185,7 @@ class FlowEstimator:
         self._begin()
 
     is_screened = True  # for positions that are no fixes
+    taken = ""  # back by the fix that is being learned
 
     def _begin(self) -> None:
         """Know nothing."""
@@ -573,7 +574,9 @@ class FlowEstimator:
     def _learned(
         self, time: float, latitude: float, longitude: float, **results: Any
     ) -> Learned:
-        """Return the results of a fix."""
+        """Return the results of a fix, noted with what it took back."""
+        results["note"] = (self.taken + results.get("note", "")).strip("; ")
+        self.taken = ""
         return Learned(
             *(time, latitude, longitude),
             self.flow_parameters,
@@ -628,12 +631,13 @@ class FlowEstimator:
         rows = [*self.rows, [*position, *self.water]]
         times, *degrees, east, north = np.array(rows).T
         steps = np.diff(east + 1j * north)
-        kinds, doubted = unmeasured(times, np.transpose(degrees), steps)
+        kinds, doubted = unmeasured(times, np.transpose(degrees), steps, is_live=True)
         shown = kinds != ""
         candidates = doubted | shown
         if rival := self.rival:
             since = times > rival.rows[-1][0]
             if np.sum(shown[since]) > MOST * np.sum(doubted[since]):
+                self.taken = f"{self.legs - rival.legs} fixes before are taken back; "
                 self.state = rival.state
             elif not np.any(candidates[-2:]):
                 self.rival = None

@@ -49,16 +49,20 @@ RARE, SELDOM = 1e-7, 1e-3  # chances that fixes with that noise agree
 PER_DEGREE = 111e3  # m
 
 
-def unmeasured(time: Array, positions: Array, steps: Array) -> tuple[Array, Array]:
+def unmeasured(
+    time: Array, positions: Array, steps: Array, is_live: bool = False
+) -> tuple[Array, Array]:
     """Return the kind of each position (n,), "" for a fix, and whether a fix is in doubt.
 
     `positions` (n, 2) are degrees north and east, `steps` (n - 1,) the displacements through the
-    water between them, east + i north in m, NaN where not known.
+    water between them, east + i north in m, NaN where not known.  No position is interpolated that
+    comes live, before the next fix.
     """
     kinds = np.full(len(time), "", dtype=object)
     doubted = np.zeros(len(time), bool)
     q = _resolution(positions)
-    for rule in (_repeated, _reckoned, _interpolated) if len(time) else ():
+    rules = (_repeated, _reckoned, _interpolated)[: 3 - is_live]
+    for rule in rules if len(time) else ():
         rows = np.flatnonzero(kinds == "")
         sums = np.array([*map(np.sum, np.split(steps, rows[1:])[:-1])], complex)
         kind, members, candidates = rule(time[rows], positions[rows], sums, q)
@@ -124,8 +128,8 @@ def _repeated(
         farthest = np.max(np.abs(water), initial=0.0)  # NaN if not known
         candidates[run][1:] = farthest > MOVED
         chance = min(q * q / (4 * np.pi * QUIETEST**2), 1.0)
-        is_exact = np.all(positions[run] == positions[run.start])
-        is_held = bool(is_exact and chance ** len(water) < SELDOM)
+        is_held = bool(chance ** len(water) < SELDOM)
+        is_held &= bool(np.all(positions[run] == positions[run.start]))
         stays = STAYS * np.max(jitter[run], initial=JITTER) + 3 * q
         if not farthest > (MOVED + 1.5 * q if is_held else stays):
             continue
@@ -182,6 +186,8 @@ def _interpolated(
     weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
     through_water = steps / spans
     turned = np.abs(np.diff(through_water))
+    drift = moved / spans - np.nan_to_num(through_water)
+    unexplained = np.abs(np.diff(drift)) * weights
     # lines with jitter; of constant course, shortest ones and, closer, those in degrees
     for least, ground, curvature in (
         (JITTER, moved, curved),
@@ -193,9 +199,7 @@ def _interpolated(
         change = np.abs(np.diff(velocity))
         inner = np.pad(change * weights <= tolerance, 1)
         ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-        drift = velocity - np.nan_to_num(through_water)
-        unexplained = np.abs(np.diff(drift)) * weights > 2 * tolerance
-        if np.sum(ends) < 2 or np.mean(unexplained[ends]) < 0.5:
+        if np.sum(ends) < 2 or np.mean((unexplained > 2 * tolerance)[ends]) < 0.5:
             continue
         # turns of the vehicle that no line follows
         turns = turned * weights > tolerance + BENDS

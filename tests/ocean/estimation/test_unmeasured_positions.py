@@ -267,3 +267,16 @@ def test_a_moored_vehicle_without_noise_is_in_no_flow(tmp_path):
     estimator, notes = fed(rows)
     assert (estimator.legs, {*notes}) == (99, {""})
     np.testing.assert_array_equal(estimator.flow_parameters, 0.0)
+
+
+def test_true_fixes_without_noise_stay_live():
+    """A simulation in a slow flow: own motion plus 6 m in each step."""
+    place, rows = (36.7, -122.1), []
+    current = np.array([0.01, 0.01])
+    for k in range(80):
+        course = 57.0 * (k // 7) ** 2
+        rows.append((1.7e9 + 600.0 * k, *place, course, 1.0))
+        place = place_from(*place, *(600.0 * (velocity(rows[-1]) + current)))
+    estimator, notes = fed(rounded(rows, 7))
+    assert (estimator.legs, {*notes}) == (79, {""})
+    assert np.abs(estimator.flow_parameters[:, 0] - current).max() < 0.001
