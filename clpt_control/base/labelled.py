@@ -167,6 +167,17 @@ def own_times(signals: Mapping[Any, Labelled]) -> np.ndarray:
     return np.unique(np.concatenate([[], *times]))
 
 
+def rounding(times: np.ndarray) -> float:
+    """Return a few units in the last place of times, which are equal if they differ by less."""
+    return 4 * np.spacing(np.abs(times).max())
+
+
+def is_within(times: np.ndarray, own: np.ndarray) -> bool:
+    """Return whether times are inside of others, to rounding and 1e-9 of their span."""
+    margin = rounding(own) + 1e-9 * (times[-1] - times[0])
+    return bool(own[0] - margin <= times[0] and times[-1] <= own[-1] + margin)
+
+
 def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
     """Return name, labels and unit of each dimension of an array of xarray or pandas."""
     coordinates = attribute_of(value, "coords")

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..base.arguments import numbers, public, vector_of
 from ..base.errors import ArgumentError, SimulationError
-from ..base.labelled import Clock, Labelled, labelled, own_times
+from ..base.labelled import Clock, Labelled, is_within, labelled, own_times, rounding
 from ..base.progress import warn
 from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.wiring import (
@@ -273,10 +273,9 @@ def _rows(
 
 def _check_within(times: np.ndarray, input_times: np.ndarray) -> None:
     """Refuse times of a run outside of the inputs' own."""
-    margin = 1e-9 * max(1.0, abs(input_times[-1]))
-    if times[0] < input_times[0] - margin or times[-1] > input_times[-1] + margin:
+    if not is_within(times, input_times):
         raise SimulationError(
-            f"inputs: are from {input_times[0]:.9g} to {input_times[-1]:.9g}. "
+            f"inputs: are from {input_times[0]:.15g} to {input_times[-1]:.15g}. "
             "Give timepts within these times"
         )
 
@@ -293,8 +292,7 @@ def _joined(rows: list[Labelled], clock_times: np.ndarray, times: np.ndarray) ->
         )
         return read_inputs(values, clock_times, len(rows))
     t = np.unique(np.concatenate(times_of_rows))
-    rounding = 1e-12 * np.abs(t).max()  # times that differ by less are equal
-    t = t[np.append(True, np.diff(t) > rounding)]
+    t = t[np.append(True, np.diff(t) > rounding(t))]
     u = np.empty((len(rows), 2, len(t)))  # before and after each time
     for (before, after), row in zip(u, rows, strict=True):
         if row.times is None:

@@ -432,3 +432,39 @@ def test_samples_along_a_dimension_without_times_are_those_of_timepts():
     ):
         with pytest.raises(clpt.SimulationError, match="without times; timepts has 0"):
             verb()
+
+
+@pytest.mark.parametrize(
+    ("begin", "step"), [(0, 1e-13), (0, 1), (1e6, 0.002), (1.7e9, 1)]
+)
+def test_outside_is_measured_by_the_run(begin, step):
+    """Samples that miss a tenth of a run are refused at any scale; rounding is not."""
+    whole = begin + step * np.array([0.0, 10.0])
+    for own in (
+        begin + step * np.array([0.0, 9.0]),
+        begin + step * np.array([1.0, 10.0]),
+    ):
+        with pytest.raises(clpt.SimulationError, match="Give timepts within"):
+            clpt.simulate(integrators("a"), whole, {"a": pd.Series([0.0, 9.0], own)})
+    inside = whole + [0.0, -2 * np.spacing(whole[1])]
+    run = clpt.simulate(integrators("a"), whole, {"a": pd.Series([0.0, 9.0], inside)})
+    np.testing.assert_allclose(run.qa[-1], 4.5 * np.ptp(whole), rtol=1e-6)
+
+
+def test_bounds_are_printed_to_their_last_digits():
+    late = pd.Series([0.0, 9.0], [1700000003.25, 1700000010.0])
+    with pytest.raises(
+        clpt.SimulationError, match=r"1700000003.25 to 1700000010\. Give"
+    ):
+        clpt.simulate(integrators("a"), [1.7e9, 1.7e9 + 10], {"a": late})
+
+
+def test_samples_a_millisecond_apart_since_1970():
+    """Times of two inputs that differ are not merged: a pulse of 1 ms has its own area."""
+    t = 1.7e9 + np.array([0, 1.0, 1.001, 1.002, 2.0])
+    pulse = {
+        "a": pd.Series([0, 0, 5.0, 0, 0], t),
+        "b": pd.Series([2.0, 2.0], t[[0, -1]]),
+    }
+    run = clpt.simulate(integrators(), t[[0, -1]], pulse)
+    np.testing.assert_allclose(run.states[-1], [0.005, 4.0], rtol=1e-3)
