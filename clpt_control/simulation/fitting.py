@@ -19,7 +19,16 @@ import numpy as np
 from ..base.arguments import brief, known, public
 from ..base.errors import ArgumentError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
-from ..base.labelled import Clock, Labelled, axes_of, labelled, own_times, unlabelled
+from ..base.labelled import (
+    Clock,
+    Labelled,
+    axes_of,
+    is_within,
+    labelled,
+    own_times,
+    rounding,
+    unlabelled,
+)
 from ..engine.diagram.wiring import check_unit
 from ..engine.model.ports import indices_by_name, ports_of
 from ..engine.solver.inputs import checked_times
@@ -417,7 +426,8 @@ def fit_parameters(
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
     timepts : array_like, optional
-        Times of arrays.
+        Times of arrays. The run begins at the first, where it has `initial_state`; all data must
+        be within. Default: the times of the data.
     inputs, initial_state, params, rtol, atol, method
         As `simulate` takes them, at the times of the data.
 
@@ -490,8 +500,12 @@ def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labell
         )
     if not len(clock_times):
         clock.at = times
-    elif not np.allclose(np.clip(times, clock_times[0], clock_times[-1]), times):
+    elif not is_within(times, clock_times):
         raise SimulationError(
-            f"timepts: the data are from {times[0]:.9g} to {times[-1]:.9g}. Leave it out"
+            f"timepts: the data are from {times[0]:.15g} to {times[-1]:.15g}. Leave it out, or "
+            "give times around these"
         )
+    else:  # the run begins at the first of timepts
+        before = clock_times[clock_times < times[0] - rounding(clock_times)]
+        times = np.concatenate([before, times])
     return checked_times("data.time", times), signals

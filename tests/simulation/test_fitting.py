@@ -2,6 +2,7 @@
 
 import control
 import numpy as np
+import pandas as pd
 import pytest
 from example_models import autonomous, decay
 from scipy.optimize import curve_fit
@@ -341,3 +342,43 @@ def test_data_model_and_residuals_are_drawn():
     np.testing.assert_allclose(residuals.get_ydata(), data - model, atol=1e-6)
     both = fit(measured(5, speed=0.1))
     assert both.plot().shape == (2, 2)
+
+
+def test_a_run_begins_at_the_first_of_timepts():
+    """The start is at timepts[0], also where measurements begin later: y = 2.5 t."""
+    late = pd.DataFrame({"y": 2.5 * TIMES[60:]}, index=TIMES[60:])
+    days = np.datetime64("2024-05-01", "ns") + (1e9 * TIMES).astype("m8[ns]")
+    growth = control.nlsys(
+        lambda t, x, u, p: p["k"] * u,
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"k": 1.0},
+        name="growth",
+    )
+    u = {"u": pd.Series([1.0, 1.0], days[[0, -1]])}
+    for data, times, inputs in (
+        (late, TIMES, 1.0),
+        (late, [0, 20], 1.0),
+        (late.set_index(days[60:]), days, u),
+        (late.set_index(days[60:]), days[[0, -1]], u),
+    ):
+        fit = clpt.fit_parameters(growth, data, {"k": 1.0}, times, inputs, [0.0])
+        assert fit.values["k"] == pytest.approx(2.5)
+    early = pd.DataFrame({"y": 2.5 * np.arange(3.0)}, index=np.arange(3.0))
+    fit = clpt.fit_parameters(growth, early, {"k": 1.0}, [-1, 3], 1.0)
+    assert fit.values["k"] == pytest.approx(20 / 14)  # k (t + 1), by least squares
+    for times in ([1, 2.0], [0, 2 - 1e-6]):
+        with pytest.raises(clpt.SimulationError, match="data are from 0 to 2"):
+            clpt.fit_parameters(growth, early, {"k": 1.0}, times, 1.0)
+    count = control.nlsys(
+        lambda t, x, u, p: x + p["k"],
+        inputs=0,
+        outputs="y",
+        states="y",
+        params={"k": 1.0},
+        dt=1,
+        name="count",
+    )
+    fit = clpt.fit_parameters(count, early.iloc[1:], {"k": 1.0}, [-1, 0, 1, 2])
+    assert fit.values["k"] == pytest.approx((2.5 * 2 + 5 * 3) / (2**2 + 3**2))
