@@ -7,7 +7,8 @@
     dates, timedelta                   times of the samples, in the unit of the run's time
     decimal numbers of a table         times of the samples, if its index has no other name
     whole numbers of a table           times of the samples if they are those of the run
-    other numbers                      the order of signals, counted from 0 or 1
+    other numbers                      the order of signals, counted from 0; of the paper's axis
+                                       and basis from 1
     texts                              names of signals
 """
 
@@ -22,6 +23,7 @@ from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
 TIME = "time", "t"
+COUNTED_FROM_1 = "axis", "basis"  # dimensions of the paper
 SECOND = np.timedelta64(1, "s")
 
 
@@ -248,11 +250,11 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         else:
             ranks.append(1)
             if labels is not None:
-                order = None if is_index or dim == "member" else _order(labels)
+                order = None if is_index or dim == "member" else _order(dim, labels)
                 if order is None:
                     raise ArgumentError(
                         f"{argument}: labels of {dim or 'its index'} are no names and need not "
-                        "count signals. If "
+                        "count signals from 0. If "
                         "they are times, call them time, without a time zone; else give .to_numpy()"
                     )
                 array = np.take(array, order, k)
@@ -267,13 +269,14 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
     return Labelled(array, times, names, units)
 
 
-def _order(labels: np.ndarray) -> np.ndarray | None:
-    """Return the order of labels that count from 0 or 1, None of others."""
+def _order(dim: Any, labels: np.ndarray) -> np.ndarray | None:
+    """Return the order of labels that count signals, None of others."""
     if labels.dtype.kind not in "iuf":
         return None
     order = np.argsort(labels)
-    offsets = {*(labels[order] - range(len(labels))).tolist()}
-    return order if offsets in ({0}, {1}) else None
+    first = int(dim in COUNTED_FROM_1)
+    counting = range(first, first + len(labels))
+    return order if np.array_equal(labels[order], counting) else None
 
 
 def _signals_of(

@@ -201,15 +201,18 @@ def test_a_timedelta_is_in_the_unit_of_the_scenario():
         clpt.simulate(learner, track.time, {"x": seconds})
 
 
-def test_signals_are_counted_from_0_or_1():
+def test_signals_are_counted_from_0_and_those_of_the_paper_from_1():
     swapped = integrators(["c[1]", "c[0]"])
-    for labels in ([1, 0], [2, 1]):
+    for dim, labels in (("axis", [2, 1]), ("basis", [2, 1]), ("k", [1, 0])):
         c = xarray.DataArray(
-            [0 * OWN + 10, OWN], {"k": labels, "time": OWN}, ("k", "time")
+            [0 * OWN + 10, OWN], {dim: labels, "time": OWN}, (dim, "time")
         )
         run = clpt.simulate(swapped, TIMES, {"c": c})
         np.testing.assert_allclose(run.states[:, ::-1], RIGHT, atol=1e-7)
-    for named in (c.assign_coords(k=[3, 7]), c.rename(k="member")):
+    three = clpt.simulate(integrators(["c[0]", "c[1]", "c[2]"]), TIMES)
+    others = three.qc.rename(qc_index="c_index").isel(c_index=[2, 1])
+    named = c.assign_coords(k=[3, 7]), c.assign_coords(k=[2, 1]), c.rename(k="member")
+    for named in (*named, others, c.rename(k="axis")):
         with pytest.raises(clpt.ArgumentError, match="need not count signals"):
             clpt.simulate(swapped, TIMES, {"c": named})
     with pytest.raises(clpt.ArgumentError, match=r"c\[0\]'\]: is given twice"):
