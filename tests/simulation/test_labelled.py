@@ -211,8 +211,8 @@ def test_signals_are_counted_from_0_and_those_of_the_paper_from_1():
         np.testing.assert_allclose(run.states[:, ::-1], RIGHT, atol=1e-7)
     three = clpt.simulate(integrators(["c[0]", "c[1]", "c[2]"]), TIMES)
     others = three.qc.rename(qc_index="c_index").isel(c_index=[2, 1])
-    named = c.assign_coords(k=[3, 7]), c.assign_coords(k=[2, 1]), c.rename(k="member")
-    for named in (*named, others, c.rename(k="axis")):
+    counts = [c.assign_coords(k=labels) for labels in ([3, 7], [2, 1])]
+    for named in (*counts, c.rename(k="member"), c.rename(k="axis"), others):
         with pytest.raises(clpt.ArgumentError, match="need not count signals"):
             clpt.simulate(swapped, TIMES, {"c": named})
     with pytest.raises(clpt.ArgumentError, match=r"c\[0\]'\]: is given twice"):
@@ -460,3 +460,40 @@ def test_bounds_are_printed_to_their_last_digits():
         clpt.SimulationError, match=r"1700000003.25 to 1700000010\. Give"
     ):
         clpt.simulate(integrators("a"), [1.7e9, 1.7e9 + 10], {"a": late})
+
+
+def test_rows_of_responses_stand_at_their_places():
+    """python-control keeps the order of labels when rows are selected: by name is not known."""
+    source = control.ss(
+        *(np.diag([-1.0, -2.0]), np.eye(2), np.eye(2), 0),
+        outputs=["b", "a"],
+        states=["qb", "qa"],
+    )
+    r = control.forced_response(source, OWN, np.ones((2, 9)), [2.0, 1.0])
+    plant = integrators()
+    right = clpt.simulate(plant, OWN, r).states
+    picked = {"a": r.outputs["a"], "b": r.outputs["b"]}
+    for inputs in (picked, [*picked.values()], np.asarray(r.outputs)[::-1]):
+        found = clpt.simulate(plant, OWN, inputs).states
+        np.testing.assert_allclose(found, right, atol=1e-6)
+    ports = integrators(["c[0]", "c[1]"])
+    swapped = control.TimeResponseData(
+        OWN, r.outputs, output_labels=["c[1]", "c[0]"], issiso=False
+    )
+    prepared = clpt.prepare(plant, OWN)
+    for verb in (
+        lambda: clpt.simulate(plant, OWN, r.outputs),
+        lambda: clpt.run_ensemble(plant, {"qa": [0.0]}, timepts=OWN, inputs=r.outputs),
+        lambda: clpt.simulate(plant, OWN, 0, r.states[:, 0]),
+        lambda: clpt.simulate(ports, OWN, {"c": swapped.outputs}),
+        lambda: prepared(inputs=r.outputs),
+        lambda: prepared(r.states[:, 0]),
+        lambda: clpt.linearize(plant, r.states[:, 0]),
+        lambda: clpt.export(plant, initial_state=r.states[:, 0]),
+    ):
+        with pytest.raises(clpt.ArgumentError, match="in place of another signal"):
+            verb()
+    same = integrators(["b", "a"])
+    given = same, OWN, r.outputs, r.states[:, 0]
+    right = clpt.simulate(same, OWN, r, {"qb": 2.0, "qa": 1.0}).states
+    np.testing.assert_allclose(clpt.simulate(*given).states, right, atol=1e-6)

@@ -479,6 +479,8 @@ def signals_by_name(
         columns = columns_of(system, kind, labels, name)
         words = f"{argument}['{name}']"
         own_labels = [labels[k] for k in columns]
+        if isinstance(value, dict) and has(value[name], "signal_labels"):
+            check_positions(words, value[name], own_labels)
         signal = signal._replace(values=signal.ordered(words, own_labels))
         if not found.isdisjoint(own_labels):
             raise ArgumentError(f"{words}: is given twice. Leave out one")
@@ -513,13 +515,18 @@ def check_rows(argument: str, values: Any, count: int) -> None:
 
 
 def check_positions(argument: str, value: Any, labels: Sequence[str]) -> None:
-    """Refuse values in a list, or one for all, whose own name is that of another signal."""
+    """Refuse values in a list, or one for all, whose own name is that of another signal.
+
+    Names of python-control's rows stay in their order when rows are selected.
+    """
     if axes_of(value) == []:
         value = [value] * len(labels)
+    own = attribute_of(value, "signal_labels")
     if isinstance(value, list | tuple):
+        own = [attribute_of(item, "name") for item in value]
+    if own and len(own) == len(value):
         names = indices_by_name(labels)
-        for k, item in enumerate(value):
-            name = attribute_of(item, "name")
+        for k, name in enumerate(own[: len(labels)]):
             if names.get(name, [k]) != [k]:
                 raise ArgumentError(
                     f"{argument}: has '{name}' in place of another signal. "
