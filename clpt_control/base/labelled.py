@@ -57,7 +57,7 @@ class Clock:
     """
 
     def __init__(self, timepts: Any, unit: str | None = None):
-        timepts_unit = short_unit(attribute_of(timepts, "attrs", {}).get("units", ""))
+        timepts_unit = short_unit(unit_of(timepts))
         self.unit = unit or (timepts_unit if timepts_unit in SECONDS else "s")
         self.check_unit("timepts", timepts_unit)
         self.zero: Any = None  # the date of t = 0; 0 if times are numbers
@@ -180,8 +180,16 @@ def is_within(times: np.ndarray, own: np.ndarray) -> bool:
     return bool(own[0] - margin <= times[0] and times[-1] <= own[-1] + margin)
 
 
+def unit_of(value: Any) -> str:
+    """Return the unit of a labelled value, "" for none."""
+    return str(attribute_of(value, "attrs", {}).get("units", ""))
+
+
 def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
-    """Return name, labels and unit of each dimension of an array of xarray or pandas."""
+    """Return name, labels and unit of each dimension of an array of xarray or pandas.
+
+    A dimension of dates is called time.
+    """
     coordinates = attribute_of(value, "coords")
     if coordinates is not None:
         return [_axis_of(coordinates, dim) for dim in value.dims]
@@ -190,7 +198,8 @@ def axes_of(value: Any) -> list[tuple[Any, Any, str]] | None:
     axes = []
     for index in value.axes:
         labels, name = index.to_numpy(), index.name
-        if name is None and labels.dtype.kind == "f":
+        kind = labels.dtype.kind
+        if kind in "mM" or (name is None and kind == "f"):
             name = TIME[0]
         elif repr(index) == f"RangeIndex(start=0, stop={len(index)}, step=1)":
             labels = None  # of a table that was given no index
@@ -208,6 +217,7 @@ def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
     for name in sorted(coordinates, key=rank):  # those that are given
         labels = coordinates[name]
         if labels.dims == (dim,):
+            name = TIME[0] if labels.dtype.kind in "mM" else name
             return name, labels.values, labels.attrs.get("units", "")
     return dim, None, ""
 
@@ -228,7 +238,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         is_index = is_table and clock is not None and kind in ("i", "u")
         if clock and is_index and np.array_equal(labels, clock.at):
             dim = TIME[0]
-        if dim in TIME or kind in ("m", "M"):
+        if dim in TIME:
             ranks.append(2)
             if clock is None:
                 raise SimulationError(
@@ -265,8 +275,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
     array = array.transpose(sorted(range(array.ndim), key=ranks.__getitem__))
     if clock is not None and ranks == [1] and labels is not None:
         array = array[:, None]  # one time
-    units = "" if is_table else str(value.attrs.get("units", ""))
-    return Labelled(array, times, names, units)
+    return Labelled(array, times, names, unit_of(value))
 
 
 def _order(dim: Any, labels: np.ndarray) -> np.ndarray | None:

@@ -33,7 +33,8 @@ import numpy as np
 from ..base.arguments import brief, nearest
 from ..base.errors import ScenarioError
 from ..base.html import shortened
-from ..base.labelled import axes_of, unlabelled
+from ..base.labelled import TIME, axes_of, unit_of, unlabelled
+from ..engine.diagram.wiring import check_unit
 from .members import Values, Varied
 
 FORMS = (
@@ -56,6 +57,7 @@ class Vary(NamedTuple):
     kind: str  # uniform, normal, drawn (from a distribution) or levels
     numbers: tuple[Any, ...]  # low and high; the deviation; a distribution; the levels
     text: str  # key and values as written
+    units: str = ""  # of labelled levels
 
 
 def read_vary(text: str) -> Vary:
@@ -86,6 +88,7 @@ def _of_item(key: str, values: Any) -> Vary:
     if isinstance(values, str):
         has_sign = values.lstrip()[:1] in ("~", "=")
         return read_vary(key + values if has_sign else f"{key}={values}")
+    is_series = any(dim in TIME for dim, *_ in axes_of(values) or ())
     try:
         if hasattr(values, "ppf"):
             words = [repr(float(argument)) for argument in values.args]
@@ -96,12 +99,13 @@ def _of_item(key: str, values: Any) -> Vary:
             if np.isfinite(values.ppf(0.5)):
                 text = f"{key}~{values.dist.name}({', '.join(words)})"
                 return Vary(key, "drawn", (values,), text)
-        elif np.ndim(values) and len(values):
+        elif np.ndim(values) and len(values) and not is_series:
             levels = (
                 np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
             )
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
-            return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
+            text, units = f"{key}={json.dumps(levels)}", unit_of(values)
+            return Vary(key, "levels", tuple(levels), text, units)
     except (TypeError, ValueError, AttributeError):
         pass
     raise ScenarioError(f"vary: {key} = {brief(values)}: must be {IN_A_DICT}")
@@ -136,6 +140,8 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(
                 f"vary: {item.key} is named {keys.count(item.key)} times, not once"
             )
+        unit = varied.key_layout(item.key, 0)[1].get("units", "")
+        check_unit(f"vary['{item.key}']", item.units, [unit])
         if item.kind == "levels":
             _check_levels(item, values[item.key])
         elif item.key.endswith(".seed") or values[item.key].dtype.kind == "U":

@@ -6,6 +6,7 @@ from itertools import count
 
 import control
 import numpy as np
+import pandas
 import pytest
 import xarray
 from adaptive_loop import mrac
@@ -364,3 +365,43 @@ def test_progress_is_a_bar_on_standard_error(monkeypatch, capsys):
     for quiet in (None, False):
         clpt.run_ensemble(lag, "k=1:2", 4, progress=quiet, **given)
     assert capsys.readouterr().err == ""
+
+
+def test_units_and_times_of_labelled_levels():
+    """Units of levels are those of the system; a series is not a list of constant inputs."""
+    plant = control.nlsys(
+        lambda t, x, u, p: p["g"] * u,
+        inputs="u",
+        outputs="p",
+        states="p",
+        params={"g": 1.0},
+        name="plant",
+    )
+    plant.units = {"u": "m/s", "g": "km", "p": "m"}
+    for key, right, wrong in (
+        ("u", "m s-1", "km/h"),
+        ("g", "km", "m"),
+        ("p", "m", "cm"),
+    ):
+        levels = xarray.DataArray([2.0, 3.0], dims="i", attrs={"units": right})
+        run = clpt.run_ensemble(plant, {key: levels}, timepts=[0, 1.0], inputs=0.0)
+        assert run[key].values.tolist() == [2, 3]
+        said = f"vary\\['{key}'\\]: is in '{wrong}'; must be in"
+        with pytest.raises(ClptError, match=said):
+            levels.attrs["units"] = wrong
+            clpt.run_ensemble(plant, {key: levels}, timepts=[0, 1.0])
+    gain = xarray.DataArray([0.4, 0.8], dims="i", attrs={"units": "furlong"})
+    with pytest.raises(ClptError, match="is in 'furlong'; must be in"):
+        clpt.run_ensemble(PAPER, {"reference.dwell": gain})
+    times = np.array([0.0, 1.0, 3.0])
+    dates = np.datetime64("2024-05-01", "ns") + (1e9 * times).astype("m8[ns]")
+    for series in (
+        pandas.Series([1.0, 2.0, 3.0], times),
+        pandas.Series([1.0, 2.0, 3.0], dates),
+        xarray.DataArray([1.0, 2.0, 3.0], {"time": times}, "time"),
+        xarray.DataArray([1.0, 2.0, 3.0], {"when": ("k", dates)}, "k"),
+    ):
+        with pytest.raises(ClptError, match="a list of values without labels"):
+            clpt.run_ensemble(plant, {"u": series}, timepts=[0, 1.0])
+    run = clpt.run_ensemble(plant, {"u": pandas.Series([1.0, 2.0])}, timepts=[0, 1.0])
+    assert run.p_final.values.ravel() == pytest.approx([1, 2])

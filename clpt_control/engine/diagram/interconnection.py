@@ -14,6 +14,7 @@ import numpy as np
 
 from ...base.arguments import attribute_of, brief, has, nearest, public
 from ...base.errors import BlockError, DiagramError
+from ...base.labelled import unit_of
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import Vector, counts_of, labels, spans_of, vector, whole_labels
@@ -136,8 +137,7 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         fields = call_names(name, block)
         changes = {fields[key]: params[key] for key in fields if key in params}
         for field, value in changes.items():
-            given = attribute_of(value, "attrs", {}).get("units", "")
-            check_unit(f"{name}.{field}", given, [block.units.get(field, "")])
+            check_unit(f"{name}.{field}", unit_of(value), [block.units.get(field, "")])
         parameters.append(block.with_values(changes))
         if isinstance(block, System):
             systems.append((name, block))
