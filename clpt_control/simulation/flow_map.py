@@ -1,8 +1,9 @@
 """Map of the learned flow as a CF Dataset, for xarray, Panoply and QGIS.
 
     u, v = theta_hat phi(x, t)            of the last estimate theta_hat
-    standard error = (phi^T P phi)^(1/2)  of each component, with the covariances P of the rows of
-                                          theta_hat; the larger one if they differ
+    standard error = (phi^T P phi + v)^(1/2)  of each component, with the covariances P of the rows
+                                              of theta_hat, the larger one if they differ, and v of
+                                              the flow that the functions do not span (`unspanned`)
 
 Flow that the vehicle of a run did not see is masked: places outside of the box of its track, or of
 the measured current.  An estimate has standard errors, which grow there.
@@ -26,6 +27,7 @@ from ..base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ..base.geodesy import LocalPlane, angle_near
 from ..base.units import DEGREES, SECONDS
 from ..engine.model.block import evaluate
+from ..paper.blocks.flow import unspanned
 from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_of_run
@@ -68,6 +70,7 @@ class _Learned:
     end: Any
     has_truth: bool
     field: GriddedField | None = None  # measured current
+    beside: float = 0.0  # standard deviation of the flow beside theta phi
 
     def times(self, time: Any) -> tuple[np.ndarray, Any]:
         """Return times since t = 0, and the coordinate of the map."""
@@ -115,7 +118,8 @@ def flow_map(
     -------
     xarray.Dataset
         ``u`` and ``v``, learned; where the truth is known ``true_u``, ``true_v`` and ``error``, the
-        length of the difference; of an estimate ``standard_error`` of u and of v. P of a run's law
+        length of the difference; of an estimate ``standard_error`` of u and of v, with the flow
+        that the functions do not span: far from all functions, the prior. P of a run's law
         is no standard error, since it does not grow with the scatter of the data.
         Of a run, places outside of the box of the track, or of the measured current, are NaN; so
         is the truth where nothing was ever measured, as on land.
@@ -191,6 +195,7 @@ def map_of(
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
+        variance += unspanned(learned.scenario.basis, learned.beside, points)
         words = {"long_name": "standard error of u and of v"}
         data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
@@ -262,6 +267,11 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
 
     estimate = xarray.decode_cf(estimate)  # as the file of `clpt estimate` has dates
     scenario = scenario_of_run(estimate)
+    if "unspanned_flow" not in estimate.attrs:
+        raise DataError(
+            "the estimate is of an older version: its errors lack the flow that the functions do "
+            "not span. Estimate again"
+        )
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
     plane = None
@@ -283,6 +293,7 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
         estimate.attrs["time_origin"],
         estimate.end_time.values[-1],
         False,
+        beside=estimate.attrs["unspanned_flow"],
     )
 
 

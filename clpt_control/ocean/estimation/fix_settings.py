@@ -67,6 +67,8 @@ class FixSettings:
         has_noise = table is not None and table.noise > 0
         self.fix = table.noise if table is not None and has_noise else FIX / metres
         self.prior = self._prior(own, scenario)
+        # standard deviation of the flow that functions which die out do not span
+        self.beside = float(self.prior.max())
         # of `Law.between_fixes`
         self.p = SimpleNamespace(
             walk=own.get("walk", WALK / self.speed * (seconds / DAY) ** 0.5),

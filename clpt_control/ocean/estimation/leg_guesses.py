@@ -9,10 +9,10 @@ Each fix divides each guess (`hypotheses`) into three:
 The density of a right fix is Student's t of two components around the forecast.  The two parts of
 r^2, those of the fixes and of the scatter, have a factor each, c^2 = S/nu: nu counts the position
 errors of the guess so far, each by the share of the part in its variance, S is the sum of their
-squares, and both fade.  So short legs tell of the fixes, long ones of the scatter.  The factor of P
-is the mean by what the legs taught.  The density of a wrong fix is that of the centre of a normal
-distribution of 10 km, at any distance.  A flow above 5 m/s is impossible: a fix that needs it is
-wrong, or begins a leg.
+squares, and both fade to 1.  Where a region is that of the prior, nu is one more.  So short legs
+tell of the fixes, long ones of the scatter.  The factor of P is the mean by what the legs taught.
+The density of a wrong fix is that of the centre of a normal distribution of 10 km, at any distance.
+A flow above 5 m/s is impossible: a fix that needs it is wrong, or begins a leg.
 
 Numbers are in units of the scenario.
 """
@@ -36,7 +36,7 @@ from .fix_settings import FixSettings
 from .hypotheses import Branch, Hypotheses
 from .leg_track import Leg, Turn
 
-PRIOR_ERRORS = 2.0  # weight of r as it is set, in position errors on an axis
+PRIOR_ERRORS = 1.0  # weight of r as it is set, in position errors on an axis
 FADING = 0.97  # of the weight of a position error, at the next one
 MOST_TURN = 8.0  # rad
 # shares: of fixes that are wrong, of legs before which the flow changed
@@ -104,10 +104,13 @@ class Guess:
         scaled = self.square * share / (self.square * share + 1 - share)
         return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
 
-    def errors(self, noise: np.ndarray) -> float:
-        """Return nu of noise with these parts: the mean by their shares."""
-        parts = noise * self.factors
-        return float(parts @ self.count / parts.sum())
+    def errors(self, leg: "Regression") -> float:
+        """Return nu: the mean of the noise's parts by their shares, and 1 by the prior's share."""
+        parts = leg.noise * self.factors
+        of_theta = self.scaled @ leg.m
+        by_prior = np.sum((of_theta / np.maximum(self.prior, 1e-300)) ** 2)
+        share = (by_prior + leg.bend**2) / (leg.m @ of_theta + leg.bend**2 + 1e-300)
+        return float(parts @ self.count / parts.sum() + share)
 
     def after(self, fix: str, **changes: Any) -> "Guess":
         """Return the guess after one more fix."""
@@ -181,7 +184,7 @@ class LegGuesses:
             off = (guess.theta - theta) @ leg.m
             variance = self.variance(leg, guess, guess.scaled)
             variances.append(variance + float(off @ off) / 2)
-        counts = np.array([guess.errors(leg.noise) for guess in guesses.states])
+        counts = np.array([guess.errors(leg) for guess in guesses.states])
         return radius_of(guesses.weights, np.array(variances), counts)
 
     def branches(
@@ -208,7 +211,7 @@ class LegGuesses:
             begun = partial(guess.after, RIGHT, leg=start)
             yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
             return
-        nu = guess.errors(leg.noise)
+        nu = now.errors(leg)
         for fix, odds, P, variance in (
             (RIGHT, 0.0, now.P, V),
             (CHANGED, log(CHANGED_SHARE), now.P + self.prior, None),

@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...engine.model.block import Block
-from ...paper.blocks.flow import phi_and_slopes, turning_rate
+from ...paper.blocks.flow import phi_and_slopes, turning_rate, unspanned
 from ...paper.laws.memory_laws import predict
-from .fix_settings import LocalFrame, rotated
+from ...paper.scenario.experiment import Scenario
+from .fix_settings import FixSettings, LocalFrame, rotated
 
 JOINED = (
     32  # stretches that are shorter than this part of a width or a period are joined
@@ -126,9 +126,11 @@ class Leg:
 class LegTrack:
     """Integration of legs over the basis functions of a scenario."""
 
-    def __init__(self, basis: Block, lengths: np.ndarray, periods: np.ndarray) -> None:
-        self.basis = basis
-        self.size = float(np.min(lengths)), float(np.min(periods))
+    def __init__(self, scenario: Scenario, settings: FixSettings) -> None:
+        self.scenario, self.settings = scenario, settings
+        self.basis = scenario.basis_block("z")
+        lengths = scenario.basis.lengths
+        self.size = float(np.min(lengths)), float(np.min(scenario.periods))
 
     def phi(self, t: float, place: np.ndarray) -> np.ndarray:
         """Return phi of Eq. (5)."""
@@ -185,8 +187,11 @@ class LegTrack:
         rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())
 
-    def bend(self, leg: Leg, fastest: float) -> float:
-        """Return the time by which an unknown bend of stretches counts: root of sum of squares."""
+    def bend(self, leg: Leg, arrival: Arrival, fastest: float) -> float:
+        """Return the error of the way by bent stretches and by what the functions do not span.
+
+        Root of the sum of squares, length.
+        """
         width, _ = self.size
         t, total = leg.start, 0.0
         for end, x, y in leg.way:
@@ -194,7 +199,10 @@ class LegTrack:
             off = np.sqrt(max((fastest * span) ** 2 - x * x - y * y, 0.0)) / 2
             total += (span * min(off / width, 1.0)) ** 2
             t = end
-        return float(np.sqrt(total))
+        track = np.vstack([arrival.points[:, 1:3], arrival.z])
+        v = unspanned(self.scenario.basis, self.settings.beside, track)
+        beside = (t - leg.start) ** 2 * np.mean(v)
+        return float(np.sqrt(total * self.settings.bent**2 + beside))
 
     def steps(self, way: float, span: float) -> int:
         """Return the number of steps of integration in a stretch."""

@@ -21,6 +21,7 @@ from ...base.progress.interrupt import check
 from ...base.run_attributes import versions
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
+from ...paper.scenario.run_track import run_scenario
 from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
 from .fix_settings import LocalFrame, rotated
@@ -135,7 +136,9 @@ def flow_of_run(
             "localization.noise_period: a noise that is held is no noise of a fix, which "
             "tomography takes. Use method kalman"
         )
-    return flow_of_legs(legs, scenario, method, frame)
+    flow = run_scenario(run).flow
+    is_spanned = flow.parameters is not None and flow.disturbance is None
+    return flow_of_legs(legs, scenario, method, frame, is_spanned)
 
 
 def stretches_of(leg: Dive, start: float) -> np.ndarray:
@@ -181,7 +184,8 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
             begin = position + drifted
             under_way.place = begin.tolist()
             end = position = begin + rotated(end, -growth * under_way.east / 2)
-        bend = track.bend(under_way, estimator.fastest) * settings.bent
+        arrival = track.end(under_way, estimator.theta)
+        bend = track.bend(under_way, arrival, estimator.fastest)
         flown.append(FlownLeg(under_way, end, bend))
         last, last_fix = leg.t_gpse, leg.end
     found = tomography(flown, settings, track)
@@ -204,11 +208,13 @@ def flow_of_legs(
     scenario: Scenario,
     method: str = "kalman",
     frame: LocalFrame | None = None,
+    is_spanned: bool = False,
     **limits: float,
 ) -> tuple[xarray.Dataset, np.ndarray]:
     """Return the Dataset of `flow_estimate`, and theta in the scenario's units.
 
-    The frame is that of a simulated run, whose ways are exact; `limits` are those of the estimator.
+    The frame is that of a simulated run, whose ways are exact, and whose flow the functions may
+    span; `limits` are those of the estimator.
     """
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
@@ -218,6 +224,7 @@ def flow_of_legs(
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
         estimator.is_screened = False
+    estimator.settings.beside *= not is_spanned
     learned, used, refused = [], [], []
     for leg in legs:
         check()
@@ -314,6 +321,8 @@ def flow_of_legs(
             "has_origin": int(has_origin),  # else a made one, of a run in a plane
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
+            # standard deviation far from functions that die out, m/s
+            "unspanned_flow": estimator.settings.beside * speed,
             "guarantee": guarantee,
             "notes": notes
             + [

@@ -79,6 +79,23 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
     return float(own + np.linalg.norm(np.asarray(spread) * slopes))
 
 
+def unspanned(basis: Any, prior: float, x: np.ndarray) -> np.ndarray:
+    """Return variances v of the flow that the functions do not span at n places.
+
+    The flow is theta phi and a field of the prior's variance s^2, of which the functions hold a
+    part (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using pseudo-inputs", NIPS 2005):
+
+        v = s^2 max(0, 1 - sum_i k(x, c_i)^2/n_i),    n_i = sum_j k(c_i, c_j)^4
+
+    with the narrowest kernel k of the basis; n_i counts the functions that are like it.
+    """
+    zeros, centers = np.zeros(basis.N), np.array(basis.centers)
+    widths = np.full(basis.N, np.min(basis.widths))
+    still = flow_basis("still", "x", basis.kernel, centers, widths, zeros, zeros)
+    like, square = (evaluate(still, 0.0, places) ** 2 for places in (centers, x))
+    return prior**2 * np.maximum(1 - square @ (1 / np.sum(like**2, axis=0)), 0)
+
+
 def flow_basis(
     name: str,
     position: str,

@@ -133,6 +133,18 @@ def test_the_first_region_is_that_of_students_t(tmp_path, estimate):
     assert first["radius_m"] == pytest.approx(np.sqrt(2 * 9 * variance), rel=1e-3)
 
 
+def test_a_leg_that_cannot_show_the_scatter_leaves_one_degree_of_freedom(
+    tmp_path, estimate
+):
+    """Of the second region: nu = 1 + P/P(0), R = s (nu (10^(2/nu) - 1))^(1/2)."""
+    second = estimate(table(tmp_path / "log.csv", mission(3)))["legs"][1]
+    r2 = 2 * 10.0**2 + (0.02 * LEG) ** 2
+    of_theta = 1 / (1 / (0.5 * LEG) ** 2 + 1 / r2)
+    nu = 1 + of_theta / (0.5 * LEG) ** 2
+    radius = np.sqrt((r2 + of_theta) * nu * (10 ** (2 / nu) - 1))
+    assert second["radius_m"] == pytest.approx(radius, rel=6e-2)
+
+
 def test_swapped_latitude_and_longitude_are_named(tmp_path, estimate):
     rows = [(row[0], row[2], row[1], *row[3:]) for row in mission(4)]
     said = estimate(table(tmp_path / "log.csv", rows), status=2)

@@ -53,13 +53,13 @@ def flow(x):
     return THETA @ np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
 
 
-def straight_mission(legs=24, seed=3, noise=10.0):
+def straight_mission(legs=24, seed=3, noise=10.0, flow=flow, aims=CENTERS):
     """Legs of 2 h, straight at 1 m/s, each fix with noise: rows of a table of legs."""
     random = np.random.default_rng(seed)
     x, t, rows = np.array([1e3, 2e3]), 1.7e9, []
     measured = x + random.normal(0, noise, 2)
     for k in range(legs):
-        aim = CENTERS[random.integers(3)] + random.normal(0, 4e3, 2)
+        aim = aims[random.integers(len(aims))] + random.normal(0, 4e3, 2)
         velocity = (aim - x) / np.hypot(*(aim - x))
         start = measured
         for _ in range(720):
@@ -323,16 +323,93 @@ def test_functions_that_the_track_does_not_feel_are_told(tmp_path):
 
 
 def test_a_map_of_an_estimate_is_everywhere(tmp_path):
-    """Off the track too: theta_hat phi(x) and (phi^T P phi)^(1/2), 15 km from the functions."""
+    """Off the track too: theta_hat phi(x) and (phi^T P phi + v)^(1/2), 15 km from the functions."""
     data = learned(write(tmp_path / "legs.csv", straight_mission()))
     x = np.array([6e3, -15e3])
     latitude, longitude = place(x)
     flow = clpt.flow_map(data, [latitude], [longitude])
     phi = np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
     theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[0]
-    expected = [*(theta @ phi), np.sqrt(phi @ P @ phi)]
+    apart = np.sum((CENTERS[:, None] - CENTERS) ** 2, axis=-1)
+    like = np.sum(np.exp(-2 * apart / 8e3**2), axis=0)
+    variance = phi @ P @ phi + 0.5**2 * (1 - np.sum(phi**2 / like))
+    expected = [*(theta @ phi), np.sqrt(variance)]
     shown = [float(flow[name].squeeze()) for name in ("u", "v", "standard_error")]
     np.testing.assert_allclose(shown, expected, rtol=2e-3)
+
+
+def test_a_file_without_the_flow_beside_the_functions_has_no_map(tmp_path):
+    """As an older version wrote it."""
+    data = learned(write(tmp_path / "legs.csv", straight_mission(2)))
+    del data.attrs["unspanned_flow"]
+    with pytest.raises(clpt.DataError, match="older version"):
+        clpt.flow_map(data)
+
+
+def sheared(shear):
+    """A flow that the functions do not span, m/s."""
+    return lambda x: np.array([0.22 + shear * x[1], -0.11])
+
+
+CONSTANT = {  # one more function
+    "basis.centers": [[0, 0], *(CENTERS / 1e3).tolist()],
+    "basis.widths": [1e6, 8.0, 8.0, 8.0],
+    "basis.constituents": ["steady"] * 4,
+}
+
+
+@pytest.mark.parametrize("values", [{}, CONSTANT])
+@pytest.mark.parametrize("shear", [0.0, 8e-6])
+def test_errors_of_a_map_hold_the_flow_beside_the_functions(tmp_path, shear, values):
+    """Shares within 1.64 standard errors, 0 to 5 widths from a fix, by the flow that is known."""
+    flow, widths = sheared(shear), np.array([0, 1, 2, 3, 5])
+    inside, errors = [], []
+    for seed in range(4):
+        rows = straight_mission(seed=seed, flow=flow)
+        data = learned(write(tmp_path / "legs.csv", rows), **values)
+        fixes = np.column_stack(PLANE(data.longitude, data.latitude))
+        for fix in fixes[::3]:
+            outwards = (fix - fixes.mean(axis=0)) / np.hypot(
+                *(fix - fixes.mean(axis=0))
+            )
+            for x in fix + 8e3 * np.outer(widths, outwards):
+                shown = clpt.flow_map(data, *place(x)).squeeze()
+                errors.append(shown.standard_error)
+                off = np.abs(np.array([shown.u, shown.v]) - flow(x))
+                inside.append(off < 1.64 * errors[-1].values)
+    shares = np.reshape(inside, (-1, len(widths), 2)).mean(axis=(0, 2))
+    assert np.all(shares >= 0.85)
+    errors = np.median(np.reshape(errors, (-1, len(widths))), axis=0)
+    assert errors[0] < 0.3
+    assert errors[-1] == pytest.approx(0.5, rel=0.05)
+
+
+def test_a_constant_function_spans_a_uniform_flow(tmp_path):
+    path = write(tmp_path / "legs.csv", straight_mission(flow=sheared(0.0)))
+    data = learned(path, UNIFORM, **{"basis.widths": [1e8]})
+    far = clpt.flow_map(data, *place(np.array([2e5, 0.0])))
+    assert far.standard_error.item() == pytest.approx(
+        data.standard_error[-1].item(), rel=1e-9
+    )
+
+
+@pytest.mark.parametrize("shear", [0.0, 8e-6])
+def test_regions_hold_fixes_that_leave_the_functions(tmp_path, shear):
+    """Legs to the east, out of all functions."""
+    inside, aims = [], np.array([[1e6, 0.0]])
+    for seed in range(4):
+        rows = straight_mission(12, seed, flow=sheared(shear), aims=aims)
+        inside += [learned(write(tmp_path / "legs.csv", rows)).inside.values]
+    assert np.mean(inside, axis=0).min() >= 0.75
+    assert np.mean(inside) >= 0.9
+
+
+def test_the_first_region_far_from_all_functions_is_that_of_the_prior(tmp_path):
+    """Student's t with two degrees of freedom: 0.5 m/s, noise of fixes and scatter."""
+    path = write(tmp_path / "legs.csv", straight_mission(legs=1))
+    radius = learned(path, origin=[39.4, -122.1]).forecast_radius.item()
+    variance = (0.5**2 + 0.02**2) * 7200.0**2 + 2 * 10.0**2
+    assert radius == pytest.approx(np.sqrt(18 * variance), rel=1e-3)
 
 
 @pytest.mark.parametrize(
