@@ -195,7 +195,7 @@ def map_of(
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
-        variance += unspanned(learned.scenario.basis, learned.beside, points)
+        variance += unspanned(learned.scenario.basis, learned.beside, points)[0]
         words = {"long_name": "standard error of u and of v"}
         data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})

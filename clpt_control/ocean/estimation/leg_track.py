@@ -187,11 +187,15 @@ class LegTrack:
         rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())
 
-    def bend(self, leg: Leg, arrival: Arrival, fastest: float) -> float:
-        """Return the error of the way by bent stretches and by what the functions do not span.
+    def beside(self, arrival: Arrival) -> float:
+        """Return the error of the way by the flow that the functions do not span, length."""
+        places = arrival.points[:, 1:3]
+        _, v = unspanned(self.scenario.basis, self.settings.beside, places)
+        duration = np.sum(arrival.points[:, 3])
+        return float(duration * np.mean(v) ** 0.5) if len(v) else 0.0
 
-        Root of the sum of squares, length.
-        """
+    def bend(self, leg: Leg, fastest: float) -> float:
+        """Return the error of a way that may have been bent, length: root of sum of squares."""
         width, _ = self.size
         t, total = leg.start, 0.0
         for end, x, y in leg.way:
@@ -199,10 +203,7 @@ class LegTrack:
             off = np.sqrt(max((fastest * span) ** 2 - x * x - y * y, 0.0)) / 2
             total += (span * min(off / width, 1.0)) ** 2
             t = end
-        track = np.vstack([arrival.points[:, 1:3], arrival.z])
-        v = unspanned(self.scenario.basis, self.settings.beside, track)
-        beside = (t - leg.start) ** 2 * np.mean(v)
-        return float(np.sqrt(total * self.settings.bent**2 + beside))
+        return float(np.sqrt(total)) * self.settings.bent
 
     def steps(self, way: float, span: float) -> int:
         """Return the number of steps of integration in a stretch."""

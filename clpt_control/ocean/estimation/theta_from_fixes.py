@@ -184,8 +184,7 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
             begin = position + drifted
             under_way.place = begin.tolist()
             end = position = begin + rotated(end, -growth * under_way.east / 2)
-        arrival = track.end(under_way, estimator.theta)
-        bend = track.bend(under_way, arrival, estimator.fastest)
+        bend = track.bend(under_way, estimator.fastest)
         flown.append(FlownLeg(under_way, end, bend))
         last, last_fix = leg.t_gpse, leg.end
     found = tomography(flown, settings, track)

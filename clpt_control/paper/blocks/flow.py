@@ -69,6 +69,9 @@ KERNELS = {
 }
 
 
+SAME = 1e-9  # share of the largest eigenvalue, of functions that are alike
+
+
 def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
     """Return an upper bound of |d(theta phi)/dx|, 1/time, for any flow near theta.
 
@@ -79,21 +82,28 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
     return float(own + np.linalg.norm(np.asarray(spread) * slopes))
 
 
-def unspanned(basis: Any, prior: float, x: np.ndarray) -> np.ndarray:
-    """Return variances v of the flow that the functions do not span at n places.
+def unspanned(basis: Any, prior: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return variances of the flow that the functions do not span: at n places, on ways by them.
 
     The flow is theta phi and a field of the prior's variance s^2, of which the functions hold a
     part (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using pseudo-inputs", NIPS 2005):
 
-        v = s^2 max(0, 1 - sum_i k(x, c_i)^2/n_i),    n_i = sum_j k(c_i, c_j)^4
+        v = s^2 (1 - k(x, c) k(c, c)^-1 k(c, x))
 
-    with the narrowest kernel k of the basis; n_i counts the functions that are like it.
+    with the narrowest kernel k of the basis, at the centres c.  Between functions it has both signs
+    and cancels in the mean over a way.  The functions, of which n_i are like the i-th, leave there
+
+        v = s^2 max(0, 1 - sum_i k(x, c_i)^2/n_i),    n_i = sum_j k(c_i, c_j)^4
     """
     zeros, centers = np.zeros(basis.N), np.array(basis.centers)
     widths = np.full(basis.N, np.min(basis.widths))
     still = flow_basis("still", "x", basis.kernel, centers, widths, zeros, zeros)
-    like, square = (evaluate(still, 0.0, places) ** 2 for places in (centers, x))
-    return prior**2 * np.maximum(1 - square @ (1 / np.sum(like**2, axis=0)), 0)
+    like, of_places = (evaluate(still, 0.0, places) for places in (centers, x))
+    inverse = np.linalg.pinv(like, SAME, hermitian=True)
+    held = np.einsum("nk,kl,nl->n", of_places, inverse, of_places)
+    on_ways = of_places**2 @ (1 / np.sum(like**4, axis=0))
+    of_place, of_way = prior**2 * np.maximum(1 - np.array([held, on_ways]), 0)
+    return of_place, of_way
 
 
 def flow_basis(
