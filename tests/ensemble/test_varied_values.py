@@ -387,8 +387,8 @@ def test_units_and_times_of_labelled_levels():
         run = clpt.run_ensemble(plant, {key: levels}, timepts=[0, 1.0], inputs=0.0)
         assert run[key].values.tolist() == [2, 3]
         said = f"vary\\['{key}'\\]: is in '{wrong}'; must be in"
+        levels.attrs["units"] = wrong
         with pytest.raises(ClptError, match=said):
-            levels.attrs["units"] = wrong
             clpt.run_ensemble(plant, {key: levels}, timepts=[0, 1.0])
     gain = xarray.DataArray([0.4, 0.8], dims="i", attrs={"units": "furlong"})
     with pytest.raises(ClptError, match="is in 'furlong'; must be in"):
