@@ -13,6 +13,7 @@
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from datetime import date
 from typing import Any, NamedTuple
 
 import control
@@ -57,13 +58,17 @@ class Clock:
     """
 
     def __init__(self, timepts: Any, unit: str | None = None):
+        timepts = attribute_of(timepts, "t", timepts)  # of a response
+        kinds = {*map(type, timepts)} if isinstance(timepts, list | tuple) else ()
+        if kinds and all(issubclass(kind, date | np.datetime64) for kind in kinds):
+            timepts = np.array(timepts, "M8")
         timepts_unit = short_unit(unit_of(timepts))
         self.unit = unit or (timepts_unit if timepts_unit in SECONDS else "s")
         self.check_unit("timepts", timepts_unit)
         self.zero: Any = None  # the date of t = 0; 0 if times are numbers
-        labels = np.asarray(timepts) if has(timepts, "dtype") else np.zeros(0)
+        labels = np.atleast_1d(timepts if has(timepts, "dtype") else 0)
         self.has_zero = labels.dtype.kind == "M"
-        if labels.dtype.kind in "mM":
+        if labels.size and labels.dtype.kind in "mM":
             timepts = self.numbers("timepts", labels)
         self.at = np.atleast_1d(numbers("timepts", timepts))
 
@@ -100,7 +105,8 @@ class Clock:
         self.check_unit(argument, unit)
         if not len(labels) or labels.dtype.kind not in "iufmM":
             raise ArgumentError(
-                f"{argument}: its times must be numbers, or dates without a time zone"
+                f"{argument}: its times must be numbers, or dates without a time zone: "
+                "datetime64, not texts. Convert them by pandas.to_datetime"
             )
         labels = labels[::-1] if labels[0] > labels[-1] else labels
         if not (np.isfinite(labels).all() and (labels[1:] >= labels[:-1]).all()):
@@ -115,7 +121,7 @@ def check_complete(
     for label in labels:
         if label not in present:
             raise SimulationError(
-                f"{argument}: has no signal '{label}', but {', '.join(map(str, names))}. "
+                f"{argument}: has no signal '{label}', but {', '.join(map(str, names)) or 'none'}. "
                 f"Give a dict by name, {{'{label}': values}}"
             )
 
@@ -238,7 +244,10 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         is_index = is_table and clock is not None and kind in ("i", "u")
         if clock and is_index and np.array_equal(labels, clock.at):
             dim = TIME[0]
-        if dim in TIME:
+        texts = kind and all(isinstance(label, str) for label in labels)
+        if dim in TIME or (
+            texts and "".join(labels)[:4].isdigit()
+        ):  # or dates as texts
             ranks.append(2)
             if clock is None:
                 raise SimulationError(
@@ -252,7 +261,7 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
                     f"{argument}: has {array.shape[k]} samples along {dim} without times; timepts "
                     f"has {len(clock.at)}. Give {dim} a coordinate"
                 )
-        elif kind and all(isinstance(label, str) for label in labels):
+        elif texts:
             ranks.append(0)
             names = labels.tolist()
             if len({*names}) < len(names):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..base.arguments import public
+from ..base.arguments import attribute_of, public
 from ..base.run_attributes import ARGUMENTS, BEYOND, TEAM
 from ..engine.solver.runner import checked_method
 from .diagram_runs import DiagramRun
@@ -114,8 +114,7 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    if isinstance(timepts, control.TimeResponseData):
-        timepts = timepts.time
+    timepts = attribute_of(timepts, "t", timepts)  # of a response
     solver: dict[str, Any] = {
         "rtol": rtol,
         "atol": atol,

@@ -1,5 +1,7 @@
 """Labels of xarray, pandas and responses decide, never positions; closed forms are right."""
 
+import datetime
+
 import control
 import numpy as np
 import pandas as pd
@@ -267,7 +269,7 @@ def test_dates_of_a_fit():
     assert abs(found.values["k"] - 0.7) < 1e-7
 
 
-@pytest.mark.parametrize("value", ["4", None, pd.Series([4.0])])
+@pytest.mark.parametrize("value", ["4", None, [4.0], (4.0,), pd.Series([4.0])])
 def test_a_parameter_is_a_number_without_labels(value):
     lag = clpt.Block(
         "lag",
@@ -497,3 +499,41 @@ def test_rows_of_responses_stand_at_their_places():
     given = same, OWN, r.outputs, r.states[:, 0]
     right = clpt.simulate(same, OWN, r, {"qb": 2.0, "qa": 1.0}).states
     np.testing.assert_allclose(clpt.simulate(*given).states, right, atol=1e-6)
+
+
+def test_times_in_each_form():
+    """Lists of dates and responses are times for every verb; texts are not."""
+    days = [datetime.datetime(2024, 5, 1, 12), datetime.datetime(2024, 5, 1, 12, 0, 4)]
+    plant, right = integrators(), np.array([8.0, 40.0])
+    for times in (days, tuple(map(np.datetime64, days)), [*map(pd.Timestamp, days)]):
+        run = clpt.simulate(plant, times, DATED)
+        np.testing.assert_allclose(run.states[-1], right, atol=1e-7)
+    run = clpt.run_ensemble(plant, {"qa": [1.0]}, timepts=RESPONSE, inputs=DATA)
+    np.testing.assert_allclose(run.qa_final, 9.0, atol=1e-7)
+    run = clpt.prepare(plant, RESPONSE, DATA)()
+    np.testing.assert_allclose(run.states[-1], right, atol=1e-7)
+    slopes = clpt.sensitivity(plant, RESPONSE, to="qa", inputs=DATA)
+    np.testing.assert_allclose(slopes.qa[-1], 1.0, atol=1e-7)
+    for empty in ([], (), pd.DatetimeIndex([])):
+        with pytest.raises(clpt.ClptError, match="timepts"):
+            clpt.simulate(plant, empty, DATA)
+
+
+def test_reasons_are_the_true_ones():
+    texts = [str(day) for day in DATES]
+    for table in (TABLE.set_axis(texts), TABLE.set_axis(texts)["a"].to_frame().T):
+        with pytest.raises(clpt.ClptError, match=r"not texts\. .* pandas.to_datetime"):
+            clpt.simulate(integrators(), TIMES, table)
+    clock = integrators(["time"])
+    with pytest.raises(clpt.ClptError, match="has no signal 'time', but none"):
+        clpt.simulate(clock, TIMES, pd.DataFrame({"time": OWN}, OWN))
+    matrix = clpt.Block(
+        "mm",
+        update=lambda t, x, u, p: {"s": p.K},
+        states={"s": 2},
+        parameters={"K": np.array([1.0, 2.0])},
+    )
+    with pytest.raises(
+        clpt.ClptError, match=r"an array of shape \(2,\), without NaN or lab"
+    ):
+        clpt.simulate(matrix, TIMES, params={"mm.K": pd.Series([3.0, 5.0])})

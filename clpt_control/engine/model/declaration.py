@@ -299,6 +299,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
             )
         model = value if like is None else getattr(like, field)
         is_whole = isinstance(model, int | np.integer)
+        shape: tuple[int, ...] = ()
         try:
             shape = np.shape(model)
             number: Any = unlabelled(field, value)
@@ -306,7 +307,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
             if is_whole and not isinstance(model, bool):
                 number = int(value) if int(value) == value else np.nan
         except (ArgumentError, TypeError, ValueError, OverflowError):
-            shape, number = (), np.nan
+            number = np.nan
         if np.shape(number) != shape or np.any(np.not_equal(number, number)):
             kind = "a whole number" if is_whole else "a number"
             kind = f"an array of shape {shape}" if shape else kind
