@@ -137,10 +137,13 @@ def test_a_claim_within_bounds():
     [
         lambda x, u, p: -np.sin(x) + u.d,
         lambda x, u, p: x + u.d,
-        lambda x, u, p: -x + u.d**2,
+        lambda x, u, p: -x + u.d**3,
         lambda x, u, p: -x + np.abs(u.d),
+        lambda x, u, p: x * np.abs(x) + u.d,
+        lambda x, u, p: x * (u.d**2 - 0.1),
+        lambda x, u, p: -x * np.abs(x) + 3 * u.d * x**2,
     ],
-    ids=["V does not bound", "unstable", "square", "kink"],
+    ids=["V does not bound", "unstable", "cube", "kink", "away", "grows", "as fast"],
 )
 def test_open_where_no_level_is_known(rates):
     verdict = clpt.lyapunov(loop(rates), half, where={"d": (-0.5, 0.5)})
@@ -151,9 +154,8 @@ def test_open_where_no_level_is_known(rates):
     ("bounds", "message"),
     [
         ((3, -3), "Give two numbers, the lower first"),
-        ((None, 3), "of an input they differ"),
-        ((-np.inf, np.inf), "of an input they differ"),
-        ((2, 2), "of an input they differ"),
+        ((-np.inf, np.inf), "of an input"),
+        ((None, None), "of an input"),
         ((-1e155, 1e155), "between 1e-100 and 1e100"),
         ((0, 1e-162), "between 1e-100 and 1e100"),
         ((1, 2, 3), "Give two numbers"),
@@ -179,15 +181,120 @@ def test_names_and_a_v_of_inputs_are_refused():
         clpt.lyapunov(same, half, where={"x": (0, 1)})
 
 
-def test_discrete_time_is_open():
-    step = clpt.Block(
-        "step",
-        update=lambda t, x, u, p: {"x": x.x / 2 + u.d},
-        states={"x": 1},
+def in_steps(rates):
+    """Return a loop in discrete time."""
+    ports = {"states": {"x": 1}, "inputs": {"d": 1}}
+    update = lambda t, x, u, p: {"x": rates(x.x, u.d)}  # noqa: E731
+    return clpt.Block("step", update=update, dt=1.0, **ports)
+
+
+def test_V_of_the_next_time_is_largest_at_a_corner():
+    """x+ = x/2 + d, |d| <= 1: |x| comes down to 2."""
+    step = in_steps(lambda x, d: x / 2 + d)
+    verdict = clpt.lyapunov(step, lambda s: s.x**2, where={"d": (-1, 1)})
+    assert verdict.conclusion == "ultimately bounded"
+    assert 4 <= verdict.level <= 8
+
+
+@pytest.mark.parametrize(
+    ("rates", "bounds"),
+    [
+        (lambda x, d: x + d, (-1, 1)),
+        (lambda x, d: -x + d, (-1, 1)),
+        (lambda x, d: 1.1 * x + d, (-1, 1)),
+        (lambda x, d: x / 2 + d * x, (-1, 1)),
+        (lambda x, d: x**2 + d, (-1, 1)),
+        (lambda x, d: x / 2 + d, (0, None)),
+        (lambda x, d: x / 2 - 1.6 * d**2 * x, (-1, 1)),
+    ],
+)
+def test_no_level_in_discrete_time(rates, bounds):
+    V = lambda s: s.x**2  # noqa: E731
+    verdict = clpt.lyapunov(in_steps(rates), V, where={"d": bounds})
+    assert verdict.status == "open"
+
+
+@pytest.mark.parametrize(
+    ("rates", "V", "level"),
+    [
+        (lambda x, u, p: -x + u.d, lambda s: s.x**4 / 4, 1 / 4),
+        (lambda x, u, p: -x * np.abs(x) + u.d, half, 1 / 2),
+        (lambda x, u, p: -(x**3) + u.d, lambda s: s.x**4 / 4, 1 / 4),
+        (lambda x, u, p: -x + u.d**2, half, 1 / 2),
+        (lambda x, u, p: -x - 2 * x**3 + (1 + x**2) * u.d**2, half, 0.2731),
+    ],
+)
+def test_V_and_its_loss_have_different_degrees(rates, V, level):
+    """At the level x' = 0 with d = 1: the last has 1 + x^2 = x + 2 x^3 at x = 0.739."""
+    verdict = clpt.lyapunov(loop(rates), V, where={"d": (-1, 1)})
+    assert verdict.conclusion == "ultimately bounded"
+    assert level <= verdict.level <= 1.01 * level
+
+
+def test_sliding_control_overcomes_its_disturbance():
+    sliding = loop(lambda x, u, p: -2 * np.sign(x) + u.d)
+    conclusions = [
+        clpt.lyapunov(sliding, half, where={"d": (-d, d)}).conclusion for d in (1, 2, 3)
+    ]
+    assert conclusions == ["asymptotically stable", "stable", ""]
+
+
+IN_BOUNDS = {  # rates, bounds of d, conclusion
+    "a divisor": (lambda x, u, p: -x / (2 - u.d), (-1, 1), "asymptotically stable"),
+    "a divisor that vanishes": (lambda x, u, p: -x / (1 - u.d), (-1, 1), ""),
+    "a root": (lambda x, u, p: -x * (2 - np.sqrt(u.d)), (0, 1), "asymptotically stable"),
+    "a root that stops it": (lambda x, u, p: -x * (2 - np.sqrt(u.d)), (0, 4), "stable"),
+    "a root that is too large": (lambda x, u, p: -x * (2 - np.sqrt(u.d)), (0, 5), ""),
+    "a root of what is negative": (lambda x, u, p: -x * np.sqrt(u.d), (-1, 1), ""),
+    "one bound": (lambda x, u, p: -x * (1 + u.d), (0, None), "asymptotically stable"),
+    "the other bound": (lambda x, u, p: -x * (1 + u.d), (None, 0), ""),
+    "a loss that fades": (lambda x, u, p: -x * u.d, (0, None), "stable"),
+    "a divisor that grows": (lambda x, u, p: -x / u.d, (1, None), "stable"),
+    "one value": (lambda x, u, p: x * (u.d - 1), (0, 0), "asymptotically stable"),
+    "the critical value": (lambda x, u, p: x * (u.d - 1), (1, 1), "stable"),
+    "a value too large": (lambda x, u, p: x * (u.d - 1), (2, 2), ""),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("rates", "bounds", "conclusion"), IN_BOUNDS.values(), ids=IN_BOUNDS
+)
+def test_bounds_are_used_for_values(rates, bounds, conclusion):
+    verdict = clpt.lyapunov(loop(rates), half, where={"d": bounds})
+    assert verdict.conclusion == conclusion, verdict
+
+
+@pytest.mark.parametrize(
+    ("low", "status"), [(0, "proved"), (-1, "open")], ids=["kept", "not kept"]
+)
+def test_a_bounded_input_keeps_a_set(low, status):
+    """q' = d - q keeps q >= 0 for d >= 0."""
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"q": u.d - x.q, "x": -x.q * x.x},
+        states={"q": 1, "x": 1},
         inputs={"d": 1},
-        dt=1.0,
     )
-    assert clpt.lyapunov(step, half, where={"d": (-1, 1)}).status == "open"
+    where = {"d": (low, 3), "q": (0, None)}
+    assert clpt.lyapunov(plant, half, where=where).status == status
+
+
+@pytest.mark.parametrize(
+    ("gain", "status"),
+    [
+        (lambda t: np.sqrt(1 + t), "proved"),
+        (lambda t: np.log(2 + t), "proved"),
+        (lambda t: np.sqrt(t - 1), "open"),
+        (lambda t: np.log(t + 0.5), "refuted"),
+    ],
+)
+def test_time_that_is_not_negative_has_roots_and_logarithms(gain, status):
+    plant = clpt.Block(
+        "lag", update=lambda t, x, u, p: {"x": -x.x * gain(t)}, states={"x": 1}
+    )
+    verdict = clpt.lyapunov(plant, half)
+    assert verdict.status == status
+    assert verdict.sentence.endswith("for t >= 0") == (status == "proved")
 
 
 pulled = loop(lambda x, u, p: -(2.0 + u.d) * x)

@@ -7,6 +7,7 @@ parameter with the name of a state or an output of its block is "plant.parameter
 these rules; a theory may define other rules in a subclass.
 """
 
+import re
 import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Set
@@ -57,14 +58,11 @@ def typeset(expression: Any, accent: str = "{}") -> str:
 def in_ascii(name: str) -> str:
     """Return a name with Greek letters as words, ``gamma``, and letters without accents."""
 
-    def word(letter: str) -> str:
-        kind, _, greek = unicodedata.name(letter, "").rpartition(" LETTER ")
-        words = greek.replace("LAMDA", "LAMBDA").split(" WITH ")[0].split()
-        if not kind.startswith("GREEK"):
-            return letter
-        return words[-1].title() if "CAPITAL" in kind else words[-1].lower()
+    def word(letter: re.Match) -> str:
+        _, size, *_, word = unicodedata.name(letter[0]).split()
+        return word.title() if size == "CAPITAL" else word.lower()
 
-    plain = unicodedata.normalize("NFKD", "".join(map(word, name)))
+    plain = re.sub("[Α-ω]", word, unicodedata.normalize("NFKD", name))
     return plain.encode("ascii", "ignore").decode()
 
 

@@ -111,6 +111,12 @@ def _range_of_exp(ends: Interval) -> Interval:
     return S.Zero, high
 
 
+def _range_of_log(ends: Interval) -> Interval:
+    low, high = ends
+    low = sympy.log(low) if low.is_positive else -oo
+    return low, sympy.log(high) if high.is_positive else oo
+
+
 def _clip_number(s: Any, low: Any, high: Any) -> Any:
     return Min(Max(s, low), high)
 
@@ -129,7 +135,7 @@ def _extreme(function: Any) -> Fact:
 
 TRUTH = _constant(0, 1)
 UNIT = _constant(-1, 1)
-SMOOTH = "erfc cosh acosh atanh asin acos tan log"
+SMOOTH = "erfc cosh acosh atanh asin acos tan"
 FACTS: dict[str, Fact] = {
     "sin": Fact("smooth", "bounded", range=UNIT),
     "cos": Fact("smooth", "bounded", range=UNIT),
@@ -140,6 +146,7 @@ FACTS: dict[str, Fact] = {
     "asinh": Fact("smooth", "as all", sector=(0, 1)),
     "sinh": Fact("smooth", sector=(1, oo)),
     "exp": Fact("smooth", range=_range_of_exp),
+    "log": Fact("smooth", range=_range_of_log),
     **dict.fromkeys(SMOOTH.split(), Fact("smooth")),
     "Abs": Fact("kink", "as all", pieces=_pieces_of_sign),
     "clip": Fact(
@@ -289,6 +296,8 @@ def interval(e: Expr) -> Interval:
         bounds = _product_range(ends)
     elif e.is_Pow and e.exp.is_negative and _power_falls(e.exp, *ends[0]):
         return ends[0][1] ** e.exp, ends[0][0] ** e.exp
+    elif e.is_Pow and e.exp.is_positive and ends[0][0].is_nonnegative:
+        bounds = ends[0][0] ** e.exp, ends[0][1] ** e.exp
     return Max(low, bounds[0]), Min(high, bounds[1])
 
 

@@ -8,7 +8,7 @@ numbers, functions and relations stand in math mode, words do not.
 import re
 from collections.abc import Iterator
 from itertools import groupby
-from textwrap import fill
+from textwrap import TextWrapper
 from tokenize import TokenError
 from typing import Any
 
@@ -20,13 +20,9 @@ from ...engine.diagram.symbol_names import TIME, typeset
 from .conclusions import CONCLUSIONS, signs_of
 
 ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
-LONGEST_LINE = 900  # letters
+WRAPPED = TextWrapper(900, break_long_words=False, break_on_hyphens=False)
 RELATIONS = {"<=": r"\le", ">=": r"\ge"}
-PHRASES = {
-    "e^T KD e": r"{e^\top K_D e}",
-    "e^T Delta": r"{e^\top \Delta}",
-    "V'": r"{\dot V}",
-}
+PHRASES = {"e^T KD e": r"{e^\top K_D e}", "V'": r"{\dot V}"}
 TOKEN = re.compile(
     rf"(?P<phrase>{'|'.join(map(re.escape, PHRASES))})"
     r"|(?P<name>[^\W\d]\w*(?:[.:][^\W\d]\w*)*(?:\[\w+(?:,\w+)*\])*)(?P<of>\(t\))?"
@@ -55,8 +51,7 @@ def verdict_in_latex(verdict: Any) -> str:
         items = (rf"\item {written(step.claim)} ({step.how})." for step in steps)
         lines += [r"\begin{proof}", r"\begin{itemize}", *items]
         lines += [r"\end{itemize}", r"\end{proof}"]
-    ends = {"break_long_words": False, "break_on_hyphens": False}
-    text = "\n".join(fill(line, LONGEST_LINE, **ends) for line in lines)
+    text = "\n".join(map(WRAPPED.fill, lines))
     text = text.replace("GammaD_{", r"\Gamma_{D,")
     text = text.replace(r"{\dot V}", r"\dot V")
     return text.replace("KD_{", "K_{D,")  # the paper's index D
@@ -100,15 +95,14 @@ class Sentences:
     """The printer of the texts of a verdict."""
 
     def __init__(self, verdict: Any):
-        equations = verdict.equations
+        named = {} if verdict.equations is None else verdict.equations.named
         known = [verdict.V, verdict.rate, verdict.claimed, verdict.level]
-        motion = {} if equations is None else equations.motion
-        known += [*motion, *motion.values()]
+        known += [s for symbols in named.values() for s in symbols.flat]
         total = sympy.Tuple(*(e for e in known if isinstance(e, sympy.Basic)))
         letters = re.findall(r", (\w+) = ", verdict.claim)  # of the sentence
         self.names = {"V", "N", "t", *letters, *map(str, total.free_symbols)}
         self.names |= {str(call.func) for call in total.atoms(AppliedUndef)}
-        self.names |= {*getattr(equations, "named", ())}
+        self.names |= named.keys()
 
     def text(self, text: str) -> str:
         """Return a text with its mathematics in math mode, and its words escaped."""
@@ -123,10 +117,11 @@ class Sentences:
 
     def _is_mathematics(self, token: re.Match) -> bool:
         """Return whether a token may stand in math mode: any but a word."""
-        if not token["name"] or ARTICLE.match(token.string, token.start()):
-            return bool(token.lastgroup) and not token["name"]
-        is_call = token["of"] or token.string[token.end() :].startswith("(")
-        return token["name"] in self.names or bool(is_call)
+        name, end = token["name"], token.end()
+        if not name or ARTICLE.match(token.string, token.start()):
+            return not name and token.lastgroup is not None
+        is_call = token["of"] or token.string.startswith("(", end)
+        return name in self.names or bool(is_call)
 
     def _formula(self, text: str) -> str:
         """Return equations, inequalities or an expression in math mode, if they can be read."""

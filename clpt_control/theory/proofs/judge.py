@@ -326,7 +326,7 @@ class LyapunovCandidate(ABC):
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
         given = fixed, self.intervals, forms, definite.exist
-        return Motion(self.eq, rates, *given, in_box=self.where.box.keys())
+        return Motion(self.eq, rates, *given, in_box={*self.where.bounded})
 
 
 @dataclass

@@ -161,7 +161,8 @@ def _no_overflow(*exponents: Expr) -> bool:
 
 def _has_power(base: Expr, exponent: Expr) -> bool:
     """Return whether a power is known to have a value."""
-    if base.is_positive or (base.is_nonnegative and exponent.is_positive):
+    low, _ = interval(base)
+    if low.is_positive or base.is_positive or (low == 0 and exponent.is_positive):
         return True
     is_finite = exponent.is_nonnegative or base.is_nonzero
     return bool(exponent.is_integer and is_finite)
@@ -182,7 +183,8 @@ HYPERBOLIC = Domain(
     "takes sinh or cosh of {0}, which may be too large", lambda a: _no_overflow(a, -a)
 )
 LOGARITHM = Domain(
-    "takes the logarithm of {0}, which may have no value", lambda a: a.is_positive
+    "takes the logarithm of {0}, which may have no value",
+    lambda a: a.is_positive or interval(a)[0].is_positive,
 )
 ARC = Domain(
     "takes an angle of {0}, which may have none", lambda a: (1 - a**2).is_nonnegative
@@ -193,7 +195,8 @@ DOMAINS = {
     "mod": Domain("takes the remainder by {1}, which may be zero", _has_quotient),
     "pow": Domain("raises {0} to the power {1}, which may have no value", _has_power),
     "sqrt": Domain(
-        "takes the root of {0}, which may be negative", lambda a: a.is_nonnegative
+        "takes the root of {0}, which may be negative",
+        lambda a: interval(a)[0].is_nonnegative,
     ),
     "log1p": Domain(
         "takes log(1 + {0}), which may have no value", lambda a: (1 + a).is_positive

@@ -116,7 +116,7 @@ class PointSearch:
     """Random points about the rest of states, or 0, and searches for those at which V fails.
 
     `V` is an expression, `name` its output, or ""; `rest` maps states to numbers or other states,
-    `kept` states to the two ends between which they stay, None for no end.
+    `kept` states and inputs to the two ends between which they stay, None for no end.
     """
 
     def __init__(
@@ -133,9 +133,9 @@ class PointSearch:
         self.V = V
         self.rest = rest
         self.states = [*eq.motion]
-        ends = [kept.get(s, (None, None)) for s in self.states]
-        self.ends = np.array(ends, dtype=float).reshape(-1, 2)  # NaN: none
         self.inputs = [s for port in eq.inputs.values() for s in port.flat]
+        ends = [kept.get(s, (None, None)) for s in (*self.states, *self.inputs)]
+        self.ends = np.array(ends, dtype=float).reshape(-1, 2)  # NaN: none
         # dV/dt and dV/dx, also of functions with kinks
         self.gradient = [along(V, {s: S.One}) for s in (TIME, *self.states)]
         self.random = np.random.default_rng(seed)
@@ -206,18 +206,23 @@ class PointSearch:
         times = random.uniform(0, 20, count) * 10.0**exponents
         times *= random.random(count) > 0.1
         times = np.maximum(times, EARLIEST)
-        return times, self.inside((x + self.rest_at(x)).T).T, u
+        return times, self.inside((x + self.rest_at(x)).T).T, self.limited(u)
 
     def inside(self, x: np.ndarray) -> np.ndarray:
         """Return states (n, states) in the sets that the diagram keeps."""
-        low, high = self.ends.T
+        low, high = self.ends[: len(self.states)].T
         return np.fmax(np.fmin(x, high), low)
+
+    def limited(self, u: np.ndarray) -> np.ndarray:
+        """Return inputs (inputs, n) between their bounds."""
+        low, high = self.ends[len(self.states) :].T[..., None]
+        return np.fmax(np.fmin(u, high), low)
 
     def wide(self, count: int) -> tuple:
         """Return times, states and inputs of wider ranges, in some of which powers overflow."""
         t, x, u = self.draw(count, False, widest=4.0)  # exp overflows
         x[:, ::10] *= 1000
-        return t, x, u
+        return t, self.inside(x.T).T, u
 
     def rest_at(self, x: np.ndarray) -> np.ndarray:
         """Return the rest of states (n, ...), which may depend on other states."""
@@ -298,7 +303,8 @@ class PointSearch:
             centers = np.resize(best, PER_ROUND)
             radius = 0.7 * radius
             t, x, u = (self.near(values[..., centers], radius) for values in points)
-            points = np.abs(t), self.inside(x.T).T, u * (not still)
+            u = self.limited(u * (not still))
+            points = np.abs(t), self.inside(x.T).T, u
         return None
 
     def near(self, values: np.ndarray, radius: float) -> np.ndarray:

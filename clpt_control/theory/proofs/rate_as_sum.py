@@ -253,7 +253,7 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         V, rate, lost = read(case.V), read(case.rate), [*map(read, fall.losses)]
         moves = sympy.Tuple(*(definite.least or {}).values()).has(TIME)
         terms = terms_of(V, case.fixed)
-        box = {read(d): ends for d, ends in case.where.box.items()}
+        box = {read(d): case.where.box[d] for d in case.where.bounded}
         written = Case(motion, case.fixed, V, rate, terms, lost=lost, box=box)
         return written if moves else replace(written, rest=definite.least or {})
 
@@ -267,6 +267,8 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     def within(most: Expr, waves: bool = False) -> list[Term]:
         """Return a bound of V' less V' as a sum of what that is at the corners of inputs."""
         terms = []
+        if any(not vanishes(case.rate.diff(d, 2)) for d in case.where.box):
+            raise NotASum("V' is not affine in an input")
         for shares, at in case.where.corners(case.rate, waves):
             for term in terms_of(read(most - at), case.fixed):
                 # unevaluated, such that each factor keeps its sign

@@ -9,7 +9,7 @@ numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
-from itertools import chain
+from itertools import chain, islice, product
 from math import pi
 from typing import Any
 
@@ -62,7 +62,7 @@ from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
-from .where import NOTHING, Where
+from .where import MOST_CORNERS, NOTHING, Where
 
 MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
@@ -120,17 +120,22 @@ class SystemCandidate(LyapunovCandidate):
         self.undefined = [*self.eq.undefined, *undefined]
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
-        self.rate = self._rate_of_V()
         self.where = Where(where, self.states, self.inputs, self.V)
+        if where and self.eq.undefined:
+            limited = self._equations(Names, self.where.undefined)
+            self.undefined = [*limited.undefined, *undefined]
+        values = {d: low for d, (low, high) in self.where.box.items() if low == high}
+        self.motion = {s: rate.xreplace(values) for s, rate in self.motion.items()}
+        self.rate = self._rate_of_V()
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
         self.place = "rest" if self.rest else ""
 
-    def _equations(self, names: type[Names]) -> Equations:
+    def _equations(self, names: type[Names], watch: Any = undefined_in) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
         chosen = {"unsigned": self.unsigned, "symbols": self.symbols}
         named = type("Chosen", (names,), chosen)
-        return on_symbols(self.system, named, watch=undefined_in, with_samples=True)
+        return on_symbols(self.system, named, watch=watch, with_samples=True)
 
     def _as_it_runs(
         self, e: sympy.Expr, written: sympy.Expr, values: dict[Any, Any]
@@ -240,7 +245,7 @@ class SystemCandidate(LyapunovCandidate):
             self.output,
             self.origin,
             self.seed,
-            self.where.kept,
+            self.where.kept | self.where.box,
         )
 
     def same_as_running(self) -> Step:
@@ -412,14 +417,15 @@ class SystemCandidate(LyapunovCandidate):
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
         bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
         loss = -whole_coefficients(normal_form(bound), (*self.states, *self.inputs))
+        inside = loss.xreplace(self.where.inside)
         shares = sympy.Tuple(*self.where.inside.values()).free_symbols
-        zero, inside = (
-            dict.fromkeys(shares, sympy.S.Zero),
-            loss.xreplace(self.where.inside),
-        )
-        at_ends = decided(inside.xreplace(zero))
-        if self.where.kept and self.never_positive(at_ends - inside):
-            loss = at_ends
+        shares &= inside.free_symbols
+        corners = product((sympy.S.Zero, sympy.S.One), repeat=len(shares))
+        for ends in islice(corners, MOST_CORNERS):
+            least = decided(inside.xreplace(dict(zip(shares, ends, strict=True))))
+            if self.never_positive(least - inside):
+                loss = least
+                break
         losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
         if not losses and not self.where.kept:
             losses = lost_in_groups(loss, self.origin, self.fixed, bounded)

@@ -20,7 +20,7 @@ of f then bounds V:
 Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import chain, count
 from typing import Any, NamedTuple
 
@@ -39,6 +39,11 @@ from .answers import Definite, Fall
 from .conclusions import Condition
 from .leaks import Leak, leaks_of, radial_of, stays_within
 from .steps import exact
+
+# of V that V' may lose
+SHARES = [
+    sympy.S(2) ** k * part for k in range(-6, 7) for part in (1, sympy.Rational(3, 2))
+]
 
 
 class Pull(NamedTuple):
@@ -108,18 +113,22 @@ def _pull_of_polynomial(term: sympy.Expr, s: sympy.Symbol) -> Pull | None:
     return None if top is None else Pull(a, top)
 
 
-def _maximum(p: sympy.Poly) -> sympy.Expr | None:
-    """Return the maximum of a polynomial of one symbol with rational numbers, rounded up."""
+def _maximum(p: sympy.Poly, half: bool = False) -> sympy.Expr | None:
+    """Return the maximum of a polynomial of a number, or one >= 0 (`half`), rounded up."""
     is_known = p.domain.is_ZZ or p.domain.is_QQ
-    if not is_known or p.degree() % 2 or p.LC() >= 0:
+    if not is_known or p.LC() >= 0 or (p.degree() % 2 and not half):
         return None
     numbers = np.poly1d([float(c) for c in p.all_coeffs()])
-    most = max(map(numbers, numbers.deriv().roots.real))
+    most = max(
+        map(numbers, [0.0, *numbers.deriv().roots.real.clip(0 if half else -np.inf)])
+    )
     for text in (f"{most:.4g}", at_most(1.001 * most)):
         c = rational(float(text))
         # c - p changes its sign at roots of odd multiplicity, which Sturm's theorem counts
         _, factors = (c - p).sqf_list()
-        if not any(n % 2 and factor.count_roots() for factor, n in factors):
+        odd = [factor for factor, n in factors if n % 2]
+        ends = sum(f.eval(0) == 0 for f in odd) if half else 0
+        if sum(f.count_roots(0 if half else None) for f in odd) == ends:
             return c
     return None
 
@@ -128,38 +137,37 @@ def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
 
-def pulled_at_once(
-    V: sympy.Expr, rate: sympy.Expr, rest: Mapping[Any, sympy.Expr]
-) -> Pull | None:
-    """Bound V' = -z^T A z + b^T z + c by V = z^T P z and a constant; numbers alone.
-
-    -z^T (A - r P) z + b^T z <= b^T (A - r P)^-1 b/4, with r half of the largest that A allows.
-    """
-    P, A = sympy.hessian(V, [*rest]), -sympy.hessian(rate, [*rest])
-    if any(not entry.is_Rational for entry in (*P, *A)):
-        return None
-    if not (P.is_positive_definite and A.is_positive_definite):
-        return None
-    shares = np.linalg.eigvals(np.array(P.inv() * A, dtype=float)).real
-    slowest = rational(float(f"{0.5 * shares.min():.2g}"))
-    top = maximum_of(sympy.expand(rate + slowest * V))
-    return None if top is None else Pull(slowest, top)
-
-
 def shared(V: sympy.Expr, rates: Sequence[sympy.Expr], pulls: Sequence[Pull]) -> Pull:
     """Return the pull of the lowest level that all rates have."""
     slowest, pushes = zip(*pulls, strict=True)
-    found = [Pull(sympy.Min(*slowest), sympy.Max(*pushes))]
-    for k in {*slowest} - {sympy.S.Zero}:
+    found = lowest(V, rates, {*slowest} - {sympy.S.Zero})
+    return found or Pull(sympy.Min(*slowest), sympy.Max(*pushes))
+
+
+def lowest(
+    V: sympy.Expr, rates: Sequence[sympy.Expr], shares: Iterable[sympy.Expr]
+) -> Pull | None:
+    """Return the pull of the lowest level by the maxima of all rates and a share of V."""
+    found = []
+    for k in shares:
         tops = [maximum_of(sympy.expand(e + k * V)) for e in rates]
         if None not in tops:
             found.append(Pull(k, sympy.Max(*tops)))
-    return min(found[1:] or found, key=lambda pull: pull.push / pull.rate)
+    return min(found, key=lambda pull: pull.push / pull.rate, default=None)
 
 
 def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
-    """Return the maximum of concave squares, or of a polynomial in one symbol, rounded up."""
+    """Return the maximum of concave squares, or of a polynomial in s or |s|, rounded up."""
     states = sorted(e.free_symbols, key=str)
+    if not states:
+        return e if e.is_Rational else None
+    if e.has(sympy.Abs) and not states[1:]:
+        size = sympy.Dummy(positive=True)
+        sides = [sympy.expand(e.xreplace({states[0]: s})) for s in (size, -size)]
+        if not all(side.is_polynomial(size) for side in sides):
+            return None
+        tops = [_maximum(sympy.Poly(side, size), True) for side in sides]
+        return None if None in tops else sympy.Max(*tops)
     H = -sympy.hessian(e, states)
     if states[1:] or H[0].is_Rational:
         if not (all(n.is_Rational for n in H) and H.is_positive_definite):
@@ -253,10 +261,13 @@ class Bounding:
     def bound(self) -> Fall | None:
         """Return what is known of V, or None."""
         pull = self.pull()
-        if pull is not None and (fall := self.pulled_to(pull)):
+        discrete = self.case.eq.discrete
+        # V of the next time is at most (1 - rate) V + push
+        is_slow = pull and (not discrete or (1 - pull.rate).is_nonnegative)
+        if pull and is_slow and (fall := self.pulled_to(pull)):
             return fall
         # in discrete time a step may lead from below a level to above it
-        if self.case.eq.discrete:
+        if discrete:
             return None
         fall = self.by_error()
         if fall is None and self.leaks:
@@ -267,11 +278,10 @@ class Bounding:
         """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
         pulls = [*map(self.pulled, rates)]
-        if None in pulls and not self.pushes:
-            pulls = [pulled_at_once(self.V, e, self.truth) for e in rates]
+        if None in pulls or not rates:
+            is_tried = rates and not self.pushes
+            return lowest(self.V, rates, SHARES) if is_tried else None
         found = [pull for pull in pulls if pull is not None]
-        if not found or len(found) < len(rates):
-            return None
         return shared(self.V, rates, found) if found[1:] else found[0]
 
     def has_decay(self) -> bool:

@@ -9,6 +9,7 @@ e^(-c t) are between numbers, as inputs are.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from math import inf
 from types import MappingProxyType
 from typing import Any
 
@@ -20,6 +21,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from ..algebra.facts import CLIP
 from .conclusions import Condition
+from .signal_functions import undefined_in
 
 NOTHING = MappingProxyType[Any, Any]({})
 MOST_CORNERS = 64
@@ -47,8 +49,11 @@ class Where:
                     f"where: there is no {name}. States and inputs are {', '.join(names)}"
                 )
             s = names[name]
-            ends = [end if end is None else rational(float(end)) for end in numbers]
-            finite = [end for end in ends if end not in (None, oo, -oo)]
+            rationals = (
+                None if end is None else rational(float(end)) for end in numbers
+            )
+            ends = [None if end in (None, oo, -oo) else end for end in rationals]
+            finite = [end for end in ends if end is not None]
             is_input = s in inputs
             if is_input and V.has(s):
                 raise DiagramError(
@@ -56,21 +61,34 @@ class Where:
                 )
             is_set = len(ends) == 2 and finite == sorted(finite)
             # squares of bounds are numbers
-            sized = {end for end in finite if end == 0 or 1 / MOST <= abs(end) <= MOST}
-            if not is_set or (is_input and len(sized) < 2):
+            sized = [end for end in finite if end == 0 or 1 / MOST <= abs(end) <= MOST]
+            if not is_set or (is_input and not (finite == sized != [])):
                 raise DiagramError(
                     f"where: the bounds of {name} are {tuple(numbers)}. Give two numbers, the "
-                    "lower first; of an input they differ, and are 0 or between 1e-100 and 1e100"
+                    "lower first, or None for one; of an input 0 or between 1e-100 and 1e100"
                 )
             low, high = ends
             if is_input:
-                self.box[s] = low, high
-                continue
+                self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
+            else:
+                self.kept[s] = low, high
             share = sympy.Dummy(name, nonnegative=True)
             if low is not None and high is not None:
                 share = CLIP(share, 0, 1) * (high - low)
-            self.kept[s] = low, high
             self.inside[s] = high - share if low is None else low + share
+
+    @property
+    def bounded(self) -> list:
+        """Inputs that have two bounds."""
+        box = self.box.items()
+        return [d for d, (low, high) in box if low < high and high - low < oo]
+
+    def undefined(self, owner: str, kind: str, arguments: tuple) -> str | None:
+        """Return where an operation has no value within the sets and the bounds."""
+        inside = tuple(sympy.sympify(a).xreplace(self.inside) for a in arguments)
+        return undefined_in(owner, kind, inside) and undefined_in(
+            owner, kind, arguments
+        )
 
     @property
     def margins(self) -> list[tuple[Any, Expr]]:
@@ -90,31 +108,43 @@ class Where:
     @property
     def conditions(self) -> list[Condition]:
         """The sets and the bounds as conditions."""
-        box = self.box.items()
-        ends = (f"{float(a):.15g} <= {f.func} <= {float(b):.15g}" for f, (a, b) in box)
+        ends = [
+            _between(f"{f.func}", *map(float, ends)) for f, ends in self.box.items()
+        ]
         conditions = [Condition("start", self.sets)] * bool(self.kept)
-        return conditions + [Condition("input bounds", ", ".join(ends))] * bool(box)
+        return conditions + [Condition("input bounds", ", ".join(ends))] * bool(ends)
 
     def corners(self, rate: Expr, waves: bool = False) -> list[tuple]:
         """Return factors of the share of each corner of the box of inputs, and the rate there.
 
-        There are none of too many inputs, or unless the rate is affine in each.  Waves in the
-        rate may be taken as inputs.
+        There are none of too many inputs, or unless the rate is convex in each, or in its square:
+        it is at most the mean of the rates at the corners, and that mean if it is affine.  Waves in
+        the rate may be taken as inputs.
         """
-        corners: list[tuple] = [((), sympy.expand(rate))]
-        ends = self.box | (ranges_in(rate) if waves and self.box else {})
-        for d, (low, high) in ends.items():
-            if not rate.has(d):
-                continue
-            before, corners = corners, []
-            for shares, at in before:
-                slope = at.coeff(d)
-                others = sympy.expand(at - slope * d)
-                if sympy.Tuple(slope, others).has(d) or len(before) >= MOST_CORNERS:
-                    return []
-                for end, other in ((low, high), (high, low)):
-                    share = sympy.expand((d - other) / (end - other))
-                    corners.append(((*shares, share), others + slope * end))
+        expanded = sympy.expand(rate)
+        ends = ranges_in(rate) if waves and self.box else {}
+        for d, (low, high) in self.box.items():
+            squares = sorted((low**2, high**2))
+            if expanded.xreplace({d**2: S.One}).has(d):
+                ends[d] = low, high
+            else:
+                ends[d**2] = S.Zero if low <= 0 <= high else squares[0], squares[1]
+        names = {d: sympy.Dummy(real=True) for d in ends if expanded.has(d)}
+        corners: list[tuple] = [((), expanded.xreplace(names))]
+        for d, s in names.items():
+            low, high = ends[d]
+            bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
+            is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
+            if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
+                return []
+            corners = [
+                (
+                    (*shares, sympy.expand((d - other) / (end - other))),
+                    sympy.expand(at.xreplace({s: end})),
+                )
+                for shares, at in corners
+                for end, other in ((low, high), (high, low))
+            ]
         return corners
 
     def largest(
@@ -124,6 +154,13 @@ class Where:
         rates = [at for _, at in self.corners(rate)] if self.box else []
         largest = (e for e in rates if all(never_positive(o - e) for o in rates))
         return next(largest, None)
+
+
+def _between(name: str, low: float, high: float) -> str:
+    """Return "-1 <= d <= 1", or an end alone."""
+    if low == high or high == inf:
+        return f"{name} {'=' if low == high else '>='} {low:.15g}"
+    return f"{low:.15g} <= " * (low > -inf) + f"{name} <= {high:.15g}"
 
 
 def ranges_in(rate: Expr) -> dict[Any, tuple]:
