@@ -9,7 +9,8 @@ resolution of the positions, a position is
 
 Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
 With jitter of up to 15 m, and 5 % of a step, positions are held or reckoned where jumps stand
-alone, and with jitter of 3 m interpolated where lines follow no turn of the vehicle.
+alone, and with jitter of 3 m interpolated where lines follow no turn of the vehicle.  Those of a
+drifter are held between three such jumps or more that lead away.
 
 The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
 of metres, so that positions agree that well by chance only.  A rule asks for so many that noise of
@@ -61,11 +62,12 @@ def unmeasured(
     kinds = np.full(len(time), "", dtype=object)
     doubted = np.zeros(len(time), bool)
     q = _resolution(positions)
-    rules = (_repeated, _reckoned, _interpolated)[: 3 - is_live]
-    for rule in rules if len(time) else ():
+    for rule in (_repeated, _reckoned, _interpolated) if len(time) else ():
         rows = np.flatnonzero(kinds == "")
         sums = np.array([*map(np.sum, np.split(steps, rows[1:])[:-1])], complex)
         kind, members, candidates = rule(time[rows], positions[rows], sums, q)
+        if is_live and kind == "interpolated":
+            continue
         kinds[rows[members]] = kind
         doubted[rows] |= candidates
     return kinds, doubted & (kinds == "")
@@ -87,9 +89,7 @@ def counted(kinds: list[str]) -> str:
 
 def _resolution(positions: Array) -> float:
     """Return the resolution of positions (m): that of decimals of degrees or of minutes."""
-    for scale in (
-        10.0**digits * per_degree for digits in range(8) for per_degree in (1, 6)
-    ):
+    for scale in (10.0**digits * parts for digits in range(8) for parts in (1, 6)):
         scaled = positions * scale
         if np.all(np.abs(scaled - np.round(scaled)) < 6e-9 * scale):
             return PER_DEGREE / scale
@@ -147,26 +147,38 @@ def _reckoned(
 ) -> tuple[str, Array, Array]:
     """Return which positions are the one before plus the vehicle's own motion.
 
-    They are reckoned if that is no chance, or if jumps stand alone between them.
+    They are reckoned if that is no chance, or if jumps stand alone between them.  Those of a
+    drifter, which has no motion of its own, are held if the jumps lead away, three at least: a buoy
+    that swings comes back.
     """
-    size = np.abs(np.nan_to_num(steps))
-    error = _moved(positions) * np.conj(steps) / np.maximum(size, MOVED) - size
+    steps = np.nan_to_num(steps)
+    size = np.abs(steps)
+    is_under_way = size > MOVED
+    drifts = not np.any(is_under_way)
+    error = _moved(positions) * np.exp(-1j * np.angle(steps)) - size
     lengthwise, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
     agrees = (np.abs(error.real) <= lengthwise) & (np.abs(error.imag) <= across)
-    agrees &= size > MOVED
+    agrees &= is_under_way
     # area of a rectangle as that of a circle
     tolerance = np.sqrt(4 * lengthwise * across / np.pi)
     agrees &= _is_shown(agrees, tolerance, 2 * QUIETEST**2)
-    # with jitter, between jumps that stand alone at rows like the others
+    # with jitter, between jumps that stand alone at rows like the others and, of a drifter, lead on
     off = np.abs(error)
-    across += np.minimum(OF_STEP * size, LARGEST)
-    is_close = (off <= across) & (size > MOVED)
-    jumps = off > 10 * across + BENDS
+    across += LARGEST if drifts else np.minimum(OF_STEP * size, LARGEST)
+    is_close = (off <= across) & (is_under_way | drifts)
+    jumps = off > 6 * across + BENDS
     spans = np.diff(time)
     alone = is_close[:-2] & jumps[1:-1] & is_close[2:] & (spans[1:-1] < 4 * spans[:-2])
-    if 2 * np.sum(alone) > 1 + np.sum(jumps) and np.sum(is_close) > 0.4 * len(is_close):
+    if (
+        2 * np.sum(alone) > 1 + np.sum(jumps)
+        and np.mean(is_close) > 0.4
+        and (
+            not drifts or np.max(np.abs(np.cumsum(error))) > 2.5 * np.median(off[jumps])
+        )
+    ):
         agrees = is_close
-    return "reckoned", np.append(False, agrees), np.append(False, is_close)
+    kind = "held" if drifts else "reckoned"
+    return kind, np.append(False, agrees), np.append(False, is_close)
 
 
 def _interpolated(
@@ -186,8 +198,9 @@ def _interpolated(
     weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
     through_water = steps / spans
     turned = np.abs(np.diff(through_water))
-    drift = moved / spans - np.nan_to_num(through_water)
-    unexplained = np.abs(np.diff(drift)) * weights
+    unexplained = (
+        np.abs(np.diff(moved / spans - np.nan_to_num(through_water))) * weights
+    )
     # lines with jitter; of constant course, shortest ones and, closer, those in degrees
     for least, ground, curvature in (
         (JITTER, moved, curved),

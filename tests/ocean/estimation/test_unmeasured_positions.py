@@ -269,6 +269,52 @@ def test_a_moored_vehicle_without_noise_is_in_no_flow(tmp_path):
     np.testing.assert_array_equal(estimator.flow_parameters, 0.0)
 
 
+@pytest.mark.parametrize(
+    ("jitter", "digits", "each", "every"),
+    [(0.0, 4, 12, 600.0), (1.0, 6, 12, 50.0), (3.0, 5, 4, 3600.0)],
+)
+def test_positions_held_between_the_fixes_of_a_drifter(
+    tmp_path, jitter, digits, each, every
+):
+    """The jumps are the fixes: the flow is that of the line from the first to the last."""
+    random, rows, fix = np.random.default_rng(4), [], None
+    current = np.array([0.23, -0.11])
+    for k in range(12 * each + 1):
+        read = place_from(36.7, -122.1, *(current * every * k))
+        off = random.normal(0, 1, 2)
+        if k % each == 0:
+            fix = read = place_from(*read, *(3.0 * off))
+        else:
+            read = place_from(*fix, *(jitter * off))
+        rows.append((1.7e9 + every * k, *read, 0.0, 0.0))
+    rows = rounded(rows, digits)
+    legs, (why,) = recorded(tmp_path / "log.csv", rows)
+    assert why.endswith(f"{len(rows) - 13} held")
+    assert len(legs) == 12
+    assert np.abs(flow_of(legs)[:, 0] - current).max() < 0.01
+    estimator, notes = fed(rows)
+    (taken,) = (note for note in notes if "taken back" in note)
+    held = sum("is no fix" in note for note in notes)
+    assert int(taken.split()[0]) + held == len(rows) - 13
+    np.testing.assert_allclose(estimator.flow_parameters, flow_of(legs), rtol=1e-9)
+
+
+def test_a_buoy_that_swings_or_drags_keeps_its_fixes(tmp_path):
+    """It swings by 200 m with each tide, or drags its anchor twice."""
+    random = np.random.default_rng(9)
+    tilt = np.array([1.0, 0.3])
+    swings = [100.0 * (-1) ** (k // 37) for k in range(193)]
+    drags = [150.0 * ((k > 70) + (k > 131)) for k in range(193)]
+    for number, east in enumerate((swings, drags)):
+        places = [
+            place_from(47.1, -20.3, *(x * tilt + random.normal(0, 3, 2))) for x in east
+        ]
+        rows = [(1.7e9 + 600.0 * k, *at, 0.0, 0.0) for k, at in enumerate(places)]
+        legs, whys = recorded(tmp_path / f"{number}.csv", rounded(rows, 6))
+        assert (len(legs), whys) == (192, [])
+        assert fed(rounded(rows, 6))[0].legs == 192
+
+
 def test_true_fixes_without_noise_stay_live():
     """A simulation in a slow flow: own motion plus 6 m in each step."""
     place, rows = (36.7, -122.1), []
