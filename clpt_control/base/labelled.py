@@ -7,6 +7,7 @@
     dates, timedelta                   times of the samples, in the unit of the run's time
     decimal numbers of a table         times of the samples, if its index has no other name
     whole numbers of a table           times of the samples if they are those of the run
+    no labels, dimension time          times of the run, if there are as many samples
     other numbers                      the order of signals, counted from 0; of the paper's axis
                                        and basis from 1
     texts                              names of signals
@@ -245,9 +246,8 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         if clock and is_index and np.array_equal(labels, clock.at):
             dim = TIME[0]
         texts = kind and all(isinstance(label, str) for label in labels)
-        if dim in TIME or (
-            texts and "".join(labels)[:4].isdigit()
-        ):  # or dates as texts
+        are_dates = texts and "".join(labels)[:4].isdigit()
+        if dim in TIME or are_dates:
             ranks.append(2)
             if clock is None:
                 raise SimulationError(
@@ -292,9 +292,8 @@ def _order(dim: Any, labels: np.ndarray) -> np.ndarray | None:
     if labels.dtype.kind not in "iuf":
         return None
     order = np.argsort(labels)
-    first = int(dim in COUNTED_FROM_1)
-    counting = range(first, first + len(labels))
-    return order if np.array_equal(labels[order], counting) else None
+    counted = labels[order] - int(dim in COUNTED_FROM_1)
+    return order if np.array_equal(counted, range(len(labels))) else None
 
 
 def _signals_of(

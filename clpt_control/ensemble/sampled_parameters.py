@@ -104,8 +104,8 @@ def _of_item(key: str, values: Any) -> Vary:
                 np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
             )
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
-            text, units = f"{key}={json.dumps(levels)}", unit_of(values)
-            return Vary(key, "levels", tuple(levels), text, units)
+            text = f"{key}={json.dumps(levels)}"
+            return Vary(key, "levels", tuple(levels), text, unit_of(values))
     except (TypeError, ValueError, AttributeError):
         pass
     raise ScenarioError(f"vary: {key} = {brief(values)}: must be {IN_A_DICT}")

@@ -52,7 +52,7 @@ class System(Block):
             if axes_of(value) == []:
                 self._params[key] = value.item()
             elif _is_number(key, system.params.get(key)) and (
-                isinstance(value, str | list | tuple | None) or axes_of(value)
+                isinstance(value, str | None) or axes_of(value)
             ):
                 raise BlockError(
                     f"{self.name}.{key} = {brief(value)}: must be a number"
