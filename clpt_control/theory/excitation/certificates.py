@@ -1,4 +1,4 @@
-"""Decay of V over a window: its exact drop.
+"""Decay of V over a window: its exact drop, and the half-life of the errors.
 
 Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)),
 
@@ -6,21 +6,30 @@ Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)
     drop        1 - that = smallest eigenvalue of 2 k S^-1 (int Phi_e^T Phi_e) S^-1, from
                 V' = -k e^2, Eq. (25), with all its digits; Phi_e is the row of e
 
+A loop with another error system (`error_system`) has Phi in coordinates in which V is half the sum
+of squares.  In windows with one w the norm of the errors, the root of V, falls as |Phi^m|.
+
 `propagate` computes Phi, `ultimate_bound` the bound of Theorem 3.4, corrected.
 """
 
+from bisect import bisect_left
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
+from typing import Any
 
 import numpy as np
+from scipy.linalg import expm
 
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import Regressor, weighted_rows
+from .regressor import weighted_rows
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
+WINDOWS = 8  # of a half-life at most
+ROUNDING = 1e-14  # of |Phi|
+MAX_POWER = 1e6  # of Phi; by the drop of one window beyond
 
 
 @dataclass(frozen=True)
@@ -37,6 +46,8 @@ class Certificate:
     # axis -> number of directions in which errors fall to a tenth within the run
     learned: dict[str, int]
     time_to_tenth: float | None  # of the norm of all errors; None: never
+    half_life: float | None  # of this norm, if the window repeats; None: not excited
+    overshoot: float  # norm / (first norm / 2^(t/half_life)), at most
 
     def __repr__(self) -> str:
         span = f"t = {self.start:g} to {self.start + self.window:g}"
@@ -186,7 +197,62 @@ def refuse_unproved(scenario: Scenario) -> None:
             )
 
 
-def certificate(regressor: Regressor) -> Certificate:
+def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of each axis of one of the paper's two laws, and Phi, (1, axes, n, n)."""
+    scenario = excitation.scenario
+    if scenario is None:
+        raise DataError(
+            "no certificate: it is for the run of one scenario, or of=verdict. A team and signals "
+            "have Gramians only"
+        )
+    law, adapted = scenario.learning.law, excitation.gains > 0
+    if excitation.python_parts or law not in ("learned-flow", "known-flow"):
+        raise ScenarioError(
+            "no certificate: it is for the paper's two laws. The run has "
+            f"{excitation.python_parts or f'the law {law}'}"
+        )
+    refuse_unproved(scenario)
+    if not adapted.any():
+        raise ScenarioError("no certificate: the law adapts no parameter")
+    feedback, gains = np.array(scenario.vehicle.feedback), excitation.gains
+    drop, Phi = worst_drop(excitation.w, feedback, gains, excitation.weights)
+    return drop, Phi[None]
+
+
+def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of an error system along a recorded run, and Phi, (3, 1, n, n).
+
+    W is its mean between samples: of all, of all but every second one, and of the others.  A jump
+    between samples moves to and fro by half a step, as far as it may be off.
+    """
+    if excitation.accuracy is None:
+        raise DataError(
+            "no certificate: the samples are too far apart. Give a run with more times"
+        )
+    form, cuts = excitation.form, excitation.cuts
+    m, n = form.W.shape
+    ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
+    W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
+
+    def chain(first: int, step: int) -> list[np.ndarray]:
+        at = np.unique([0, *range(first, len(W), step), len(W) - 1])
+        mean = (W[at[1:]] + W[at[:-1]]) / 2
+        rates = np.zeros((len(mean), m + n, m + n))
+        rates[:, :m, :m] = form.A
+        rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
+        steps = expm(np.diff(cuts[at])[:, None, None] * rates)
+        return [reduce(lambda before, step: step @ before, steps)]
+
+    Phi = np.array([chain(0, 1), chain(0, 2), chain(1, 2)])
+    return 1 - np.minimum(1, worsened(np.linalg.norm(Phi, 2, axis=(2, 3)))) ** 2, Phi
+
+
+def worsened(values: np.ndarray) -> np.ndarray:
+    """Return the first of values, increased by the largest change to another."""
+    return values[0] + np.abs(values - values[0]).max(axis=0)
+
+
+def certificate(excitation: Any) -> Certificate:
     """Certify the decay of V over the window of a joint regressor.
 
     All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.  Gains that
@@ -197,47 +263,62 @@ def certificate(regressor: Regressor) -> Certificate:
     >>> 0 < found.drop < 1
     True
     """
-    scenario = regressor.scenario
-    if scenario is None:
-        raise DataError(
-            "no certificate: it is for the run of one scenario. A team and signals have Gramians "
-            "only"
-        )
-    law, adapted = scenario.learning.law, regressor.gains > 0
-    paper_law = law in ("learned-flow", "known-flow")
-    gains = np.unique(regressor.gains[adapted])
-    one_gain = len(gains) <= 1
-    if regressor.python_parts or not paper_law or not one_gain:
-        raise ScenarioError(
-            "no certificate: it is for the paper's two laws with one gain for all. The run has "
-            f"{regressor.python_parts or f'the law {law}'}"
-            + ("" if one_gain else " with a gain each")
-        )
-    refuse_unproved(scenario)
-    if not adapted.any():
-        raise ScenarioError("no certificate: the law adapts no parameter")
-    flow, span, length = scenario.flow, regressor.window, regressor.run_length
-    w, feedback = regressor.w[..., adapted], np.array(scenario.vehicle.feedback)
+    form, flow = excitation.form, excitation.scenario and excitation.scenario.flow
+    span, length = excitation.window, excitation.run_length
+    drop, Phi = (_of_errors if form else _of_paper)(excitation)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, length / span * (1 + 1e-12)))
-    given = regressor.gains[adapted], regressor.weights
-    drop, transition = worst_drop(w, feedback, *given)
-    power = np.linalg.matrix_power(transition, windows)[..., 1:]
-    learned = np.sum(np.linalg.svd(power, compute_uv=False) <= 0.1, axis=-1)
+    power = np.linalg.matrix_power(Phi, windows)[..., len(form.A) if form else 1 :]
+    remaining = worsened(np.linalg.svd(power, compute_uv=False))
+    learned = np.sum(remaining <= 0.1, axis=-1)
     drops, counts = (
-        dict(zip(regressor.names, values.tolist(), strict=True))
+        dict(zip(excitation.names, values.tolist(), strict=True))
         for values in (drop, learned)
     )
-    time = time_to_tenth(span, min(*drops.values(), 1.0))
+    half_life, overshoot, time = np.inf, 1.0, np.inf
+    if not any(excitation.idle.values()):
+        half_life, overshoot, time = falls_of(Phi, drop, span)
     return Certificate(
-        regressor.start,
+        excitation.start,
         span,
-        regressor.trajectory,
+        excitation.trajectory,
         drops,
-        flow.disturbance is not None or flow.parameters is None,
+        bool(flow) and (flow.disturbance is not None or flow.parameters is None),
         counts,
-        finite_or_none(min(time, length) if np.all(learned == w.shape[-1]) else time),
+        finite_or_none(
+            min(time, length) if np.all(learned == power.shape[-1]) else time
+        ),
+        finite_or_none(half_life),
+        overshoot,
     )
+
+
+def falls_of(
+    Phi: np.ndarray, drop: np.ndarray, window: float
+) -> tuple[float, float, float]:
+    """Return H, c, and the time to a tenth, of errors that are at most c 2^(-t/H) of the first.
+
+    |Phi^m| is computed for `WINDOWS` windows, of which the best is used, and for the least m at
+    which it is a tenth.
+    """
+
+    def norm(m: int) -> float:
+        norms = np.linalg.norm(np.linalg.matrix_power(Phi, m), 2, axis=(2, 3))
+        by_drop = np.maximum(1 - drop, ROUNDING) ** (m / 2)
+        return float(np.minimum(worsened(norms) + m * ROUNDING, by_drop).max())
+
+    norms = np.array([norm(m) for m in range(WINDOWS + 1)])
+    times = window * np.arange(1, WINDOWS + 1)
+    rates = -np.log2(norms[1:]) / times
+    best = int(np.argmax(rates))
+    # within a window errors are at most those at its start
+    overshoot = np.max((2 ** (rates[best] * times) * norms[:-1])[: best + 1])
+    with np.errstate(divide="ignore"):
+        half_life, most = 1 / rates[best], 2 * np.log(0.1) / np.log1p(-drop.min())
+    if most <= MAX_POWER:
+        powers = range(1, int(np.ceil(most * (1 - 1e-12))) + 1)
+        most = 1 + bisect_left(powers, -0.1, key=lambda m: -norm(m))
+    return half_life, overshoot, window * most
 
 
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
@@ -254,10 +335,3 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
     # v = sqrt(2 V) rises by T Dmax within a window and is multiplied by sqrt(1 - rho);
     # 1 - sqrt(1 - rho) = rho/(1 + sqrt(1 - rho)) keeps the digits of a small rho
     return float(window * largest_disturbance * (1 + (1 + np.sqrt(1 - drop)) / drop))
-
-
-def time_to_tenth(window: float, drop: float) -> float:
-    """Return the whole windows of this drop in which |eta| falls to a tenth, as a time or inf."""
-    with np.errstate(divide="ignore"):
-        windows = 2 * np.log(0.1) / np.log1p(-np.float64(drop))
-    return float(window * max(1.0, np.ceil(windows * (1 - 1e-12))))

@@ -32,7 +32,15 @@ MEASURED = (
     "not_learnable",
     "run_length",
 )
-CERTIFIED = ("contraction", "drop", "disturbed", "time_to_tenth", "learned")
+CERTIFIED = (
+    "contraction",
+    "drop",
+    "disturbed",
+    "time_to_tenth",
+    "learned",
+    "half_life",
+    "overshoot",
+)
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 OFF = 0.1  # share of the largest flow parameter
 LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
@@ -50,8 +58,9 @@ def report_of(excitation: Any) -> dict[str, Any]:
     (1 - contraction, with all its digits), ``time_to_tenth`` (time in which the norm of all
     errors falls to a tenth in windows like this one, or None for never) and ``learned`` (by axis,
     number of directions in which errors do so within ``run_length``) exclude the effect of a
-    disturbance if ``disturbed``.  All are None if the window cannot be certified;
-    ``not_certified`` is the reason.
+    disturbance if ``disturbed``.  The norm of all errors is at most ``overshoot``
+    2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
+    excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -109,10 +118,23 @@ def learned_text(excitation: Any) -> str:
     counts = excitation.counted(found.learned)
     time = found.time_to_tenth
     is_never = time is None or bool(excitation.not_learnable)
-    when = "infinite" if is_never else f"at most {at_most(time, 6)} {unit}"
+    when = "infinite" if is_never else f"at most {at_most(time, 6)} {unit}".rstrip()
+    length = f"{excitation.run_length:g} {unit}".rstrip()
     return (
-        f"can be learned within the run, {excitation.run_length:g} {unit}: {counts}; time "
+        f"can be learned within the run, {length}: {counts}; time "
         f"in which the norm of all errors of adapted parameters falls to a tenth: {when}"
+    )
+
+
+def halving_text(excitation: Any) -> str:
+    """Return the half-life of the errors, if they are excited."""
+    found = excitation.certified[0]
+    if found.half_life is None:
+        return "not excited, or not enough: errors have no half-life"
+    half_life = f"{at_most(found.half_life)} {excitation.time_unit}".rstrip()
+    return (
+        f"errors of parameters halve at least every {half_life}, but for a factor "
+        f"{at_most(found.overshoot)}, along this run repeated"
     )
 
 
@@ -134,6 +156,7 @@ def _how_fast(excitation: Any) -> Iterator[str]:
     else:
         yield f"contraction of V at worst {at_most(certificate.contraction, 6)}"
         yield f"{learned_text(excitation)}, in windows like this one"
+        yield halving_text(excitation)
         if certificate.disturbed:
             yield "V and errors fall so but for what the disturbance adds to them"
     if hasattr(excitation.source, "data_vars"):

@@ -28,8 +28,10 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response
 from ...simulation.integrate import simulate
 from .certificates import Certificate, certificate
+from .error_system import error_system_of
 from .excitation_report import (
     draw_excitation,
+    halving_text,
     in_one_sentence_of,
     learned_text,
     least_excited_of,
@@ -60,7 +62,7 @@ class Excitation(Regressor):
     source: Any = None  # scenario or run that was measured
 
     def __repr__(self) -> str:
-        learned = self.certified[0] and f"; {learned_text(self)}"
+        learned = self.certified[0] and f"; {learned_text(self)}; {halving_text(self)}"
         return f"<Excitation {self.span}: excited {self.counted()}{learned or ''}>"
 
     def _repr_html_(self) -> str:
@@ -86,7 +88,7 @@ class Excitation(Regressor):
         return ", ".join(f"{n} of {len(self.names[a])} along {a}" for a, n in by_axis)
 
     def certificate(self) -> Certificate:
-        """Return the decay of V over this window, by one of the paper's laws."""
+        """Return the decay of V over this window, by one of the paper's laws or `of` a verdict."""
         return certificate(self)
 
     @cached_property
@@ -105,10 +107,10 @@ class Excitation(Regressor):
     @cached_property
     def accuracy(self) -> float | None:
         """Relative change of the eigenvalues of a recorded run without every second sample."""
-        last, signals = self.source.sizes["time"] - 1, self.names.get("w")
+        last = self.source.sizes["time"] - 1
         thin = self.source.isel(time=np.unique([*range(0, last, 2), last]))
         thin.encoding.update(self.source.encoding)
-        coarse = gramian(thin, self.window, self.start, signals=signals).eigenvalues
+        coarse = self._in(thin, self.window, self.start).eigenvalues
         changes = [
             np.abs(coarse[axis] - values)
             / np.maximum(values, NOT_LEARNABLE * values[-1])
@@ -116,6 +118,14 @@ class Excitation(Regressor):
         ]
         change = float(np.max(changes))
         return change if thin.sizes["time"] <= last and change <= MAX_CHANGE else None
+
+    def _in(
+        self, source: Any, window: float, start: float, edges: Any = ()
+    ) -> "Excitation":
+        """Return the same of another run or window, cut at edges."""
+        given = {"signals": self.names.get("w"), "form": self.form}
+        regressor = joint_regressors(source, window, start, edges, **given)[""]
+        return Excitation(**vars(regressor), source=source)
 
     def plot(self, *, ax: Any = None) -> np.ndarray:
         """Draw the eigenvalues along time and the least excited direction, (2, axes) Axes."""
@@ -131,8 +141,7 @@ class Excitation(Regressor):
         begin, end = span_of(self.source)
         starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
         edges = np.concatenate([starts, starts + self.window])
-        span, signals = (end - begin, begin, edges), self.names.get("w")
-        regressor = joint_regressors(self.source, *span, signals=signals)[""]
+        regressor = self._in(self.source, end - begin, begin, edges)
         factors = [
             factors_of(regressor.w[:, nodes], regressor.weights[nodes])
             for nodes in regressor.parts(starts, self.window)
@@ -235,6 +244,7 @@ def gramian(
     start: float | None = None,
     *,
     signals: Sequence[str] | None = None,
+    of: Any = None,
     **options: Any,
 ) -> Excitation:
     """Compute the Gramian of a regressor, or of any signals of a run.
@@ -250,7 +260,11 @@ def gramian(
         Start of the window; by default the second cycle, or as late as fits.
     signals : sequence of str, optional
         Components of w: signals of the run, such as ``["r", "y"]``, or ports, such as ``"phi_x"``.
-        By default w = [phi(x), z_i, zc_i] of Eq. (31). Required for a diagram.
+        By default w = [phi(x), z_i, zc_i] of Eq. (31). Required for a diagram without `of`, where
+        they are the states that are parameters, by default read from V'.
+    of : Verdict, optional
+        A verdict of `lyapunov` on the diagram, whose errors have the form e' = A e + W th,
+        th' = -G W^T P e. The Gramian is that of W along the run, and `certificate()` works for it.
     **options
         Arguments of `simulate`: `timepts`, `inputs`, `initial_state`, `params`.
 
@@ -291,16 +305,18 @@ def gramian(
     """
     run: Any = source
     recorded = hasattr(run, "data_vars")
-    if signals is None and (
+    form = None if of is None else error_system_of(of, signals or ())
+    named = signals is not None or form is not None
+    if not named and (
         is_response(run) if recorded else isinstance(run, control.InputOutputSystem)
     ):
         raise ArgumentError(
             "gramian: signals: is required for a diagram. Name signals of the diagram, such as "
-            "signals=['y']"
+            "signals=['y'], or give of=verdict"
         )
-    if options or not (recorded or signals is None):
+    if options or (named and not recorded):
         run = simulate(run, **options)
-    regressors = joint_regressors(run, window, start, signals=signals)
+    regressors = joint_regressors(run, window, start, signals=signals, form=form)
     if "" not in regressors:
         return _team_excitation(regressors, run)
     return Excitation(**vars(regressors[""]), source=run)

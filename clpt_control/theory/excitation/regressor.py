@@ -9,8 +9,8 @@ between the switches of the waypoint; zc and the tides are those of the scenario
 scenario, started true, samples each 1 s give the eigenvalues of the Gramian within 0.2 %, samples
 each 0.2 s within 1e-6.
 
-`signal_regressor` is for any signals of any run.  They are joined by straight lines between the
-samples, and the trapezoidal rule integrates their products.
+`signal_regressor` is for any signals of any run, and for W of an error system.  They are joined by
+straight lines between the samples, and the trapezoidal rule integrates their products.
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,6 +19,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
+from scipy.interpolate import interp1d
 
 from ...base.errors import ArgumentError, DataError, ScenarioError
 from ...base.run_attributes import CHANGED, OWN_LAW, OWN_PARTS
@@ -27,7 +28,7 @@ from ...engine.model.declaration import multiples
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import check_run, unknown_parts
 from ...paper.scenario.team import Team, system_of_run
-from ...simulation.comparison import ports_along, signals_of
+from ...simulation.comparison import STATES, ports_along, signals_of
 from ...simulation.integrate import simulate
 
 if TYPE_CHECKING:
@@ -121,6 +122,7 @@ class Regressor:
     scenario: Any = None  # law of the joint regressor, Eq. (31)
     gains: Any = None  # adaptation gains of its n parameters; 0 if fixed
     python_parts: str = ""  # parts of a recorded run that its scenario does not contain
+    form: Any = None  # error system of a verdict, whose W has its m rows at each node
 
     @property
     def start(self) -> float:
@@ -227,14 +229,16 @@ def joint_regressors(
     edges: Any = (),
     predicted: str = PREDICTED,
     signals: Sequence[str] | None = None,
+    form: Any = None,
 ) -> dict[str, Regressor]:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or w of `signals`.
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or w of `signals`, or W
+    of an error system, `form`.
 
     Pieces end at `edges` too; z is the variable `predicted` of a run.  A piece with large last
     Legendre coefficients is cut in four, because the learner oscillates within a dwell.
     """
-    if signals is not None:
-        return {"": signal_regressor(source, signals, window, start, edges)}
+    if form is not None or signals is not None:
+        return {"": signal_regressor(source, signals, form, window, start, edges)}
     system = system_of(source)
     members, simulated = members_of(system), isinstance(source, Scenario | Team)
     window, start = checked_window(source, window, start)
@@ -338,38 +342,43 @@ def _regressor(
 
 def signal_regressor(
     run: Any,
-    signals: Sequence[str],
-    window: float | None = None,
-    start: float | None = None,
-    edges: Any = (),
+    signals: Any,
+    form: Any,
+    window: float | None,
+    start: float | None,
+    edges: Any,
 ) -> Regressor:
-    """Return signals of a run over a window, cut at its samples and at `edges`."""
+    """Return signals of a run, or W, over a window, cut at its samples and at `edges`."""
     unit, times = run.time.attrs.get("units", ""), run.time.values
     window, start = checked_window(run, window, start, np.inf, unit)
     end, ports = start + window, ports_along(run)
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
-    at_cuts = run[ports].interp(time=cuts)
     columns = {
         label: column
-        for name in signals
+        for name in (ports if form else signals)
         for port in ports
-        for label, column in signals_of(at_cuts[port]).items()
+        for label, column in signals_of(run[port]).items()
         if name in (port, label)
     }
-    unknown = set(signals) - {*ports, *columns}
-    if unknown or not columns:
+    unknown = set() if form else set(signals) - {*ports, *columns}
+    if not (form or columns) or unknown:
         raise ArgumentError(
             f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
             "run.clpt.table() has the names of single signals"
         )
-    values = np.transpose([*columns.values()])
+    if form is None:
+        names, along_run = [*columns], np.transpose([*columns.values()])[:, None]
+    else:
+        states = run.get(STATES, run.time.expand_dims(of=0)).values
+        names, along_run = form.names, form.along(times, states, columns)
+    values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():
         raise DataError("gramian: signals: must be finite in the window")
-    ends = np.stack([values[:-1], values[1:]], axis=1)
-    weights = np.tile(np.diff(cuts)[:, None] / 2, 2)
+    ends = np.concatenate([values[:-1], values[1:]], axis=1)
+    weights = np.tile(np.diff(cuts)[:, None] / 2, ends.shape[1])
     trajectory = f"signals of a run, {len(times)} samples"
     of_run = trajectory, cuts, weights, ends[None], float(np.ptp(times))
-    return Regressor({"w": [*columns]}, unit, *of_run)
+    return Regressor({"w": names}, unit, *of_run, form=form)
 
 
 def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:

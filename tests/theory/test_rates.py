@@ -1,0 +1,270 @@
+"""Rates at which parameters converge, against rates by SciPy and closed forms."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+import clpt_control as clpt
+
+sin, cos = np.sin, np.cos
+
+
+def square(t):
+    return np.where(np.mod(t, 4) < 2, 1.0, -1.0)
+
+
+def pulse(t):
+    return np.where(np.mod(t, 4) < 1, 1.0, 0.0)
+
+
+# name -> a, gains, w of time, its period
+LOOPS = {
+    "constant": (2.0, [1.0], [lambda t: 1.0 + 0 * t], 1.0),
+    "constant, slow": (1.0, [0.01], [lambda t: 1.0 + 0 * t], 3.0),
+    "constant, oscillating": (1.0, [25.0], [lambda t: 1.0 + 0 * t], 1.0),
+    "a circle": (1.0, [1.0, 1.0], [sin, cos], 2 * np.pi),
+    "a circle, high gain": (1.0, [10.0, 10.0], [sin, cos], 2 * np.pi),
+    "a step and a sine": (1.0, [0.1, 0.1], [lambda t: 1.0 + 0 * t, sin], 2 * np.pi),
+    "a sine": (4.0, [2.0], [sin], 2 * np.pi),
+    "a pulse": (1.0, [1.0], [pulse], 4.0),
+    "a square wave and one": (1.0, [0.5, 0.5], [square, lambda t: 1.0 + 0 * t], 4.0),
+    "fast": (50.0, [400.0], [lambda t: sin(40 * t)], np.pi / 20),
+    "slow": (0.01, [1e-5, 2e-5], [lambda t: sin(t / 50), lambda t: cos(t / 50)], 100 * np.pi),
+    "weak": (1.0, [1.0, 1.0], [lambda t: 1.0 + 0 * t, lambda t: 1 + 0.1 * sin(t)], 2 * np.pi),
+    "other gains": (1.0, [0.5, 3.0], [sin, lambda t: cos(2 * t)], 2 * np.pi),
+    "three": (2.0, [1.0] * 3, [lambda t: 1.0 + 0 * t, sin, cos], 2 * np.pi),
+    "four": (2.0, [1.0] * 4, [sin, cos, lambda t: sin(2 * t), lambda t: cos(2 * t)], 2 * np.pi),
+    "five": (
+        2.0, [1.0] * 5,
+        [lambda t: 1.0 + 0 * t, sin, cos, lambda t: sin(2 * t), lambda t: cos(2 * t)], 2 * np.pi,
+    ),
+    "six": (
+        3.0, [2.0] * 6,
+        [sin, cos, lambda t: sin(2 * t), lambda t: cos(2 * t), lambda t: sin(3 * t),
+         lambda t: cos(3 * t)], 2 * np.pi,
+    ),
+    "two frequencies": (1.0, [1.0, 1.0], [lambda t: sin(t) + sin(2 * t), cos], 2 * np.pi),
+    "large w": (1.0, [1.0, 1.0], [lambda t: 5 * sin(t), lambda t: 5 * cos(t)], 2 * np.pi),
+    "small w": (1.0, [1.0, 1.0], [lambda t: 0.1 * sin(t), lambda t: 0.1 * cos(t)], 2 * np.pi),
+}  # fmt: skip
+
+
+def loop_of(a, gains, change=""):
+    """The error system as a block with inputs w, and its verdict."""
+    n = len(gains)
+
+    def rates(t, x, u, p):
+        leak = 0.1 * x.th[0] if change == "leak" else 0.0 * x.th[0]
+        e = -p.a * x.e - (x.e**3 if change == "cubic" else 0.0) + u.w @ x.th
+        return {"e": e, "th": -p.gains * u.w * x.e - leak}
+
+    block = clpt.Block(
+        "loop",
+        update=rates,
+        inputs={"w": n},
+        states={"e": 1, "th": n},
+        parameters={"a": a, "gains": np.array(gains)},
+    )
+    return block, clpt.lyapunov(
+        block, lambda s: s.e**2 / 2 + sum(s.th**2 / s.gains) / 2
+    )
+
+
+def measured(a, gains, w, period, samples=2001):
+    block, verdict = loop_of(a, gains)
+    t = np.linspace(0, period, samples)
+    inputs = np.array([f(t) for f in w])
+    return clpt.gramian(block, of=verdict, timepts=t, inputs=inputs, initial_state=0.1)
+
+
+def transition(a, gains, w, period, times=None):
+    """Phi in coordinates in which V is the sum of squares, by SciPy."""
+    n, roots = len(gains), np.sqrt(gains)
+
+    def rate(t, y):
+        Y, at = y.reshape(n + 1, n + 1), roots * [float(f(t)) for f in w]
+        return np.vstack([-a * Y[0] + at @ Y[1:], -np.outer(at, Y[0])]).ravel()
+
+    options = {"rtol": 1e-9, "atol": 1e-12, "max_step": period / 100, "t_eval": times}
+    found = solve_ivp(rate, (0, period), np.eye(n + 1).ravel(), **options)
+    return found.y.T.reshape(-1, n + 1, n + 1)[slice(None) if times is not None else -1]
+
+
+def true_rate(*loop):
+    largest = np.abs(np.linalg.eigvals(transition(*loop))).max()
+    return -2 * np.log(largest) / loop[-1]
+
+
+def test_certified_rates_are_below_the_true_ones():
+    shares = []
+    for name, loop in LOOPS.items():
+        half_life = measured(*loop).certificate().half_life
+        shares.append(2 * np.log(2) / half_life / true_rate(*loop))
+        assert 0.6 < shares[-1] <= 1 + 1e-6, name
+    assert np.median(shares) > 0.9
+
+
+def test_contraction_of_a_constant_regressor_in_closed_form():
+    a, g, w = 1.0, 0.1, 0.5
+    coupling = w * np.sqrt(g)
+    Phi = expm(5.0 * np.array([[-a, coupling], [-coupling, 0.0]]))
+    found = measured(a, [g], [lambda t: w + 0 * t], 5.0).certificate()
+    norm = np.linalg.norm(Phi, 2) ** 2
+    assert found.contraction == pytest.approx(norm, rel=1e-9)
+    norms = [np.linalg.norm(np.linalg.matrix_power(Phi, m), 2) for m in range(200)]
+    tenth = next(m for m in range(200) if norms[m] <= 0.1)
+    assert found.time_to_tenth == 5.0 * tenth
+    assert found.half_life == pytest.approx(-40 / np.log2(norms[8]), rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["a circle", "a pulse", "other gains", "three"])
+def test_V_is_below_its_tube_in_many_starts(name):
+    a, gains, w, period = LOOPS[name]
+    found, times = measured(*LOOPS[name]), np.linspace(0, period, 41)
+    once = transition(a, gains, w, period, times)
+    Phi = np.concatenate(
+        [once[:-1] @ np.linalg.matrix_power(once[-1], k) for k in range(8)]
+    )
+    at = np.concatenate([times[:-1] + k * period for k in range(8)])
+    starts = np.random.default_rng(1).normal(size=(len(gains) + 1, 50))
+    V = np.sum((Phi @ starts) ** 2, axis=1) / np.sum(starts**2, axis=0)
+    certificate = found.certificate()
+    tube = certificate.overshoot**2 * 4 ** (-at / certificate.half_life)
+    assert np.all(tube[:, None] * (1 + 1e-4) >= V)
+
+
+def test_what_is_not_excited_has_no_rate():
+    found = measured(1.0, [1.0, 1.0], [sin, lambda t: 2 * sin(t)], 2 * np.pi)
+    assert found.certificate().half_life is None
+    said = "not excited, or not enough: errors have no half-life"
+    assert said in found.result.sentences
+    assert found.report["half_life"] is None
+    assert repr(found).endswith("errors have no half-life>")
+
+
+@pytest.mark.parametrize(
+    ("change", "line"), [("leak", r"th\[0\]'"), ("cubic", r"\(e\)'")]
+)
+def test_another_form_is_refused_with_its_line(change, line):
+    block, verdict = loop_of(1.0, [1.0, 1.0], change)
+    run = clpt.simulate(block, [0, 1, 2], [[1, 1, 1], [0, 1, 2]])
+    with pytest.raises(clpt.DiagramError, match=f"of: {line}.* = .*is not"):
+        clpt.gramian(run, of=verdict, signals=["th[0]", "th[1]"])
+
+
+def test_an_e_of_two_numbers_and_a_matrix_of_gains():
+    A = np.array([[0.0, 1.0], [-2.0, -3.0]])
+    B, G = np.array([0.0, 1.0]), np.array([[2.0, 0.5], [0.5, 1.0]])
+    P = np.array([[1.25, 0.25], [0.25, 0.25]])  # P A + A^T P = -I
+    assert pytest.approx(-np.eye(2), abs=1e-12) == P @ A + A.T @ P
+
+    def rates(t, x, u, p):
+        c = 0.25 * x.e[0] + 0.25 * x.e[1]
+        push = u.w[0] * x.th[0] + u.w[1] * x.th[1]
+        e = [x.e[1], -2 * x.e[0] - 3 * x.e[1] + push]
+        th = [-(2 * u.w[0] + 0.5 * u.w[1]) * c, -(0.5 * u.w[0] + u.w[1]) * c]
+        return {"e": e, "th": th}
+
+    block = clpt.Block("two", update=rates, inputs={"w": 2}, states={"e": 2, "th": 2})
+    inverse = np.linalg.inv(G)
+    verdict = clpt.lyapunov(block, lambda s: s.e @ P @ s.e + s.th @ inverse @ s.th)
+    T, t = 2 * np.pi, np.linspace(0, 2 * np.pi, 2001)
+    found = clpt.gramian(block, of=verdict, timepts=t, inputs=[sin(t), cos(t)])
+
+    def rate(t, y):
+        Y, w = y.reshape(4, 4), np.array([sin(t), cos(t)])
+        return np.ravel(
+            [*(A @ Y[:2] + np.outer(B, w @ Y[2:])), *(-np.outer(G @ w, B @ P @ Y[:2]))]
+        )
+
+    Phi = solve_ivp(rate, (0, T), np.eye(4).ravel(), rtol=1e-10, atol=1e-12).y[:, -1]
+    S = np.linalg.cholesky(np.block([[P, 0 * P], [0 * P, inverse]])).T
+    contraction = np.linalg.norm(S @ Phi.reshape(4, 4) @ np.linalg.inv(S), 2) ** 2
+    assert found.certificate().contraction == pytest.approx(contraction, abs=1e-5)
+    rate = -2 * np.log(np.abs(np.linalg.eigvals(Phi.reshape(4, 4))).max()) / T
+    assert 0.7 < 2 * np.log(2) / found.certificate().half_life / rate <= 1
+
+
+def tutorial():
+    """The tutorial's MRAC, its verdict, and a run."""
+    examples = Path(__file__).parents[2] / "examples"
+    sys.path.insert(0, str(examples))
+    import mrac
+
+    t = np.linspace(0, 320, 6401)
+    run = clpt.simulate(mrac.loop(), t, np.sign(np.sin(2 * np.pi * t / 40) + 1e-9))
+    return clpt.lyapunov(mrac.loop(), mrac.V), run
+
+
+def test_adaptive_control_by_a_model_is_read_from_its_verdict():
+    verdict, run = tutorial()
+    found = clpt.gramian(run, 40.0, 280.0, of=verdict)
+    assert found.names == {"w": ["adaptation.k_r", "adaptation.k_y"]}
+    # by hand: e' = -2 e + (r, -y)/2 th, th' = -(r, -y) e
+    t, k = run.time.values, np.searchsorted(run.time.values, 280.0)
+    r, y = run.r.values, run.y.values
+    Phi = np.eye(3)
+    for j in range(k, len(t) - 1):
+        w = np.array([r[j] + r[j + 1], -y[j] - y[j + 1]]) / 2
+        M = np.zeros((3, 3))
+        M[0], M[1:, 0] = [-2, *(w / 2)], -w
+        h = (t[j + 1] - t[j]) / 2
+        Phi = np.linalg.solve(np.eye(3) - h * M, (np.eye(3) + h * M) @ Phi)
+    S = np.diag([1, np.sqrt(0.5), np.sqrt(0.5)])
+    norm = np.linalg.norm(S @ Phi @ np.linalg.inv(S), 2) ** 2
+    assert (
+        norm - 1e-6 <= found.certificate().contraction <= norm + 0.02
+    )  # of the jumps of r
+    named = clpt.gramian(run, 40.0, 280.0, of=verdict, signals=[*found.names["w"]])
+    assert named.certificate() == found.certificate()
+    with pytest.raises(clpt.DiagramError, match="must be states in V"):
+        clpt.gramian(run, of=verdict, signals=["r"])
+
+
+def test_a_run_of_other_parameters_is_refused():
+    _, verdict = loop_of(1.0, [1.0, 1.0])
+    other, _ = loop_of(1.1, [1.0, 1.0])
+    t = np.linspace(0, 10, 1001)
+    given = {"timepts": t, "inputs": [sin(t), cos(t)], "initial_state": 1.0}
+    with pytest.raises(clpt.DataError, match="does not follow the equations"):
+        clpt.gramian(other, of=verdict, **given)
+    _, larger = loop_of(1.0, [1.0, 1.0, 1.0])
+    with pytest.raises(clpt.DataError, match="on the loop of this run"):
+        clpt.gramian(other, of=larger, **given)
+    given |= {"timepts": t[::100], "inputs": [sin(t)[::100], cos(t)[::100]]}
+    coarse = clpt.gramian(loop_of(1.0, [1.0, 1.0])[0], 1.5, 0.0, of=verdict, **given)
+    with pytest.raises(clpt.DataError, match="the samples are too far apart"):
+        coarse.certificate()
+
+
+@pytest.mark.parametrize(
+    ("V", "said"),
+    [
+        (lambda s: s.e**4 + s.th @ s.th, "is not quadratic"),
+        (lambda s: s.e**2 + s.th @ s.th / 2, "is not a form of errors"),
+        (lambda s: s.e**2, "is not a form of errors"),
+    ],
+)
+def test_another_V_is_refused(V, said):
+    block, _ = loop_of(1.0, [1.0, 1.0])
+    with pytest.raises(clpt.DiagramError, match=said):
+        clpt.gramian(block, of=clpt.lyapunov(block, V), timepts=[0, 1], inputs=1)
+
+
+def test_e_that_grows_is_refused():
+    block, verdict = loop_of(-1.0, [1.0, 1.0])
+    with pytest.raises(clpt.DiagramError, match="must be V > 0 that does not rise"):
+        clpt.gramian(block, of=verdict, timepts=[0, 1], inputs=1)
+
+
+def test_the_paper_halves_within_the_time_of_several_windows():
+    found = clpt.gramian(clpt.paper_scenario(), 200.0, 200.0)
+    certificate = found.certificate()
+    assert certificate.contraction == pytest.approx(0.679, abs=5e-4)
+    assert certificate.time_to_tenth == 2200.0
+    assert 646.8 < certificate.half_life < 670  # 646.8: Floquet
+    assert "halve at least every 663.5 s" in "".join(found.result.sentences)
