@@ -247,6 +247,7 @@ def test_a_run_of_other_parameters_is_refused():
         (lambda s: s.e**4 + s.th @ s.th, "is not quadratic"),
         (lambda s: s.e**2 + s.th @ s.th / 2, "is not a form of errors"),
         (lambda s: s.e**2, "is not a form of errors"),
+        (lambda s: s.e**2 + (s.th[0] + s.th[1]) ** 2, "a positive one of parameters"),
     ],
 )
 def test_another_V_is_refused(V, said):

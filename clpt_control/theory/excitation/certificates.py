@@ -29,7 +29,7 @@ TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
 WINDOWS = 8  # of a half-life at most
 ROUNDING = 1e-14  # of |Phi|
-MAX_POWER = 1e6  # of Phi; by the drop of one window beyond
+MAX_POWER = 1_000_000  # of Phi; by the drop of one window beyond
 
 
 @dataclass(frozen=True)
@@ -264,10 +264,10 @@ def certificate(excitation: Any) -> Certificate:
     True
     """
     form, flow = excitation.form, excitation.scenario and excitation.scenario.flow
-    span, length = excitation.window, excitation.run_length
+    span = excitation.window
     drop, Phi = (_of_errors if form else _of_paper)(excitation)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
-    windows = int(max(1.0, length / span * (1 + 1e-12)))
+    windows = int(max(1.0, excitation.run_length / span * (1 + 1e-12)))
     power = np.linalg.matrix_power(Phi, windows)[..., len(form.A) if form else 1 :]
     remaining = worsened(np.linalg.svd(power, compute_uv=False))
     learned = np.sum(remaining <= 0.1, axis=-1)
@@ -285,9 +285,7 @@ def certificate(excitation: Any) -> Certificate:
         drops,
         bool(flow) and (flow.disturbance is not None or flow.parameters is None),
         counts,
-        finite_or_none(
-            min(time, length) if np.all(learned == power.shape[-1]) else time
-        ),
+        finite_or_none(time),
         finite_or_none(half_life),
         overshoot,
     )
@@ -310,15 +308,13 @@ def falls_of(
     norms = np.array([norm(m) for m in range(WINDOWS + 1)])
     times = window * np.arange(1, WINDOWS + 1)
     rates = -np.log2(norms[1:]) / times
-    best = int(np.argmax(rates))
+    best = rates.max()
     # within a window errors are at most those at its start
-    overshoot = np.max((2 ** (rates[best] * times) * norms[:-1])[: best + 1])
+    overshoot = np.max(2 ** (best * times) * norms[:-1])
     with np.errstate(divide="ignore"):
-        half_life, most = 1 / rates[best], 2 * np.log(0.1) / np.log1p(-drop.min())
-    if most <= MAX_POWER:
-        powers = range(1, int(np.ceil(most * (1 - 1e-12))) + 1)
-        most = 1 + bisect_left(powers, -0.1, key=lambda m: -norm(m))
-    return half_life, overshoot, window * most
+        half_life, by_drop = 1 / best, 2 * np.log(0.1) / np.log1p(-drop.min())
+    m = 1 + bisect_left(range(1, MAX_POWER), -0.1, key=lambda k: -norm(k))
+    return half_life, overshoot, window * (by_drop if m == MAX_POWER else m)
 
 
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:

@@ -92,7 +92,7 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
         raise DiagramError(
             f"of: V = {short(V)}: is not quadratic with constant weights"
         )
-    least = gradient.xreplace(dict.fromkeys(states, S.Zero))
+    least = gradient.subs(dict.fromkeys(states, 0))
     own = [k for k in range(len(states)) if any(H.row(k))]
     fall = normal_form(gradient.dot([*rates.values()]))
     if unknown := {*names} - {str(states[k]) for k in own}:
@@ -103,15 +103,16 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
         k for k in own if not any(H[k, j] and fall.has(states[j]) for j in own)
     ]
     in_e = [k for k in own if k not in in_th]
-    if not (in_e and in_th) or any(H.extract(in_e, in_th)):
+    weights, shared = H.extract(in_th, in_th), H.extract(in_e, in_th)
+    if not (in_e and in_th and weights.is_positive_definite) or any(shared):
         raise DiagramError(
             f"of: V = {short(V)}, V' = {short(fall)}: is not a form of errors, which V' has, and "
-            "one of parameters. Name the parameters in signals"
+            "a positive one of parameters. Name the parameters in signals"
         )
     # Step 3: independent forms e, and th
     T, pivots = H.extract(in_e, in_e).rref()
     heads = [in_e[p] for p in pivots]
-    P, weights = H.extract(heads, heads), H.extract(in_th, in_th)
+    P = H.extract(heads, heads)
     e = T[: len(heads), :] * Matrix([states[k] for k in in_e])
     e += P.inv() * least.extract(heads, [0])
     parameters = Matrix([states[k] for k in in_th])
@@ -138,17 +139,13 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
             )
     # Step 5: coordinates in which V is half the sum of squares
     Q = -P * A - A.T * P
-    if not (
-        P.is_positive_definite
-        and weights.is_positive_definite
-        and Q.is_positive_semidefinite
-    ):
+    if not (P.is_positive_definite and Q.is_positive_semidefinite):
         raise DiagramError(
             f"of: V = {short(V)}, V' = {short(fall)}: must be V > 0 that does not rise"
         )
-    left, M, A = (np.array(x, dtype=float) for x in (P, weights, A))
-    left = np.linalg.cholesky(left).T
-    right = np.linalg.inv(np.linalg.cholesky(M)).T
-    A = left @ A @ np.linalg.inv(left)
+    left, right = (np.linalg.cholesky(np.array(x, dtype=float)).T for x in (P, weights))
+    A = left @ np.array(A, dtype=float) @ np.linalg.inv(left)
     inputs = {str(f.func): f for values in eq.inputs.values() for f in values.flat}
-    return ErrorSystem([*map(str, parameters)], W, A, left, right, rates, inputs)
+    return ErrorSystem(
+        [*map(str, parameters)], W, A, left, np.linalg.inv(right), rates, inputs
+    )

@@ -114,14 +114,13 @@ def result_of(excitation: Any) -> Result:
 
 def learned_text(excitation: Any) -> str:
     """Return the numbers of directions that the law learns within the run, and the time of all."""
-    found, unit = excitation.certified[0], excitation.time_unit
+    found, unit = excitation.certified[0], f" {excitation.time_unit}".rstrip()
     counts = excitation.counted(found.learned)
     time = found.time_to_tenth
     is_never = time is None or bool(excitation.not_learnable)
-    when = "infinite" if is_never else f"at most {at_most(time, 6)} {unit}".rstrip()
-    length = f"{excitation.run_length:g} {unit}".rstrip()
+    when = "infinite" if is_never else f"at most {at_most(time, 6)}{unit}"
     return (
-        f"can be learned within the run, {length}: {counts}; time "
+        f"can be learned within the run, {excitation.run_length:g}{unit}: {counts}; time "
         f"in which the norm of all errors of adapted parameters falls to a tenth: {when}"
     )
 

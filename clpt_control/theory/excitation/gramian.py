@@ -119,12 +119,10 @@ class Excitation(Regressor):
         change = float(np.max(changes))
         return change if thin.sizes["time"] <= last and change <= MAX_CHANGE else None
 
-    def _in(
-        self, source: Any, window: float, start: float, edges: Any = ()
-    ) -> "Excitation":
+    def _in(self, source: Any, *where: Any) -> "Excitation":
         """Return the same of another run or window, cut at edges."""
         given = {"signals": self.names.get("w"), "form": self.form}
-        regressor = joint_regressors(source, window, start, edges, **given)[""]
+        regressor = joint_regressors(source, *where, **given)[""]
         return Excitation(**vars(regressor), source=source)
 
     def plot(self, *, ax: Any = None) -> np.ndarray:

@@ -369,7 +369,7 @@ def signal_regressor(
     if form is None:
         names, along_run = [*columns], np.transpose([*columns.values()])[:, None]
     else:
-        states = run.get(STATES, run.time.expand_dims(of=0)).values
+        states = np.asarray(run.get(STATES, np.empty((1, 0))))
         names, along_run = form.names, form.along(times, states, columns)
     values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():
