@@ -317,7 +317,7 @@ def test_wide_functions_are_excited_but_not_learned_within_the_run():
         "can be learned within the run, 2000 s: 3 of 11 along x1, 3 of 11 along x2"
         in repr(found)
     )
-    assert "falls to a tenth: at most 6.7" in repr(found)
+    assert "falls to a tenth: at most 4.5" in repr(found)
 
 
 @pytest.mark.parametrize("duration", [400, 1000, 3000])

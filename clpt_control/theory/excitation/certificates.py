@@ -29,7 +29,7 @@ TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
 WINDOWS = 8  # of a half-life at most
 ROUNDING = 1e-14  # of |Phi|
-MAX_POWER = 1_000_000  # of Phi; by the drop of one window beyond
+MAX_POWER = 10**15  # of Phi
 
 
 @dataclass(frozen=True)
@@ -302,7 +302,7 @@ def falls_of(
 
     def norm(m: int) -> float:
         norms = np.linalg.norm(np.linalg.matrix_power(Phi, m), 2, axis=(2, 3))
-        by_drop = np.maximum(1 - drop, ROUNDING) ** (m / 2)
+        by_drop = np.exp(m / 2 * np.log1p(-np.minimum(drop, 1 - ROUNDING)))
         return float(np.minimum(worsened(norms) + m * ROUNDING, by_drop).max())
 
     norms = np.array([norm(m) for m in range(WINDOWS + 1)])
@@ -311,10 +311,9 @@ def falls_of(
     best = rates.max()
     # within a window errors are at most those at its start
     overshoot = np.max(2 ** (best * times) * norms[:-1])
+    m = bisect_left(range(MAX_POWER), -0.1, key=lambda m: -norm(m))
     with np.errstate(divide="ignore"):
-        half_life, by_drop = 1 / best, 2 * np.log(0.1) / np.log1p(-drop.min())
-    m = 1 + bisect_left(range(1, MAX_POWER), -0.1, key=lambda k: -norm(k))
-    return half_life, overshoot, window * (by_drop if m == MAX_POWER else m)
+        return 1 / best, overshoot, window * m if m < MAX_POWER else np.inf
 
 
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:

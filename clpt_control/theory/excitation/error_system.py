@@ -13,10 +13,12 @@ from typing import Any
 
 import numpy as np
 import sympy
+from scipy.integrate import cumulative_trapezoid
 from sympy import Dummy, Matrix, S
 
 from ...base.errors import DataError, DiagramError
 from ...engine.diagram.symbol_names import TIME, element_name
+from ...simulation.comparison import STATES
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.slopes import along
 from ..algebra.texts import short
@@ -36,10 +38,9 @@ class ErrorSystem:
     rates: dict[Any, Any]  # of all states in the loop's order
     inputs: dict[str, Any]  # name -> symbol
 
-    def along(
-        self, times: np.ndarray, states: np.ndarray, signals: dict[str, np.ndarray]
-    ) -> np.ndarray:
+    def along(self, run: Any, signals: dict[str, np.ndarray]) -> np.ndarray:
         """Return W (times, m, n) along a run, which must follow the equations."""
+        times, states = run.time.values, np.asarray(run.get(STATES, np.empty((1, 0))))
         if states.shape[1] != len(self.rates) or {*self.inputs} - {*signals}:
             raise DataError(
                 "of: must be a verdict on the loop of this run, with its states"
@@ -50,18 +51,19 @@ class ErrorSystem:
         columns = np.transpose([np.broadcast_to(x, times.shape) for x in found])
         rates, W = np.split(columns, [len(self.rates)], axis=1)
 
-        def missed(k: int) -> np.ndarray:
-            """Return what the trapezoidal rule over k intervals does not explain."""
-            span = (times[k:] - times[:-k])[:, None]
-            return states[k:] - states[:-k] - span * (rates[k:] + rates[:-k]) / 2
+        def missed(every: int) -> np.ndarray:
+            """Changes over two intervals, less the rates by the trapezoidal rule."""
+            spent = cumulative_trapezoid(
+                rates[::every], times[::every], axis=0, initial=0
+            )
+            return np.diff((states[::every] - spent)[:: 3 - every], axis=0)
 
-        # the rule's error changes from one to two intervals, the error of other rates does not
-        once, twice = missed(1), missed(2)
-        pairs = once[1:] + once[:-1]
+        # the rule's error depends on the step, the error of other rates does not
+        fine, coarse = missed(1), missed(2)
         size = np.abs(states).max(axis=0)
-        allowed = 2 * np.abs(twice - pairs).sum(axis=0)
+        allowed = 2 * np.abs(coarse - fine).sum(axis=0)
         allowed += SOLVED * (size + SOLVED * size.max())
-        if np.any(np.abs(pairs).sum(axis=0) > allowed):
+        if np.any(np.abs(fine).sum(axis=0) > allowed):
             raise DataError(
                 "of: the run does not follow the equations of the verdict. Give the run of the "
                 "same loop with the same parameters"

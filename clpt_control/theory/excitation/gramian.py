@@ -121,8 +121,8 @@ class Excitation(Regressor):
 
     def _in(self, source: Any, *where: Any) -> "Excitation":
         """Return the same of another run or window, cut at edges."""
-        given = {"signals": self.names.get("w"), "form": self.form}
-        regressor = joint_regressors(source, *where, **given)[""]
+        signals = self.form or self.names.get("w")
+        regressor = joint_regressors(source, *where, signals=signals)[""]
         return Excitation(**vars(regressor), source=source)
 
     def plot(self, *, ax: Any = None) -> np.ndarray:
@@ -303,18 +303,17 @@ def gramian(
     """
     run: Any = source
     recorded = hasattr(run, "data_vars")
-    form = None if of is None else error_system_of(of, signals or ())
-    named = signals is not None or form is not None
-    if not named and (
+    w = signals if of is None else error_system_of(of, signals or ())
+    if w is None and (
         is_response(run) if recorded else isinstance(run, control.InputOutputSystem)
     ):
         raise ArgumentError(
             "gramian: signals: is required for a diagram. Name signals of the diagram, such as "
             "signals=['y'], or give of=verdict"
         )
-    if options or (named and not recorded):
+    if options or not (recorded or w is None):
         run = simulate(run, **options)
-    regressors = joint_regressors(run, window, start, signals=signals, form=form)
+    regressors = joint_regressors(run, window, start, signals=w)
     if "" not in regressors:
         return _team_excitation(regressors, run)
     return Excitation(**vars(regressors[""]), source=run)

@@ -28,8 +28,9 @@ from ...engine.model.declaration import multiples
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import check_run, unknown_parts
 from ...paper.scenario.team import Team, system_of_run
-from ...simulation.comparison import STATES, ports_along, signals_of
+from ...simulation.comparison import ports_along, signals_of
 from ...simulation.integrate import simulate
+from .error_system import ErrorSystem
 
 if TYPE_CHECKING:
     import xarray
@@ -228,17 +229,16 @@ def joint_regressors(
     start: float | None = None,
     edges: Any = (),
     predicted: str = PREDICTED,
-    signals: Sequence[str] | None = None,
-    form: Any = None,
+    signals: Sequence[str] | ErrorSystem | None = None,
 ) -> dict[str, Regressor]:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or w of `signals`, or W
-    of an error system, `form`.
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or of `signals`, which
+    are names or an error system with its W.
 
     Pieces end at `edges` too; z is the variable `predicted` of a run.  A piece with large last
     Legendre coefficients is cut in four, because the learner oscillates within a dwell.
     """
-    if form is not None or signals is not None:
-        return {"": signal_regressor(source, signals, form, window, start, edges)}
+    if signals is not None:
+        return {"": signal_regressor(source, signals, window, start, edges)}
     system = system_of(source)
     members, simulated = members_of(system), isinstance(source, Scenario | Team)
     window, start = checked_window(source, window, start)
@@ -341,17 +341,13 @@ def _regressor(
 
 
 def signal_regressor(
-    run: Any,
-    signals: Any,
-    form: Any,
-    window: float | None,
-    start: float | None,
-    edges: Any,
+    run: Any, signals: Any, window: float | None, start: float | None, edges: Any
 ) -> Regressor:
     """Return signals of a run, or W, over a window, cut at its samples and at `edges`."""
     unit, times = run.time.attrs.get("units", ""), run.time.values
     window, start = checked_window(run, window, start, np.inf, unit)
     end, ports = start + window, ports_along(run)
+    form = signals if isinstance(signals, ErrorSystem) else None
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
     columns = {
         label: column
@@ -360,7 +356,7 @@ def signal_regressor(
         for label, column in signals_of(run[port]).items()
         if name in (port, label)
     }
-    unknown = set() if form else set(signals) - {*ports, *columns}
+    unknown = {} if form else {*signals} - {*ports, *columns}
     if not (form or columns) or unknown:
         raise ArgumentError(
             f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
@@ -369,8 +365,7 @@ def signal_regressor(
     if form is None:
         names, along_run = [*columns], np.transpose([*columns.values()])[:, None]
     else:
-        states = np.asarray(run.get(STATES, np.empty((1, 0))))
-        names, along_run = form.names, form.along(times, states, columns)
+        names, along_run = form.names, form.along(run, columns)
     values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():
         raise DataError("gramian: signals: must be finite in the window")
