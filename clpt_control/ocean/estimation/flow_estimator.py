@@ -8,14 +8,12 @@ with z and m of `leg_track`, integrated along the prediction with y drawn in eve
 track ends at the fix.  Least squares moves theta_hat (`least_squares_step` of the law
 fix-regression; Ljung 1999, section 11.2).  Laws with this regression differ in P between the fixes
 (`Law.between_fixes`): `kalman-flow` adds its random walk, `least-squares` forgets.  r is that of
-`fix_settings`.  Two terms are added to r^2:
+`fix_settings`.  Three terms are added to r^2:
 
 - A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
   way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, the term is (T 0.25 m/s min(b/width, 1))^2.
 - The flow turns by `turn` rad along the leg (`LegTrack.turn`): (turn/2)^2 m^T P m.
-
-Where functions die out, the flow that they do not span has the variance v of `unspanned`, which is
-added to that of a position error, but is no noise of theta.
+- Where functions die out, the flow that they do not span has a variance on ways (`unspanned`).
 
 Each fix divides each guess of what happened so far (`leg_guesses`); standard errors and regions are
 those of the mixture of the guesses.
@@ -673,8 +671,8 @@ class FlowEstimator:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
         noise = self.settings.noise_of(duration)
-        bend = self.track.bend(leg, self.fastest), self.track.beside(arrival)
-        return Regression(Y, arrival.m, duration, noise, *bend, turn, self.theta)
+        bend = hypot(self.track.bend(leg, self.fastest), self.track.beside(arrival))
+        return Regression(Y, arrival.m, duration, noise, bend, turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""

@@ -109,8 +109,7 @@ class Guess:
         parts = leg.noise * self.factors
         of_theta = self.scaled @ leg.m
         by_prior = np.sum((of_theta / np.maximum(self.prior, 1e-300)) ** 2)
-        of_way = leg.bend**2 + leg.beside**2
-        share = (by_prior + of_way) / (leg.m @ of_theta + of_way + 1e-300)
+        share = (by_prior + leg.bend**2) / (leg.m @ of_theta + leg.bend**2 + 1e-300)
         return float(parts @ self.count / parts.sum() + share)
 
     def after(self, fix: str, **changes: Any) -> "Guess":
@@ -129,7 +128,6 @@ class Regression(NamedTuple):
     duration: float
     noise: np.ndarray
     bend: float
-    beside: float
     turn: Turn
     theta: np.ndarray
     path: LegRegressor | None = None
@@ -167,7 +165,7 @@ class LegGuesses:
     def variance(self, leg: Regression, guess: Guess, P: np.ndarray) -> float:
         """Return the variance of a position error on each axis, with P the covariance of theta."""
         of_theta = float(leg.m @ P @ leg.m)
-        noise = leg.noise @ guess.factors + leg.bend**2 + leg.beside**2
+        noise = leg.noise @ guess.factors + leg.bend**2
         return float(noise + of_theta + leg.added(of_theta))
 
     def covariance(self, guesses: Hypotheses[Guess]) -> np.ndarray:
@@ -236,7 +234,7 @@ class LegGuesses:
         change, P = least_squares_step(P, leg.m, y, r)
         # shares of the parts of the noise in the variance of the position error
         parts = guess.factors * leg.noise
-        bend_and_theta = leg.bend**2 + leg.beside**2 + guess.square * (added + of_theta)
+        bend_and_theta = leg.bend**2 + guess.square * (added + of_theta)
         V = float(parts.sum()) + bend_and_theta
         shares = parts / V
         fading = FADING**shares
