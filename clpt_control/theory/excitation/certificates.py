@@ -23,7 +23,7 @@ from scipy.linalg import expm
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import weighted_rows
+from .regressor import factors_of
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
@@ -74,12 +74,8 @@ class Certificate:
 
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
-    matrix = weighted_rows(rows, weights)
-    *batch, count, n = matrix.shape
-    if count < n:
-        return np.zeros(batch)
-    return np.linalg.svd(matrix, compute_uv=False)[..., -1] ** 2
+    """Return the smallest eigenvalue of the Gramian of rows."""
+    return np.linalg.svd(factors_of(rows, weights), compute_uv=False)[..., -1] ** 2
 
 
 def refuse_turns(turns: float) -> None:
@@ -233,12 +229,13 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     m, n = form.W.shape
     ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
     W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
+    A = form.left @ np.array(form.A, dtype=float) @ np.linalg.inv(form.left)
 
     def chain(first: int, step: int) -> list[np.ndarray]:
         at = np.unique([0, *range(first, len(W), step), len(W) - 1])
         mean = (W[at[1:]] + W[at[:-1]]) / 2
         rates = np.zeros((len(mean), m + n, m + n))
-        rates[:, :m, :m] = form.A
+        rates[:, :m, :m] = A
         rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(lambda before, step: step @ before, steps)]
@@ -268,7 +265,7 @@ def certificate(excitation: Any) -> Certificate:
     drop, Phi = (_of_errors if form else _of_paper)(excitation)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, excitation.run_length / span * (1 + 1e-12)))
-    power = np.linalg.matrix_power(Phi, windows)[..., len(form.A) if form else 1 :]
+    power = np.linalg.matrix_power(Phi, windows)[..., form.W.rows if form else 1 :]
     remaining = worsened(np.linalg.svd(power, compute_uv=False))
     learned = np.sum(remaining <= 0.1, axis=-1)
     drops, counts = (

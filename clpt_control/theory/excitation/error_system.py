@@ -28,12 +28,12 @@ SOLVED = 1e-4  # share of a state by which a run may miss the equations
 
 @dataclass(frozen=True)
 class ErrorSystem:
-    """The loop in errors; numbers are exact, but in coordinates in which V = |.|^2 / 2."""
+    """The loop in errors, exact, and coordinates in which V = |.|^2 / 2."""
 
     names: list[str]  # of th
     W: Matrix  # (m, n), in symbols
-    A: np.ndarray  # of e in these coordinates
-    left: np.ndarray  # W in them is left W right
+    A: Matrix
+    left: np.ndarray  # of e in them; W is left W right
     right: np.ndarray
     rates: dict[Any, Any]  # of all states in the loop's order
     inputs: dict[str, Any]  # name -> symbol
@@ -146,7 +146,6 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
             f"of: V = {short(V)}, V' = {short(fall)}: must be V > 0 that does not rise"
         )
     left, right = (np.linalg.cholesky(np.array(x, dtype=float)).T for x in (P, weights))
-    A = left @ np.array(A, dtype=float) @ np.linalg.inv(left)
     inputs = {str(f.func): f for values in eq.inputs.values() for f in values.flat}
     return ErrorSystem(
         [*map(str, parameters)], W, A, left, np.linalg.inv(right), rates, inputs

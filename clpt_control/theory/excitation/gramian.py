@@ -43,11 +43,12 @@ from .excitation_report import (
 from .regressor import (
     Regressor,
     Source,
+    factors_of,
     joint_regressors,
     span_of,
     system_of,
-    weighted_rows,
 )
+from .riccati import Riccati, riccati_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
@@ -90,6 +91,11 @@ class Excitation(Regressor):
     def certificate(self) -> Certificate:
         """Return the decay of V over this window, by one of the paper's laws or `of` a verdict."""
         return certificate(self)
+
+    @cached_property
+    def riccati(self) -> dict[str, Riccati]:
+        """Rate of each axis by a Riccati equation along the run, which Coq checks."""
+        return riccati_of(self)
 
     @cached_property
     def factors(self) -> dict[str, np.ndarray]:
@@ -225,14 +231,6 @@ class Excitation(Regressor):
         """Number of eigenvalues of each axis that count as zero, on the track without noise."""
         values = self.without_noise.eigenvalues.items()
         return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}
-
-
-def factors_of(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return R (..., n, n), R^T R the Gramian of w (..., pieces, nodes, n)."""
-    rows = weighted_rows(w, weights)
-    *batch, _, n = rows.shape
-    padded = np.concatenate([np.zeros((*batch, n, n)), rows], axis=-2)
-    return np.asarray(np.linalg.qr(padded, mode="r"))
 
 
 @public

@@ -397,3 +397,11 @@ def weighted_rows(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return matrices M of w (..., pieces, nodes, n), with M^T M the Gramian int w w^T dt."""
     *batch, _, _, n = w.shape
     return (np.sqrt(weights)[..., None] * w).reshape(*batch, -1, n)
+
+
+def factors_of(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return R (..., n, n), R^T R the Gramian of w (..., pieces, nodes, n)."""
+    rows = weighted_rows(w, weights)
+    *batch, _, n = rows.shape
+    padded = np.concatenate([np.zeros((*batch, n, n)), rows], axis=-2)
+    return np.asarray(np.linalg.qr(padded, mode="r"))
