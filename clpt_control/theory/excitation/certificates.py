@@ -9,7 +9,7 @@ Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)
 A loop with another error system (`error_system`) has Phi in coordinates in which V is half the sum
 of squares.  In windows with one w the norm of the errors, the root of V, falls as |Phi^m|.
 
-`propagate` computes Phi, `ultimate_bound` the bound of Theorem 3.4, corrected.
+`propagate` computes Phi, `Certificate.ultimate_bound` the bound of Theorem 3.4, corrected.
 """
 
 from bisect import bisect_left
@@ -70,7 +70,12 @@ class Certificate:
 
         `largest_disturbance` is sup |Delta|.
         """
-        return ultimate_bound(self.window, largest_disturbance, self.drop)
+        if self.drop <= 0:
+            return np.inf
+        # v = sqrt(2 V) rises by T Dmax within a window and is multiplied by sqrt(1 - rho);
+        # 1 - sqrt(1 - rho) = rho/(1 + sqrt(1 - rho)) keeps the digits of a small rho
+        windows = 1 + (1 + np.sqrt(self.contraction)) / self.drop
+        return float(self.window * largest_disturbance * windows)
 
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -221,10 +226,6 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     W is its mean between samples: of all, of all but every second one, and of the others.  A jump
     between samples moves to and fro by half a step, as far as it may be off.
     """
-    if excitation.accuracy is None:
-        raise DataError(
-            "no certificate: the samples are too far apart. Give a run with more times"
-        )
     form, cuts = excitation.form, excitation.cuts
     m, n = form.W.shape
     ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
@@ -238,7 +239,7 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         rates[:, :m, :m] = A
         rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
-        return [reduce(lambda before, step: step @ before, steps)]
+        return [reduce(np.matmul, steps[::-1])]
 
     Phi = np.array([chain(0, 1), chain(0, 2), chain(1, 2)])
     return 1 - np.minimum(1, worsened(np.linalg.norm(Phi, 2, axis=(2, 3)))) ** 2, Phi
@@ -272,9 +273,9 @@ def certificate(excitation: Any) -> Certificate:
         dict(zip(excitation.names, values.tolist(), strict=True))
         for values in (drop, learned)
     )
-    half_life, overshoot, time = np.inf, 1.0, np.inf
-    if not any(excitation.idle.values()):
-        half_life, overshoot, time = falls_of(Phi, drop, span)
+    is_idle = any(excitation.idle.values())
+    falls = (np.inf, 1.0, np.inf) if is_idle else falls_of(Phi, drop, span)
+    half_life, overshoot, time = falls
     return Certificate(
         excitation.start,
         span,
@@ -304,26 +305,9 @@ def falls_of(
 
     norms = np.array([norm(m) for m in range(WINDOWS + 1)])
     times = window * np.arange(1, WINDOWS + 1)
-    rates = -np.log2(norms[1:]) / times
-    best = rates.max()
+    best = np.max(-np.log2(norms[1:]) / times)
     # within a window errors are at most those at its start
     overshoot = np.max(2 ** (best * times) * norms[:-1])
     m = bisect_left(range(MAX_POWER), -0.1, key=lambda m: -norm(m))
     with np.errstate(divide="ignore"):
         return 1 / best, overshoot, window * m if m < MAX_POWER else np.inf
-
-
-def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
-    """Bound ``|e|`` in the long run under a disturbance.
-
-    >>> import clpt_control as clpt
-    >>> round(ultimate_bound(2.0, 0.5, 0.75), 12)
-    3.0
-    """
-    if not 0 <= drop <= 1:
-        raise ScenarioError(f"drop = {drop:g}: must lie in [0, 1]")
-    if drop == 0:
-        return float("inf")
-    # v = sqrt(2 V) rises by T Dmax within a window and is multiplied by sqrt(1 - rho);
-    # 1 - sqrt(1 - rho) = rho/(1 + sqrt(1 - rho)) keeps the digits of a small rho
-    return float(window * largest_disturbance * (1 + (1 + np.sqrt(1 - drop)) / drop))

@@ -14,13 +14,12 @@ from typing import Any
 import numpy as np
 import sympy
 from scipy.integrate import cumulative_trapezoid
-from sympy import Dummy, Matrix, S
+from sympy import Matrix
 
 from ...base.errors import DataError, DiagramError
 from ...engine.diagram.symbol_names import TIME, element_name
 from ...simulation.comparison import STATES
 from ..algebra.exact import normal_form, vanishes
-from ..algebra.slopes import along
 from ..algebra.texts import short
 
 SOLVED = 1e-4  # share of a state by which a run may miss the equations
@@ -80,14 +79,15 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
         )
     # Step 1: V and rates in states and inputs, with the numbers of the parameters
     rates = {s: sympy.sympify(x).xreplace(eq.values) for s, x in eq.motion.items()}
-    known = {str(s): s for s in (*rates, *eq.values)}
-    for port, values in eq.signals.items():
-        for index, value in np.ndenumerate(values):
-            known.setdefault(element_name(port, values.shape, index), value)
+    known = {
+        element_name(port, values.shape, index): value
+        for port, values in eq.named.items()
+        for index, value in np.ndenumerate(values)
+    }
     V = verdict.V.xreplace({s: known.get(str(s), s) for s in verdict.V.free_symbols})
     V = V.xreplace(eq.values)
     # Step 2: V is quadratic; its states are those of e and of th
-    states, motion = [*rates], {TIME: S.One, **rates}
+    states = [*rates]
     gradient = Matrix([sympy.diff(V, s) for s in states])
     H = gradient.jacobian(states).applyfunc(normal_form)
     if not all(entry.is_number for entry in H):
@@ -120,20 +120,16 @@ def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
     parameters = Matrix([states[k] for k in in_th])
     th = parameters + weights.inv() * least.extract(in_th, [0])
     # Step 4: the rates are those of the form
-    e_rate = e.applyfunc(lambda x: along(x, motion))
+    e_rate = e.applyfunc(eq.derivative).xreplace(eq.values)
     W = e_rate.jacobian(parameters).applyfunc(normal_form)
-    errors = Matrix([Dummy(real=True) for _ in heads])
-    solved = {
-        states[k]: y + states[k] - x for k, y, x in zip(heads, errors, e, strict=True)
-    }
-    rest = (e_rate - W * th).xreplace(solved).applyfunc(normal_form)
-    A = rest.jacobian(errors)
-    for k, x in enumerate(rest - A * errors):
+    rest = e_rate - W * th
+    A = rest.jacobian([states[k] for k in heads]).applyfunc(normal_form)
+    for k, x in enumerate(rest - A * e):
         if not (vanishes(x) and all(entry.is_number for entry in A.row(k))):
             raise DiagramError(
                 f"of: ({short(e[k])})' = {short(e_rate[k])}: is not A e + W th with a constant A"
             )
-    missed = weights * th.applyfunc(lambda x: along(x, motion)) + W.T * P * e
+    missed = weights * th.applyfunc(eq.derivative).xreplace(eq.values) + W.T * P * e
     for y, x in zip(parameters, missed, strict=True):
         if not vanishes(x):
             raise DiagramError(

@@ -48,7 +48,7 @@ from .regressor import (
     span_of,
     system_of,
 )
-from .riccati import Riccati, riccati_of
+from .riccati import riccati_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
@@ -76,6 +76,7 @@ class Excitation(Regressor):
     least_excited = property(least_excited_of)
     not_learnable = property(not_learnable_of)
     in_one_sentence = property(in_one_sentence_of)
+    riccati = cached_property(riccati_of)  # rate of each axis, which Coq checks
 
     @property
     def span(self) -> str:
@@ -91,11 +92,6 @@ class Excitation(Regressor):
     def certificate(self) -> Certificate:
         """Return the decay of V over this window, by one of the paper's laws or `of` a verdict."""
         return certificate(self)
-
-    @cached_property
-    def riccati(self) -> dict[str, Riccati]:
-        """Rate of each axis by a Riccati equation along the run, which Coq checks."""
-        return riccati_of(self)
 
     @cached_property
     def factors(self) -> dict[str, np.ndarray]:

@@ -349,15 +349,16 @@ def signal_regressor(
     end, ports = start + window, ports_along(run)
     form = signals if isinstance(signals, ErrorSystem) else None
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
+    named = ports if form else signals
     columns = {
         label: column
-        for name in (ports if form else signals)
+        for name in named
         for port in ports
         for label, column in signals_of(run[port]).items()
         if name in (port, label)
     }
-    unknown = {} if form else {*signals} - {*ports, *columns}
-    if not (form or columns) or unknown:
+    unknown = {*named} - {*ports, *columns}
+    if unknown or not (form or columns):
         raise ArgumentError(
             f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
             "run.clpt.table() has the names of single signals"

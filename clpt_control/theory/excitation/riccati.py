@@ -12,10 +12,10 @@ kappa, rho, C, D > 0, z = e - f^T th and b = f^T w
 so V <= U(0)/C exp(-rho t) if Z > 0, X(b0)^2 <= E Z, X(b1)^2 <= E Z, exact in rationals, and along
 the run R >= 0 and b0 <= b <= b1: two facts.  f and R need w alone, no truth.  R starts at the
 periodic solution of its equation, the largest, so the facts hold for good where the window repeats.
-`theory/coq/Rate.v` has the proof for any number of parameters.
+`theory/coq/rate.txt` has the proof for any number of parameters.
 """
 
-# w is constant in each piece, its mean.  f is exact, and b monotone in a piece.  A step of R is
+# w is constant in each piece.  f is exact, and b monotone in a piece.  A step of R is
 #
 #     R -> H + A^T R (I + G R)^-1 A
 #
@@ -25,6 +25,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from itertools import accumulate, product
+from string import Template
 from typing import Any
 
 import numpy as np
@@ -35,12 +36,14 @@ from ...base.units import at_most
 from ..proofs.in_coq import PRELUDE
 from .certificates import finely
 
-NAMES = "a", "p", "kappa", "rho", "b0", "b1", "C", "D", "overshoot"
-FINE = 30  # pieces of the paper's regressor in one of the contraction's
-COARSE = 300  # pieces in the search
+FINE = 3  # pieces of the paper's regressor in one of the contraction's
+COARSE = 400  # pieces in the search
 SQUARINGS = 12  # windows after which R is periodic: 2 to this power
 CONVERGED = 1e-10
-FIRST = 1e-3  # share of the contraction's rate at which the search begins
+LARGEST = 10.0  # entry of a step of R, whose inverse has its digits
+SMALLEST = 1e-6  # rho/a
+SHARES = 0.6, 0.8, 1.05, 1.4, 2, 3, 6  # p/a
+KAPPAS = 0.5, 1.5, 4, 10, 25, 70
 
 
 def rational(x: float) -> Fraction:
@@ -52,7 +55,7 @@ def rational(x: float) -> Fraction:
 class Riccati:
     """A certified rate of one e: V <= overshoot V(start) exp(-rho (t - start))."""
 
-    constants: dict[str, Any]  # by NAMES: rationals
+    constants: dict[str, Any]  # a, p, kappa, rho, b0, b1, C, D, overshoot: rationals
     f: np.ndarray  # at the start
     R: np.ndarray
     pieces: int
@@ -72,18 +75,15 @@ class Riccati:
         return (
             f"errors halve at least every {at_most(self.half_life)}, but for a factor "
             f"{at_most(c**0.5)}, while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: at the ends of "
-            f"{self.pieces} pieces of the window, repeated, w their mean"
+            f"{self.pieces} pieces of the window, repeated, with constant w"
         )
 
     def coq(self) -> str:
         """Return the rate as a file that Coq checks alone."""
-        names = "Runs.v", "Rate.v", "rate_file.txt"
-        runs, lemma, file = (
-            PRELUDE.with_name(name).read_text("utf-8") for name in names
-        )
         given = {name: f"({value})" for name, value in self.constants.items()}
-        file = file.format(n=len(self.f), sentence=self.sentence, **given)
-        return runs + lemma.replace("From Clpt Require Import Runs.", "") + file
+        file = Template(PRELUDE.with_name("rate.txt").read_text("utf-8"))
+        text = file.substitute(given, n=len(self.f), sentence=self.sentence)
+        return PRELUDE.read_text("utf-8") + text
 
 
 def joined(first: Any, second: Any) -> Any:
@@ -101,7 +101,7 @@ def tried(
     kappa: Fraction,
     rho: Fraction,
 ) -> Riccati | None:
-    """Return the certificate with these weights for w (pieces, n), which last h, if there is one."""
+    """Return the certificate with these weights for w (pieces, n) of lengths h, or None."""
     # Step 1: f, periodic, and bounds of b
     decay = np.exp(-float(p) * h)[:, None]
     steps = [*zip(decay, (1 - decay) / float(p) * w, strict=True)]
@@ -123,14 +123,14 @@ def tried(
     lost = (D * (b1 - b0) / 2) ** 2 / ((2 * p - rho) * D - 1)
     C = (1 + 1 / kappa + lost) / (2 * a - rho)
     # Step 3: R, periodic
-    identity = np.eye(w.shape[1])
-    n = len(identity)
+    n = w.shape[1]
     pull, push = (x[:, :, None] * x[:, None] for x in (w, (f[1:] + f[:-1]) / 2))
-    half = 0 * pull + float(rho) / 2 * identity
-    hamiltonian = np.block(
-        [[half, float(kappa) * pull], [push - float(rho * C) * identity, -half]]
-    )
-    moves = expm(hamiltonian * h[:, None, None])
+    half = 0 * pull + float(rho) / 2 * np.eye(n)
+    push -= float(rho * C) * np.eye(n)
+    rates = np.block([[half, float(kappa) * pull], [push, -half]]) * h[:, None, None]
+    if np.abs(rates).max() > LARGEST:
+        return None
+    moves = expm(rates)
     A = np.linalg.inv(moves[:, :n, :n])
     maps = [*zip(A, A @ moves[:, :n, n:], moves[:, n:, :n] @ A, strict=True)]
     whole = reduce(joined, maps)
@@ -141,54 +141,48 @@ def tried(
     if not (np.abs(whole[0]).max() < CONVERGED and values.min() > 0):
         return None
     overshoot = rational(1 + 1.001 * (D * (1 + f[0] @ f[0]) + values[0, -1]) / C)
-    constants = a, p, kappa, rho, b0, b1, C, D, overshoot
-    return Riccati(dict(zip(NAMES, constants, strict=True)), f[0], R[0], len(w))
-
-
-def largest(h: np.ndarray, w: np.ndarray, a: Fraction, first: float) -> Riccati | None:
-    """Search the weights p and kappa for the largest rho."""
-    cuts = np.unique(np.linspace(0, len(h), COARSE, endpoint=False).astype(int))
-    spans = np.add.reduceat(h, cuts)
-    coarse = spans, np.add.reduceat(h[:, None] * w, cuts) / spans[:, None], a
-    rho, best = FIRST * first, None
-    grid = product(float(a) * np.geomspace(0.3, 10, 9), np.geomspace(0.5, 70, 9))
-    for weights in grid:
-        at = [rational(x) for x in weights]
-        high, tip, before = 2 * float(a), 1.02 * rho, rho
-        while tip < 0.98 * high:
-            if tried(*coarse, *at, rational(tip)):
-                rho, best = tip, at
-            elif rho == before:
-                break
-            else:
-                high = tip
-            tip = np.sqrt(rho * high)
-    while best and rho > FIRST / 2 * first:
-        if found := tried(h, w, a, *best, rational(rho)):
-            return found
-        rho *= 0.98
-    return None
+    constants = {
+        "a": a, "p": p, "kappa": kappa, "rho": rho, "b0": b0, "b1": b1, "C": C, "D": D,
+        "overshoot": overshoot,
+    }  # fmt: skip
+    return Riccati(constants, f[0], R[0], len(w))
 
 
 def riccati_of(excitation: Any) -> dict[str, Riccati]:
-    """Return the certified rate of each axis of an excitation."""
+    """Search the weights p and kappa for the largest rate of each axis of an excitation."""
+    # Step 1: w, constant in pieces
+    excitation.certificate()
     form, w, weights = excitation.form, excitation.w, excitation.weights
-    drops = excitation.certificate().drops
     if form:
-        A, w = [-form.A[0]], form.left[0, 0] * w @ form.right
+        feedback, w = (
+            [-form.A[0]] * (form.W.rows == 1),
+            form.left[0, 0] * w @ form.right,
+        )
     else:
-        gains = excitation.gains
-        A = excitation.scenario.vehicle.feedback
-        w, weights = finely(FINE * np.sqrt(gains) * w[..., gains > 0], weights)
+        feedback, gains = excitation.scenario.vehicle.feedback, excitation.gains
+        adapted = gains > 0
+        w, weights = finely(FINE * np.sqrt(gains[adapted]) * w[..., adapted], weights)
         w = w / FINE
-    h, found = weights.sum(axis=1), {}
-    for (axis, drop), a, at_nodes in zip(drops.items(), A, w, strict=True):
-        mean = np.sum(weights[..., None] * at_nodes, axis=1) / h[:, None]
-        rate = largest(h, mean, Fraction(str(a)), -np.log1p(-drop) / excitation.window)
-        if rate is None or len(A) > len(w):
-            raise DataError(
-                f"no rate: {axis}: no weights of the Riccati certificate were found. certificate() "
-                "has a half-life if all parameters are excited"
-            )
-        found[axis] = rate
+    h, found = weights.ravel(), {}
+    cuts = np.arange(0, len(h), 1 + len(h) // COARSE)
+    spans = np.add.reduceat(h, cuts)
+    for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
+        a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
+        mean = np.add.reduceat(h[:, None] * pieces, cuts) / spans[:, None]
+        # Step 2: the largest rho in fewer pieces
+        rho, best = SMALLEST * float(a), None
+        for factor, share, kappa in product((5, 1.5, 1.1, 1.02), SHARES, KAPPAS):
+            at = a, rational(float(a) * share), rational(kappa)
+            while tried(spans, mean, *at, rational(rho * factor)):
+                rho, best = rho * factor, at
+        # Step 3: in all pieces
+        while best and axis not in found and rho > SMALLEST * float(a):
+            if rate := tried(h, pieces, *best, rational(rho)):
+                found[axis] = rate
+            rho *= 0.98
+    if len(found) < len(w):
+        raise DataError(
+            "no rate: no weights of the Riccati certificate were found, or e has several "
+            "components. certificate() has a half-life if all parameters are excited"
+        )
     return found
