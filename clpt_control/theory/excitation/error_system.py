@@ -45,8 +45,8 @@ class ErrorSystem:
                 "of: must be a verdict on the loop of this run, with its states"
             )
         symbols = TIME, *self.rates, *self.inputs.values()
-        given = times, *states.T, *(signals[name] for name in self.inputs)
-        found = sympy.lambdify(symbols, [*self.rates.values(), *self.W])(*given)
+        values_of = sympy.lambdify(symbols, [*self.rates.values(), *self.W])
+        found = values_of(times, *states.T, *(signals[name] for name in self.inputs))
         columns = np.transpose([np.broadcast_to(x, times.shape) for x in found])
         rates, W = np.split(columns, [len(self.rates)], axis=1)
 
@@ -70,7 +70,7 @@ class ErrorSystem:
         return W.reshape(-1, *self.W.shape)
 
 
-def error_system_of(verdict: Any, names: Sequence[str] = ()) -> ErrorSystem:
+def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
     """Read the error system of a verdict; `names` are the states th, by default read from V'."""
     eq = getattr(verdict, "equations", None)
     if eq is None or verdict.V is None or eq.discrete or eq.jumps:

@@ -15,7 +15,7 @@ The vehicles of a team share the flow parameters of an axis and have their own K
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import control
@@ -121,11 +121,11 @@ class Excitation(Regressor):
         change = float(np.max(changes))
         return change if thin.sizes["time"] <= last and change <= MAX_CHANGE else None
 
-    def _in(self, source: Any, *where: Any) -> "Excitation":
+    def _in(self, *where: Any) -> "Excitation":
         """Return the same of another run or window, cut at edges."""
         signals = self.form or self.names.get("w")
-        regressor = joint_regressors(source, *where, signals=signals)[""]
-        return Excitation(**vars(regressor), source=source)
+        regressor = partial(joint_regressors, signals=signals)(*where)[""]
+        return Excitation(**vars(regressor), source=where[0])
 
     def plot(self, *, ax: Any = None) -> np.ndarray:
         """Draw the eigenvalues along time and the least excited direction, (2, axes) Axes."""

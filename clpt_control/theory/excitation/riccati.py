@@ -34,9 +34,7 @@ from scipy.linalg import expm
 from ...base.errors import DataError
 from ...base.units import at_most
 from ..proofs.in_coq import PRELUDE
-from .certificates import finely
 
-FINE = 3  # pieces of the paper's regressor in one of the contraction's
 COARSE = 400  # pieces in the search
 SQUARINGS = 12  # windows after which R is periodic: 2 to this power
 CONVERGED = 1e-10
@@ -61,28 +59,24 @@ class Riccati:
     pieces: int
 
     def __repr__(self) -> str:
-        return f"<Riccati: {self.sentence}>"
+        given = self.constants
+        return (
+            f"<Riccati: errors halve at least every {at_most(self.half_life)}, but for a factor "
+            f"{at_most(float(given['overshoot']) ** 0.5)}, while R >= 0 and "
+            f"{float(given['b0']):.4g} <= f'w <= {float(given['b1']):.4g}: at the ends of "
+            f"{self.pieces} pieces of the window, repeated, with constant w>"
+        )
 
     @property
     def half_life(self) -> float:
         """Time in which the root of V halves, at most, but for that of the overshoot."""
         return float(2 * np.log(2) / self.constants["rho"])
 
-    @property
-    def sentence(self) -> str:
-        """The certificate and its two facts."""
-        b0, b1, c = (float(self.constants[name]) for name in ("b0", "b1", "overshoot"))
-        return (
-            f"errors halve at least every {at_most(self.half_life)}, but for a factor "
-            f"{at_most(c**0.5)}, while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: at the ends of "
-            f"{self.pieces} pieces of the window, repeated, with constant w"
-        )
-
     def coq(self) -> str:
         """Return the rate as a file that Coq checks alone."""
         given = {name: f"({value})" for name, value in self.constants.items()}
         file = Template(PRELUDE.with_name("rate.txt").read_text("utf-8"))
-        text = file.substitute(given, n=len(self.f), sentence=self.sentence)
+        text = file.substitute(given, n=len(self.f), certificate=self)
         return PRELUDE.read_text("utf-8") + text
 
 
@@ -93,15 +87,9 @@ def joined(first: Any, second: Any) -> Any:
     return A @ W @ B, G + A @ W @ K @ A.T, L + B.T @ H @ W @ B
 
 
-def tried(
-    h: np.ndarray,
-    w: np.ndarray,
-    a: Fraction,
-    p: Fraction,
-    kappa: Fraction,
-    rho: Fraction,
-) -> Riccati | None:
-    """Return the certificate with these weights for w (pieces, n) of lengths h, or None."""
+def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
+    """Return the certificate with a, p, kappa and rho for w (pieces, n) of lengths h, or None."""
+    a, p, kappa, rho = weights
     # Step 1: f, periodic, and bounds of b
     decay = np.exp(-float(p) * h)[:, None]
     steps = [*zip(decay, (1 - decay) / float(p) * w, strict=True)]
@@ -148,11 +136,11 @@ def tried(
     return Riccati(constants, f[0], R[0], len(w))
 
 
-def riccati_of(excitation: Any) -> dict[str, Riccati]:
+def riccati_of(excitation: Any) -> dict[str, Any]:
     """Search the weights p and kappa for the largest rate of each axis of an excitation."""
     # Step 1: w, constant in pieces
     excitation.certificate()
-    form, w, weights = excitation.form, excitation.w, excitation.weights
+    form, w = excitation.form, excitation.w
     if form:
         feedback, w = (
             [-form.A[0]] * (form.W.rows == 1),
@@ -160,27 +148,22 @@ def riccati_of(excitation: Any) -> dict[str, Riccati]:
         )
     else:
         feedback, gains = excitation.scenario.vehicle.feedback, excitation.gains
-        adapted = gains > 0
-        w, weights = finely(FINE * np.sqrt(gains[adapted]) * w[..., adapted], weights)
-        w = w / FINE
-    h, found = weights.ravel(), {}
-    cuts = np.arange(0, len(h), 1 + len(h) // COARSE)
-    spans = np.add.reduceat(h, cuts)
+        w = np.sqrt(gains[gains > 0]) * w[..., gains > 0]
+    h, found = excitation.weights.ravel(), {}
+    thin = slice(None, None, 1 + len(h) // COARSE)
     for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
         a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
-        mean = np.add.reduceat(h[:, None] * pieces, cuts) / spans[:, None]
-        # Step 2: the largest rho in fewer pieces
-        rho, best = SMALLEST * float(a), None
+        fewer = h[thin] * thin.step, pieces[thin]
+        # Step 2: the largest rho in fewer, longer pieces
+        rho, best = SMALLEST * float(a), (a, a, Fraction(1))
         for factor, share, kappa in product((5, 1.5, 1.1, 1.02), SHARES, KAPPAS):
-            at = a, rational(float(a) * share), rational(kappa)
-            while tried(spans, mean, *at, rational(rho * factor)):
+            at = a, a * rational(share), rational(kappa)
+            while tried(*fewer, *at, rational(rho * factor)):
                 rho, best = rho * factor, at
         # Step 3: in all pieces
-        while best and axis not in found and rho > SMALLEST * float(a):
-            if rate := tried(h, pieces, *best, rational(rho)):
-                found[axis] = rate
-            rho *= 0.98
-    if len(found) < len(w):
+        rates = (tried(h, pieces, *best, rational(rho * 0.95**k)) for k in range(12))
+        found[axis] = next(filter(None, rates), None)
+    if not found or None in found.values():
         raise DataError(
             "no rate: no weights of the Riccati certificate were found, or e has several "
             "components. certificate() has a half-life if all parameters are excited"
