@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from coq_files import REALS, compiled
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
@@ -108,6 +109,50 @@ def test_certified_rates_are_below_the_true_ones():
     assert np.median(shares) > 0.9
 
 
+def exact(constants):
+    """E Z less the larger X^2: zero of the largest C, in rationals."""
+    a, p, kappa, rho, b0, b1, C, D, _ = constants.values()
+    E, Z = (2 * a - rho) * C - 1 - 1 / kappa, (2 * p - rho) * D - 1
+    return E * Z - max((D * (p - a + b) - 1) ** 2 for b in (b0, b1)), Z
+
+
+@pytest.mark.parametrize(
+    ("name", "least"), [("constant, slow", 0.85), ("a circle", 0.9), ("a pulse", 0.5)]
+)
+def test_rates_by_a_riccati_equation(name, least):
+    found = measured(*LOOPS[name]).riccati["w"]
+    rho = float(found.constants["rho"])
+    assert least < rho / true_rate(*LOOPS[name]) <= 1
+    assert found.half_life == pytest.approx(2 * np.log(2) / rho)
+    difference, Z = exact(found.constants)
+    assert difference == 0 and Z > 0
+    assert repr(found).startswith("<Riccati: errors halve at least every")
+
+
+def test_R_is_positive_and_periodic_by_scipy():
+    _, gains, w, period = LOOPS["other gains"]
+    found = measured(*LOOPS["other gains"]).riccati["w"]
+    p, kappa, rho, C, b0, b1 = (
+        float(found.constants[name]) for name in ("p", "kappa", "rho", "C", "b0", "b1")
+    )
+
+    def rate(t, y):
+        R, f = y[:4].reshape(2, 2), y[4:]
+        at = np.sqrt(gains) * [w_j(t) for w_j in w]
+        R_rate = np.outer(f, f) - rho * (R + C * np.eye(2))
+        return [*np.ravel(R_rate - kappa * R @ np.outer(at, at) @ R), *(at - p * f)]
+
+    start = [*found.R.ravel(), *found.f]
+    run = solve_ivp(rate, (0, period), start, rtol=1e-9, atol=1e-12, max_step=0.05)
+    R = run.y[:4].T.reshape(-1, 2, 2)
+    assert np.linalg.eigvalsh(R).min() > 0
+    assert run.y[:, -1] == pytest.approx(start, abs=2e-3 * np.abs(start).max())
+    b = [
+        run.y[4:, k] @ (np.sqrt(gains) * [f(t) for f in w]) for k, t in enumerate(run.t)
+    ]
+    assert b0 <= min(b) < max(b) <= b1 < b0 + 1.1 * np.ptp(b)
+
+
 def test_contraction_of_a_constant_regressor_in_closed_form():
     a, g, w = 1.0, 0.1, 0.5
     coupling = w * np.sqrt(g)
@@ -132,9 +177,11 @@ def test_V_is_below_its_tube_in_many_starts(name):
     at = np.concatenate([times[:-1] + k * period for k in range(8)])
     starts = np.random.default_rng(1).normal(size=(len(gains) + 1, 50))
     V = np.sum((Phi @ starts) ** 2, axis=1) / np.sum(starts**2, axis=0)
-    certificate = found.certificate()
-    tube = certificate.overshoot**2 * 4 ** (-at / certificate.half_life)
-    assert np.all(tube[:, None] * (1 + 1e-4) >= V)
+    for bound in (found.certificate(), found.riccati["w"]):
+        given = getattr(bound, "constants", None)
+        overshoot = float(given["overshoot"]) if given else bound.overshoot**2
+        tube = overshoot * 4 ** (-at / bound.half_life)
+        assert np.all(tube[:, None] * (1 + 1e-4) >= V)
 
 
 def test_what_is_not_excited_has_no_rate():
@@ -144,6 +191,8 @@ def test_what_is_not_excited_has_no_rate():
     assert said in found.result.sentences
     assert found.report["half_life"] is None
     assert repr(found).endswith("errors have no half-life>")
+    with pytest.raises(clpt.DataError, match="no rate: no weights"):
+        found.riccati  # noqa: B018
 
 
 @pytest.mark.parametrize(
@@ -187,6 +236,8 @@ def test_an_e_of_two_numbers_and_a_matrix_of_gains():
     assert found.certificate().contraction == pytest.approx(contraction, abs=1e-5)
     rate = -2 * np.log(np.abs(np.linalg.eigvals(Phi.reshape(4, 4))).max()) / T
     assert 0.7 < 2 * np.log(2) / found.certificate().half_life / rate <= 1
+    with pytest.raises(clpt.DataError, match="e has several components"):
+        found.riccati  # noqa: B018
 
 
 def tutorial():
@@ -237,8 +288,9 @@ def test_a_run_of_other_parameters_is_refused():
         clpt.gramian(other, of=larger, **given)
     given |= {"timepts": t[::100], "inputs": [sin(t)[::100], cos(t)[::100]]}
     coarse = clpt.gramian(loop_of(1.0, [1.0, 1.0])[0], 1.5, 0.0, of=verdict, **given)
-    with pytest.raises(clpt.DataError, match="the samples are too far apart"):
-        coarse.certificate()
+    certificate = coarse.certificate()
+    assert coarse.accuracy is None and certificate.half_life is None
+    assert "the samples are too far apart" in "".join(coarse.result.sentences)
 
 
 @pytest.mark.parametrize(
@@ -269,3 +321,27 @@ def test_the_paper_halves_within_the_time_of_several_windows():
     assert certificate.time_to_tenth == 2200.0
     assert 646.8 < certificate.half_life < 670  # 646.8: Floquet
     assert "halve at least every 663.5 s" in "".join(found.result.sentences)
+    # by the Riccati equation less, of each axis
+    assert all(664 < axis.half_life < 10000 for axis in found.riccati.values())
+
+
+# --- Coq ---------------------------------------------------------------------------------------
+
+
+def altered(text, constants):
+    """Files with rho times 1.05, a bound halved, and a sign changed."""
+    rho, b1, p = (constants[name] for name in ("rho", "b1", "p"))
+    yield text.replace(f"({rho})", f"({rho * 21 / 20})")
+    yield text.replace(f"<= ({b1}).", f"<= ({b1 / 2}).")
+    yield text.replace(f"- ({p}) * f i t + w i t", f"- ({p}) * f i t - w i t")
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize("name", ["constant, slow", "other gains", "five"])
+def test_coq_checks_rates_and_refuses_altered_ones(name, tmp_path):
+    found = measured(*LOOPS[name]).riccati["w"]
+    text = found.coq()
+    assert compiled(tmp_path, text) == (True, REALS)
+    for wrong in altered(text, found.constants) if name == "other gains" else ():
+        assert wrong != text
+        assert not compiled(tmp_path, wrong)[0]
