@@ -273,8 +273,9 @@ def certificate(excitation: Any) -> Certificate:
         dict(zip(excitation.names, values.tolist(), strict=True))
         for values in (drop, learned)
     )
-    is_idle = any(excitation.idle.values())
-    falls = (np.inf, 1.0, np.inf) if is_idle else falls_of(Phi, drop, span)
+    falls = np.inf, 1.0, np.inf
+    if not any(excitation.idle.values()):
+        falls = falls_of(Phi, drop, span)
     half_life, overshoot, time = falls
     return Certificate(
         excitation.start,
