@@ -270,6 +270,10 @@ def gramian(
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
         of each vehicle by name. Gains that the law does not adapt are left out.
 
+        `riccati` has by axis a rate that holds while two facts of the run do: with `half_life`,
+        `constants` (rationals), f and R at the start, and `coq()`, a file that Coq checks alone.
+        Its search takes seconds; it is for an e of one component.
+
     Raises
     ------
     ScenarioError
