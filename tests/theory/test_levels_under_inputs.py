@@ -228,7 +228,7 @@ def test_V_and_its_loss_have_different_degrees(rates, V, level):
     """At the level x' = 0 with d = 1: the last has 1 + x^2 = x + 2 x^3 at x = 0.739."""
     verdict = clpt.lyapunov(loop(rates), V, where={"d": (-1, 1)})
     assert verdict.conclusion == "ultimately bounded"
-    assert level <= verdict.level <= 1.01 * level
+    assert level <= verdict.level <= 1.05 * level
 
 
 def test_sliding_control_overcomes_its_disturbance():

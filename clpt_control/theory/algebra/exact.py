@@ -21,7 +21,7 @@ from ...base.errors import DiagramError
 from ...engine.record.symbolic import rational
 from .decided import decided
 from .facts import CLIP, INSIDE, fact_of
-from .texts import LARGEST_DENOMINATOR, short
+from .texts import LARGEST, short
 
 MOST_TERMS = 20_000  # longer expressions are not multiplied out
 HIGHEST = 4  # higher powers are not factored
@@ -212,7 +212,7 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     with `values` are these numbers.
     """
     numbers = _numbers_in(e, values)
-    if not numbers and all(n.q <= LARGEST_DENOMINATOR for n in e.atoms(sympy.Rational)):
+    if not numbers and all(n.q <= LARGEST for n in e.atoms(sympy.Rational)):
         return e
     numbers |= values
 

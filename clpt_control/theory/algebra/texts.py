@@ -8,16 +8,14 @@ import sympy
 
 from ...base.units import at_least, at_most
 
-LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
-LARGEST_NUMERATOR = 10**15
+LARGEST = 10**12  # larger numerators and denominators are rounded in texts
 
 
 def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
 
     def is_long(e: Any) -> bool:
-        numbers = [(abs(n.p), n.q) for n in e.atoms(sympy.Rational)]
-        return any(p > LARGEST_NUMERATOR or q > LARGEST_DENOMINATOR for p, q in numbers)
+        return any(max(abs(n.p), n.q) > LARGEST for n in e.atoms(sympy.Rational))
 
     def rounded(e: Any) -> Any:
         """Return an expression with long numbers rounded, functions of them as one number."""
@@ -25,7 +23,7 @@ def short(expression: Any, most: int = 160) -> str:
             return e
         if not e.is_number:
             return e.func(*map(rounded, e.args))
-        if e.is_Rational and 1e6 * abs(e - e.round()) < abs(e) < LARGEST_NUMERATOR:
+        if e.is_Rational and 1e6 * abs(e - e.round()) < abs(e) < LARGEST:
             return e.round()
         return e.n(6)
 
@@ -67,7 +65,7 @@ def bound_text(bound: Any, up: bool = True) -> str:
         """Return an expression of positive symbols with its numbers rounded."""
         if e.is_Rational or e.is_Float:
             text = (at_most if up else at_least)(float(e), 4)
-            is_exact = e.is_Integer and abs(e) < LARGEST_NUMERATOR
+            is_exact = e.is_Integer and abs(e) < LARGEST
             return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
             return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)

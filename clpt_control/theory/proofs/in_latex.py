@@ -38,7 +38,7 @@ COMMA = re.compile(r", (?![^(]*\))")
 BEFORE, AFTER = " ,)*/^=<>+", " ,(-+*/^=<>"  # of a formula, and no part of it
 OWN: dict[str, Any] = {name: Function(name) for name in ("maximum", "minimum")}
 MARKUP = {c: f"\\{c}" for c in "&%$#_{}"} | {c: f"${c}$" for c in "<>|*"}
-MARKUP["^"] = r"\^{}"
+MARKUP |= {"^": r"\^{}"}
 
 
 def verdict_in_latex(verdict: Any) -> str:
@@ -100,9 +100,9 @@ class Sentences:
         known += [s for symbols in named.values() for s in symbols.flat]
         total = sympy.Tuple(*(e for e in known if isinstance(e, sympy.Basic)))
         letters = re.findall(r", (\w+) = ", verdict.claim)  # of the sentence
-        self.names = {"V", "N", "t", *letters, *map(str, total.free_symbols)}
-        self.names |= {str(call.func) for call in total.atoms(AppliedUndef)}
-        self.names |= named.keys()
+        signals = total.atoms(Symbol, AppliedUndef)
+        self.names = {str(s).removesuffix("(t)") for s in signals} | named.keys()
+        self.names |= {"V", "N", "t", *letters}
 
     def text(self, text: str) -> str:
         """Return a text with its mathematics in math mode, and its words escaped."""

@@ -220,8 +220,9 @@ def lyapunov(
     where : mapping, optional
         The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0: V' is judged
         there. Its rate, or next value, is asked for at each end: it must not lead outside. Inputs,
-        at most six, have bounds, ``{"d": (-1, 3)}``: if V' is affine in each, V comes down to a
-        `level`, an upper estimate, for every d(t) within them. A `claim` is for any inputs.
+        at most six, have bounds, ``{"d": (-1, 3)}``, one bound, ``(0, None)``, or one value: if V'
+        is convex in each, or in its square, V comes down to a `level`, an upper estimate, for
+        every d(t) within them. A `claim` is for any inputs.
 
     Returns
     -------

@@ -206,23 +206,23 @@ class PointSearch:
         times = random.uniform(0, 20, count) * 10.0**exponents
         times *= random.random(count) > 0.1
         times = np.maximum(times, EARLIEST)
-        return times, self.inside((x + self.rest_at(x)).T).T, self.limited(u)
+        return times, *self.both_inside(x + self.rest_at(x), u)
 
     def inside(self, x: np.ndarray) -> np.ndarray:
         """Return states (n, states) in the sets that the diagram keeps."""
-        low, high = self.ends[: len(self.states)].T
+        low, high = self.ends[: x.shape[1]].T
         return np.fmax(np.fmin(x, high), low)
 
-    def limited(self, u: np.ndarray) -> np.ndarray:
-        """Return inputs (inputs, n) between their bounds."""
-        low, high = self.ends[len(self.states) :].T[..., None]
-        return np.fmax(np.fmin(u, high), low)
+    def both_inside(self, x: np.ndarray, u: np.ndarray) -> list[np.ndarray]:
+        """Return states and inputs in their sets and between their bounds, as columns."""
+        points = self.inside(np.vstack([x, u]).T).T
+        return np.split(points, [len(x)])
 
     def wide(self, count: int) -> tuple:
         """Return times, states and inputs of wider ranges, in some of which powers overflow."""
         t, x, u = self.draw(count, False, widest=4.0)  # exp overflows
         x[:, ::10] *= 1000
-        return t, self.inside(x.T).T, u
+        return t, *self.both_inside(x, u)
 
     def rest_at(self, x: np.ndarray) -> np.ndarray:
         """Return the rest of states (n, ...), which may depend on other states."""
@@ -303,8 +303,7 @@ class PointSearch:
             centers = np.resize(best, PER_ROUND)
             radius = 0.7 * radius
             t, x, u = (self.near(values[..., centers], radius) for values in points)
-            u = self.limited(u * (not still))
-            points = np.abs(t), self.inside(x.T).T, u
+            points = np.abs(t), *self.both_inside(x, u * (not still))
         return None
 
     def near(self, values: np.ndarray, radius: float) -> np.ndarray:

@@ -21,7 +21,6 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import chain, count
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,9 +40,7 @@ from .leaks import Leak, leaks_of, radial_of, stays_within
 from .steps import exact
 
 # of V that V' may lose
-SHARES = [
-    sympy.S(2) ** k * part for k in range(-6, 7) for part in (1, sympy.Rational(3, 2))
-]
+SHARES = [sympy.S(2) ** k for k in range(-6, 7)]
 
 
 class Pull(NamedTuple):
@@ -278,11 +275,10 @@ class Bounding:
         """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
         pulls = [*map(self.pulled, rates)]
-        if None in pulls or not rates:
-            is_tried = rates and not self.pushes
-            return lowest(self.V, rates, SHARES) if is_tried else None
         found = [pull for pull in pulls if pull is not None]
-        return shared(self.V, rates, found) if found[1:] else found[0]
+        if len(found) < len(rates):
+            return None if self.pushes else lowest(self.V, rates, SHARES)
+        return shared(self.V, rates, found) if found[1:] else next(iter(found), None)
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
@@ -379,10 +375,11 @@ class Bounding:
         claim = f"V' <= -{r} V + {c}, {c} = {push}, {r} = {rate}{more}"
         return bounded(claim, "pulled", level, bound=f"{c}/{r}")
 
-    def letter(self, first: str) -> str:
-        """Return a letter of the sentence, with a number where the loop has one so called."""
-        numbered = (f"{first}_{k}" for k in count(1))
-        return next(e for e in chain([first], numbered) if e not in self.case.eq.named)
+    def letter(self, name: str) -> str:
+        """Return a letter of the sentence, with a number where the loop has it."""
+        while name in self.case.eq.named:
+            name += "_1"
+        return name
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""

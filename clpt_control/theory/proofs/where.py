@@ -4,12 +4,11 @@ V' that is affine in each input d, low <= d <= high, is a mean of its values at 
 
     V' = sum of share V'(corner),    shares >= 0 with the sum 1
 
-So a bound of V' at each corner is one for every d(t) within the bounds.  Sines, cosines, tanh and
-e^(-c t) are between numbers, as inputs are.
+and at most that if it is convex.  So a bound of V' at each corner is one for every d(t) within the
+bounds.  Sines, cosines, tanh and e^(-c t) are between numbers, as inputs are.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from math import inf
 from types import MappingProxyType
 from typing import Any
 
@@ -109,7 +108,10 @@ class Where:
     def conditions(self) -> list[Condition]:
         """The sets and the bounds as conditions."""
         ends = [
-            _between(f"{f.func}", *map(float, ends)) for f, ends in self.box.items()
+            f"{float(low):.15g} <= " * (low != -oo)
+            + f"{d.func}"
+            + f" <= {float(high):.15g}" * (high != oo)
+            for d, (low, high) in self.box.items()
         ]
         conditions = [Condition("start", self.sets)] * bool(self.kept)
         return conditions + [Condition("input bounds", ", ".join(ends))] * bool(ends)
@@ -154,13 +156,6 @@ class Where:
         rates = [at for _, at in self.corners(rate)] if self.box else []
         largest = (e for e in rates if all(never_positive(o - e) for o in rates))
         return next(largest, None)
-
-
-def _between(name: str, low: float, high: float) -> str:
-    """Return "-1 <= d <= 1", or an end alone."""
-    if low == high or high == inf:
-        return f"{name} {'=' if low == high else '>='} {low:.15g}"
-    return f"{low:.15g} <= " * (low > -inf) + f"{name} <= {high:.15g}"
 
 
 def ranges_in(rate: Expr) -> dict[Any, tuple]:
