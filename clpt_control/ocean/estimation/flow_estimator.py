@@ -741,14 +741,10 @@ def _checksum(text: str) -> str:
 
 
 def flow_by(
-    estimator: FlowEstimator,
-    theta: np.ndarray,
-    time: float,
-    latitude: float,
-    longitude: float,
+    estimator: FlowEstimator, theta: np.ndarray, time: float, *place: float
 ) -> tuple[float, float]:
     """Return the flow of some theta, scenario's units, as `flow` does."""
-    frame = estimator._frame_at(latitude, longitude)
-    point = frame.point(latitude, longitude)
+    frame = estimator._frame_at(*place)
+    point = frame.point(*place)
     phi = estimator.track.phi(frame.own_time(time), point)
     return frame.velocity(point, theta @ phi)
