@@ -16,10 +16,12 @@ scale.  The shade is the standard error of an estimate, or the error of a run wh
 known.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ..base.arguments import numbers, public
 from ..base.errors import ArgumentError, DataError
@@ -70,7 +72,7 @@ class _Learned:
     end: Any
     has_truth: bool
     field: GriddedField | None = None  # measured current
-    beside: float = 0.0  # standard deviation of the flow beside theta phi
+    beside: Callable = lambda points, flow: 0.0  # variance of the flow beside theta phi
 
     def times(self, time: Any) -> tuple[np.ndarray, Any]:
         """Return times since t = 0, and the coordinate of the map."""
@@ -195,7 +197,7 @@ def map_of(
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
-        variance += unspanned(learned.scenario.basis, learned.beside, points)[0]
+        variance += learned.beside(points, flow)
         words = {"long_name": "standard error of u and of v"}
         data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
@@ -280,6 +282,17 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
     if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):
         plane = LocalPlane(latitude, longitude, scenario.units.length)
         places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
+    fixes = cKDTree(places)
+    leg_flow = estimate.leg_flow.values
+
+    def beside(points: np.ndarray, flow: np.ndarray) -> np.ndarray:
+        # the legs of the two nearest fixes, such as that before a fix and that behind it
+        away, legs = fixes.query(points, [1, 2])
+        near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
+        off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
+        prior = estimate.attrs["unspanned_flow"]
+        return unspanned(scenario.basis, prior, points, away[:, 0], off)
+
     parameters = estimate.flow_parameters_estimate
     return _Learned(
         scenario,
@@ -293,7 +306,7 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
         estimate.attrs["time_origin"],
         estimate.end_time.values[-1],
         False,
-        beside=estimate.attrs["unspanned_flow"],
+        beside=beside,
     )
 
 

@@ -8,12 +8,13 @@ with z and m of `leg_track`, integrated along the prediction with y drawn in eve
 track ends at the fix.  Least squares moves theta_hat (`least_squares_step` of the law
 fix-regression; Ljung 1999, section 11.2).  Laws with this regression differ in P between the fixes
 (`Law.between_fixes`): `kalman-flow` adds its random walk, `least-squares` forgets.  r is that of
-`fix_settings`.  Three terms are added to r^2:
+`fix_settings`.  Two terms are added to r^2:
 
 - A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
   way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, the term is (T 0.25 m/s min(b/width, 1))^2.
 - The flow turns by `turn` rad along the leg (`LegTrack.turn`): (turn/2)^2 m^T P m.
-- Where functions die out, the flow that they do not span has a variance on ways (`unspanned`).
+
+The region of a forecast has a third one, of the flow that the functions do not span (`unspanned`).
 
 Each fix divides each guess of what happened so far (`leg_guesses`); standard errors and regions are
 those of the mixture of the guesses.
@@ -45,7 +46,7 @@ from ..gliders.unmeasured import DOUBT, NO_FIX, unmeasured
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
-from .leg_track import Arrival, Leg, LegTrack, Turn, long_interval
+from .leg_track import Leg, LegTrack, Turn, long_interval
 from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
@@ -373,7 +374,9 @@ class FlowEstimator:
         theta = self._turned(leg, theta_of(likely).T).T
         arrival = self.track.end(leg, theta)
         turn = self.track.turn(arrival, theta, self.covariance)
-        terms = self._terms(leg, arrival, arrival.z, turn)
+        terms = self._terms(leg, arrival.m, arrival.z, turn)
+        bend = hypot(terms.bend, self.track.beside(leg, arrival, theta))
+        terms = terms._replace(bend=bend)
         radius = self._guessing.radius(likely, terms) * frame.metres
         return Ahead(frame.date(leg.time), *frame.position(arrival.z), radius)
 
@@ -665,14 +668,12 @@ class FlowEstimator:
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
 
-    def _terms(
-        self, leg: Leg, arrival: Arrival, Y: np.ndarray, turn: Turn
-    ) -> Regression:
+    def _terms(self, leg: Leg, m: np.ndarray, Y: np.ndarray, turn: Turn) -> Regression:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
         noise = self.settings.noise_of(duration)
-        bend = hypot(self.track.bend(leg, self.fastest), self.track.beside(arrival))
-        return Regression(Y, arrival.m, duration, noise, bend, turn, self.theta)
+        bend = self.track.bend(leg, self.fastest)
+        return Regression(Y, m, duration, noise, bend, turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
@@ -688,7 +689,7 @@ class FlowEstimator:
         times = np.append(arrival.points[:, 0], leg.time) - leg.start
         path = np.vstack([arrival.path, arrival.m])
         along = LegRegressor(times, path, float(np.hypot(*drift)) * times)
-        return self._terms(leg, arrival, Y, turn)._replace(path=along)
+        return self._terms(leg, arrival.m, Y, turn)._replace(path=along)
 
     def _learn(self, start: Leg, leg: Leg | None) -> dict[str, Any]:
         """Divide each guess by the fix from which a leg may start; return note and turn."""
@@ -713,6 +714,7 @@ class FlowEstimator:
         row = [*(place - leg.place), *leg.moved, ended.duration, r, *ended.m]
         self.ways = [*self.ways[1 - COMPARED :], [float(x) for x in row]]
         self.turn = ended.turn.learned
+        start.shown = ((place - leg.place - leg.moved) / ended.duration).tolist()
         return {"note": note, "turn": self.turn}
 
     def _check_time(self, time: float) -> None:

@@ -224,7 +224,7 @@ def flow_of_legs(
         estimator.frame, estimator.settings.bent = frame, 0.0
         estimator.is_screened = False
     estimator.settings.beside *= not is_spanned
-    learned, used, refused = [], [], []
+    learned, used, refused, shown = [], [], [], []
     for leg in legs:
         check()
         try:
@@ -237,6 +237,7 @@ def flow_of_legs(
         else:
             learned.append(result)
             used.append(leg)
+            shown.append(estimator.under_way[1].shown)
     if not used:
         raise DataError(refused[0])
     legs = used
@@ -304,6 +305,9 @@ def flow_of_legs(
                 ("axis", "basis", "other_basis"),
                 covariance * speed**2,
                 {"long_name": "covariance of each row of theta", "units": "m2 s-2"},
+            ),
+            "leg_flow": column(
+                np.array(shown) * speed, "mean flow along the leg", MPS, "axis"
             ),
             "turn": column(turns, "turn of the flow along the leg", "rad"),
             "guaranteed": column(

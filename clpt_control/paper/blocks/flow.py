@@ -82,28 +82,34 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
     return float(own + np.linalg.norm(np.asarray(spread) * slopes))
 
 
-def unspanned(basis: Any, prior: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return variances of the flow that the functions do not span: at n places, on ways by them.
+def unspanned(
+    basis: Any, prior: float, x: np.ndarray, away: np.ndarray, off: Any
+) -> np.ndarray:
+    """Return variances of the flow that the functions do not span, at n places.
 
     The flow is theta phi and a field of the prior's variance s^2, of which the functions hold a
     part (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using pseudo-inputs", NIPS 2005):
 
         v = s^2 (1 - k(x, c) k(c, c)^-1 k(c, x))
 
-    with the narrowest kernel k of the basis, at the centres c.  Between functions it has both signs
-    and cancels in the mean over a way.  The functions, of which n_i are like the i-th, leave there
+    with the narrowest kernel k of the basis, at the centres c.  A leg at the distance `away` shows
+    the share k^2 of it, `off`, the square of the difference of its flow from theta phi at x, NaN if
+    there is none:
 
-        v = s^2 max(0, 1 - sum_i k(x, c_i)^2/n_i),    n_i = sum_j k(c_i, c_j)^4
+        (1 - k^2) v + k^2 off
     """
+    if not prior:
+        return np.zeros(len(x))
     zeros, centers = np.zeros(basis.N), np.array(basis.centers)
     widths = np.full(basis.N, np.min(basis.widths))
     still = flow_basis("still", "x", basis.kernel, centers, widths, zeros, zeros)
-    like, of_places = (evaluate(still, 0.0, places) for places in (centers, x))
+    beside = centers[0] + np.outer(away, [1.0, 0.0])
+    like, of_places, of_leg = (evaluate(still, 0.0, at) for at in (centers, x, beside))
     inverse = np.linalg.pinv(like, SAME, hermitian=True)
     held = np.einsum("nk,kl,nl->n", of_places, inverse, of_places)
-    on_ways = of_places**2 @ (1 / np.sum(like**4, axis=0))
-    of_place, of_way = prior**2 * np.maximum(1 - np.array([held, on_ways]), 0)
-    return of_place, of_way
+    v = prior**2 * np.maximum(1 - held, 0)
+    share = np.where(np.isnan(off), 0.0, of_leg[:, 0]) ** 2
+    return (1 - share) * v + share * np.nan_to_num(off)
 
 
 def flow_basis(
