@@ -53,9 +53,10 @@ def test_without_trajectories_the_rms_is_drawn_over_what_varied():
     )
     for data in (grid, grid.unstack()):
         axes = data.clpt.plot()
-        tau, rms = axes[-1].lines[0].get_data()
-        np.testing.assert_array_equal(tau, [0.5, 0.5, 1, 1, 2, 2])
-        np.testing.assert_array_equal(rms, grid.y_rms.values)
+        for k, line in enumerate(axes[-1].lines):  # of each input
+            tau, rms = line.get_data()
+            np.testing.assert_array_equal(tau, [0.5, 1, 2])
+            np.testing.assert_array_equal(rms, grid.y_rms.values[k::2])
     plt.close("all")
 
 

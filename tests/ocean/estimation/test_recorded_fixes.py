@@ -318,7 +318,6 @@ def test_functions_that_the_track_does_not_feel_are_told(tmp_path):
     path = write(tmp_path / "legs.csv", straight_mission(legs=6))
     data = learned(path, origin=[39.4, -122.1])
     assert any("all functions hardly learned" in note for note in data.attrs["notes"])
-    path = write(tmp_path / "legs.csv", straight_mission(legs=6))
     data = learned(path, **{"basis.centers": [[0, 0], [12, 0], [400, 0]]})
     assert any("functions 3 hardly learned" in note for note in data.attrs["notes"])
 
