@@ -269,7 +269,7 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
 
     estimate = xarray.decode_cf(estimate)  # as the file of `clpt estimate` has dates
     scenario = scenario_of_run(estimate)
-    if "unspanned_flow" not in estimate.attrs:
+    if "leg_flow" not in estimate or "unspanned_flow" not in estimate.attrs:
         raise DataError(
             "the estimate is of an older version: its errors lack the flow that the functions do "
             "not span. Estimate again"
@@ -283,15 +283,18 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
         plane = LocalPlane(latitude, longitude, scenario.units.length)
         places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
     fixes = cKDTree(places)
-    leg_flow = estimate.leg_flow.values
+    leg_flow = estimate.leg_flow.sel(axis=["east", "north"]).values
 
     def beside(points: np.ndarray, flow: np.ndarray) -> np.ndarray:
         # the legs of the two nearest fixes, such as that before a fix and that behind it
-        away, legs = fixes.query(points, [1, 2])
+        _, legs = fixes.query(points, [1, 2])
         near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
-        off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
+        off = np.nan_to_num(np.mean((near - flow[:, None]) ** 2, axis=2)).max(axis=1)
         prior = estimate.attrs["unspanned_flow"]
-        return unspanned(scenario.basis, prior, points, away[:, 0], off)
+        if not prior:
+            return np.zeros(len(points))
+        v, _, share = unspanned(scenario.basis, prior, points, places)
+        return v + share * off
 
     parameters = estimate.flow_parameters_estimate
     return _Learned(

@@ -14,7 +14,7 @@ fix-regression; Ljung 1999, section 11.2).  Laws with this regression differ in 
   way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, the term is (T 0.25 m/s min(b/width, 1))^2.
 - The flow turns by `turn` rad along the leg (`LegTrack.turn`): (turn/2)^2 m^T P m.
 
-The region of a forecast has a third one, of the flow that the functions do not span (`unspanned`).
+The region of a forecast has a third one, of the flow where functions die out (`unspanned`).
 
 Each fix divides each guess of what happened so far (`leg_guesses`); standard errors and regions are
 those of the mixture of the guesses.
@@ -52,7 +52,16 @@ from .wrong_units import COMPARED, wrong_motion
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
-PLAIN = ("legs", "fastest", "turn", "told", "ways", "rows", "water")  # of an estimator
+PLAIN = (
+    "legs",
+    "fastest",
+    "turn",
+    "told",
+    "ways",
+    "rows",
+    "water",
+    "fixes",
+)  # of an estimator
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
@@ -198,6 +207,7 @@ class FlowEstimator:
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
         self.ways: list[list[float]] = []  # of the last legs, rows of `wrong_motion`
+        self.fixes: list[list[float]] = []  # places of the last fixes that were learned
         # last positions: time, degrees, `water`
         self.rows: list[list[float]] = []
         self.water = [0.0, 0.0]  # m to the east and north, until now
@@ -375,7 +385,7 @@ class FlowEstimator:
         arrival = self.track.end(leg, theta)
         turn = self.track.turn(arrival, theta, self.covariance)
         terms = self._terms(leg, arrival.m, arrival.z, turn)
-        bend = hypot(terms.bend, self.track.beside(leg, arrival, theta))
+        bend = hypot(terms.bend, self.track.beside(leg, arrival, self.fixes))
         terms = terms._replace(bend=bend)
         radius = self._guessing.radius(likely, terms) * frame.metres
         return Ahead(frame.date(leg.time), *frame.position(arrival.z), radius)
@@ -714,7 +724,11 @@ class FlowEstimator:
         row = [*(place - leg.place), *leg.moved, ended.duration, r, *ended.m]
         self.ways = [*self.ways[1 - COMPARED :], [float(x) for x in row]]
         self.turn = ended.turn.learned
-        start.shown = ((place - leg.place - leg.moved) / ended.duration).tolist()
+        self.fixes = [*self.fixes[1 - ROWS :], start.place]
+        drift = (place - leg.place - leg.moved) / ended.duration
+        start.shown = drift.tolist()
+        off = drift - self.theta @ ended.m / ended.duration
+        start.off = float(np.mean(off**2))
         return {"note": note, "turn": self.turn}
 
     def _check_time(self, time: float) -> None:

@@ -237,7 +237,7 @@ def flow_of_legs(
         else:
             learned.append(result)
             used.append(leg)
-            shown.append(estimator.under_way[1].shown)
+            shown.append(estimator.under_way[1].shown or 2 * [np.nan])
     if not used:
         raise DataError(refused[0])
     legs = used

@@ -69,7 +69,7 @@ KERNELS = {
 }
 
 
-SAME = 1e-9  # share of the largest eigenvalue, of functions that are alike
+SHOWN = 1e-3  # share of the flow at a fix that its leg does not show
 
 
 def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
@@ -83,33 +83,31 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
 
 
 def unspanned(
-    basis: Any, prior: float, x: np.ndarray, away: np.ndarray, off: Any
-) -> np.ndarray:
-    """Return variances of the flow that the functions do not span, at n places.
+    basis: Any, prior: float, x: np.ndarray, fixes: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return v at n places, v where functions die out, and k(x, fix)^2 of the nearest fix.
 
-    The flow is theta phi and a field of the prior's variance s^2, of which the functions hold a
-    part (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using pseudo-inputs", NIPS 2005):
+    The flow is a field of the prior's variance s^2.  The functions show it at their centres, legs
+    at their fixes, but for a share (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using
+    pseudo-inputs", NIPS 2005).  With the narrowest kernel k of the basis and all these places c,
+    the variance of the flow that is not shown is
 
-        v = s^2 (1 - k(x, c) k(c, c)^-1 k(c, x))
+        v = s^2 (1 - k(x, c) (k(c, c) + share)^-1 k(c, x))
 
-    with the narrowest kernel k of the basis, at the centres c.  A leg at the distance `away` shows
-    the share k^2 of it, `off`, the square of the difference of its flow from theta phi at x, NaN if
-    there is none:
-
-        (1 - k^2) v + k^2 off
+    Functions die out where less than 1 is left of sum_i k(x, c_i)^2/n_i over their centres, of
+    which n_i = sum_j k(c_i, c_j)^4 are like the i-th; v is at most s^2 times the rest.
     """
-    if not prior:
-        return np.zeros(len(x))
-    zeros, centers = np.zeros(basis.N), np.array(basis.centers)
-    widths = np.full(basis.N, np.min(basis.widths))
-    still = flow_basis("still", "x", basis.kernel, centers, widths, zeros, zeros)
-    beside = centers[0] + np.outer(away, [1.0, 0.0])
-    like, of_places, of_leg = (evaluate(still, 0.0, at) for at in (centers, x, beside))
-    inverse = np.linalg.pinv(like, SAME, hermitian=True)
-    held = np.einsum("nk,kl,nl->n", of_places, inverse, of_places)
-    v = prior**2 * np.maximum(1 - held, 0)
-    share = np.where(np.isnan(off), 0.0, of_leg[:, 0]) ** 2
-    return (1 - share) * v + share * np.nan_to_num(off)
+    places = np.vstack([np.array(basis.centers), fixes])
+    count = len(places)
+    zeros, widths = np.zeros(count), np.full(count, np.min(basis.widths))
+    still = flow_basis("still", "x", basis.kernel, places, widths, zeros, zeros)
+    like, of_places = (evaluate(still, 0.0, at) for at in (places, x))
+    solved = np.linalg.solve(like + SHOWN * np.eye(count), of_places.T)
+    v = prior**2 * np.maximum(1 - np.sum(of_places.T * solved, axis=0), 0)
+    counts = np.sum(like[: basis.N, : basis.N] ** 4, axis=0)
+    squares = of_places**2
+    left = prior**2 * np.maximum(1 - squares[:, : basis.N] @ (1 / counts), 0)
+    return v, np.minimum(v, left), squares[:, basis.N :].max(axis=1, initial=0.0)
 
 
 def flow_basis(

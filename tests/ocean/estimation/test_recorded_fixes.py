@@ -330,16 +330,20 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     flow = clpt.flow_map(data, [latitude], [longitude])
     phi = np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
     theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[0]
-    apart = np.sum((CENTERS[:, None] - CENTERS) ** 2, axis=-1)
-    like = np.exp(-apart / (2 * 8e3**2))
-    v = 0.5**2 * (1 - phi @ np.linalg.solve(like, phi))
-    # of the two nearest fixes: their legs show a part of the flow
+    # functions show the flow at their centres, legs at their fixes but for a share of 1e-3
     fixes = np.column_stack(PLANE(data.longitude, data.latitude))
-    away = np.hypot(*(fixes - x).T)
-    nearest = np.argsort(away)[:2]
+    shown_at = np.vstack([CENTERS, fixes])
+
+    def kernel(a, b):
+        return np.exp(-np.sum((a - b) ** 2, axis=-1) / (2 * 8e3**2))
+
+    like = kernel(shown_at[:, None], shown_at) + 1e-3 * np.eye(len(shown_at))
+    of_x = kernel(shown_at, x)
+    v = 0.5**2 * (1 - of_x @ np.linalg.solve(like, of_x))
+    # the legs of the two nearest fixes differ from the map
+    nearest = np.argsort(np.hypot(*(fixes - x).T))[:2]
     off = np.mean((data.leg_flow.values[nearest] - theta @ phi) ** 2, axis=1).max()
-    share = np.exp(-((away.min() / 8e3) ** 2))
-    variance = phi @ P @ phi + (1 - share) * v + share * off
+    variance = phi @ P @ phi + v + kernel(fixes[nearest[0]], x) ** 2 * off
     expected = [*(theta @ phi), np.sqrt(variance)]
     shown = [float(flow[name].squeeze()) for name in ("u", "v", "standard_error")]
     np.testing.assert_allclose(shown, expected, rtol=2e-3)
@@ -348,7 +352,7 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
 def test_a_file_without_the_flow_beside_the_functions_has_no_map(tmp_path):
     """As an older version wrote it."""
     data = learned(write(tmp_path / "legs.csv", straight_mission(2)))
-    del data.attrs["unspanned_flow"]
+    del data["leg_flow"]
     with pytest.raises(clpt.DataError, match="older version"):
         clpt.flow_map(data)
 
