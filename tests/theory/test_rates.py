@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 from coq_files import REALS, compiled
@@ -222,7 +223,8 @@ def test_an_e_of_two_numbers_and_a_matrix_of_gains():
     inverse = np.linalg.inv(G)
     verdict = clpt.lyapunov(block, lambda s: s.e @ P @ s.e + s.th @ inverse @ s.th)
     T, t = 2 * np.pi, np.linspace(0, 2 * np.pi, 2001)
-    found = clpt.gramian(block, of=verdict, timepts=t, inputs=[sin(t), cos(t)])
+    given = {"timepts": t, "inputs": [sin(t), cos(t)], "initial_state": 0.1}
+    found = clpt.gramian(block, of=verdict, **given)
 
     def rate(t, y):
         Y, w = y.reshape(4, 4), np.array([sin(t), cos(t)])
@@ -287,10 +289,59 @@ def test_a_run_of_other_parameters_is_refused():
     with pytest.raises(clpt.DataError, match="on the loop of this run"):
         clpt.gramian(other, of=larger, **given)
     given |= {"timepts": t[::100], "inputs": [sin(t)[::100], cos(t)[::100]]}
-    coarse = clpt.gramian(loop_of(1.0, [1.0, 1.0])[0], 1.5, 0.0, of=verdict, **given)
-    certificate = coarse.certificate()
-    assert coarse.accuracy is None is certificate.half_life
-    assert "the samples are too far apart" in "".join(coarse.result.sentences)
+    with pytest.raises(clpt.DataError, match="or give more times"):
+        clpt.gramian(loop_of(1.0, [1.0, 1.0])[0], 1.5, 0.0, of=verdict, **given)
+
+
+def of_time(w, samples, start=1.0, **params):
+    """The excitation over 4 pi of a loop whose w is a function of time in its equations."""
+    block = control.nlsys(
+        lambda t, x, u, p: [-p["a"] * x[0] + w(t) * x[1], -w(t) * x[0]],
+        states=["e", "th"], inputs=0, outputs=0, params={"a": 1.0}, name="loop",
+    )  # fmt: skip
+    verdict = clpt.lyapunov(block, lambda s: s.e**2 + s.th**2)
+    t = np.linspace(0, 4 * np.pi, samples)
+    run = clpt.simulate(block, t, initial_state=start, params=params)
+    return clpt.gramian(run, of=verdict)
+
+
+@pytest.mark.parametrize(
+    "w",
+    [
+        lambda t: np.cos(t) ** 2,
+        lambda t: np.sin(t) + np.sin(2 * t),
+        lambda t: np.sin(t) * np.sin(2 * t),
+        lambda t: np.where(np.sin(t) > 0.3, 1.0, 0.0),
+        lambda t: np.heaviside(np.sin(t), 1.0),
+    ],
+)
+@pytest.mark.parametrize("samples", [161, 1601])
+def test_w_of_powers_products_and_comparisons(w, samples):
+    certified = 2 * np.log(2) / of_time(w, samples).certificate().half_life
+    true = true_rate(1.0, [1.0], [w], 4 * np.pi)
+    assert 0.6 < certified / true < 1 + 1e-6
+
+
+@pytest.mark.parametrize("start", [0.0, [1e-320, 0.0]])
+def test_a_run_that_starts_true_shows_no_loop(start):
+    with pytest.raises(clpt.DataError, match="Start the run from another state"):
+        of_time(np.sin, 401, start, a=0.1)
+
+
+@pytest.mark.parametrize("samples", [9, 41])
+def test_w_between_samples_is_seen(samples):
+    def aliased(t):
+        return np.cos(2 * np.pi * t * (samples - 1) / (4 * np.pi))
+
+    with pytest.raises(clpt.DataError, match="samples are too far apart"):
+        of_time(aliased, samples)
+
+
+@pytest.mark.filterwarnings("error")
+def test_w_that_is_zero_is_not_excited():
+    found = of_time(lambda t: 0 * t, 401)
+    assert found.certificate().half_life is None
+    assert found.report["half_life"] is None
 
 
 @pytest.mark.parametrize(

@@ -23,6 +23,7 @@ from scipy.linalg import expm
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
+from .error_system import BETWEEN
 from .regressor import factors_of
 
 TURN = 10.0  # radians that e and eta may turn within a piece
@@ -30,6 +31,7 @@ MAX_PIECES = 20000
 WINDOWS = 8  # of a half-life at most
 ROUNDING = 1e-14  # of |Phi|
 MAX_POWER = 10**15  # of Phi
+MAX_CHANGE = 0.5  # of |Phi| with fewer times
 
 
 @dataclass(frozen=True)
@@ -221,33 +223,43 @@ def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drop of an error system along a recorded run, and Phi, (3, 1, n, n).
+    """Return the drop of an error system along a recorded run, and Phi, (4, 1, n, n).
 
-    W is its mean between samples: of all, of all but every second one, and of the others.  A jump
-    between samples moves to and fro by half a step, as far as it may be off.
+    W is its mean between times: of all, of the samples, of every second one, and of the others.  A
+    jump between samples moves to and fro by half a step, as far as it may be off.
     """
     form, cuts = excitation.form, excitation.cuts
     m, n = form.W.shape
     ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
     W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
-    A = form.left @ np.array(form.A, dtype=float) @ np.linalg.inv(form.left)
 
     def chain(first: int, step: int) -> list[np.ndarray]:
         at = np.unique([0, *range(first, len(W), step), len(W) - 1])
         mean = (W[at[1:]] + W[at[:-1]]) / 2
         rates = np.zeros((len(mean), m + n, m + n))
-        rates[:, :m, :m] = A
+        rates[:, :m, :m] = form.scaled_A
         rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(np.matmul, steps[::-1])]
 
-    Phi = np.array([chain(0, 1), chain(0, 2), chain(1, 2)])
-    return 1 - np.minimum(1, worsened(np.linalg.norm(Phi, 2, axis=(2, 3)))) ** 2, Phi
+    every = 1 + len(BETWEEN)
+    steps = (0, 1), (0, every), (0, 2 * every), (every, 2 * every)
+    Phi = np.array([chain(*step) for step in steps])
+    if np.any(change_of(Phi) > MAX_CHANGE * np.linalg.norm(Phi[0], 2, axis=(1, 2))):
+        raise DataError(
+            "no certificate: the samples are too far apart. Give a run with more times"
+        )
+    return 1 - np.minimum(1, worsened(Phi)[:, 0]) ** 2, Phi
 
 
-def worsened(values: np.ndarray) -> np.ndarray:
-    """Return the first of values, increased by the largest change to another."""
-    return values[0] + np.abs(values - values[0]).max(axis=0)
+def change_of(Phi: np.ndarray) -> np.ndarray:
+    """Return the largest norm of a change from the first of Phi to another, of each axis."""
+    return np.linalg.norm(Phi - Phi[0], 2, axis=(2, 3)).max(axis=0)
+
+
+def worsened(Phi: np.ndarray) -> np.ndarray:
+    """Return the singular values of the first of Phi, (axes, n), and more by any change of it."""
+    return np.linalg.svd(Phi[0], compute_uv=False) + change_of(Phi)[:, None]
 
 
 def certificate(excitation: Any) -> Certificate:
@@ -267,7 +279,7 @@ def certificate(excitation: Any) -> Certificate:
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, excitation.run_length / span * (1 + 1e-12)))
     power = np.linalg.matrix_power(Phi, windows)[..., form.W.rows if form else 1 :]
-    remaining = worsened(np.linalg.svd(power, compute_uv=False))
+    remaining = worsened(power)
     learned = np.sum(remaining <= 0.1, axis=-1)
     drops, counts = (
         dict(zip(excitation.names, values.tolist(), strict=True))
@@ -300,9 +312,9 @@ def falls_of(
     """
 
     def norm(m: int) -> float:
-        norms = np.linalg.norm(np.linalg.matrix_power(Phi, m), 2, axis=(2, 3))
+        norms = worsened(np.linalg.matrix_power(Phi, m))[:, 0]
         by_drop = np.exp(m / 2 * np.log1p(-np.minimum(drop, 1 - ROUNDING)))
-        return float(np.minimum(worsened(norms) + m * ROUNDING, by_drop).max())
+        return float(np.minimum(norms + m * ROUNDING, by_drop).max())
 
     norms = np.array([norm(m) for m in range(WINDOWS + 1)])
     times = window * np.arange(1, WINDOWS + 1)

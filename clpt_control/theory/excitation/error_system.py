@@ -9,20 +9,28 @@ V is least.  W may depend on all signals: along a run it is a function of time.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 import sympy
-from scipy.integrate import cumulative_trapezoid
+from scipy.integrate import cumulative_trapezoid, trapezoid
+from scipy.interpolate import CubicHermiteSpline, interp1d
+from scipy.linalg import block_diag
 from sympy import Matrix
 
 from ...base.errors import DataError, DiagramError
 from ...engine.diagram.symbol_names import TIME, element_name
 from ...simulation.comparison import STATES
 from ..algebra.exact import normal_form, vanishes
+from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
 
-SOLVED = 1e-4  # share of a state by which a run may miss the equations
+SOLVED = 1e-5  # share of a state by which a run may miss the equations
+SHOWN = 20  # times that, by which e and th must move to show it
+BETWEEN = (
+    0.382,
+)  # of a step: where W is computed too; no multiple of it is near a whole one
 
 
 @dataclass(frozen=True)
@@ -36,38 +44,90 @@ class ErrorSystem:
     right: np.ndarray
     rates: dict[Any, Any]  # of all states in the loop's order
     inputs: dict[str, Any]  # name -> symbol
+    errors: Matrix  # e and th, in states
 
-    def along(self, run: Any, signals: dict[str, np.ndarray]) -> np.ndarray:
-        """Return W (times, m, n) along a run, which must follow the equations."""
+    @cached_property
+    def scale(self) -> np.ndarray:
+        """The matrix of the coordinates of e and th."""
+        return block_diag(self.left, np.linalg.inv(self.right))
+
+    @cached_property
+    def scaled_A(self) -> np.ndarray:
+        """A in the coordinates."""
+        return self.left @ np.array(self.A, dtype=float) @ np.linalg.inv(self.left)
+
+    @cached_property
+    def forms(self) -> np.ndarray:
+        """Rates of change of e and th in the coordinates with the states."""
+        return self.scale @ np.array(self.errors.jacobian([*self.rates]), dtype=float)
+
+    def along(
+        self, run: Any, signals: dict[str, np.ndarray]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return times, also between samples, and W (times, m, n); the run must follow the loop."""
         times, states = run.time.values, np.asarray(run.get(STATES, np.empty((1, 0))))
         if states.shape[1] != len(self.rates) or {*self.inputs} - {*signals}:
             raise DataError(
                 "of: must be a verdict on the loop of this run, with its states"
             )
+        inputs = np.array([signals[name] for name in self.inputs])
+        inputs = inputs.reshape(-1, len(times))
         symbols = TIME, *self.rates, *self.inputs.values()
-        values_of = sympy.lambdify(symbols, [*self.rates.values(), *self.W])
-        found = values_of(times, *states.T, *(signals[name] for name in self.inputs))
-        columns = np.transpose([np.broadcast_to(x, times.shape) for x in found])
-        rates, W = np.split(columns, [len(self.rates)], axis=1)
+
+        def at(t: np.ndarray, x: np.ndarray, u: np.ndarray, *terms: Any) -> np.ndarray:
+            points = dict(zip(symbols, (t, *x.T, *u), strict=True))
+            return NumericValues(*terms).at(points, len(t)).T
+
+        # Step 1: W where states are cubic lines between samples, and inputs straight ones
+        rates = at(times, states, inputs, *self.rates.values())
+        steps = np.diff(times)
+        t = np.sort(np.append(times, [times[:-1] + share * steps for share in BETWEEN]))
+        x, u = CubicHermiteSpline(times, states, rates)(t), interp1d(times, inputs)(t)
+        W = at(t, x, u, *self.W).reshape(-1, *self.W.shape)
+        # Step 2: the run follows the rates of all states, and of e and th
+        allowed = self._missed(times, states, rates)[len(self.rates) :]
+        # Step 3: it shows A e, W th and W^T e, each larger than what may be missed
+        m = W.shape[1]
+        e, th = np.split(at(t, x, u, *self.errors) @ self.scale.T, [m], axis=1)
+        scaled = self.left @ W @ self.right
+        parts = (
+            e @ self.scaled_A.T,
+            np.einsum("tij,tj->ti", scaled, th),
+            np.einsum("tij,ti->tj", scaled, e),
+        )
+        shown = trapezoid([np.linalg.norm(part, axis=1) for part in parts], t)
+        of_e, of_th = (np.linalg.norm(part) for part in np.split(allowed, [m]))
+        if W.any() and np.any(shown <= SHOWN * np.array([of_e, of_e, of_th])):
+            raise DataError(
+                "of: the run does not show the equations of the verdict: errors are 0, or too "
+                "small. Start the run from another state, or give more times"
+            )
+        return t, W
+
+    def _missed(
+        self, times: np.ndarray, states: np.ndarray, rates: np.ndarray
+    ) -> np.ndarray:
+        """Return by how much a run may miss the equations, of states, and of e and th."""
+        of = np.hstack([np.eye(states.shape[1]), self.forms.T])
 
         def missed(every: int) -> np.ndarray:
             """Changes over two intervals, less the rates by the trapezoidal rule."""
             spent = cumulative_trapezoid(
                 rates[::every], times[::every], axis=0, initial=0
             )
-            return np.diff((states[::every] - spent)[:: 3 - every], axis=0)
+            return np.diff((states[::every] - spent)[:: 3 - every], axis=0) @ of
 
         # the rule's error depends on the step, the error of other rates does not
         fine, coarse = missed(1), missed(2)
         size = np.abs(states).max(axis=0)
-        allowed = 2 * np.abs(coarse - fine).sum(axis=0)
-        allowed += SOLVED * (size + SOLVED * size.max())
+        off = SOLVED * (size + SOLVED * size.max())
+        allowed = np.abs(coarse - fine).sum(axis=0) + off @ np.abs(of)
         if np.any(np.abs(fine).sum(axis=0) > allowed):
             raise DataError(
-                "of: the run does not follow the equations of the verdict. Give the run of the "
-                "same loop with the same parameters"
+                "of: the run does not follow the equations of the verdict, or its samples are too "
+                "far apart. Give the run of the same loop with the same parameters, or more times"
             )
-        return W.reshape(-1, *self.W.shape)
+        return allowed
 
 
 def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
@@ -121,17 +181,17 @@ def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
     th = parameters + weights.inv() * least.extract(in_th, [0])
     # Step 4: the rates are those of the form
     e_rate = e.applyfunc(eq.derivative).xreplace(eq.values)
-    W = e_rate.jacobian(parameters).applyfunc(normal_form)
-    rest = e_rate - W * th
+    W = e_rate.jacobian(parameters)
+    rest = (e_rate - W * th).applyfunc(normal_form)
     A = rest.jacobian([states[k] for k in heads]).applyfunc(normal_form)
     for k, x in enumerate(rest - A * e):
-        if not (vanishes(x) and all(entry.is_number for entry in A.row(k))):
+        if not (_is_zero(x) and all(entry.is_number for entry in A.row(k))):
             raise DiagramError(
                 f"of: ({short(e[k])})' = {short(e_rate[k])}: is not A e + W th with a constant A"
             )
     missed = weights * th.applyfunc(eq.derivative).xreplace(eq.values) + W.T * P * e
     for y, x in zip(parameters, missed, strict=True):
-        if not vanishes(x):
+        if not _is_zero(x):
             raise DiagramError(
                 f"of: {y}' = {short(rates[y])}: is not -G W^T P e with the G of V"
             )
@@ -144,5 +204,17 @@ def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
     left, right = (np.linalg.cholesky(np.array(x, dtype=float)).T for x in (P, weights))
     inputs = {str(f.func): f for values in eq.inputs.values() for f in values.flat}
     return ErrorSystem(
-        [*map(str, parameters)], W, A, left, np.linalg.inv(right), rates, inputs
+        [*map(str, parameters)],
+        W,
+        A,
+        left,
+        np.linalg.inv(right),
+        rates,
+        inputs,
+        Matrix([*e, *th]),
     )
+
+
+def _is_zero(x: Any) -> bool:
+    """Return whether x is zero, as it is or with functions of other angles written alike."""
+    return vanishes(x) or vanishes(normal_form(x))

@@ -51,6 +51,7 @@ from .regressor import (
 from .riccati import riccati_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
+TINY = np.finfo(float).tiny
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
@@ -112,10 +113,13 @@ class Excitation(Regressor):
         last = self.source.sizes["time"] - 1
         thin = self.source.isel(time=np.unique([*range(0, last, 2), last]))
         thin.encoding.update(self.source.encoding)
-        coarse = self._in(thin, self.window, self.start).eigenvalues
+        try:
+            coarse = self._in(thin, self.window, self.start).eigenvalues
+        except DataError:
+            return None
         changes = [
             np.abs(coarse[axis] - values)
-            / np.maximum(values, NOT_LEARNABLE * values[-1])
+            / np.maximum(values, NOT_LEARNABLE * values[-1] + TINY)
             for axis, values in self.eigenvalues.items()
         ]
         change = float(np.max(changes))

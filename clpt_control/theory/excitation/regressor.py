@@ -348,7 +348,6 @@ def signal_regressor(
     window, start = checked_window(run, window, start, np.inf, unit)
     end, ports = start + window, ports_along(run)
     form = signals if isinstance(signals, ErrorSystem) else None
-    cuts = np.unique(np.clip([*times, *edges, end], start, end))
     named = ports if form else signals
     columns = {
         label: column
@@ -366,13 +365,15 @@ def signal_regressor(
     if form is None:
         names, along_run = [*columns], np.transpose([*columns.values()])[:, None]
     else:
-        names, along_run = form.names, form.along(run, columns)
+        names = form.names
+        times, along_run = form.along(run, columns)
+    cuts = np.unique(np.clip([*times, *edges, end], start, end))
     values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():
         raise DataError("gramian: signals: must be finite in the window")
     ends = np.concatenate([values[:-1], values[1:]], axis=1)
     weights = np.tile(np.diff(cuts)[:, None] / 2, ends.shape[1])
-    trajectory = f"signals of a run, {len(times)} samples"
+    trajectory = f"signals of a run, {run.sizes['time']} samples"
     of_run = trajectory, cuts, weights, ends[None], float(np.ptp(times))
     return Regressor({"w": names}, unit, *of_run, form=form)
 

@@ -140,16 +140,16 @@ def riccati_of(excitation: Any) -> dict[str, Any]:
     """Search the weights p and kappa for the largest rate of each axis of an excitation."""
     # Step 1: w, constant in pieces
     excitation.certificate()
-    form, w = excitation.form, excitation.w
+    form, w, h = excitation.form, excitation.w, excitation.weights
     if form:
         feedback, w = (
             [-form.A[0]] * (form.W.rows == 1),
-            form.left[0, 0] * w @ form.right,
+            form.left[0, 0] * w.mean(axis=2, keepdims=True) @ form.right,
         )
     else:
         feedback, gains = excitation.scenario.vehicle.feedback, excitation.gains
         w = np.sqrt(gains[gains > 0]) * w[..., gains > 0]
-    h, found = excitation.weights.ravel(), {}
+    h, found = h.reshape(w.shape[1] * w.shape[2], -1).sum(axis=1), {}
     thin = slice(None, None, 1 + len(h) // COARSE)
     for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
         a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
