@@ -258,7 +258,7 @@ TOKENS = {
     "engine.solver": 38443,
     "engine.trace": 40486,
     "ensemble": 22154,
-    "ocean.estimation": 22448,
+    "ocean.estimation": 22447,
     "ocean.forecast": 22677,
     "ocean.gliders": 28922,
     "paper.blocks": 4642,
@@ -272,9 +272,9 @@ TOKENS = {
     "theory.algebra": 19303,
     "theory.coq": 2316,
     "theory.design": 5659,
-    "theory.excitation": 15192,
+    "theory.excitation": 15875,
     "theory.laws": 16694,
-    "theory.proofs": 48384,
+    "theory.proofs": 48392,
     "theory.theorems": 7727,
 }
 LAID_OUT = {

@@ -28,7 +28,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from math import hypot
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 from zlib import crc32
 
 import numpy as np
@@ -46,45 +46,20 @@ from ..gliders.unmeasured import DOUBT, NO_FIX, unmeasured
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
-from .leg_track import Leg, LegTrack, Turn, long_interval
+from .leg_track import Ahead, Leg, LegTrack, Turn, long_interval
 from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
-PLAIN = (
-    "legs",
-    "fastest",
-    "turn",
-    "told",
-    "ways",
-    "rows",
-    "water",
-    "fixes",
-)  # of an estimator
+# of an estimator
+PLAIN = ["legs", "fastest", "turn", "told", "ways", "rows", "water", "fixes"]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "4"
 # last positions that are compared, those of one run, and how many of them to one in doubt
 ROWS, RUN, MOST = 60, 15, 4
-
-
-class Ahead(NamedTuple):
-    """A forecast of a fix.
-
-    Attributes
-    ----------
-    time, latitude, longitude : float
-        s since 1970 UTC, degrees.
-    radius : float
-        Radius of the region that contains the fix with probability `LEVEL`, m.
-    """
-
-    time: float
-    latitude: float
-    longitude: float
-    radius: float
 
 
 @dataclass(frozen=True)

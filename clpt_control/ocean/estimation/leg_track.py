@@ -47,6 +47,23 @@ class Arrival(NamedTuple):
     path: np.ndarray
 
 
+class Ahead(NamedTuple):
+    """A forecast of a fix.
+
+    Attributes
+    ----------
+    time, latitude, longitude : float
+        s since 1970 UTC, degrees.
+    radius : float
+        Radius of the region that contains the fix with probability `LEVEL`, m.
+    """
+
+    time: float
+    latitude: float
+    longitude: float
+    radius: float
+
+
 class Turn(NamedTuple):
     """Angle by which the flow turns along a leg, rad: as learned, and with the error of theta."""
 

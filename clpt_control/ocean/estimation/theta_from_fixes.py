@@ -25,9 +25,9 @@ from ...paper.scenario.run_track import run_scenario
 from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
 from .fix_settings import LocalFrame, rotated
-from .flow_estimator import Ahead, FlowEstimator, Learned, flow_by, move_through
+from .flow_estimator import FlowEstimator, Learned, flow_by, move_through
 from .leg_chain import FlownLeg
-from .leg_track import LONG, Leg
+from .leg_track import LONG, Ahead, Leg
 from .run_legs import legs_of_run
 from .tomography import Tomography, tomography
 

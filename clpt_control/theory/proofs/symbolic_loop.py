@@ -69,7 +69,7 @@ def symbolic_loop(
     refuse_unproved(wiring_of(diagram), jumps)
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
     refuse_levels(loop)
-    refuse_names(diagram.name, {*loop.states, *loop.inputs})
+    refuse_names(diagram.name, {*loop.states, *loop.inputs.keys() - {"V"}})
     refuse_pinned(loop.pinned)
     return SymbolicLoop(**vars(loop), diagram=diagram)
 
