@@ -26,8 +26,8 @@ from ..algebra.exact import normal_form, vanishes
 from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
 
-SOLVED = 1e-5  # share of a state by which a run may miss the equations
-SHOWN = 20  # times that, by which e and th must move to show it
+SOLVED = 1e-4  # share of a state by which a run may miss the equations
+SHOWN = 15  # times that, by which e and th must move to show it
 BETWEEN = (
     0.382,
 )  # of a step: where W is computed too; no multiple of it is near a whole one
@@ -121,7 +121,7 @@ class ErrorSystem:
         fine, coarse = missed(1), missed(2)
         size = np.abs(states).max(axis=0)
         off = SOLVED * (size + SOLVED * size.max())
-        allowed = np.abs(coarse - fine).sum(axis=0) + off @ np.abs(of)
+        allowed = 2 * np.abs(coarse - fine).sum(axis=0) + off @ np.abs(of)
         if np.any(np.abs(fine).sum(axis=0) > allowed):
             raise DataError(
                 "of: the run does not follow the equations of the verdict, or its samples are too "
