@@ -272,7 +272,7 @@ TOKENS = {
     "theory.algebra": 19303,
     "theory.coq": 2316,
     "theory.design": 5659,
-    "theory.excitation": 15877,
+    "theory.excitation": 15851,
     "theory.laws": 16694,
     "theory.proofs": 48392,
     "theory.theorems": 7727,

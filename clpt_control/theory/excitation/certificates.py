@@ -23,7 +23,6 @@ from scipy.linalg import expm
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .error_system import BETWEEN
 from .regressor import factors_of
 
 TURN = 10.0  # radians that e and eta may turn within a piece
@@ -242,8 +241,8 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(np.matmul, steps[::-1])]
 
-    every = 1 + len(BETWEEN)
-    steps = (0, 1), (0, every), (0, 2 * every), (every, 2 * every)
+    # all points, one of which is inside each step; the samples; every second one, from either
+    steps = (0, 1), (0, 2), (0, 4), (2, 4)
     Phi = np.array([chain(*step) for step in steps])
     if np.any(change_of(Phi) > MAX_CHANGE * np.linalg.norm(Phi[0], 2, axis=(1, 2))):
         raise DataError(

@@ -28,9 +28,7 @@ from ..algebra.texts import short
 
 SOLVED = 1e-4  # share of a state by which a run may miss the equations
 SHOWN = 15  # times that, by which e and th must move to show it
-BETWEEN = (
-    0.382,
-)  # of a step: where W is computed too; no multiple of it is near a whole one
+BETWEEN = 0.382  # of a step: where W is computed too
 
 
 @dataclass(frozen=True)
@@ -81,7 +79,7 @@ class ErrorSystem:
         # Step 1: W where states are cubic lines between samples, and inputs straight ones
         rates = at(times, states, inputs, *self.rates.values())
         steps = np.diff(times)
-        t = np.sort(np.append(times, [times[:-1] + share * steps for share in BETWEEN]))
+        t = np.sort(np.append(times, times[:-1] + BETWEEN * steps))
         x, u = CubicHermiteSpline(times, states, rates)(t), interp1d(times, inputs)(t)
         W = at(t, x, u, *self.W).reshape(-1, *self.W.shape)
         # Step 2: the run follows the rates of all states, and of e and th
@@ -108,20 +106,20 @@ class ErrorSystem:
         self, times: np.ndarray, states: np.ndarray, rates: np.ndarray
     ) -> np.ndarray:
         """Return by how much a run may miss the equations, of states, and of e and th."""
-        of = np.hstack([np.eye(states.shape[1]), self.forms.T])
+        sums = np.hstack([np.eye(states.shape[1]), self.forms.T])
 
         def missed(every: int) -> np.ndarray:
             """Changes over two intervals, less the rates by the trapezoidal rule."""
             spent = cumulative_trapezoid(
                 rates[::every], times[::every], axis=0, initial=0
             )
-            return np.diff((states[::every] - spent)[:: 3 - every], axis=0) @ of
+            return np.diff((states[::every] - spent)[:: 3 - every], axis=0) @ sums
 
         # the rule's error depends on the step, the error of other rates does not
         fine, coarse = missed(1), missed(2)
         size = np.abs(states).max(axis=0)
         off = SOLVED * (size + SOLVED * size.max())
-        allowed = 2 * np.abs(coarse - fine).sum(axis=0) + off @ np.abs(of)
+        allowed = 2 * np.abs(coarse - fine).sum(axis=0) + off @ np.abs(sums)
         if np.any(np.abs(fine).sum(axis=0) > allowed):
             raise DataError(
                 "of: the run does not follow the equations of the verdict, or its samples are too "
