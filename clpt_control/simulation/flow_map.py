@@ -32,8 +32,13 @@ from ..engine.model.block import evaluate
 from ..paper.blocks.flow import unspanned
 from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import scenario_of_run
-from ..paper.scenario.recorded_run import kind_of, scenario_with, unknown_parts
+from ..paper.scenario.recorded_run import (
+    kind_of,
+    read_estimate,
+    scenario_with,
+    unknown_parts,
+)
+from .dataset import unit_of
 from .flows import true_flow
 
 if TYPE_CHECKING:
@@ -46,6 +51,14 @@ SHADES = {"standard_error", "error"}
 STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     False: ("sea_water_x_velocity", "sea_water_y_velocity"),
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
+}
+READ = {  # of an estimate: dimensions
+    **dict.fromkeys(("latitude", "longitude", "end_time"), "leg"),
+    **dict.fromkeys(("has_origin", "unspanned_flow", "time_origin"), ""),
+    "leg_flow": "leg axis",
+    "flow_parameters_estimate": "leg axis basis",
+    "covariance": "axis basis other_basis",
+    "origin": "axis",
 }
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
@@ -88,7 +101,8 @@ class _Learned:
                     "time: the run has no date. Give numbers since its start"
                 )
             elapsed = (values - np.datetime64(self.date)) / np.timedelta64(1, "s")
-            return elapsed / SECONDS[unit], ("time", values.astype("M8[ns]"))
+            times = _row("time", elapsed / SECONDS[unit])
+            return times, ("time", values.astype("M8[ns]"))
         times = _row("time", values)
         if self.date is None:
             start = {"long_name": "time since the start of the run", "units": unit}
@@ -205,9 +219,9 @@ def map_of(
 
 def _row(name: str, values: Any) -> np.ndarray:
     row = np.atleast_1d(numbers(name, values))
-    if row.ndim != 1 or not row.size:
+    if row.ndim != 1 or not row.size or not np.isfinite(row).all():
         raise ArgumentError(
-            f"{name}: has shape {row.shape}. Give a number, or a row of them"
+            f"{name}: has shape {row.shape}. Give a finite number, or a row of them"
         )
     return row
 
@@ -247,11 +261,10 @@ def learned_flow(run: "xarray.Dataset") -> _Learned:
     if scenario.field_path is not None:
         field = read_field(scenario.field_path, scenario.units)
         points = np.column_stack([field.x1[[0, -1]], field.x2[[0, -1]]])
-    estimate = run.flow_parameters_estimate
     return _Learned(
         scenario,
-        estimate.values[-1],
-        estimate.attrs["units"],
+        run.flow_parameters_estimate.values[-1],
+        unit_of(scenario.units, 1, 1),
         None,
         None if scenario.origin is None else scenario.plane,
         scenario.origin is not None,
@@ -264,16 +277,8 @@ def learned_flow(run: "xarray.Dataset") -> _Learned:
     )
 
 
-def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
-    import xarray
-
-    estimate = xarray.decode_cf(estimate)  # as the file of `clpt estimate` has dates
-    scenario = scenario_of_run(estimate)
-    if "leg_flow" not in estimate or "unspanned_flow" not in estimate.attrs:
-        raise DataError(
-            "the estimate is of an older version: its errors lack the flow that the functions do "
-            "not span. Estimate again"
-        )
+def _of_estimate(data: "xarray.Dataset") -> _Learned:
+    estimate, scenario = read_estimate(data, READ)
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
     plane = None
@@ -283,24 +288,23 @@ def _of_estimate(estimate: "xarray.Dataset") -> _Learned:
         plane = LocalPlane(latitude, longitude, scenario.units.length)
         places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
     fixes = cKDTree(places)
-    leg_flow = estimate.leg_flow.sel(axis=["east", "north"]).values
+    leg_flow = estimate.leg_flow.values
 
     def beside(points: np.ndarray, flow: np.ndarray) -> np.ndarray:
         # the legs of the two nearest fixes, such as that before a fix and that behind it
         _, legs = fixes.query(points, [1, 2])
         near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
-        off = np.nan_to_num(np.mean((near - flow[:, None]) ** 2, axis=2)).max(axis=1)
+        off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
         prior = estimate.attrs["unspanned_flow"]
         if not prior:
             return np.zeros(len(points))
         v, _, share = unspanned(scenario.basis, prior, points, places)
         return v + share * off
 
-    parameters = estimate.flow_parameters_estimate
     return _Learned(
         scenario,
-        parameters.values[-1],
-        parameters.attrs["units"],
+        estimate.flow_parameters_estimate.values[-1],
+        "m s-1",
         estimate.covariance.values,
         plane if has_origin else None,
         has_origin,

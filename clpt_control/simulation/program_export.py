@@ -20,7 +20,12 @@ from ..base.files import check_writable, write_file
 from ..base.map_files import BLUE, GREEN, ORANGE, PURPLE, Feature, geojson, kml, ring
 from ..base.units import SECONDS, iso, seconds_since_1970
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.recorded_run import kind_of, scenario_with, waypoints_of
+from ..paper.scenario.recorded_run import (
+    kind_of,
+    read_estimate,
+    scenario_with,
+    waypoints_of,
+)
 from .c_export import c_file
 from .flow_map import flow_map
 from .fmu_export import fmu
@@ -30,6 +35,13 @@ if TYPE_CHECKING:
     import xarray
 
 SUFFIXES = (".kml", ".geojson")  # of tracks
+READ = {  # of the fixes of an estimate: dimensions
+    **dict.fromkeys(("latitude", "longitude", "end_time", "forecast_radius"), "leg"),
+    **dict.fromkeys(("predicted_latitude", "predicted_longitude"), "leg"),
+    "position_error": "leg axis",
+    "leg": "leg",
+    "has_origin": "",
+}
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 
@@ -155,13 +167,11 @@ def track_text(data: "xarray.Dataset", suffix: str) -> str:
     return kml(features, title) if suffix == ".kml" else geojson(features)
 
 
-def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
+def fixes_on_map(data: "xarray.Dataset") -> list[Feature]:
     """Return the fixes of an estimate, the line through them and the regions of forecasts."""
-    import xarray
-
+    estimate, _ = read_estimate(data, READ)
     if not estimate.attrs["has_origin"]:
         raise DataError("the estimate has no latitude and longitude: its run has none")
-    estimate = xarray.decode_cf(estimate)
     fixes = np.column_stack([estimate.latitude, estimate.longitude])
     features = [Feature("track", "LineString", fixes, BLUE)][: len(fixes) - 1]
     for k, fix in enumerate(fixes):
@@ -170,19 +180,16 @@ def fixes_on_map(estimate: "xarray.Dataset") -> list[Feature]:
         radius = float(leg.forecast_radius)
         off = float(np.hypot(*leg.position_error.values))
         time = iso(seconds_since_1970(str(leg.end_time.values)[:23]))
-        name, words = f"leg {int(leg.leg)}", ""
-        properties: dict[str, Any] = {"time": time}
-        regions = []
-        if np.isfinite(radius):  # tomography forecasts nothing
-            words = f"{off:.0f} m from its forecast, whose region has the radius {radius:.0f} m"
-            properties |= {"error_m": off, "radius_m": radius}
-            outline = ring(predicted, (0.0, 0.0), radius, radius, 0.0)
-            regions = [Feature(f"region of {name}", "Polygon", outline, PURPLE, time)]
-        fix_name = f"fix of {name}"
-        features.append(
-            Feature(fix_name, "Point", [fix], BLUE, time, words, properties)
+        name = f"leg {int(leg.leg)}"
+        words = (
+            f"{off:.0f} m from its forecast, whose region has the radius {radius:.0f} m"
         )
-        features += regions
+        properties = {"time": time, "error_m": off, "radius_m": radius}
+        outline = ring(predicted, (0.0, 0.0), radius, radius, 0.0)
+        features += [
+            Feature(f"fix of {name}", "Point", [fix], BLUE, time, words, properties),
+            Feature(f"region of {name}", "Polygon", outline, PURPLE, time),
+        ]
     return features
 
 

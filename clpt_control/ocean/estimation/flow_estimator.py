@@ -701,7 +701,8 @@ class FlowEstimator:
         self.turn = ended.turn.learned
         self.fixes = [*self.fixes[1 - ROWS :], start.place]
         drift = (place - leg.place - leg.moved) / ended.duration
-        start.shown = drift.tolist()
+        for one in self._open():  # the first leg too, if its end is in doubt
+            one.shown = one.shown or drift.tolist()
         off = drift - self.theta @ ended.m / ended.duration
         start.off = float(np.mean(off**2))
         return {"note": note, "turn": self.turn}

@@ -27,7 +27,7 @@ from .fix_model import PERCENT
 from .fix_settings import LocalFrame, rotated
 from .flow_estimator import FlowEstimator, Learned, flow_by, move_through
 from .leg_chain import FlownLeg
-from .leg_track import LONG, Ahead, Leg
+from .leg_track import LONG, Leg
 from .run_legs import legs_of_run
 from .tomography import Tomography, tomography
 
@@ -237,7 +237,7 @@ def flow_of_legs(
         else:
             learned.append(result)
             used.append(leg)
-            shown.append(estimator.under_way[1].shown or 2 * [np.nan])
+            shown.append(estimator.under_way[1].shown)
     if not used:
         raise DataError(refused[0])
     legs = used
@@ -263,7 +263,7 @@ def flow_of_legs(
     frame, _ = estimator.under_way
     places = [(r.time, r.latitude, r.longitude) for r in learned]
     flow = [flow_by(estimator, theta / speed, *at) for at in places]
-    forecasts = [result.forecast or Ahead(*4 * [np.nan]) for result in learned]
+    forecasts = [result.forecast for result in learned]
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")
     )

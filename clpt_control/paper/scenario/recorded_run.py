@@ -4,6 +4,7 @@ A run comes from a file, which may be damaged, or from a user, who may have chan
 """
 
 import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -56,6 +57,8 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "replay": "estimator",
     "diagram": "engine",
 }
+# kinds of NumPy in an estimate
+KINDS_READ = {"end_time": "M", "time_origin": "U"}
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario
 
 
@@ -194,3 +197,36 @@ def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
     scenario = scenario_of_run(run)
     check_run(run, scenario, "time", *names)
     return scenario
+
+
+def read_estimate(
+    data: "xarray.Dataset", read: Mapping[str, str]
+) -> "tuple[xarray.Dataset, Scenario]":
+    """Return an estimate with dates and its axes in order, and its scenario.
+
+    Refuse one without the variables and attributes of `read`, finite over their dimensions.
+    """
+    import xarray
+
+    scenario = scenario_of_run(data)
+    N = scenario.basis.N
+    sizes = {"leg": data.sizes.get("leg"), "axis": 2, "basis": N, "other_basis": N}
+    try:
+        estimate = xarray.decode_cf(data).reindex(axis=["east", "north"])
+    except ValueError:
+        raise DataError(
+            "the estimate has no axis east and north, or no dates. Estimate again"
+        ) from None
+    for name, names in read.items():
+        found = estimate.variables.get(name, estimate.attrs.get(name, ()))
+        dims, values = tuple(names.split()), np.asarray(found)
+        kind = KINDS_READ.get(name, "iuf")
+        fits = getattr(found, "dims", dims) == dims and values.dtype.kind in kind
+        fits &= values.size > 0 and values.shape == tuple(map(sizes.get, dims))
+        if not fits or (kind != "U" and not np.isfinite(values).all()):
+            over = f" over {', '.join(dims)}" if dims else ""
+            raise DataError(
+                f"the estimate has no finite {name}{over}, as its scenario has: it is damaged, or "
+                "of an older version. Estimate again"
+            )
+    return estimate, scenario

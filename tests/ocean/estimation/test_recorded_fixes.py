@@ -12,7 +12,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
 from pyproj import Geod, Proj
+from refusals import refuses
 
 import clpt_control as clpt
 
@@ -355,6 +357,77 @@ def test_a_file_without_the_flow_beside_the_functions_has_no_map(tmp_path):
     del data["leg_flow"]
     with pytest.raises(clpt.DataError, match="older version"):
         clpt.flow_map(data)
+
+
+def without(data, name):
+    """An estimate without a variable or an attribute."""
+    lacking = data.drop_vars(name, errors="ignore")
+    lacking.attrs.pop(name, None)
+    return lacking
+
+
+def unknown(data, name):
+    """An estimate with NaN, or no time, in the last number of a variable or an attribute."""
+    data = data.copy(deep=True)
+    values = data[name].values if name in data else np.array(data.attrs[name], float)
+    values[(-1,) * values.ndim] = "NaT" if values.dtype.kind == "M" else np.nan
+    if name in data.attrs:
+        data.attrs[name] = values
+    return data
+
+
+ATTRIBUTES = ("origin", "has_origin", "unspanned_flow")
+PLACES_READ = ("latitude", "longitude", "end_time")
+READ = (*PLACES_READ, "leg_flow", "flow_parameters_estimate", "covariance", *ATTRIBUTES)
+TRACK_READ = (
+    *PLACES_READ,
+    *("predicted_latitude", "predicted_longitude", "position_error"),
+    *("forecast_radius", "has_origin"),
+)
+
+
+def test_an_estimate_that_is_not_whole_has_no_map(tmp_path, refused_for):
+    """The one sentence names what lacks, or is NaN, or has lost a dimension."""
+    data = learned(write(tmp_path / "legs.csv", straight_mission(3)))
+    for damaged in (without, unknown):
+        for name in READ:
+            refuses(f"no finite {name}", clpt.flow_map, damaged(data, name))
+        for name in TRACK_READ:
+            track = tmp_path / "track.kml"
+            refuses(f"no finite {name}", clpt.export, damaged(data, name), track)
+    refuses("no finite time_origin", clpt.flow_map, without(data, "time_origin"))
+    refuses("no finite latitude", clpt.flow_map, data.isel(leg=0))
+    refuses("no finite latitude", clpt.flow_map, data.isel(leg=[]))
+    refuses("axis", clpt.flow_map, data.isel(axis=[0]))
+    without(data, "covariance").to_netcdf(tmp_path / "cut.nc")
+    refused_for(["covariance"], "export", tmp_path / "cut.nc", "-o", tmp_path / "m.nc")
+
+
+def test_axes_of_an_estimate_are_read_by_their_labels(tmp_path):
+    data = learned(write(tmp_path / "legs.csv", straight_mission(3)))
+    xarray.testing.assert_identical(
+        clpt.flow_map(data.isel(axis=[1, 0])), clpt.flow_map(data)
+    )
+
+
+def test_a_map_is_at_finite_places_and_times(tmp_path):
+    data = learned(write(tmp_path / "legs.csv", straight_mission(3)))
+    for name in ("time", "latitude", "longitude"):
+        for value in (np.nan, [0.0, np.inf]):
+            refuses(
+                f"{name}: .*finite",
+                clpt.flow_map,
+                data,
+                error=clpt.ClptError,
+                **{name: value},
+            )
+    refuses(
+        "time: .*finite",
+        clpt.flow_map,
+        data,
+        error=clpt.ClptError,
+        time=np.datetime64("NaT"),
+    )
 
 
 def sheared(shear):
