@@ -59,8 +59,8 @@ def following_block(
     values: dict,
     signals: int,
     rate: Any,
-    step: Any,
-    dt: float | None,
+    step: Any = None,
+    dt: float | None = None,
 ) -> Block:
     """Make a block with its output as state, or, sampled, with its last output as state."""
     if dt is None:

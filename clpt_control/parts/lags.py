@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from ..base.arguments import public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
-from .common import check_positive, checked_sizes, make_block, signal_block
+from .common import check_positive, checked_sizes, following_block, signal_block
 
 
 def lagging(t, x, u, p):
@@ -68,14 +68,7 @@ def lag(
     """
     values = checked_sizes(name, signals, lag=lag, gain=gain)
     check_positive(name, lag=lag)
-    return make_block(
-        name,
-        ports,
-        values,
-        update=lagging,
-        inputs={"u": signals},
-        states={"y": signals},
-    )
+    return following_block(name, ports, values, signals, lagging)
 
 
 def legendre_rate(t, x, u, p):

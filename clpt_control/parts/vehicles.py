@@ -139,10 +139,8 @@ def planar_vehicle(
     >>> clpt.simulate(auv, [0, 60], [15, 0, 2, 0, 0]).nu[-1].values.round(3).tolist()
     [0.469, -0.07, 0.149]
     """
-    matrices = {
-        key: numbers(f"{name}: {key}", value) for key, value in (("M", M), ("D", D))
-    }
-    matrices["Q"] = np.zeros((3, 3)) if Q is None else numbers(f"{name}: Q", Q)
+    given = {"M": M, "D": D, "Q": np.zeros((3, 3)) if Q is None else Q}
+    matrices = {key: numbers(f"{name}: {key}", value) for key, value in given.items()}
     for key, value in matrices.items():
         if value.shape != (3, 3):
             raise BlockError(f"{name}: {key}: must have the shape (3, 3)")

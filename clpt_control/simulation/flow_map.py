@@ -296,8 +296,6 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
         near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
         off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
         prior = estimate.attrs["unspanned_flow"]
-        if not prior:
-            return np.zeros(len(points))
         v, _, share = unspanned(scenario.basis, prior, points, places)
         return v + share * off
 

@@ -26,6 +26,7 @@ from ...base.geodesy import RADIUS, check_near, convergence, displacement, place
 from ...base.units import DAY, METRES, SECONDS
 from ...paper.blocks.flow import largest_shear
 from ...paper.laws.fix_bound import SIGMAS, UNMODELLED, Limits
+from ...paper.laws.regressions import check_priors, priors
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.tables import Units
@@ -66,7 +67,13 @@ class FixSettings:
         table = scenario.localization
         has_noise = table is not None and table.noise > 0
         self.fix = table.noise if table is not None and has_noise else FIX / metres
-        self.prior = self._prior(own, scenario)
+        facts: Any = SimpleNamespace(  # as of a `LawContext`
+            N=scenario.basis.N,
+            settings={"priors": None, **learning.settings},
+            prior=own.get("prior", PRIOR / self.speed),
+        )
+        check_priors(row, facts)
+        self.prior = priors(facts)
         # standard deviation of the flow that functions which die out do not span
         self.beside = float(self.prior.max())
         # of `Law.between_fixes`
@@ -85,17 +92,6 @@ class FixSettings:
             unmodelled / self.speed,
             SIGMAS * self.fix,
         )
-
-    def _prior(self, own: dict, scenario: Scenario) -> np.ndarray:
-        """Return the standard deviation of each parameter, (N,); 0 fixes one."""
-        N = scenario.basis.N
-        priors = np.array(own.get("priors", N * [own.get("prior", PRIOR / self.speed)]))
-        if priors.shape != (N,) or not np.any(priors):
-            raise ScenarioError(
-                f"learning.{scenario.learning.row.table}.priors: must be {N} numbers, one for each "
-                "function, not all 0"
-            )
-        return priors
 
     def noise_of(self, duration: float) -> np.ndarray:
         """Return the variances of a leg, (2,): that of its fixes, if known, and the rest of r^2."""

@@ -214,7 +214,7 @@ class LegTrack:
             return 0.0
         basis, prior = self.scenario.basis, self.settings.beside
         _, v, share = unspanned(basis, prior, places, np.reshape(fixes, (-1, 2)))
-        of_flow = np.mean(v + share * leg.off * (prior > 0))
+        of_flow = np.mean(v + share * leg.off)
         return float(np.sum(arrival.points[:, 3]) * of_flow**0.5)
 
     def bend(self, leg: Leg, fastest: float) -> float:

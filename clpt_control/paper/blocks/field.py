@@ -17,6 +17,7 @@ import numpy as np
 from ...engine.model.block import Block
 from ...engine.model.declaration import Guard
 from ...engine.trace.interpolators import lookup
+from .flow import disturbed_flow
 from .ports import paper_block
 
 # last words of the guard's message
@@ -47,9 +48,7 @@ def gridded(t, x, u, p):
     index = row * (p.shape[2] + 2) + i
     u_1 = np.sum(weight * lookup(p.u, index))
     u_2 = np.sum(weight * lookup(p.v, index))
-    flow = np.stack([u_1, u_2])
-    delta = getattr(u, "delta", None)
-    return flow if delta is None else flow + delta
+    return disturbed_flow(np.stack([u_1, u_2]), u)
 
 
 def inside(t, x, u, p):
@@ -90,7 +89,7 @@ def gridded_flow(
     guard = Guard(inside, outside, partial(left_the_field, length, time), ADVICE)
     return paper_block(
         "true_flow",
-        f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
+        f"{position}{' delta' * disturbed} -> flow_x",
         {
             "shape": [len(axis) for axis in axes],  # grid points in time, x2 and x1
             "start": [axis[0] for axis in axes],  # the first grid point

@@ -85,7 +85,7 @@ def largest_shear(kernel: str, widths: Any, theta: Any, spread: Any) -> float:
 def unspanned(
     basis: Any, prior: float, x: np.ndarray, fixes: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return v at n places, v where functions die out, and k(x, fix)^2 of the nearest fix.
+    """Return v at n places, v where functions die out, k(x, fix)^2 of the nearest fix; 0 if s = 0.
 
     The flow is a field of the prior's variance s^2.  The functions show it at their centres, legs
     at their fixes, but for a share (E. Snelson, Z. Ghahramani, "Sparse Gaussian processes using
@@ -107,7 +107,8 @@ def unspanned(
     counts = np.sum(like[: basis.N, : basis.N] ** 4, axis=0)
     squares = of_places**2
     left = prior**2 * np.maximum(1 - squares[:, : basis.N] @ (1 / counts), 0)
-    return v, np.minimum(v, left), squares[:, basis.N :].max(axis=1, initial=0.0)
+    nearest = squares[:, basis.N :].max(axis=1, initial=0.0)
+    return v, np.minimum(v, left), nearest * (prior > 0)
 
 
 def flow_basis(
@@ -167,11 +168,15 @@ def turning_rate(
     return np.sqrt(square)
 
 
-def true(t, x, u, p):
-    """F_R = theta phi(x), Eq. (3), plus Delta of Eq. (32) if disturbed."""
-    flow = p.theta @ u.phi_x
+def disturbed_flow(flow, u):
+    """Return a flow, plus Delta of Eq. (32) if it is an input."""
     delta = getattr(u, "delta", None)
     return flow if delta is None else flow + delta
+
+
+def true(t, x, u, p):
+    """F_R = theta phi(x), Eq. (3), plus Delta of Eq. (32) if disturbed."""
+    return disturbed_flow(p.theta @ u.phi_x, u)
 
 
 def modeled(t, x, u, p):
@@ -181,7 +186,7 @@ def modeled(t, x, u, p):
 
 def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
     """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
-    ports = "x phi_x delta -> flow_x" if disturbed else "x phi_x -> flow_x"
+    ports = f"x phi_x{' delta' * disturbed} -> flow_x"
     return at_position(
         paper_block("true_flow", ports, {"theta": theta}, output=true), position
     )
@@ -189,9 +194,7 @@ def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block
 
 def true_of_own_functions(kernel, t, x, u, p):
     """F_R = theta phi(x, t), Eq. (3), of other functions than phi_x, plus Delta if disturbed."""
-    flow = p.theta @ KERNELS[kernel].phi(t, x, u, p)
-    delta = getattr(u, "delta", None)
-    return flow if delta is None else flow + delta
+    return disturbed_flow(p.theta @ KERNELS[kernel].phi(t, x, u, p), u)
 
 
 def own_true_flow(
@@ -202,7 +205,7 @@ def own_true_flow(
     position: str = "x",
 ) -> Block:
     """Make a true flow of functions of its own, parameters as those of `flow_basis`."""
-    ports = f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x"
+    ports = f"{position}{' delta' * disturbed} -> flow_x"
     output = partial(true_of_own_functions, kernel)
     return paper_block("true_flow", ports, {**functions, "theta": theta}, output=output)
 
