@@ -167,6 +167,9 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
         top.set_title(f"{title}\n{equation}".strip(), **TITLE)
         title = ""
         below.set_xlabel(_axis_of(varied[x]))
+        # numbers below an axis need about 0.6 inches each
+        inches = below.get_window_extent().width / below.figure.dpi
+        below.locator_params(axis="x", nbins=max(1, int(inches / 0.6)))
     if others and not is_map:
         beside = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
         panels[0, -1].legend(frameon=False, fontsize=8, **beside)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
-from ..simulation.comparison import named
+from ..simulation.comparison import labelled_elements, named
 from .results import COMPLETED, STATUS
 
 if TYPE_CHECKING:
@@ -96,7 +96,13 @@ def by_member(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return an ensemble with members along the first dimension, also of an unstacked grid."""
     if "member" not in data.dims:
         keys = json.loads(data.attrs["ensemble"])["keys"]
-        data = data.stack(member=[key for key in keys if key in data.dims])
+        dims = [key for key in keys if key in data.dims]
+        # xarray does not stack arrays without elements, such as the rms over 0 cycles
+        empty = [name for name, array in data.data_vars.items() if not array.size]
+        stacked = data.drop_vars(empty).stack(member=dims)
+        count = {"member": stacked.sizes["member"]}
+        first = data[empty].isel(dict.fromkeys(dims, 0), True, "ignore")
+        data = stacked.assign(first.expand_dims(count))
     return data.transpose("member", ...)
 
 
@@ -133,13 +139,8 @@ def rms_of(data: "xarray.Dataset") -> "dict[str, xarray.DataArray]":
 
 def _elements(array: "xarray.DataArray") -> "Iterator[tuple[str, xarray.DataArray]]":
     """Yield the label and the values of each number of an array: ``e[0]``, ``e cycle 1``."""
-    dims = [dim for dim in array.dims if dim not in ("member", "time")]
-    for index in np.ndindex(*(array.sizes[dim] for dim in dims)):
-        label = str(array.name)
-        for dim, k in zip(dims, index, strict=True):
-            is_cycle = dim in ("cycle", "mark")
-            label += f" {dim} {array[dim].values[k]:g}" if is_cycle else f"[{k}]"
-        yield label, array.isel(dict(zip(dims, index, strict=True)))
+    for label, index in labelled_elements(array, "member", "time"):
+        yield label, array.isel(index)
 
 
 def unit_of(values: "xarray.DataArray") -> str:

@@ -3,9 +3,8 @@
 `compare` draws runs of scenarios or of diagrams on the same Axes, each in a colour and marker.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import control
@@ -304,29 +303,38 @@ def noted_labels(run: "xarray.Dataset", port: str) -> tuple[str, list[str]]:
 
 def signals_of(port: "xarray.DataArray", along: str = "time") -> dict[str, np.ndarray]:
     """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
-    name = str(port.name)
+    return {
+        label: port.isel(index).values
+        for label, index in labelled_elements(port, along)
+    }
+
+
+def labelled_elements(
+    port: "xarray.DataArray", *along: str
+) -> Iterator[tuple[str, dict[str, int]]]:
+    """Yield the label and the index of each element of a port, an array along dimensions."""
 
     def is_index(dim: str) -> bool:
         return dim.rstrip("_").endswith(f"_{INDEX}")
 
-    dims = [str(dim) for dim in port.dims if dim != along]
+    dims = [str(dim) for dim in port.dims if dim not in along]
     dims.sort(key=lambda dim: not is_index(dim))  # the index first
-    columns = port.transpose(along, *dims).values.reshape(port.sizes[along], -1).T
-    coordinates = product(*(port[dim].values for dim in dims))
-    signals = {}
-    for column, values in zip(columns, coordinates, strict=True):
-        label = name
-        for dim, value in zip(dims, values, strict=True):
+    coordinates = {dim: port[dim].values for dim in dims}
+    for index in np.ndindex(*map(len, coordinates.values())):
+        at = dict(zip(dims, index, strict=True))
+        label = str(port.name)
+        for dim, k in at.items():
+            value = coordinates[dim][k]
             if is_index(dim):
                 label += f"[{value}]"
-            elif isinstance(value, tuple):  # a member, with a value of each varied name
-                names = port.indexes[dim].names
-                pairs = zip(names, value, strict=True)
-                label += "".join(f" {key} {number}" for key, number in pairs)
-            else:
-                label += f" {dim} {value}"
-        signals[label] = column
-    return signals
+                continue
+            pairs = [(dim, value)]
+            if isinstance(value, tuple):  # a member, with a value of each varied name
+                pairs = [*zip(port.indexes[dim].names, value, strict=True)]
+            for key, number in pairs:
+                text = f"{number:.15g}" if isinstance(number, float) else number
+                label += f" {key} {text}"
+        yield label, at
 
 
 def named(name: str, units: str | None) -> str:

@@ -2,9 +2,10 @@
 
 import time
 from functools import partial
-from itertools import count
+from itertools import count, pairwise
 
 import control
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas
 import pytest
@@ -15,6 +16,7 @@ from scipy import stats
 
 import clpt_control as clpt
 from clpt_control import ClptError
+from clpt_control.ensemble.ensemble_statistics import ensemble_summary
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 4.0})
 
@@ -320,6 +322,43 @@ def test_a_sweep_of_two_long_ranges_is_a_map():
         shown.get_array(), (a + b + 7.0) * by_trapezoids**0.5, rtol=1e-9
     )
     assert shown.norm.vmin == panels[0].collections[0].norm.vmin
+
+
+@pytest.mark.parametrize("width", [5.0, 7.0, 12.0])
+@pytest.mark.parametrize("b", [MANY, FEW])
+def test_numbers_below_small_axes_do_not_overlap(width, b):
+    vary = {"a": np.linspace(0.5101, 0.5303, 12), "b": b, "c": [5.0, 6.0, 7.0]}
+    data = clpt.run_ensemble(pushed(), vary, timepts=[0.0, 0.5, 1.0])
+    figure, axes = plt.subplots(1, 3, figsize=(width, 3), layout="constrained")
+    data.clpt.plot(ax=axes)
+    figure.draw_without_rendering()
+    for panel in axes:
+        numbers = [text for text in panel.get_xticklabels() if text.get_text()]
+        boxes = [text.get_window_extent() for text in numbers]
+        low, high = panel.get_xlim()
+        shown = [
+            box
+            for box, text in zip(boxes, numbers, strict=True)
+            if low <= text.get_position()[0] <= high
+        ]
+        assert shown
+        for left, right in pairwise(shown):
+            assert left.x1 < right.x0
+
+
+@pytest.mark.parametrize("duration", [20.0, 400.0])  # 0 and 2 cycles
+def test_an_unstacked_ensemble_has_the_figures_of_its_members(duration):
+    vary = {"basis.kernel": ["exponential", "gaussian"]}
+    data = clpt.run_ensemble(PAPER.with_values({"run.duration": duration}), vary)
+    mark = f"flow_parameter_error mark {duration:g} (m/s)"
+    summaries = [ensemble_summary(one)["summaries"] for one in (data, data.unstack())]
+    assert summaries[0] == summaries[1]
+    assert len([name for name in summaries[0] if "cycle" in name]) == duration // 200
+    errors = data.flow_parameter_error.sel(mark=duration)
+    assert summaries[1][mark][::4] == np.percentile(errors, (5, 95)).tolist()
+    table = data.clpt.table()
+    assert table[mark.replace("m/s", "m s-1")].tolist() == errors.values.tolist()
+    assert len(np.ravel(data.unstack().clpt.plot())) == 2
 
 
 def test_a_state_whose_label_is_a_word_of_the_function_varies():

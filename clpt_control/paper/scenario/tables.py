@@ -5,7 +5,6 @@ against each other.  A mistake raises a ScenarioError with one sentence: the key
 is allowed.  Tables made by a call and from nested dicts are checked in the same way.
 """
 
-import difflib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ import pydantic
 from pydantic import Field, Strict
 from pydantic_core import PydanticCustomError
 
+from ...base.arguments import nearest
 from ...base.errors import ScenarioError
 from ...base.html import shortened
 from ...base.units import METRES
@@ -75,10 +75,20 @@ class Table(pydantic.BaseModel):
                 inner = value if isinstance(value, dict) else ()
                 names = [f"{key}.{name}" for name in inner]
                 call_time_hint = next(filter(None, map(cls.key_hint, names)), "")
-                close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
-                hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
-                allowed = f"{hint} here: {', '.join(cls.model_fields)}"
-                details = {"key": str(key), "allowed": allowed, "other": call_time_hint}
+                tables = {
+                    name
+                    for name, field in cls.model_fields.items()
+                    if any(tables_in(field.annotation))
+                }
+                fields = sorted(cls.model_fields, key=tables.__contains__)
+                names = [*reversed(cls.quantities()), *fields]
+                by_end = {name.rpartition(".")[2]: name for name in names}
+                details = {
+                    "key": str(key),
+                    "close": by_end.get(nearest(str(key), by_end), ""),
+                    "allowed": ", ".join(fields),
+                    "other": call_time_hint,
+                }
                 raise PydanticCustomError("unknown_key", "unknown key", details)
         return values
 
@@ -158,9 +168,12 @@ def sentence(problem: Any) -> str:
         return f"missing key {key}"
     if kind == "unknown_key":
         details = problem["ctx"]
+        before = f"{key}." if key else ""
+        close = details["close"]
+        hint = f"did you mean {before}{close}? Allowed" if close else "allowed"
         return (
             details["other"]
-            or f"unknown key {key}{'.' * bool(key)}{details['key']}{details['allowed']}"
+            or f"unknown key {before}{details['key']}; {hint} here: {details['allowed']}"
         )
     if kind in ("union_tag_not_found", "union_tag_invalid"):
         return f'{key}.kind: must be "circle" or "waypoints"'

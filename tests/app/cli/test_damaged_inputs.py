@@ -36,7 +36,7 @@ KNOWN = {"learning.law": "known-flow", "learning.parameters": None}
 AT_FIXES = {"learning": {"law": "fix-regression"}}
 LEARNS = "localization.interval: nothing is learned before t ="
 WRONG = [  # changed keys, words that the line must hold, the first the key
-    ({"learning.gian": 1.0}, "learning.gian", "did you mean gain"),
+    ({"learning.gian": 1.0}, "learning.gian", "did you mean learning.gain"),
     ({"learning." + "g" * 5000: 1.0}, "unknown key learning.ggg", "feedback"),
     ({"basis.widths": None}, "basis.widths", "missing"),
     ({"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]}, "flow.parameters", "2 rows of 3"),

@@ -243,7 +243,7 @@ def test_columns_of_members_name_what_varied():
     table = clpt.run_ensemble(
         lag, {"u": [1, 2]}, timepts=times, trajectories=True
     ).clpt.table()
-    assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
+    assert [*table.columns] == ["time", "y u 1", "y u 2"]
     np.testing.assert_allclose(
         table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6
     )

@@ -22,7 +22,13 @@ AT_FIXES = {"localization": {"interval": 5.0}, **dict.fromkeys(HELD_BY_LAW)}
 SINE = {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}
 WRONG = {
     "learning.gain = -1: must be": {"learning": {"gain": -1}},
-    "key flow.disturbance.perod; did you mean period?": {"flow": {"disturbance": SINE}},
+    r"key flow.disturbance.perod; did you mean flow.disturbance.period\?": {
+        "flow": {"disturbance": SINE}
+    },
+    r"key gian; did you mean learning.gain\? Allowed here: title,": {"gian": 1},
+    r"learning.gian; did you mean learning.gain\? Allowed here: law, gain,": {
+        "learning": {"gian": 1}
+    },
     "adaptation.gain is the name at call time.* key is learning.gain": {
         "adaptation": {"gain": 2}
     },
@@ -384,7 +390,7 @@ def test_vehicles_share_one_flow():
         ({"b": 3}, "members.b = 3"),
         (
             {"b": {"run": {"durat": 3.0}}},
-            r"key members\.b\.run\.durat; did you mean dur",
+            r"key members\.b\.run\.durat; did you mean members\.b\.run\.dur",
         ),
     ):
         says(
