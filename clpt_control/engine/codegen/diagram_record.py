@@ -58,6 +58,7 @@ class Form(NamedTuple):
     locking: bool = True  # decisions are locked for a step
     held: tuple[Any, ...] = ()  # switches on which runs slide (`sliding_rates`)
     directions: tuple[Varied, ...] = ()  # of derivatives, behind the states
+    exact: bool = False  # of guaranteed runs: neither locked nor rounded, as pi is
 
     @property
     def copies(self) -> int:
@@ -241,6 +242,7 @@ class DiagramRecord(RecordMerger):
         self.layout = layout
         self.long, self.named = LOOPED_FROM[form.axes]
         self.locking = form.locking
+        self.exact = form.exact
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
@@ -259,7 +261,7 @@ class DiagramRecord(RecordMerger):
             if node.system.guard is not None:
                 (margin,) = self.run(k, "guard", self.fed(k))
                 self.require(margin, self.decisions.rounding_of(margin))
-        if self.locking and not form.held and not wiring.dt:
+        if self.locking and not (form.held or form.exact or wiring.dt):
             self.rates = self.lock()
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
@@ -425,7 +427,7 @@ class DiagramRecord(RecordMerger):
             key = self.entries[row].at, shift_of(self.entries, value), static
             if table := self.layout.time_tables.get(key):
                 return self.load("P", table.offset, ())
-        if kind in FOLDS and type(refs[0]) is int:
+        if kind in FOLDS and not self.exact and type(refs[0]) is int:
             inner = self.entries[refs[0]]
             if inner.kind == FOLDS[kind]:
                 return _folded(kind, inner.arguments[0], put)

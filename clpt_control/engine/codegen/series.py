@@ -2,12 +2,8 @@
 
     x(t + s tau) = x + sum a_k tau^k,    a_k = s/k (coefficient k - 1 of the rates),  k = 1 ... p
 
-Each smooth operation has a recurrence of its coefficients: a sum, a product, a quotient, a root and
-a power their own; every other one by its slopes in the table of operations,
-
-    k f_k = sum over j of j a_j f'_(k - j)
-
-(Jorba and Zou 2005, Experimental Mathematics 14).  s is the scale of a step.
+Each smooth operation has a recurrence of its coefficients in the table of operations
+(`operations.Recurrence`), a power its own here.  s is the scale of a step.
 """
 
 from collections.abc import Callable, Iterable
@@ -18,7 +14,7 @@ from llvmlite import ir
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from ...base.errors import Uncompiled
-from ..record.operations import NO_ROW, SMOOTH, TABLE, UFUNCS, Smoothness
+from ..record.operations import NO_ROW, SMOOTH, TABLE, UFUNCS, Recurrence, Smoothness
 from .fused_expressions import Component, whole_power
 from .llvm_text import LLVMPrinter
 from .plan import Program
@@ -184,21 +180,8 @@ class Coefficients(LLVMPrinter):
             if arguments[0] == "X":
                 return self.state_coefficient(arguments[1], k)
             return self.scale if k == 1 else 0.0  # of time
-        if name in ("add", "sub"):
-            return self.operate(name, *(at(a, k) for a in arguments))
-        if name == "neg":
-            return self.operate("sub", 0.0, at(arguments[0], k))
-        if name == "mul":
-            a, b = arguments
-            return self.product(a, b, k)
-        if name == "div":
-            a, b = arguments
-            pairs = [(at(argument, j), at(b, k - j)) for j in outside_in(0, k - 1)]
-            rest = self.operate("sub", at(a, k), self.sum_of_products(pairs))
-            return self.operate("mul", rest, self.inverse(b, 1.0))
-        if name == "sqrt":
-            rest = self.operate("sub", at(arguments[0], k), self.square(argument, k, 1))
-            return self.operate("mul", rest, self.inverse(argument, 2.0))
+        if (row := TABLE.get(name, NO_ROW).series) is not None:
+            return self.by_recurrence(row, (*arguments, argument), k)
         if name == "pow" and self.is_constant(arguments[1]):
             return self.power(argument, k)
         if name == "where" and self.is_of_nan(arguments[0]):
@@ -234,17 +217,26 @@ class Coefficients(LLVMPrinter):
         make = partial(self.operate, "mul", scale, self.at(self.rates[state], k - 1))
         return self.cached(("state", state, k), make)
 
-    def product(self, a: Any, b: Any, k: int) -> Any:
-        """Return coefficient k of a product."""
-        if self.is_constant(b):
-            a, b = b, a
-        if self.is_constant(a):
-            return self.operate("mul", self.at(a, 0), self.at(b, k))
-        if a == b:
-            return self.square(a, k, 0)
-        return self.sum_of_products(
-            (self.at(a, j), self.at(b, k - j)) for j in outside_in(0, k)
-        )
+    def by_recurrence(self, row: Recurrence, operands: tuple, k: int) -> Any:
+        """Return coefficient k of an operation with a recurrence of its own."""
+        total: Any = 0.0
+        for sign, value in zip(row.signs, operands, strict=False):
+            operation = "add" if sign > 0 else "sub"
+            total = self.operate(operation, total, self.at(value, k))
+        if row.products is not None:
+            u, v = (operands[place] for place in row.products)
+            if u == v:
+                products = self.square(u, k, row.first)
+            else:
+                products = self.sum_of_products(
+                    (self.at(u, j), self.at(v, k - j))
+                    for j in outside_in(row.first, k - row.last)
+                )
+            total = self.operate("sub", total, products) if row.signs else products
+        if row.divisor is None:
+            return total
+        inverse = self.inverse(operands[row.divisor], row.factor)
+        return self.operate("mul", total, inverse)
 
     def square(self, a: Any, k: int, first: int) -> Any:
         """Return the sum of a_j a_(k - j) for j from `first` to k - `first`."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
 from math import copysign, erf, erfc, gamma, inf, nan, pi, sqrt
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,6 +29,28 @@ class Smoothness(IntEnum):
 
 
 SMOOTH, FOLDS, KINK, JUMP, STEP = Smoothness
+
+
+class Recurrence(NamedTuple):
+    """Coefficient k of the series of an operation's result f, from those of its operands.
+
+        f_k = (sum of signs times arguments_k - sum over j of u_j v_(k - j)) / (factor d_0)
+
+    u, v and d are operands: 0 and 1 are the arguments, -1 is the result.
+    The second sum, for j from `first` to k - `last`, is positive where there are no signs.  It has
+    no coefficients of f that are not known before.  Without a row, smooth operations have
+
+        f_k = sum over the arguments a of sum over j > 0 of j/k a_j slope_(k - j)
+
+    (Jorba and Zou 2005, Experimental Mathematics 14).
+    """
+
+    signs: tuple[int, ...] = ()
+    products: tuple[int, int] | None = None  # u and v
+    first: int = 0
+    last: int = 0
+    divisor: int | None = None
+    factor: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -53,6 +75,7 @@ class Row:
     operator : whether Python writes it with an operator, or as abs.
     raises : whether the operator of Python raises an error for some floats.
     traced : NumPy functions that are traced as the operation, if not `numpy` alone.
+    series : recurrence of the coefficients of a Taylor series, if it is not that of the slopes.
     """
 
     numpy: Any = None
@@ -70,6 +93,7 @@ class Row:
     operator: bool = False
     raises: bool = False
     traced: tuple[np.ufunc, ...] = ()
+    series: Recurrence | None = None
 
 
 def _circular(ufunc: np.ufunc, slope: Slope) -> Row:
@@ -132,6 +156,7 @@ TABLE: dict[str, Row] = {
         sympy=lambda s, a, b: a + b,
         llvm="fadd",
         c="+",
+        series=Recurrence((1, 1)),
     ),
     "sub": _arithmetic(
         np.subtract,
@@ -139,6 +164,7 @@ TABLE: dict[str, Row] = {
         sympy=lambda s, a, b: a - b,
         llvm="fsub",
         c="-",
+        series=Recurrence((1, -1)),
     ),
     "mul": _arithmetic(
         np.multiply,
@@ -147,6 +173,7 @@ TABLE: dict[str, Row] = {
         llvm="fmul",
         c="*",
         on_truths="and",
+        series=Recurrence((), (0, 1)),
     ),
     "div": Row(
         np.true_divide,
@@ -157,6 +184,7 @@ TABLE: dict[str, Row] = {
         signed_zero=True,
         operator=True,
         raises=True,
+        series=Recurrence((1,), (-1, 1), last=1, divisor=1),
     ),
     "floordiv": _arithmetic(
         np.floor_divide,
@@ -185,7 +213,12 @@ TABLE: dict[str, Row] = {
         c="pow",
     ),
     "neg": _arithmetic(
-        np.negative, (lambda a, f: -1.0,), sympy=lambda s, a: -a, llvm="fneg", c="-"
+        np.negative,
+        (lambda a, f: -1.0,),
+        sympy=lambda s, a: -a,
+        llvm="fneg",
+        c="-",
+        series=Recurrence((-1,)),
     ),
     "fabs": _arithmetic(
         np.absolute,
@@ -240,7 +273,11 @@ TABLE: dict[str, Row] = {
     "trunc": _rounding(np.trunc, "trunc"),
     # powers and logarithms
     "sqrt": Row(
-        np.sqrt, (lambda a, f: 1.0 / (2.0 * f),), llvm="intrinsic sqrt", c="sqrt"
+        np.sqrt,
+        (lambda a, f: 1.0 / (2.0 * f),),
+        llvm="intrinsic sqrt",
+        c="sqrt",
+        series=Recurrence((1,), (-1, -1), 1, 1, divisor=-1, factor=2.0),
     ),
     "hypot": Row(
         np.hypot,
