@@ -9,6 +9,7 @@ import pytest
 from coq_files import REALS, compiled
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
+from small_scenarios import paper_of
 
 import clpt_control as clpt
 
@@ -127,7 +128,7 @@ def test_rates_by_a_riccati_equation(name, least):
     assert found.half_life == pytest.approx(2 * np.log(2) / rho)
     difference, Z = exact(found.constants)
     assert difference == 0 < Z
-    assert repr(found).startswith("<Riccati: errors halve at least every")
+    assert repr(found).startswith("<Riccati: errors of parameters halve at")
 
 
 def test_R_is_positive_and_periodic_by_scipy():
@@ -191,8 +192,9 @@ def test_what_is_not_excited_has_no_rate():
     said = "not excited, or not enough: errors have no half-life"
     assert said in found.result.sentences
     assert found.report["half_life"] is None
+    assert found.report["riccati"] == {}
     assert repr(found).endswith("errors have no half-life>")
-    with pytest.raises(clpt.DataError, match="no rate: no weights"):
+    with pytest.raises(clpt.DataError, match="no Riccati certificate: not all"):
         found.riccati  # noqa: B018
 
 
@@ -373,7 +375,23 @@ def test_the_paper_halves_within_the_time_of_several_windows():
     assert 646.8 < certificate.half_life < 670  # 646.8: Floquet
     assert "halve at least every 663.5 s" in "".join(found.result.sentences)
     # by the Riccati equation less, of each axis
-    assert all(664 < axis.half_life < 10000 for axis in found.riccati.values())
+    assert [*found.report["riccati"]] == ["x1", "x2"]
+    for axis, rate in found.report["riccati"].items():
+        b0, b1 = rate["b"]
+        assert 664 < rate["half_life"] < 10000
+        assert 1 < rate["overshoot"] < 1.2
+        halves = (
+            f"Riccati certificate, {axis}: errors of parameters halve at least every"
+        )
+        (said,) = (line for line in found.result.sentences if line.startswith(halves))
+        assert f"while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: both hold" in said
+
+
+def test_no_search_of_weights_for_many_parameters():
+    found = clpt.gramian(paper_of(11), 200.0, 200.0)
+    said = "no Riccati certificate: not searched beyond 12 parameters"
+    assert said in found.result.sentences
+    assert found.report["no_riccati"] == said
 
 
 # --- Coq ---------------------------------------------------------------------------------------

@@ -79,6 +79,13 @@ class Certificate:
         return float(self.window * largest_disturbance * windows)
 
 
+def halving_text(bound: Any, unit: str) -> str:
+    """Return the half-life of errors of a bound, and their overshoot."""
+    half_life = f"{at_most(bound.half_life)} {unit}".rstrip()
+    factor = at_most(bound.overshoot)
+    return f"errors of parameters halve at least every {half_life}, but for a factor {factor},"
+
+
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the smallest eigenvalue of the Gramian of rows."""
     return np.linalg.svd(factors_of(rows, weights), compute_uv=False)[..., -1] ** 2

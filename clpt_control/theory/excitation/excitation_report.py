@@ -17,6 +17,7 @@ from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
 from ...base.units import at_most
 from ..algebra.texts import listed
+from .certificates import halving_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,6 +62,8 @@ def report_of(excitation: Any) -> dict[str, Any]:
     disturbance if ``disturbed``.  The norm of all errors is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
+    ``riccati`` has by axis another ``half_life`` and ``overshoot``, and ``b``, the bounds of f'w,
+    where the Riccati certificate is found; ``no_riccati`` is the reason if it is nowhere.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -78,6 +81,9 @@ def report_of(excitation: Any) -> dict[str, Any]:
     report = _measured(excitation)
     report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
     report |= {"not_certified": reason} if reason else {}
+    rates, reason = excitation.rates
+    report["riccati"] = {axis: rate.report for axis, rate in rates.items()}
+    report |= {"no_riccati": reason} if reason else {}
     recorded = hasattr(excitation.source, "data_vars")
     return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
@@ -125,16 +131,12 @@ def learned_text(excitation: Any) -> str:
     )
 
 
-def halving_text(excitation: Any) -> str:
+def repeated_text(excitation: Any) -> str:
     """Return the half-life of the errors, if they are excited."""
-    found = excitation.certified[0]
+    found, unit = excitation.certified[0], excitation.time_unit
     if found.half_life is None:
         return "not excited, or not enough: errors have no half-life"
-    half_life = f"{at_most(found.half_life)} {excitation.time_unit}".rstrip()
-    return (
-        f"errors of parameters halve at least every {half_life}, but for a factor "
-        f"{at_most(found.overshoot)}, along this run repeated"
-    )
+    return f"{halving_text(found, unit)} along this run repeated"
 
 
 def _direction(excitation: Any, axis: str) -> list[str]:
@@ -155,7 +157,14 @@ def _how_fast(excitation: Any) -> Iterator[str]:
     else:
         yield f"contraction of V at worst {at_most(certificate.contraction, 6)}"
         yield f"{learned_text(excitation)}, in windows like this one"
-        yield halving_text(excitation)
+        yield repeated_text(excitation)
+        rates, reason = excitation.rates
+        if reason and certificate.half_life:
+            yield reason
+        for axis in excitation.names if rates else ():
+            rate = rates.get(axis)
+            told = rate.sentence(excitation.time_unit) if rate else "not found"
+            yield f"Riccati certificate, {axis}: {told}"
         if certificate.disturbed:
             yield "V and errors fall so but for what the disturbance adds to them"
     if hasattr(excitation.source, "data_vars"):

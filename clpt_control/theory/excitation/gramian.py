@@ -31,11 +31,11 @@ from .certificates import Certificate, certificate
 from .error_system import error_system_of
 from .excitation_report import (
     draw_excitation,
-    halving_text,
     in_one_sentence_of,
     learned_text,
     least_excited_of,
     not_learnable_of,
+    repeated_text,
     report_of,
     result_of,
     slow_direction_of,
@@ -48,7 +48,7 @@ from .regressor import (
     span_of,
     system_of,
 )
-from .riccati import riccati_of
+from .riccati import MOST, riccati_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
@@ -64,7 +64,7 @@ class Excitation(Regressor):
     source: Any = None  # scenario or run that was measured
 
     def __repr__(self) -> str:
-        learned = self.certified[0] and f"; {learned_text(self)}; {halving_text(self)}"
+        learned = self.certified[0] and f"; {learned_text(self)}; {repeated_text(self)}"
         return f"<Excitation {self.span}: excited {self.counted()}{learned or ''}>"
 
     def _repr_html_(self) -> str:
@@ -106,6 +106,16 @@ class Excitation(Regressor):
             return self.certificate(), ""
         except ClptError as error:
             return None, str(error)
+
+    @cached_property
+    def rates(self) -> tuple[dict[str, Any], str]:
+        """The rates of `riccati`, and the reason if there are none."""
+        if max(map(len, self.names.values())) > MOST:
+            return {}, f"no Riccati certificate: not searched beyond {MOST} parameters"
+        try:
+            return self.riccati, ""
+        except ClptError as error:
+            return {}, str(error)
 
     @cached_property
     def accuracy(self) -> float | None:
@@ -274,9 +284,9 @@ def gramian(
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
         of each vehicle by name. Gains that the law does not adapt are left out.
 
-        `riccati` has by axis a rate that holds while two facts of the run do: with `half_life`,
-        `constants` (rationals), f and R at the start, and `coq()`, a file that Coq checks alone.
-        Its search takes seconds; it is for an e of one component.
+        `riccati` has by axis, where found, a rate that holds while two facts of the run do: with
+        `half_life`, `constants` (rationals), f and R at the start, and `coq()`, a file that Coq
+        checks alone. Its search takes seconds; it is for an e of one component.
 
     Raises
     ------

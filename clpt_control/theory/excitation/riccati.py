@@ -20,10 +20,10 @@ periodic solution of its equation, the largest, so the facts hold for good where
 #     R -> H + A^T R (I + G R)^-1 A
 #
 # from the exponential of the Hamiltonian; squaring that of the window gives the periodic solution.
+# Between its ends R > 0 as well, since (R^-1)' <= rho R^-1 + rho C R^-2 + kappa w w^T.
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
 from itertools import accumulate, product
 from string import Template
 from typing import Any
@@ -32,14 +32,15 @@ import numpy as np
 from scipy.linalg import expm
 
 from ...base.errors import DataError
-from ...base.units import at_most
 from ..proofs.in_coq import PRELUDE
+from .certificates import halving_text
 
 COARSE = 400  # pieces in the search
 SQUARINGS = 12  # windows after which R is periodic: 2 to this power
 CONVERGED = 1e-10
 LARGEST = 10.0  # entry of a step of R, whose inverse has its digits
 SMALLEST = 1e-6  # rho/a
+MOST = 12  # parameters of a search of few seconds
 SHARES = 0.6, 0.8, 1.05, 1.4, 2, 3, 6  # p/a
 KAPPAS = 0.5, 1.5, 4, 10, 25, 70
 
@@ -59,13 +60,26 @@ class Riccati:
     pieces: int
 
     def __repr__(self) -> str:
-        given = self.constants
+        return f"<Riccati: {self.sentence()}>"
+
+    def sentence(self, unit: str = "") -> str:
+        """Return the half-life of errors, and its two facts."""
+        b0, b1 = self.report["b"]
         return (
-            f"<Riccati: errors halve at least every {at_most(self.half_life)}, but for a factor "
-            f"{at_most(float(given['overshoot']) ** 0.5)}, while R >= 0 and "
-            f"{float(given['b0']):.4g} <= f'w <= {float(given['b1']):.4g}: at the ends of "
-            f"{self.pieces} pieces of the window, repeated, with constant w>"
+            f"{halving_text(self, unit)} while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: both hold "
+            f"in the window repeated, with w constant in each of {self.pieces} pieces"
         )
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """The same as JSON values."""
+        b = [float(self.constants[name]) for name in ("b0", "b1")]
+        return {"half_life": self.half_life, "overshoot": self.overshoot, "b": b}
+
+    @property
+    def overshoot(self) -> float:
+        """Root of V / (its first / 2^(t/half_life)), at most."""
+        return float(self.constants["overshoot"]) ** 0.5
 
     @property
     def half_life(self) -> float:
@@ -81,10 +95,19 @@ class Riccati:
 
 
 def joined(first: Any, second: Any) -> Any:
-    """Return A, G and H of two steps of R."""
+    """Return A, G and H (..., n, n) of two steps of R."""
     (A, G, H), (B, K, L) = first, second
-    W = np.linalg.inv(np.eye(len(A)) + K @ H)
-    return A @ W @ B, G + A @ W @ K @ A.T, L + B.T @ H @ W @ B
+    W = np.linalg.inv(np.eye(A.shape[-1]) + K @ H)
+    return A @ W @ B, G + A @ W @ K @ A.mT, L + B.mT @ H @ W @ B
+
+
+def all_joined(steps: Any) -> Any:
+    """Return A, G and H of all steps (pieces, n, n), joined by pairs."""
+    while (count := len(steps[0])) > 1:
+        last = count - count % 2
+        pairs = joined(*([x[k:last:2] for x in steps] for k in (0, 1)))
+        steps = [np.append(x, y[last:], 0) for x, y in zip(pairs, steps, strict=True)]
+    return [x[0] for x in steps]
 
 
 def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
@@ -120,13 +143,19 @@ def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
         return None
     moves = expm(rates)
     A = np.linalg.inv(moves[:, :n, :n])
-    maps = [*zip(A, A @ moves[:, :n, n:], moves[:, n:, :n] @ A, strict=True)]
-    whole = reduce(joined, maps)
+    maps = A, A @ moves[:, :n, n:], moves[:, n:, :n] @ A
+    whole = all_joined(maps)
     for _ in range(SQUARINGS):
         whole = joined(whole, whole)
-    R = np.array([H for _, _, H in accumulate(maps, joined, initial=whole)])
+    if not (np.abs(whole[0]).max() < CONVERGED and np.linalg.eigvalsh(whole[2])[0] > 0):
+        return None
+    along = accumulate(zip(*maps, strict=True), joined, initial=whole)
+    R = np.array([H for _, _, H in along])
     values = np.linalg.eigvalsh(R)
-    if not (np.abs(whole[0]).max() < CONVERGED and values.min() > 0):
+    # Step 4: |R^-1| stays below this within each piece
+    most = 2 / values[:-1, 0] + 2 * float(kappa) * h * np.sum(w**2, axis=1)
+    twice = 2 * h * float(rho) * (1 + float(C) * most)
+    if values.min() <= 0 or twice.max() > 1:
         return None
     overshoot = rational(1 + 1.001 * (D * (1 + f[0] @ f[0]) + values[0, -1]) / C)
     constants = {
@@ -137,9 +166,10 @@ def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
 
 
 def riccati_of(excitation: Any) -> dict[str, Any]:
-    """Search the weights p and kappa for the largest rate of each axis of an excitation."""
+    """Search the weights p and kappa for the largest rate of each axis; return those found."""
     # Step 1: w, constant in pieces
-    excitation.certificate()
+    if excitation.certificate().half_life is None:
+        raise DataError("no Riccati certificate: not all parameters are excited enough")
     form, w, h = excitation.form, excitation.w, excitation.weights
     if form:
         feedback, w = (
@@ -162,10 +192,11 @@ def riccati_of(excitation: Any) -> dict[str, Any]:
                 rho, best = rho * factor, at
         # Step 3: in all pieces
         rates = (tried(h, pieces, *best, rational(rho * 0.95**k)) for k in range(12))
-        found[axis] = next(filter(None, rates), None)
-    if not found or None in found.values():
+        if rate := next(filter(None, rates), None):
+            found[axis] = rate
+    if not found:
         raise DataError(
-            "no rate: no weights of the Riccati certificate were found, or e has several "
-            "components. certificate() has a half-life if all parameters are excited"
+            "no Riccati certificate: e has several components, or no weights were found. Use "
+            "the half-life of the contraction"
         )
     return found
