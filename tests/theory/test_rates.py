@@ -387,6 +387,33 @@ def test_the_paper_halves_within_the_time_of_several_windows():
         assert f"while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: both hold" in said
 
 
+@pytest.mark.parametrize("kind", ["scenario", "run", "verdict"])
+def test_the_drawn_tubes_are_above_the_run(kind):
+    paper, unit = clpt.paper_scenario(), " (m)"
+    if kind == "verdict":
+        verdict, run = tutorial()
+        found, unit = clpt.gramian(run, 40.0, 80.0, of=verdict), ""
+        k_r, k_y = run.k_r.values, run.k_y.values
+        V = (run.e.values**2 + ((k_r - 4) ** 2 + (k_y - 2) ** 2) / 2) / 2
+    else:
+        run = clpt.simulate(paper)
+        found = clpt.gramian(paper if kind == "scenario" else run, 200.0, 200.0)
+        V = run.lyapunov.values
+    ax = found.plot_tube()
+    assert (ax.get_ylabel(), ax.get_yscale()) == (f"root of V{unit}", "log")
+    norm, *tubes = (line.get_xydata() for line in ax.lines)
+    assert len(tubes) == 2
+    assert norm[:, 1] ** 2 == pytest.approx(np.ravel(V), rel=1e-9)
+    for tube in tubes:
+        assert np.all(tube[:, 1] >= np.interp(tube[:, 0], *norm.T))
+
+
+def test_an_unknown_V_has_no_tube():
+    run = clpt.simulate(clpt.paper_scenario()).drop_vars("lyapunov")
+    with pytest.raises(clpt.DataError, match="plot_tube: V of the run is not known"):
+        clpt.gramian(run, 200, 200).plot_tube()
+
+
 def test_no_search_of_weights_for_many_parameters():
     found = clpt.gramian(paper_of(11), 200.0, 200.0)
     said = "no Riccati certificate: not searched beyond 12 parameters"

@@ -152,6 +152,10 @@ def excitation_section(run: Dataset, why: str) -> Section:
                 "combination in one window."
             )
             figures = [Drawn("excitation", figure, caption, wide=True)]
+        if "lyapunov" in run and excitation.certified[0]:
+            figure = figure_of(excitation.plot_tube)
+            caption = "Root of V along the run, and what the window certifies of it."
+            figures.append(Drawn("tube", figure, caption))
     except ClptError as error:
         result = Result(sentences=[f"Not measured: {error}"])
     return Section("excitation", heading, result, figures)

@@ -39,7 +39,6 @@ class Certificate:
 
     start: float  # of the window, units.time
     window: float  # its length
-    trajectory: str  # description; w contains z, which depends on the learner
     # axis -> exact 1 - V(t+T)/V(t) at worst
     drops: dict[str, float]
     # Delta, or a flow that theta phi does not span, adds to V'
@@ -298,7 +297,6 @@ def certificate(excitation: Any) -> Certificate:
     return Certificate(
         excitation.start,
         span,
-        excitation.trajectory,
         drops,
         bool(flow) and (flow.disturbance is not None or flow.parameters is None),
         counts,

@@ -59,6 +59,15 @@ class ErrorSystem:
         """Rates of change of e and th in the coordinates with the states."""
         return self.scale @ np.array(self.errors.jacobian([*self.rates]), dtype=float)
 
+    def scaled_errors(self, states: np.ndarray) -> np.ndarray:
+        """Return e and th in the coordinates, shape (times, m + n)."""
+        points = dict(zip(self.rates, states.T, strict=True))
+        return (self.scale @ NumericValues(*self.errors).at(points, len(states))).T
+
+    def V_along(self, run: Any) -> np.ndarray:
+        """Return V of a run at its times."""
+        return np.sum(self.scaled_errors(run[STATES].values) ** 2, axis=1) / 2
+
     def along(
         self, run: Any, signals: dict[str, np.ndarray]
     ) -> tuple[np.ndarray, np.ndarray]:
@@ -86,7 +95,7 @@ class ErrorSystem:
         allowed = self._missed(times, states, rates)[len(self.rates) :]
         # Step 3: it shows A e, W th and W^T e, each larger than what may be missed
         m = W.shape[1]
-        e, th = np.split(at(t, x, u, *self.errors) @ self.scale.T, [m], axis=1)
+        e, th = np.split(self.scaled_errors(x), [m], axis=1)
         scaled = self.left @ W @ self.right
         parts = (
             e @ self.scaled_A.T,

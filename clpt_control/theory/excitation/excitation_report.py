@@ -303,3 +303,29 @@ def _draw_direction(ax: "Axes", excitation: Any, axis: str) -> None:
     kappa = excitation.eigenvalues[axis][0]
     span = f"{start:.4g} to {end:.4g} {excitation.time_unit}"
     ax.set_title(rf"{axis}: $\kappa_1$ = {kappa:.3g}, {span}", **TITLE)
+
+
+def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":
+    """Draw the root of V along a run, and what an excitation certifies of it from its window on."""
+    form, times, start = excitation.form, run.time.values, excitation.start
+    V = form.V_along(run) if form else run.lyapunov.values
+    ax = axes_for(ax, 7.6, 4.0)
+    ax.set_prop_cycle(color=("black", BLUE, RED), linestyle=("-", "--", "-."))
+    ax.semilogy(times, V**0.5, label="of the run")
+    after = times[times >= start]
+    first, rates = np.interp(start, times, V**0.5), [*excitation.rates[0].values()]
+    tubes = {"contraction": [excitation.certificate()]}
+    if len(rates) == len(excitation.names):
+        tubes["Riccati certificate"] = rates
+    for label, bounds in tubes.items():
+        # the errors of all axes fall as the slowest
+        half_life = max(bound.half_life or np.inf for bound in bounds)
+        largest = first * max(bound.overshoot for bound in bounds)
+        tube = largest * 2 ** ((start - after) / half_life)
+        ax.semilogy(after, tube, label=f"at most, {label}")
+    unit = "" if form else excitation.scenario.units.length
+    ax.set_xlabel(f"time ({excitation.time_unit})".removesuffix(" ()"))
+    ax.set_ylabel(f"root of V ({unit})".removesuffix(" ()"))
+    ax.set_title(f"Errors, if the window {excitation.span} repeats", **TITLE)
+    ax.legend(fontsize=8, frameon=False)
+    return ax

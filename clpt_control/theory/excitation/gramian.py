@@ -31,6 +31,7 @@ from .certificates import Certificate, certificate
 from .error_system import error_system_of
 from .excitation_report import (
     draw_excitation,
+    draw_tube,
     in_one_sentence_of,
     learned_text,
     least_excited_of,
@@ -144,6 +145,18 @@ class Excitation(Regressor):
     def plot(self, *, ax: Any = None) -> np.ndarray:
         """Draw the eigenvalues along time and the least excited direction, (2, axes) Axes."""
         return draw_excitation(self, *self.sliding(), ax)
+
+    def plot_tube(self, *, ax: Any = None) -> Any:
+        """Draw the root of V along the run, and its tubes if the window repeats; one Axes."""
+        self.certificate()
+        run = (
+            simulate(self.source) if isinstance(self.source, Scenario) else self.source
+        )
+        if not self.form and "lyapunov" not in run:
+            raise DataError(
+                "plot_tube: V of the run is not known. Give a run that has it"
+            )
+        return draw_tube(self, run, ax)
 
     def sliding(self, count: int = 100) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Return starts of a sliding window and the eigenvalues of each axis, (count, n)."""
