@@ -102,6 +102,7 @@ def true_rate(*loop):
     return -2 * np.log(largest) / loop[-1]
 
 
+@pytest.mark.long
 def test_certified_rates_are_below_the_true_ones():
     shares = []
     for name, loop in LOOPS.items():
@@ -118,6 +119,7 @@ def exact(constants):
     return E * Z - max((D * (p - a + b) - 1) ** 2 for b in (b0, b1)), Z
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize(
     ("name", "least"), [("constant, slow", 0.85), ("a circle", 0.9), ("a pulse", 0.5)]
 )
@@ -168,6 +170,7 @@ def test_contraction_of_a_constant_regressor_in_closed_form():
     assert found.half_life == pytest.approx(-40 / np.log2(norms[8]), rel=1e-6)
 
 
+@pytest.mark.thirds
 @pytest.mark.parametrize("name", ["a circle", "a pulse", "other gains", "three"])
 def test_V_is_below_its_tube_in_many_starts(name):
     a, gains, w, period = LOOPS[name]
@@ -328,6 +331,49 @@ def test_w_of_powers_products_and_comparisons(w, samples):
 def test_a_run_that_starts_true_shows_no_loop(start):
     with pytest.raises(clpt.DataError, match="Start the run from another state"):
         of_time(np.sin, 401, start, a=0.1)
+
+
+def two_axes(g, change=None):
+    """A run of two axes, of which one has e = th = 0 but for a given change, and their verdict."""
+    block = control.nlsys(
+        lambda t, x, u, p: [
+            u[0] * x[2] - x[0], u[1] * x[3] - x[1], -u[0] * x[0], -p["g"] * u[1] * x[1],
+        ],
+        states=["e0", "e1", "h0", "h1"], inputs=["w0", "w1"], params={"g": 4.0}, name="loop",
+    )  # fmt: skip
+    verdict = clpt.lyapunov(
+        block, lambda s: s.e0**2 + s.e1**2 + s.h0**2 + s.h1**2 / s.g
+    )
+    t = np.linspace(0, 4 * np.pi, 801)
+    start = [0.3, 0.0, 1.0, change or 0.0]
+    run = clpt.simulate(block, t, [sin(t), cos(t)], start, params={"g": g})
+    return run, verdict
+
+
+@pytest.mark.parametrize("g", [0.05, 4.0])
+def test_an_axis_at_rest_shows_no_gain(g):
+    run, verdict = two_axes(g)
+    with pytest.raises(clpt.DataError, match=r"does not show \(e1\)' of the verdict"):
+        clpt.gramian(run, of=verdict)
+    run, verdict = two_axes(4.0, change=1.0)
+    assert clpt.gramian(run, of=verdict).certificate().half_life
+
+
+@pytest.mark.parametrize("name", ["w0", "states"])
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_values_that_are_not_finite_are_refused(name, value):
+    run, verdict = two_axes(4.0, change=1.0)
+    run[name][700] = value
+    with pytest.raises(clpt.DataError, match="must be finite, and its times increase"):
+        clpt.gramian(run, of=verdict)
+
+
+def test_a_slow_direction_falls_to_a_tenth_by_its_half_life():
+    w = [sin, lambda t: sin(t) + 1e-3 * cos(t)]
+    found = measured(1.0, [1.0, 1.0], w, 2 * np.pi).certificate()
+    by_half_life = np.log2(10 * found.overshoot) * found.half_life
+    true = 2 * np.log(10) / true_rate(1.0, [1.0, 1.0], w, 2 * np.pi)
+    assert 0.99 * true < found.time_to_tenth <= by_half_life
 
 
 @pytest.mark.parametrize("samples", [9, 41])

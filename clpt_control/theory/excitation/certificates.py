@@ -327,4 +327,6 @@ def falls_of(
     overshoot = np.max(2 ** (best * times) * norms[:-1])
     m = bisect_left(range(MAX_POWER), -0.1, key=lambda m: -norm(m))
     with np.errstate(divide="ignore"):
-        return 1 / best, overshoot, window * m if m < MAX_POWER else np.inf
+        half_life = 1 / best
+    by_half_life = half_life * np.log2(10 * overshoot)
+    return half_life, overshoot, min(window * m, by_half_life)

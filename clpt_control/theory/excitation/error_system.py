@@ -26,6 +26,7 @@ from ..algebra.exact import normal_form, vanishes
 from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
 
+ROUNDING = 1e-12  # of the largest entry of a row
 SOLVED = 1e-4  # share of a state by which a run may miss the equations
 SHOWN = 15  # times that, by which e and th must move to show it
 BETWEEN = 0.382  # of a step: where W is computed too
@@ -45,28 +46,24 @@ class ErrorSystem:
     errors: Matrix  # e and th, in states
 
     @cached_property
-    def scale(self) -> np.ndarray:
-        """The matrix of the coordinates of e and th."""
-        return block_diag(self.left, np.linalg.inv(self.right))
-
-    @cached_property
     def scaled_A(self) -> np.ndarray:
         """A in the coordinates."""
         return self.left @ np.array(self.A, dtype=float) @ np.linalg.inv(self.left)
 
     @cached_property
     def forms(self) -> np.ndarray:
-        """Rates of change of e and th in the coordinates with the states."""
-        return self.scale @ np.array(self.errors.jacobian([*self.rates]), dtype=float)
+        """Rates of change of e and th with the states."""
+        return np.array(self.errors.jacobian([*self.rates]), dtype=float)
 
-    def scaled_errors(self, states: np.ndarray) -> np.ndarray:
-        """Return e and th in the coordinates, shape (times, m + n)."""
+    def errors_at(self, states: np.ndarray) -> np.ndarray:
+        """Return e and th, shape (times, m + n)."""
         points = dict(zip(self.rates, states.T, strict=True))
-        return (self.scale @ NumericValues(*self.errors).at(points, len(states))).T
+        return NumericValues(*self.errors).at(points, len(states)).T
 
     def V_along(self, run: Any) -> np.ndarray:
         """Return V of a run at its times."""
-        return np.sum(self.scaled_errors(run[STATES].values) ** 2, axis=1) / 2
+        scale = block_diag(self.left, np.linalg.inv(self.right))
+        return np.sum((self.errors_at(run[STATES].values) @ scale.T) ** 2, axis=1) / 2
 
     def along(
         self, run: Any, signals: dict[str, np.ndarray]
@@ -79,6 +76,10 @@ class ErrorSystem:
             )
         inputs = np.array([signals[name] for name in self.inputs])
         inputs = inputs.reshape(-1, len(times))
+        if not (np.isfinite([*states.T, *inputs]).all() and (np.diff(times) > 0).all()):
+            raise DataError(
+                "gramian: of: states and inputs of the run must be finite, and its times increase"
+            )
         symbols = TIME, *self.rates, *self.inputs.values()
 
         def at(t: np.ndarray, x: np.ndarray, u: np.ndarray, *terms: Any) -> np.ndarray:
@@ -93,22 +94,28 @@ class ErrorSystem:
         W = at(t, x, u, *self.W).reshape(-1, *self.W.shape)
         # Step 2: the run follows the rates of all states, and of e and th
         allowed = self._missed(times, states, rates)[len(self.rates) :]
-        # Step 3: it shows A e, W th and W^T e, each larger than what may be missed
+        # Step 3: it shows each term of A e, W th and G W^T P e
         m = W.shape[1]
-        e, th = np.split(self.scaled_errors(x), [m], axis=1)
-        scaled = self.left @ W @ self.right
-        parts = (
-            e @ self.scaled_A.T,
-            np.einsum("tij,tj->ti", scaled, th),
-            np.einsum("tij,ti->tj", scaled, e),
-        )
-        shown = trapezoid([np.linalg.norm(part, axis=1) for part in parts], t)
-        of_e, of_th = (np.linalg.norm(part) for part in np.split(allowed, [m]))
-        if W.any() and np.any(shown <= SHOWN * np.array([of_e, of_e, of_th])):
-            raise DataError(
-                "of: the run does not show the equations of the verdict: errors are 0, or too "
-                "small. Start the run from another state, or give more times"
-            )
+        errors = self.errors_at(x)[:, None]
+        A, P = np.array([self.A], dtype=float), self.left.T @ self.left
+        gains = self.right @ self.right.T @ W.mT @ P
+        of_e, of_th = slice(m), slice(m, None)
+        for matrix, row, column in (
+            (A, of_e, of_e),
+            (W, of_e, of_th),
+            (gains, of_th, of_e),
+        ):
+            shown = trapezoid(np.abs(matrix * errors[..., column]), t, axis=0)
+            largest = np.abs(matrix).max(axis=0)
+            appears = largest > ROUNDING * largest.max(axis=1, keepdims=True)
+            hidden = appears & (shown <= SHOWN * allowed[row, None])
+            if W.any() and hidden.any():
+                k, j = np.argwhere(hidden)[0]
+                raise DataError(
+                    f"of: the run does not show ({short(self.errors[row][k])})' of the verdict: "
+                    f"{short(self.errors[column][j])} is 0, or adds too little to it. Start the "
+                    "run from another state, make it longer, or give more times"
+                )
         return t, W
 
     def _missed(

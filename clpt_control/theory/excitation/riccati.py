@@ -55,7 +55,8 @@ class Riccati:
     """A certified rate of one e: V <= overshoot V(start) exp(-rho (t - start))."""
 
     constants: dict[str, Any]  # a, p, kappa, rho, b0, b1, C, D, overshoot: rationals
-    f: np.ndarray  # at the start
+    # at the start, in coordinates U th with U^T U = G^-1, U upper triangular
+    f: np.ndarray
     R: np.ndarray
     pieces: int
 
