@@ -301,6 +301,32 @@ def test_a_claim_that_steps_shows_no_rest():
     assert (found.status, found.conclusion, found.of) == ("proved", ZERO, "y goes")
 
 
+def test_squares_of_a_claim_are_lost_as_written():
+    """A composite law: d = f - (v - w) - c w falls as exp(-t), and with E = (a - c) w
+    V' = -2 v^2 - E (E - d) - d^2 = -2 v^2 - (E - d/2)^2 - 3 d^2/4.
+    """
+    plant, _ = written(
+        "v' = a*v - 2*v - c*v; a' = -v**2 - w*(v - w + a*w - f); w' = v - w; "
+        "f' = a*v - 2*v - f; c = 0.5"
+    )
+
+    def forms(s):
+        d = s.f - (s.v - s.w) - s.c * s.w
+        return s.v, d, (s.a - s.c) * s.w - d / 2
+
+    def V(s):
+        v, d, _ = forms(s)
+        return (v**2 + (s.a - s.c) ** 2 + d**2) / 2
+
+    def claim(s):
+        v, d, E = forms(s)
+        return -2 * v**2 - 3 * d**2 / 4 - E**2
+
+    found = clpt.lyapunov(plant, V, claim=claim)
+    assert (found.status, found.conclusion) == ("proved", ZERO)
+    assert "parameters' values" not in found.sentence
+
+
 def test_in_discrete_time_a_loss_that_steps_shows_no_rest():
     """x+ = x where y > 0, else x/2: V falls by 3/8 (x^2 where y <= 0, and y^2)."""
     plant = clpt.Block(

@@ -402,8 +402,7 @@ class SystemCandidate(LyapunovCandidate):
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
-                falling = still
-                relation = "=" if self.claim is None else "<="
+                falling, relation = still, "=" if self.claim is None else "<="
                 claim = f"V' {relation} {short(self.readable_rate(still))}"
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
@@ -426,7 +425,8 @@ class SystemCandidate(LyapunovCandidate):
             if self.never_positive(least - inside):
                 loss = least
                 break
-        losses = lost_forms(loss, self.fixed, bounded) or self._rising(loss)
+        as_written = (lost_forms(e, self.fixed, bounded) for e in (loss, -bound))
+        losses = next(filter(None, as_written), None) or self._rising(loss)
         if not losses and not self.where.kept:
             losses = lost_in_groups(loss, self.origin, self.fixed, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
