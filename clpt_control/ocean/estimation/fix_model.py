@@ -70,11 +70,6 @@ def swing(dive: Dive, w: float) -> float:
     return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
-def leg_variance(of_fixes: float, scatter: Any, duration: float) -> Any:
-    """Return the variance of y: that of both fixes, and (s T)^2 of a flow that is not modelled."""
-    return of_fixes + (scatter * duration) ** 2
-
-
 class Sea(NamedTuple):
     """Slow current and noise of a kind of sea: numbers, or arrays (m,) of m processes."""
 
@@ -308,7 +303,8 @@ class FixModel:
 
     def noise(self, dive: Dive, scatter: Any) -> Any:
         """Return FIX^2 + doubt^2 + (s T)^2, the variance of y, m^2."""
-        return leg_variance(self.priors.fix**2 + dive.doubt**2, scatter, dive.duration)
+        of_fixes = self.priors.fix**2 + dive.doubt**2
+        return of_fixes + (scatter * dive.duration) ** 2
 
     @cached_property
     def memory(self) -> np.ndarray:

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+from scipy.special import softmax
 
 State = TypeVar("State")
 # kind of a branch, log odds over its hypothesis, and the function that computes its state
@@ -39,8 +40,7 @@ class Hypotheses(Generic[State]):
     @cached_property
     def weights(self) -> np.ndarray:
         """Probabilities of the states."""
-        weights = np.exp(self.log_odds)
-        return weights / weights.sum()
+        return softmax(self.log_odds)
 
     def chances(self, value_of: Callable[[State], Any]) -> dict[Any, float]:
         """Return the probability of each value that the states have, the likeliest first."""

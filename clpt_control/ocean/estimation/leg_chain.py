@@ -120,13 +120,13 @@ def chain_of(
             fixes.append(start)
         steps = _steps_of(leg, settings, track)
         T = leg.time - leg.start
-        cuts = np.array([0, len(steps)])
+        cuts, moves = np.array([0, len(steps)]), steps[:, 1:2] * steps[:, 2:]
         if nodes:
-            way = np.abs(steps[:, 1:2] * steps[:, 2:]).sum(axis=0)
+            way = np.abs(moves).sum(axis=0)
             crossed = (hypot(*way) + CURRENT / settings.speed * T) / width
             count = max(1, ceil(NODES * crossed), ceil(NODES_OF_PERIOD * T / period))
             cuts = np.linspace(0, len(steps), min(count, len(steps)) + 1).round()
-        moved = np.cumsum(steps[:, 1:2] * steps[:, 2:], axis=0)
+        moved = np.cumsum(moves, axis=0)
         variance = float(settings.noise_of(T).sum())
         of_track = max(
             variance - 2 * settings.fix**2, (LEAST_PROCESS * settings.fix) ** 2
@@ -160,15 +160,10 @@ def chain_of(
 
 def _steps_of(leg: Leg, settings: FixSettings, track: LegTrack) -> np.ndarray:
     """Return the steps of integration of a leg: time, length, velocity, (K, 4)."""
-    steps, t = [], leg.start
-    for end, x, y in leg.way:
-        span = end - t
-        if span > 0:
-            way = hypot(x, y) + CURRENT / settings.speed * span
-            count = track.steps(way, span)
-            length = span / count
-            steps += [
-                (t + k * length, length, x / span, y / span) for k in range(count)
-            ]
-        t = end
+    steps = []
+    for t, span, x, y in leg.spans:
+        way = hypot(x, y) + CURRENT / settings.speed * span
+        count = track.steps(way, span)
+        length = span / count
+        steps += [(t + k * length, length, x / span, y / span) for k in range(count)]
     return np.array(steps)

@@ -10,7 +10,7 @@ m leaves out that an error of theta moves the track, and with it phi. If the flo
 leg, the regression misses about half of that turn times the error of z (`LegTrack.turn`).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from math import ceil, hypot
 from types import SimpleNamespace
@@ -138,6 +138,15 @@ class Leg:
         return np.sum([stretch[1:] for stretch in self.way] or np.zeros((1, 2)), axis=0)
 
     @property
+    def spans(self) -> Iterator[tuple[float, float, float, float]]:
+        """Begin, duration and displacement of each stretch that lasts."""
+        t = self.start
+        for end, x, y in self.way:
+            if end > t:
+                yield t, end - t, x, y
+            t = end
+
+    @property
     def way(self) -> list[Stretch]:
         """All stretches."""
         return [*self.stretches, *([self.waiting] if self.waiting else [])]
@@ -173,20 +182,16 @@ class LegTrack:
             return np.append(rate["z"], rate["m"])
 
         points, path = [], []
-        t = leg.start
-        for end, east, north in leg.way:
-            span = end - t
-            if span > 0:
-                u.v_x = np.array([east, north]) / span + drift
-                flow = theta @ self.phi(t, state[:2])
-                way = hypot(*u.v_x) * span + hypot(*flow) * span
-                count = self.steps(way, span)
-                step = span / count
-                for k in range(count):
-                    points.append((t + k * step, *state[:2], step))
-                    path.append(state[2:])
-                    state = runge_kutta(rates, t + k * step, state, step)
-            t = end
+        for t, span, east, north in leg.spans:
+            u.v_x = np.array([east, north]) / span + drift
+            flow = theta @ self.phi(t, state[:2])
+            way = hypot(*u.v_x) * span + hypot(*flow) * span
+            count = self.steps(way, span)
+            step = span / count
+            for k in range(count):
+                points.append((t + k * step, *state[:2], step))
+                path.append(state[2:])
+                state = runge_kutta(rates, t + k * step, state, step)
         rows = np.array(points).reshape(-1, 4)
         return Arrival(state[:2], state[2:], rows, np.array(path))
 
@@ -220,12 +225,10 @@ class LegTrack:
     def bend(self, leg: Leg, fastest: float) -> float:
         """Return the error of a way that may have been bent, length: root of sum of squares."""
         width, _ = self.size
-        t, total = leg.start, 0.0
-        for end, x, y in leg.way:
-            span = end - t
+        total = 0.0
+        for _, span, x, y in leg.spans:
             off = np.sqrt(max((fastest * span) ** 2 - x * x - y * y, 0.0)) / 2
             total += (span * min(off / width, 1.0)) ** 2
-            t = end
         return float(np.sqrt(total)) * self.settings.bent
 
     def steps(self, way: float, span: float) -> int:

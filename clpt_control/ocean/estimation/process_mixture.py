@@ -66,6 +66,7 @@ from math import atan2, degrees, log
 from typing import Any
 
 import numpy as np
+from scipy.special import softmax
 
 from ...base.geodesy import displacement
 from ...base.units import DAY
@@ -364,8 +365,7 @@ class ProcessMixture:
     @property
     def weights(self) -> np.ndarray:
         """Probabilities of the m distributions."""
-        weights = np.exp(self.log_weight - self.log_weight.max())
-        return weights / weights.sum()
+        return softmax(self.log_weight)
 
     def elapsed(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
@@ -428,7 +428,5 @@ def mixed(
 
     m = sum w_i m_i,  P = sum w_i (P_i + (m_i - m)(m_i - m)^T)
     """
-    mean = weights @ means
-    deviation = means - mean
-    between_means = np.einsum("m,mi,mj->ij", weights, deviation, deviation)
-    return mean, np.einsum("m,mij->ij", weights, covariances) + between_means
+    between_means = np.cov(means.T, aweights=weights, ddof=0)
+    return weights @ means, np.tensordot(weights, covariances, 1) + between_means

@@ -28,7 +28,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
-from scipy.sparse import bsr_array, diags_array, eye_array, hstack, vstack
+from scipy.sparse import block_array, bsr_array, diags_array, eye_array
 from scipy.sparse.linalg import splu
 
 from .fix_settings import FixSettings
@@ -183,10 +183,8 @@ def _smoothed(
         ones = np.broadcast_to(weight * np.eye(2), shot.by_place.shape)
         by_end = bsr_array((ones.copy(), chain.links + 1, rows), shape=size)
         by_theta = bsr_array((-weight * shot.by_theta).reshape(-1, 2 * N))
-        of_tracks = hstack([by_theta, by_begin + by_end])
-        zeros = bsr_array((of_fixes.shape[0], 2 * N)), bsr_array((2 * N, 2 * n))
-        jacobian = vstack(
-            [of_tracks, hstack([zeros[0], of_fixes]), hstack([of_prior, zeros[1]])]
+        jacobian = block_array(
+            [[by_theta, by_begin + by_end], [None, of_fixes], [of_prior, None]]
         )
         return values, jacobian.tocsc()
 

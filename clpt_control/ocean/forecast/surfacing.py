@@ -150,34 +150,28 @@ class Guess(NamedTuple):
         )
 
 
-class Evidence(NamedTuple):
-    """Evidence of the dives so far for one guess: N, sum z, sum z z^T."""
-
-    dives: float = 0.0
-    total: np.ndarray = np.zeros(3)
-    square: np.ndarray = np.zeros((3, 3))
-
-    def moments(self, name: str) -> tuple[np.ndarray, np.ndarray]:
-        """Return m (3,) and S (3, 3)."""
-        k = MEANS + self.dives
-        m = (MEANS * CENTRE + self.total) / k
-        scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + self.square
-        scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
-        return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (
-            1.0 + 1.0 / k
-        )
+def moments(evidence: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return m (3,), S (3, 3) and n + N by the sum of (1, z) (1, z)^T of the dives for a guess."""
+    dives = evidence[0, 0]
+    k = MEANS + dives
+    m = (MEANS * CENTRE + evidence[0, 1:]) / k
+    scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + evidence[1:, 1:]
+    scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
+    freedom = SPREADS + dives
+    return m, (scatter - k * np.outer(m, m)) / freedom * (1.0 + 1.0 / k), freedom
 
 
 class DiveStatistics:
     """Statistics of a vehicle's dives, updated dive by dive; `last` is the last dive.
 
-    `means` are sums of 1, length and log duration, `drifts` of 1, east, north and their square.
+    `means` are sums of 1, length and log duration, `drifts` of 1, east, north and their square,
+    `evidence` those of `moments` for each guess.
     `width` is how many times wider the next headline's place and time are by its record.
     """
 
     def __init__(self) -> None:
         self.last: Dive | None = None
-        self.evidence = dict.fromkeys(SPREAD, Evidence())
+        self.evidence = dict.fromkeys(SPREAD, np.zeros((4, 4)))
         self.means = np.zeros(3)
         self.drifts = np.zeros(4)
         self.stays: list[float] = []
@@ -201,30 +195,22 @@ class DiveStatistics:
         assert self.last is not None
         candidates = []
         for name, (B, log_time) in self._frames(self.last).items():
-            m, S = self.evidence[name].moments(name)
+            m, S, freedom = moments(self.evidence[name], name)
             mean = B @ m
             scatter = B @ S @ B.T
-            dives = self.evidence[name].dives
-            guess = Guess(
-                mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name
-            )
+            guess = Guess(mean[:2], exp(mean[2] + log_time), scatter, freedom, name)
             candidates.append((float(np.trace(scatter[:2, :2])), guess))
         return min(candidates, key=itemgetter(0))[1]
 
     def guess_of(self, displacement: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a given displacement (m) and duration (s) with its scatter."""
         # of one dive, not of two
-        late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
+        _, repeated, freedom = moments(self.evidence[REPEATED], REPEATED)
+        late = repeated[2, 2] / 2
         B = _frame(*displacement)
         S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late
-        return Guess(
-            np.array(displacement),
-            duration,
-            B @ S @ B.T,
-            SPREADS + self.evidence[REPEATED].dives,
-            GIVEN,
-        )
+        return Guess(np.array(displacement), duration, B @ S @ B.T, freedom, GIVEN)
 
     def stay(self) -> tuple[float, float]:
         """Return how long the vehicle stays up, s: median and standard deviation about it."""
@@ -252,13 +238,9 @@ class DiveStatistics:
         if self.last is not None:
             for name, (B, log_time) in self._frames(self.last).items():
                 z = np.linalg.solve(B, came - (0.0, 0.0, log_time))
-                was = self.evidence[name]
-                total = FADING * was.total + z
-                square = FADING * was.square + np.outer(z, z)
-                self.evidence = {
-                    **self.evidence,
-                    name: Evidence(FADING * was.dives + 1.0, total, square),
-                }
+                row = np.append(1.0, z)
+                faded = FADING * self.evidence[name]
+                self.evidence[name] = faded + np.outer(row, row)
         if surface_drift is not None:
             size = surface_drift.east**2 + surface_drift.north**2
             self.drifts = FADING * self.drifts + (

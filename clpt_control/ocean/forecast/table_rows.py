@@ -9,11 +9,11 @@ A direction is where something goes to, clockwise from true north, [0, 360).
 """
 
 from collections.abc import Callable
-from datetime import UTC, datetime
 from math import hypot
 from typing import Any
 
 from ...base.geodesy import direction, east_of
+from ...base.units import iso
 from ..estimation.fix_model import PERCENT
 
 Place = tuple[float, float]  # degrees north and east
@@ -40,7 +40,7 @@ def utc(time: float) -> str:
     >>> utc(1454292746.4)
     '2016-02-01T02:12:26Z'
     """
-    return datetime.fromtimestamp(round(time), UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+    return iso(round(time))
 
 
 def clock(time: str) -> str:
