@@ -72,7 +72,7 @@ def following_block(
     )
 
 
-def with_constants(function: Any, **constants: float) -> Any:
+def with_constants(function: Any, **constants: Any) -> Any:
     """Return equations with constants, such as their period dt, which are no parameters."""
     return update_wrapper(partial(function, **constants), function)
 

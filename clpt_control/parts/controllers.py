@@ -23,59 +23,45 @@ from ..engine.model.block import Block
 from .common import check_order, check_positive, make_block, with_constants
 
 
-def unlimited(x, u, p, derivative):
+def derivative(x, u, p, dt):
+    """Return D = -Kd (y - yf)/Tf; sampled, D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)."""
+    if hasattr(x, "last"):
+        return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + dt)
+    return -p.kd * (u.y - x.filtered) / p.filter if hasattr(x, "filtered") else 0.0
+
+
+def unlimited(x, u, p, dt):
     """Return v = Kp (r - y) + I + D."""
-    return p.kp * (u.r - u.y) + getattr(x, "integral", 0.0) + derivative
+    integral = getattr(x, "integral", 0.0)
+    return p.kp * (u.r - u.y) + integral + derivative(x, u, p, dt)
 
 
-def integral_rate(v, u, p, ki):
+def integral_rate(x, u, p, dt, ki):
     """Return I' = Ki (r - y) + |Ki/Ki0| (u - v)/Tt."""
+    v = unlimited(x, u, p, dt)
     limited = np.clip(v, p.low, p.high)
     return p.ki * (u.r - u.y) + np.abs(p.ki / ki) * (limited - v) / p.tracking
 
 
-def filtered(x, u, p):
-    """Return D = -Kd (y - yf)/Tf."""
-    return -p.kd * (u.y - x.filtered) / p.filter if hasattr(x, "filtered") else 0.0
-
-
-def rates(t, x, u, p, ki):
+def rates(t, x, u, p, dt, ki):
     """I' = Ki (r - y) + |Ki/Ki0| (u - v)/Tt, Tf yf' = y - yf (Astrom and Murray 2008, 10.4)."""
-    moved = {}
-    if ki:
-        moved["integral"] = integral_rate(
-            unlimited(x, u, p, filtered(x, u, p)), u, p, ki
-        )
+    moved = {"integral": integral_rate(x, u, p, dt, ki)} if ki else {}
     if hasattr(x, "filtered"):
         moved["filtered"] = (u.y - x.filtered) / p.filter
     return moved
 
 
-def command(t, x, u, p):
-    """u = min(max(v, low), high) (Astrom and Murray 2008, section 10.4)."""
-    return np.clip(unlimited(x, u, p, filtered(x, u, p)), p.low, p.high)
-
-
-def difference(x, u, p, dt):
-    """Return D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)."""
-    if not hasattr(x, "last"):
-        return 0.0
-    return (p.filter * x.derivative - p.kd * (u.y - x.last)) / (p.filter + dt)
-
-
 def next_states(t, x, u, p, dt, ki):
     """I_{k+1} = I_k + h I', D_k, y_k (Astrom and Murray 2008, section 10.5)."""
-    D = difference(x, u, p, dt)
-    moved = {"derivative": D, "last": u.y} if hasattr(x, "last") else {}
-    if ki:
-        rate = integral_rate(unlimited(x, u, p, D), u, p, ki)
-        moved["integral"] = x.integral + dt * rate
+    moved = {"integral": x.integral + dt * integral_rate(x, u, p, dt, ki)} if ki else {}
+    if hasattr(x, "last"):
+        moved |= {"derivative": derivative(x, u, p, dt), "last": u.y}
     return moved
 
 
-def sampled_command(t, x, u, p, dt):
-    """u_k = min(max(v_k, low), high) (Astrom and Murray 2008, section 10.5)."""
-    return np.clip(unlimited(x, u, p, difference(x, u, p, dt)), p.low, p.high)
+def command(t, x, u, p, dt):
+    """u = min(max(v, low), high) (Astrom and Murray 2008, sections 10.4 and 10.5)."""
+    return np.clip(unlimited(x, u, p, dt), p.low, p.high)
 
 
 def gain_hint(key: str, parameters: set[str]) -> str:
@@ -177,17 +163,13 @@ def pid(
     if kd:
         values |= {"kd": kd, "filter": filter}
         states += ["filtered"] if dt is None else ["derivative", "last"]
-    update = with_constants(rates, ki=ki)
-    output = command
-    if dt is not None:
-        update = with_constants(next_states, dt=dt, ki=ki)
-        output = with_constants(sampled_command, dt=dt)
+    update = with_constants(rates if dt is None else next_states, dt=dt, ki=ki)
     return make_block(
         name,
         ports,
         values,
         update=update if states else None,
-        output=output,
+        output=with_constants(command, dt=dt),
         inputs={"r": signals, "y": signals},
         outputs={"u": signals},
         states=dict.fromkeys(states, signals),
