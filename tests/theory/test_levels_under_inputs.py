@@ -239,6 +239,46 @@ def test_sliding_control_overcomes_its_disturbance():
     assert conclusions == ["asymptotically stable", "stable", ""]
 
 
+AS = "asymptotically stable"
+SLIDING = {  # rates of x and v, where |d| <= 1: conclusion
+    "linear terms too": (lambda x, v, d: (v - x, -x - 2 * np.sign(v) - v + d), AS),
+    "both slide": (lambda x, v, d: (v - 2 * np.sign(x), -x - 2 * np.sign(v) + d), AS),
+    "too weak": (lambda x, v, d: (v - x, -x - 0.9 * np.sign(v) - 0.1 * v + d), None),
+    "as strong": (lambda x, v, d: (-x, -np.sign(v) + d), "goes to zero"),
+    "of another state": (lambda x, v, d: (v - x, -x - 2 * np.sign(x) + d), None),
+    "friction alone": (
+        lambda x, v, d: (v, -x - 2 * np.sign(v) - v + d),
+        "goes to zero",
+    ),
+    "one state less": (lambda x, v, d: (v, -x - 2 * np.sign(v) + d), "goes to zero"),
+    "a push that grows": (
+        lambda x, v, d: (v - x, -x - 2 * np.sign(v) + d * (1 + v)),
+        None,
+    ),
+    "another way": (lambda x, v, d: (v - x, -x + 2 * np.sign(v) - v + d), None),
+    "with time": (
+        lambda x, v, d: (v - x, -x - (2 * np.sign(v) - d) * v**2 * x**2),
+        None,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SLIDING)
+def test_sliding_and_linear_terms_together(name):
+    """x or v sticks off the rest, or is pushed away, where no conclusion is a rest."""
+    rates, conclusion = SLIDING[name]
+    block = clpt.Block(
+        "loop",
+        update=lambda t, x, u, p: dict(zip("xv", rates(x.x, x.v, u.d), strict=True)),
+        states={"x": 1, "v": 1},
+        inputs={"d": 1},
+    )
+    found = clpt.lyapunov(block, lambda s: (s.x**2 + s.v**2) / 2, where={"d": (-1, 1)})
+    assert found.conclusion == conclusion or (
+        conclusion is None and found.conclusion != AS
+    )
+
+
 IN_BOUNDS = {  # rates, bounds of d, conclusion
     "a divisor": (lambda x, u, p: -x / (2 - u.d), (-1, 1), "asymptotically stable"),
     "a divisor that vanishes": (lambda x, u, p: -x / (1 - u.d), (-1, 1), ""),

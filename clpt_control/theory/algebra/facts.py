@@ -327,6 +327,12 @@ def is_positive_maximum(e: Expr) -> bool:
     return e.func == MAXIMUM and any(bool(a.is_positive) for a in e.args)
 
 
+def side_of(call: Any) -> Expr | None:
+    """Return s of maximum(s, 0) and minimum(s, 0)."""
+    is_side = call.func.__name__ in ("maximum", "minimum") and S.Zero in call.args
+    return Add(*call.args) if is_side else None
+
+
 def facts_of(calls: Iterable[Any]) -> list[Expr]:
     """Return expressions that are not negative, of functions as symbols of their own.
 

@@ -6,7 +6,7 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 every form: where V does not rise, no f leaves a bound, except one such as sin(s/2), of 1 - cos(s).
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import sympy
@@ -23,6 +23,7 @@ from .facts import (
     interval,
     is_input,
     sector_of,
+    side_of,
     stays_off_zero,
 )
 from .gram import sum_of_squares
@@ -302,6 +303,9 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     It is a sum of squares of them, each with a weight that stays above a positive number, or a sum
     of products such as s tanh(s)/(1 + r^2), r `bounded`; none where neither is known.
     """
+    for call in functions_in(loss):
+        if (s := side_of(call)) is not None:
+            loss = expand(loss).subs(s * call, call**2)
     total, product = squares(loss, fixed), factored(loss)
     forms = total.forms if total and total.constant.is_nonnegative else []
     for e in (product, loss):
@@ -310,22 +314,16 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     return [*dict.fromkeys(map(_without_weights, forms))]
 
 
-def lost_in_groups(
-    loss: Expr, rest: Mapping[Any, Expr], fixed: set, bounded: set
-) -> list[Expr]:
-    """Return the forms of groups of terms that share no state.
+def alone_in_groups(loss: Expr, rest: Mapping[Any, Expr]) -> Iterator[Expr]:
+    """Yield the groups of terms that share no state.
 
     If the loss is 0 at the rest, each group is the loss with the other states at the rest, and so
     never negative.
     """
-    if not vanishes(decided(loss.xreplace(rest))):
-        return []
-    forms = list[Expr]()
-    for group in groups_of(loss, {*rest}):
-        others = {s: value for s, value in rest.items() if not group.has(s)}
-        own = decided(loss.xreplace(others))
-        forms += lost_forms(own, fixed, bounded)
-    return forms
+    if vanishes(decided(loss.xreplace(rest))):
+        for group in groups_of(loss, {*rest}):
+            others = {s: value for s, value in rest.items() if not group.has(s)}
+            yield decided(loss.xreplace(others))
 
 
 def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:

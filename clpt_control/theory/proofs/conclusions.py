@@ -145,6 +145,7 @@ CONDITIONS = {  # name -> sentence
     "approximation": "of {}",
     "graphs": "on graphs of {}",
     "signs": "where {}",
+    "between": "where {}",
     "values": "with the parameters' values {}",
     "rounding": "to the rounding of numbers",
     "start": "where {} at the start",

@@ -21,7 +21,7 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
-from ..algebra.facts import functions_in, stays_off_zero
+from ..algebra.facts import functions_in, side_of, stays_off_zero
 from ..algebra.slopes import along, jumps_nowhere
 from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_at, zero_of
 from .answers import Definite, Fall
@@ -52,15 +52,23 @@ class Ends(NamedTuple):
 
 def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends:
     """Return what goes to zero of what V' loses, by the way that shows the most."""
-    lost = Squares(sympy.S.Zero, [], [*fall.losses])
     least = definite.least if definite.is_steady else None
     # on the way, a loss that has a step or depends on time may fade off the rest
-    depends_on_time = sympy.Tuple(*fall.losses).has(TIME, *candidate.intervals)
-    may_fade = depends_on_time or not all(map(jumps_nowhere, fall.losses))
+    fading = TIME, *candidate.intervals
+    lost = [q for q in fall.losses if jumps_nowhere(q) and not q.has(*fading)]
     of = fall.of or go(map(candidate.text, fall.losses))
-    if least and not may_fade and zero_of(lost, [*least]) == least:
+    if least and zero_of(Squares(sympy.S.Zero, [], lost), [*least]) == least:
         return Ends([exact("V' < 0 but at the rest", True, "", "limit rest")], of)
     cases = lasalle(candidate, fall, motion)
+    # of a friction at one side of g = s', s rises for good to a limit, where V is as before
+    sides = [side_of(q) for q in lost]
+    rising = {g for rate in motion.rates.values() for g in (rate, -rate)}
+    if rising & {*sides} and not candidate.eq.discrete:
+        stopped = [
+            q if g not in rising else g for q, g in zip(lost, sides, strict=True)
+        ]
+        limit = lasalle(candidate, replace(fall, losses=stopped), motion)
+        cases = limit if least and point_of(limit) == least else cases
     zero = [g for g in zero_in_all(cases, fall.losses) if jumps_nowhere(g)]
     if len(zero) > len(fall.losses) or (zero and not fall.of):
         of = go(map(candidate.text, zero))

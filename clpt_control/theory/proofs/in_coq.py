@@ -142,6 +142,7 @@ class File:
         """Yield what the last theorem states, and what the verdict says beyond it."""
         yield f"The verdict: {without_signs(self.verdict.sentence)}."
         yield "The theorem holds for every run on [0, T), T finite or infinite."
+        yield from (f"{s} stands for {e}." for s, e in self.case.given.items())
         if self.case.below is not None:
             yield f"A run begins where V < {self.case.below}."
         beyond = [REQUIREMENTS[tag] for tag in REQUIREMENTS if tag in self.missing]

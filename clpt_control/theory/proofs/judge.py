@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import sympy
@@ -195,6 +196,9 @@ class LyapunovCandidate(ABC):
         None  # where V is to be least, if that is given
     )
     where = Where()  # sets of states, and bounds of inputs
+    given: Mapping[Any, sympy.Expr] = MappingProxyType(
+        {}
+    )  # symbol of a margin -> what it stands for
     undefined: list[str]  # sentences on where there may be no value
     search: Any  # points at which it may fail
 

@@ -5,7 +5,7 @@ shown is open; what is refuted is refuted by a point.  If no V is given, one is 
 (`searching`) and judged as any other is.  In a region (`region`) V' < 0 is enough.
 """
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -19,6 +19,7 @@ from ...base.units import at_least
 from ..algebra.decide import positive_somewhere
 from ..algebra.texts import short
 from .answers import Fall
+from .between import margins_of
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
 from .judge import Verdict, asked, refuted, with_refutation
 from .rate_as_sum import in_region
@@ -35,17 +36,27 @@ AS_STRONG = (
 
 
 Reader = Callable[..., SystemCandidate]
+OF_PARAMETERS = "values", "signs", "between"  # names of conditions
+MOST_MARGINS = 3  # conditions between parameters
 MOST_TRIES = 16  # judgements without signs, or values, of parameters
 
 
-def _free_parameters(
+def _of_fewest_values(
     case: SystemCandidate, verdict: Verdict, zeroed: Mapping, read: Reader
-) -> frozenset[str]:
-    """Return parameters that may be symbols in a proof for the parameters' values.
+) -> Reader:
+    """Return the reader by which a proof for the parameters' values is of the fewest of them.
 
-    `case` has symbols for all parameters.  A parameter by which V' may rise needs its value; the
-    others are tried all at once, then one by one.
+    `case` has symbols for all parameters.  They may be so under conditions between them; else a
+    parameter by which V' may rise needs its value; the others are tried all at once, then one by
+    one.
     """
+    margins, of_margins = list[sympy.Expr](), case
+    while len(margins) < MOST_MARGINS and (more := next(margins_of(of_margins), None)):
+        margins.append(more)
+        reader = partial(read, margins=margins)
+        if _holds(verdict, reader):
+            return reader
+        of_margins = reader(points=1)
     names = [*map(str, case.eq.values)]
     if "falls" in CONCLUSIONS[verdict.conclusion].requires:
         rate = (case.rate - (case.claim or 0)).xreplace(zeroed)
@@ -54,8 +65,9 @@ def _free_parameters(
     for group in [names, *([name] for name in names)][:MOST_TRIES]:
         tried = free.union(group)
         if free < tried and len(tried) < len(case.eq.values):
-            free = tried if _holds(verdict, read, tried) else free
-    return free
+            reader = partial(read, numbers=True, symbols=tried)
+            free = tried if _holds(verdict, reader) else free
+    return partial(read, numbers=True, symbols=free)
 
 
 def _harmless(rate: sympy.Expr, values: Mapping[Any, Any]) -> list[str]:
@@ -68,14 +80,14 @@ def _harmless(rate: sympy.Expr, values: Mapping[Any, Any]) -> list[str]:
     return [*map(str, symbols)]
 
 
-def _holds(verdict: Verdict, read: Reader, symbols: Set[str]) -> bool:
-    """Return whether a verdict holds with some parameters as symbols, under no more conditions."""
+def _holds(verdict: Verdict, read: Reader) -> bool:
+    """Return whether a verdict holds as it is read now, under no more conditions."""
     try:
-        weaker = asked(read(symbols=symbols, points=1)).verdict()
+        weaker = asked(read(points=1)).verdict()
     except ClptError:
         return False
     given = {*verdict.conditions}
-    more = {c for c in weaker.conditions if c.name not in ("values", "signs")}
+    more = {c for c in weaker.conditions if c.name not in OF_PARAMETERS}
     # symbols may give the forms that go to zero another order
     counts = (judged.of.count(",") for judged in (weaker, verdict))
     is_same = weaker.conclusion == verdict.conclusion and len({*counts}) == 1
@@ -252,7 +264,7 @@ def lyapunov(
     """
 
     def judged(V: Any, where: Mapping[str, Sequence] | None = where) -> Verdict:
-        read = partial(
+        read: Reader = partial(
             SystemCandidate,
             system,
             V,
@@ -275,13 +287,10 @@ def lyapunov(
             found = of_numbers.verdict()
             is_stronger = strength(found) < strength(verdict)
             if is_stronger or (_zeroed(verdict) and not _zeroed(found)):
-                answers, verdict = of_numbers, found
-                read = partial(read, numbers=True)
-                zeroed = answers.fall.zeroed
-                if symbols := _free_parameters(candidate, found, zeroed, read):
-                    read = partial(read, symbols=symbols)
-                    answers = asked(read())
-                    verdict = answers.verdict()
+                zeroed = of_numbers.fall.zeroed
+                read = _of_fewest_values(candidate, found, zeroed, read)
+                answers = asked(read())
+                verdict = answers.verdict()
         if is_given and _zeroed(verdict):
             failure = candidate.refuted_by_inputs()
             if failure is not None:

@@ -113,6 +113,7 @@ class Case:
     rest: Mapping[Any, Expr] = field(default_factory=dict)  # where V is least, if known
     lost: Iterable[Expr] = ()  # forms that go to zero by the verdict
     box: Mapping[Any, tuple] = field(default_factory=dict)  # input -> its bounds
+    given: Mapping[Any, Expr] = field(default_factory=dict)  # margin -> its meaning
 
     @property
     def falls(self) -> bool:
@@ -183,6 +184,8 @@ def is_nonnegative(term: Expr) -> bool:
 
 def apart(term: Expr, fixed: set) -> Iterable[Expr]:
     """Return the parts of a term whose weight is a sum with even powers: (1 + b^2) x^2."""
+    if not is_nonnegative(term):  # a weight of several fractions
+        term = factored(sympy.together(term))
     weight, form = term.as_independent(*(term.free_symbols - fixed), as_Add=False)
     has_signs = all(s.is_positive or s.is_negative for s in weight.free_symbols)
     return (term,) if has_signs else (w * form for w in Add.make_args(weight.expand()))
@@ -255,6 +258,7 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         terms = terms_of(V, case.fixed)
         box = {read(d): case.where.box[d] for d in case.where.bounded}
         written = Case(motion, case.fixed, V, rate, terms, lost=lost, box=box)
+        written.given = case.given
         return written if moves else replace(written, rest=definite.least or {})
 
     def falls() -> Case:

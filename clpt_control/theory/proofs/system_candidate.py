@@ -50,9 +50,10 @@ from ..algebra.facts import (
 )
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
-from ..algebra.sums_of_squares import lost_forms, lost_in_groups, written_forms
+from ..algebra.sums_of_squares import alone_in_groups, lost_forms, written_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
+from .between import as_relation, written_in
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
 from .point_search import Failure, PointSearch
@@ -92,6 +93,7 @@ class SystemCandidate(LyapunovCandidate):
         where: Mapping[str, Sequence[float | None]] = NOTHING,
         unsigned: Set[str] = frozenset(),
         symbols: Set[str] = frozenset(),
+        margins: Sequence[sympy.Expr] = (),
     ):
         self.system, self.points, self.seed = system, points, seed
         self.unsigned, self.symbols = unsigned, symbols
@@ -118,6 +120,7 @@ class SystemCandidate(LyapunovCandidate):
         written_V = expression_of(written, V)[0] if numbers else V_of_states
         self.V = self._as_it_runs(V_of_states, written_V, values)
         self.undefined = [*self.eq.undefined, *undefined]
+        self.given: dict[Any, sympy.Expr] = {}  # margin -> what it stands for
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
         self.where = Where(where, self.states, self.inputs, self.V)
@@ -126,10 +129,27 @@ class SystemCandidate(LyapunovCandidate):
             self.undefined = [*limited.undefined, *undefined]
         values = {d: low for d, (low, high) in self.where.box.items() if low == high}
         self.motion = {s: rate.xreplace(values) for s, rate in self.motion.items()}
+        self.margins = list[sympy.Expr]()  # conditions between parameters
+        for margin in margins:
+            self._assume(margin)
         self.rate = self._rate_of_V()
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
         self.place = "rest" if self.rest else ""
+
+    def _assume(self, margin: sympy.Expr) -> None:
+        """Write a parameter in a positive symbol, such that a margin is positive."""
+        names = {str(s): s for s in self.fixed}
+        margin = margin.xreplace({s: names[str(s)] for s in margin.free_symbols})
+        self.margins.append(margin.xreplace(self.given))
+        d = sympy.Symbol(f"margin_{len(self.margins)}", positive=True)
+        if way := written_in(d, margin, {*self.eq.values}):
+            s, value, meaning = way
+            self.given[d] = meaning.xreplace(self.given)
+            self.fixed.add(d)
+            self.motion = {x: e.xreplace({s: value}) for x, e in self.motion.items()}
+            self.V = self.V.xreplace({s: value})
+            self.claim = self.claim and self.claim.xreplace({s: value})
 
     def _equations(self, names: type[Names], watch: Any = undefined_in) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
@@ -241,7 +261,7 @@ class SystemCandidate(LyapunovCandidate):
         return PointSearch(
             self.system,
             self.eq,
-            self.V,
+            self.V.xreplace(self.given),
             self.output,
             self.origin,
             self.seed,
@@ -280,7 +300,7 @@ class SystemCandidate(LyapunovCandidate):
 
     def in_signals(self, e: sympy.Expr) -> sympy.Expr:
         """Return an expression in the diagram's own signals, each signal in place of its sum."""
-        return e.replace(
+        return e.xreplace(self.given).replace(
             lambda term: term.is_Add,
             lambda term: self.sums.get(sympy.expand(term), term),
         )
@@ -296,7 +316,8 @@ class SystemCandidate(LyapunovCandidate):
     def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         if rate not in self.readable:
-            forms = written_forms(decided(normal_form(rate)), self.fixed)
+            written = rate.xreplace(self.given)
+            forms = written_forms(decided(normal_form(written)), self.fixed)
             self.readable[rate] = min(map(self.in_signals, forms), key=sympy.count_ops)
         return self.readable[rate]
 
@@ -425,10 +446,12 @@ class SystemCandidate(LyapunovCandidate):
             if self.never_positive(least - inside):
                 loss = least
                 break
-        as_written = (lost_forms(e, self.fixed, bounded) for e in (loss, -bound))
-        losses = next(filter(None, as_written), None) or self._rising(loss)
-        if not losses and not self.where.kept:
-            losses = lost_in_groups(loss, self.origin, self.fixed, bounded)
+        losses, rising = self._lost(loss, bounded), self._rising(loss)
+        if losses == rising:
+            losses = lost_forms(-bound, self.fixed, bounded) or losses
+        if losses == rising and not self.where.kept:
+            groups = alone_in_groups(loss, self.origin)
+            losses = [q for e in groups for q in self._lost(e, bounded)] or losses
         claim += " <= 0" * (not claim.endswith("= 0"))
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -441,6 +464,10 @@ class SystemCandidate(LyapunovCandidate):
             rate=falling if self.claim is None and most is None else None,
             conditions=self.conditions(inputs if zeroed else []),
         )
+
+    def _lost(self, loss: sympy.Expr, bounded: set) -> Sequence[sympy.Expr]:
+        """Return the forms of which an expression that is never negative has squares."""
+        return lost_forms(loss, self.fixed, bounded) or self._rising(loss)
 
     def _rising(self, loss: sympy.Expr) -> list[sympy.Expr]:
         """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
@@ -489,6 +516,8 @@ class SystemCandidate(LyapunovCandidate):
         conditions += [Condition("approximation", ", ".join(stand_ins))] * bool(
             stand_ins
         )
+        between = ", ".join(map(as_relation, self.margins))
+        conditions += [Condition("between", between)] * bool(self.margins)
         conditions += self.where.conditions
         conditions += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())

@@ -222,7 +222,7 @@ def pulled_forms(case: Any, definite: Definite) -> Fall | None:
     if fall is None or found.V.xreplace(found.rest).xreplace(case.eq.values) != 0:
         return None
     if fall.level is not None:
-        level = fall.level.xreplace(case.level_values)
+        level = fall.level.xreplace(case.given).xreplace(case.level_values)
         if level != fall.level and not fall.bound:  # the sentence has the number
             case.are_numbers = True
         fall.level = float(at_most(float(level))) if level.is_number else level
@@ -361,13 +361,15 @@ class Bounding:
         """Return what V comes to, or the mean of the errors that V' loses."""
         if pull.push == 0 or (pull.rate == 0 and not self.has_decay()):
             return None
+        level = pull.push / pull.rate if pull.rate != 0 else None
+        pull = Pull(*(e.xreplace(self.case.given) for e in pull))
         push = bound_text(pull.push)
         if pull.rate == 0:
             c = self.letter("c")
             mean = f"e^T KD e is at most 2 {c}"
             claim = f"V' <= -e^T KD e/2 + {c}, {c} = {push}{more}"
             return bounded(claim, "mean", bound=mean)
-        rate, level = bound_text(pull.rate, up=False), pull.push / pull.rate
+        rate = bound_text(pull.rate, up=False)
         if pull.rate.is_number and pull.push.is_number:
             share = "" if rate == "1" else f"{rate} "
             return bounded(f"V' <= -{share}V + {push}{more}", "pulled", level)
