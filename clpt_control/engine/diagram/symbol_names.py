@@ -120,6 +120,7 @@ class Names:
     """The names of ports and parameters of a diagram."""
 
     unsigned: Set[str] = frozenset()  # parameters that are any real numbers
+    above: Set[str] = frozenset()  # states that stay above 0
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         self.count = Counter([*inputs])
@@ -167,6 +168,11 @@ class Names:
     def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
         """Return the name of an element of a port."""
         return element_name(port, shape, index)
+
+    def state(self, element: str) -> sympy.Symbol:
+        """Return the symbol of a state's element."""
+        sign = "positive" if element in self.above else "real"
+        return sympy.Symbol(element, **{sign: True})
 
     def parameter(
         self, node: Node, name: str, value: np.ndarray, index: tuple

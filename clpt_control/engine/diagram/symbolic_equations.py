@@ -271,7 +271,7 @@ class _SymbolicRecord:
             declared = block.declared["states"].get(name, shape)
             for k, index in zip(indices, np.ndindex(shape), strict=True):
                 element = self.names.element(port, shape, declared, index)
-                symbols[k] = sympy.Symbol(element, real=True)
+                symbols[k] = self.names.state(element)
             self.result.states[port] = symbols[indices].reshape(shape)
         return symbols
 

@@ -41,13 +41,14 @@ from sympy.core.function import AppliedUndef
 from ...engine.model.block import Block
 from ...engine.record.symbolic import extent
 from ...paper.laws.law import Law
-from ..algebra.decide import groups_never_positive
+from ..algebra.decide import groups_never_positive, never_positive
 from ..algebra.exact import as_factors, nonzero_residual, vanishes
-from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum, roots_in
+from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
 from ..algebra.texts import short
 from ..proofs.answers import Definite, Fall
 from ..proofs.conclusions import Condition
 from ..proofs.rate_as_sum import Ways
+from ..proofs.relations import Relations, forks
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
@@ -59,7 +60,6 @@ from .states_of_laws import (
     covariance_claims,
     off_at_the_start,
     off_at_zero,
-    repels,
 )
 from .theorem_loop import (
     Hedging,
@@ -117,7 +117,10 @@ class Invariants(LoopCandidate):
         assert law.invariants is not None
         self.parameters, self.c = p, arbitrary(2 * self.N).reshape(2, self.N)
         self.stated = equated(self.states, law.invariants(self.states, p, truth))
-        self.relations = _solved(self.stated)
+        self.relations = Relations(loop, self.motion, self.masked)
+        self.reduced = self.relations.of
+        for s, value in self.stated.items():
+            self.relations.add(s - value, [s])
         self.matrices = {port: self.states[port] for port in law.semidefinite}
         if own_V is None:
             self.tied = symbols_of_V(
@@ -146,10 +149,6 @@ class Invariants(LoopCandidate):
         truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
         self.apart = {*loop.motion, *truths}.union(*fresh)
 
-    def reduced(self, expression: Any) -> sympy.Expr:
-        """Return an expression where the relations hold, words with kinks any numbers."""
-        return self.masked(sympy.sympify(expression)).xreplace(self.relations)
-
     def masked(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression with a symbol of its own for each word of the states."""
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
@@ -170,27 +169,9 @@ class Invariants(LoopCandidate):
         remainder = self.reduced(self.rate - claimed)
         return nonzero_residual(remainder) or "".join(self.loop.undefined[:1])
 
-    def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
-        """Return which relation the states leave, by their rates or at a jump, or nothing."""
-        for symbol, value in self.relations.items():
-            off = symbol - value
-            moved = self.loop.derivative(off) if jump is None else off.xreplace(jump)
-            remainder = self.reduced(moved)
-            if not vanishes(remainder):
-                return f"{symbol} leaves it by {short(sympy.expand(remainder))}"
-            if jump is None and self.forks(moved):
-                return f"{symbol} may leave it, as s' = |s|^(1/2) may leave 0"
-        return ""
-
-    def broken_at_a_jump(self) -> str:
-        """Return which relation the states leave where they jump, or nothing."""
-        return next(filter(None, map(self.broken, self.loop.jumps_at_once())), "")
-
     def forks(self, rate: sympy.Expr) -> bool:
-        """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
-        roots = (base for base in roots_in(rate) if not base.is_positive)
-        may_be_zero = sympy.Tuple(*roots)
-        return bool(may_be_zero.free_symbols & {*self.loop.motion})
+        """Return whether motions may part where a rate is zero."""
+        return forks(self.masked(rate), self.fixed)
 
     # --- semidefinite matrices --------------------------------------------------------------
 
@@ -363,19 +344,6 @@ def _outer_first(word: AppliedUndef) -> tuple[int, str]:
     return -extent(word)[0], str(word)
 
 
-def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:
-    """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""
-    solved: dict[Any, sympy.Expr] = {}
-    for symbol, value in relations.items():
-        value = sympy.expand(value.xreplace(solved))
-        share = value.coeff(symbol)
-        if share.is_Rational and 0 < share < 1:
-            value = sympy.expand((value - share * symbol) / (1 - share))
-        if value != symbol:
-            solved[symbol] = value
-    return solved
-
-
 def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
     """Return symbol -> expression such that each value, linear in it, becomes a symbol."""
     replacements = {}
@@ -398,12 +366,12 @@ def claims_of(case: Invariants) -> Claims:
         sentence += " where it begins so"
         sizes += " and the parameters as they are"
         start = off_at_zero
-    claims = {sentence: ("", lambda case: case.broken() or start(case))}
+    claims = {sentence: ("", lambda case: case.relations.broken() or start(case))}
     if not case.is_row:
-        claims["what is kept does not repel"] = "", repels
+        claims["what is kept does not repel"] = "", _repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
-        claims["and is kept where they jump"] = "", Invariants.broken_at_a_jump
+        claims["and is kept where they jump"] = "", _broken_at_a_jump
         claims[claim] = "", Invariants.semidefinite_after_a_jump
     if names:
         claims[
@@ -426,6 +394,14 @@ def claims_of(case: Invariants) -> Claims:
             f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
         ] = "", _reads
     return claims
+
+
+def _repels(case: Invariants) -> str:
+    return case.relations.repels(lambda e: never_positive(e, case.fixed))
+
+
+def _broken_at_a_jump(case: Invariants) -> str:
+    return case.relations.broken_at_a_jump()
 
 
 def _reads(case: Invariants) -> bool:

@@ -35,6 +35,7 @@ from ..proofs.judge import LyapunovCandidate, Verdict
 from ..proofs.outside import CLOCK
 from ..proofs.point_search import Failure, PointSearch
 from ..proofs.rate_as_sum import Ways, of_system
+from ..proofs.relations import Relations
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
 from ..proofs.symbolic_loop import (
@@ -109,6 +110,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
     """A law with its V, on symbols and running."""
 
     place = "the truth"
+    errors = NOTHING, NOTHING  # it is written in e
     sums = NOTHING  # signals are not written in place of their sums
 
     def __init__(self, law: Block, law_V: LawV, points: int, seed: int):
@@ -127,6 +129,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         self.e = self.coordinates.e
         self.KD = dict(zip(self.e, truth_in(loop).KD, strict=True))
         self.motion = self.coordinates.motion(self.of_e)
+        self.relations = Relations(loop, self.motion)
         self.inputs = [s for port in loop.inputs.values() for s in port.flat]
         of_V = f"{V.name}."  # a V that leaves the range of numbers is a V
         self.undefined = [

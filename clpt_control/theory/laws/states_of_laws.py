@@ -26,7 +26,6 @@ from ...engine.record.symbolic import rational
 from ...paper.laws.law import LEARNED, Law
 from ...simulation.initial_states import state_columns, state_of
 from ...simulation.loop_blocks import paper_blocks
-from ..algebra.decide import never_positive
 from ..algebra.exact import as_factors, vanishes
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.sums_of_squares import squares, zero_of
@@ -36,7 +35,6 @@ from .promises import truth_of
 from .theorem_loop import ErrorCoordinates, theorem_scenario
 
 START = (0.4, -0.7)  # of vehicle and learner
-REPELS = 1e-9  # of the largest eigenvalue: a positive real part that is no rounding
 BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
     "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises",
     "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept",
@@ -104,37 +102,6 @@ def off_at_zero(case: Any) -> str:
     return ""
 
 
-def repels(case: Any) -> str:
-    """Return which relation pushes away states that leave it by rounding, or "".
-
-    With r = s - value beside each relation, r' = J r where r is small.  J is judged where it
-    is constant; elsewhere by the sign of its trace, the rate at which volumes of r grow.
-    """
-    if not case.relations:
-        return ""
-    offsets = {s: sympy.Dummy(f"r_{s}", real=True) for s in case.relations}
-    moved = {s: case.relations[s] + r for s, r in offsets.items()}
-    rates = [
-        case.masked(case.loop.derivative(s - value)).xreplace(moved)
-        for s, value in case.relations.items()
-    ]
-    zero = dict.fromkeys(offsets.values(), sympy.S.Zero)
-    J = sympy.Matrix(rates).jacobian([*offsets.values()]).xreplace(zero)
-    J = J.xreplace(case.loop.values).applyfunc(sympy.expand)
-    if J.is_zero_matrix:
-        return ""
-    if not J.free_symbols and not J.atoms(AppliedUndef):
-        eigenvalues = np.linalg.eigvals(np.array(J, dtype=float))
-        grows = eigenvalues.real.max() > REPELS * np.abs(eigenvalues).max()
-    else:
-        trace = sympy.expand(J.trace())
-        grows = trace != 0 and never_positive(-trace, set())
-    if not grows:
-        return ""
-    names = ", ".join(f"{s} = {short(v, 40)}" for s, v in case.relations.items())
-    return f"{names}: a distance from it that rounding leaves grows"
-
-
 def bounded_states(case: Any) -> tuple[set, set, list[str]]:
     """Return states that are bounded, others that exist, and matrices positive at the start.
 
@@ -181,8 +148,8 @@ def bounded_states(case: Any) -> tuple[set, set, list[str]]:
         share = sympy.cancel(rate / s) if s not in bounded else s
         if not share.has(s) and case.not_negative(-share):
             bounded.add(s)  # s' = -f s, f >= 0
-    for _ in case.relations:
-        for s, value in case.relations.items():
+    for _ in case.relations.solved:
+        for s, value in case.relations.solved.items():
             states = value.free_symbols & loop.motion.keys()
             if states <= bounded and value.is_polynomial(*states):
                 bounded.add(s)

@@ -143,7 +143,7 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
     slopes in those states are bounded, so z goes to zero; then r does, if r' is bounded, and the
     one factor of r that may.  Premise: states do not jump, and V bounds them all.
     """
-    if motion.free or candidate.eq.jumps:
+    if motion.free or motion.near or candidate.eq.jumps:
         return []
     case = Still(motion.rates, motion.fixed, candidate.V)
     for q in zero:
@@ -179,7 +179,7 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     moves = sympy.Tuple(candidate.V, *rates).has(
         TIME, *candidate.intervals, *motion.inputs.values()
     )
-    if moves or motion.free or candidate.eq.jumps:
+    if moves or motion.free or motion.near or candidate.eq.jumps:
         return []
     continuous = [all(map(jumps_nowhere, of)) for of in (rates, fall.losses)]
     if not any(continuous):

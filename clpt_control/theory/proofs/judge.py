@@ -47,6 +47,7 @@ from .in_coq import File
 from .in_latex import verdict_in_latex
 from .outside import Motion
 from .rate_as_sum import NotASum
+from .relations import one_way
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 from .where import Where
@@ -199,6 +200,8 @@ class LyapunovCandidate(ABC):
     given: Mapping[Any, sympy.Expr] = MappingProxyType(
         {}
     )  # symbol of a margin -> what it stands for
+    errors: Any = ({}, {})  # states in errors of V, and what these are
+    is_whole = True  # whether V is judged at all states, and not on a relation
     undefined: list[str]  # sentences on where there may be no value
     search: Any  # points at which it may fail
 
@@ -209,6 +212,10 @@ class LyapunovCandidate(ABC):
         claim = "V and the equations have a value everywhere"
         return exact(claim, not self.undefined, "".join(self.undefined[:1]), "values")
 
+    def kept(self) -> list[Step]:
+        """Return the steps that relations of states are kept."""
+        return []
+
     def definite(self) -> Definite:
         """Return the forms of the states in which V is positive definite."""
         claim = "V is positive definite"
@@ -217,8 +224,11 @@ class LyapunovCandidate(ABC):
         if bends or self.V.free_symbols & self.intervals:
             return Definite(exact(claim, False, "V may jump or bend"))
         rest_state = self.rest or {}
-        moved = self.V.xreplace({s: s + v for s, v in rest_state.items()})
-        total = squares(moved, self.fixed) or squares(moved, self.fixed, False)
+        at_start = one_way(self)
+        moved = self.V.xreplace(at_start)
+        moved = moved.xreplace({s: s + v for s, v in rest_state.items()})
+        fixed = self.fixed | {*at_start.values()}
+        total = squares(moved, fixed) or squares(moved, fixed, False)
         states = [*self.motion]
         if total and self.rest is not None:
             zero = dict.fromkeys(states, 0)
@@ -228,9 +238,11 @@ class LyapunovCandidate(ABC):
         back = {s: s - v for s, v in rest_state.items()}
         forms = [form.xreplace(back) for form in total.forms]
         contained = [s for s in states if any(form.has(s) for form in forms)]
-        least = zero_of(total._replace(forms=forms), contained)
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
+        if self.where.above:  # no closed set, so nothing is known of its end
+            return Definite(step, [*forms, *at_start])
+        least = zero_of(total._replace(forms=forms), contained)
         answer = Definite(step, forms, least)
         motion, numbers = self.moving(answer, {}), (least or {}).values()
         motion.outside()
@@ -238,7 +250,9 @@ class LyapunovCandidate(ABC):
         is_bounded = {*contained} <= motion.bounded.keys()
         if not (least and is_bounded) or sympy.Tuple(*numbers).has(TIME):
             return answer
-        shows = "definite all" if len(contained) == len(states) else "definite"
+        # a rest may be stable on a relation, and not beside it
+        holds_all = self.is_whole and len(contained) == len(states)
+        shows = "definite all" if holds_all else "definite"
         is_steady = not motion.not_bounded(level)
         step = replace(step, shows=shows if is_steady else "definite")
         return answer._replace(step=step, is_steady=is_steady)
@@ -275,8 +289,9 @@ class LyapunovCandidate(ABC):
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is never positive for t >= 0, states in their sets."""
         parameters = self.fixed if self.numbers is None else self.numbers
-        inside = expression.xreplace(self.where.inside)
-        return never_positive(normal_form(inside), parameters)
+        written = dict.fromkeys((expression.xreplace(self.errors[0]), expression))
+        inside = (normal_form(e.xreplace(self.where.inside)) for e in written)
+        return any(never_positive(e, parameters) for e in inside)
 
     def refuted(
         self, definite: Definite, fall: Fall
@@ -379,7 +394,7 @@ def asked(candidate: LyapunovCandidate) -> Answers:
     fall = candidate.falls(definite)
     if not fall.holds:
         fall = candidate.bounds(definite, fall)
-    steps = [values, definite.step, *fall.steps]
+    steps = [values, *candidate.kept(), definite.step, *fall.steps]
     if not first_failure(steps):
         steps.append(candidate.same_as_running())
     answers = Answers(candidate, definite, fall, steps, first_failure(steps))

@@ -203,6 +203,7 @@ def lyapunov(
     seed: Seed = 0,
     within: Mapping[str, Sequence[float]] | None = None,
     where: Mapping[str, Sequence[float | None]] | None = None,
+    keeps: Callable | None = None,
 ) -> Verdict:
     """Judge a Lyapunov function of your own on any diagram.
 
@@ -235,6 +236,9 @@ def lyapunov(
         at most six, have bounds, ``{"d": (-1, 3)}``, one bound, ``(0, None)``, or one value: if V'
         is convex in each, or in its square, V comes down to a `level`, an upper estimate, for
         every d(t) within them. A `claim` is for any inputs.
+    keeps : callable, optional
+        A function of signals that are 0 where a run begins, and that the system keeps at 0:
+        ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. V' is judged there.
 
     Returns
     -------
@@ -273,8 +277,14 @@ def lyapunov(
             points=points,
             seed=seed,
             where=where or {},
+            keeps=keeps,
         )
         candidate = read(numbers=bool(within))
+        sets = {name: tuple(ends) for name, ends in (where or {}).items()}
+        above = {name for name, ends in sets.items() if ends == (0, None)}
+        if candidate.undefined and above:  # they may be any numbers but 0
+            read = partial(read, above=above)
+            candidate = read()
         if within:
             return _in_region(candidate, within)
         answers = asked(candidate)
@@ -304,6 +314,8 @@ def lyapunov(
 
     if within and where:
         raise DiagramError(f"{system.name}: leave `where` out: the box `within` is one")
+    if keeps and (V is None or within):
+        raise DiagramError(f"{system.name}: leave `keeps` out, or give a V and no box")
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
         raise DiagramError(f"{system.name}: leave the claim out: {why}")

@@ -17,7 +17,7 @@ from sympy.utilities.iterables import strongly_connected_components
 
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from ..algebra.facts import inputs_in
+from ..algebra.facts import CLIP, inputs_in
 from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import squares
 from .conclusions import Condition, are
@@ -44,6 +44,9 @@ class Motion:
     conditions: list[Condition] = field(default_factory=list)  # without those on inputs
     driving: set = field(default_factory=set)  # inputs that have to be bounded
     in_box: Set[Any] = frozenset()  # inputs that have bounds
+    near: dict[Any, Expr] = field(
+        default_factory=dict
+    )  # bounded states that may come near 0
 
     def __post_init__(self) -> None:
         functions = {f for port in self.eq.inputs.values() for f in port.flat}
@@ -78,6 +81,11 @@ class Motion:
             [self.quiet(form) for form in self.forms], self.rates, self.fixed
         )
         self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
+        # 1/s of a state s above 0 may grow without end
+        self.near = {
+            s: sympy.Dummy(f"{s}", real=True) for s in self.bounded if s.is_positive
+        }
+        self.bounded |= {s: CLIP(d, 0, 1) for s, d in self.near.items()}
         if not outside:
             return exact("V holds every state", True, "", "exists")
         rates = {s: self.rates[s].xreplace(self.bounded) for s in outside}
@@ -156,7 +164,13 @@ class Motion:
     def not_bounded(self, expression: Expr) -> list[str]:
         """Return the names of what may take an expression beyond every bound."""
         e = self.quiet(expression).xreplace(self.bounded).xreplace({TIME: CLOCK})
-        states = {*self.free, *self.intervals, *self.input_rates, CLOCK}
+        states = {
+            *self.free,
+            *self.near.values(),
+            *self.intervals,
+            *self.input_rates,
+            CLOCK,
+        }
         if degree(e, states.__contains__) == 0:
             return []
         alone = [s for s in states if degree(e, {s}.__contains__) > 0]

@@ -116,7 +116,8 @@ class PointSearch:
     """Random points about the rest of states, or 0, and searches for those at which V fails.
 
     `V` is an expression, `name` its output, or ""; `rest` maps states to numbers or other states,
-    `kept` states and inputs to the two ends between which they stay, None for no end.
+    `kept` states and inputs to the two ends between which they stay, None for no end; `solved`
+    states to what the others make them.
     """
 
     def __init__(
@@ -128,11 +129,13 @@ class PointSearch:
         rest: Mapping[Any, Expr],
         seed: int,
         kept: Mapping[Any, tuple] = NO_SETS,
+        solved: Mapping[Any, Expr] = NO_SETS,
     ):
         self.eq = eq
         self.V = V
         self.rest = rest
         self.states = [*eq.motion]
+        self.solved = solved
         self.inputs = [s for port in eq.inputs.values() for s in port.flat]
         ends = [kept.get(s, (None, None)) for s in (*self.states, *self.inputs)]
         self.ends = np.array(ends, dtype=float).reshape(-1, 2)  # NaN: none
@@ -211,7 +214,12 @@ class PointSearch:
     def inside(self, x: np.ndarray) -> np.ndarray:
         """Return states (n, states) in the sets that the diagram keeps."""
         low, high = self.ends[: x.shape[1]].T
-        return np.fmax(np.fmin(x, high), low)
+        x = np.fmax(np.fmin(x, high), low)
+        if self.solved:
+            values = dict(zip(self.states, x.T, strict=False))
+            given = self.numbers(*self.solved.values()).at(values, len(x))
+            x[:, [self.states.index(s) for s in self.solved]] = given.T
+        return x
 
     def both_inside(self, x: np.ndarray, u: np.ndarray) -> list[np.ndarray]:
         """Return states and inputs in their sets and between their bounds, as columns."""

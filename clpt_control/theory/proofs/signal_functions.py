@@ -86,6 +86,30 @@ def expression_of(eq: Equations, source: Any) -> tuple[sympy.Expr, list[str]]:
     return value, []
 
 
+def expressions_of(
+    eq: Equations, source: Callable[[Any], Any]
+) -> list[tuple[sympy.Expr, list[str]]]:
+    """Return a function of signals that returns a list as expressions, as `expression_of`."""
+    sizes = [1]
+
+    def element(k: int) -> Callable[[Any], Any]:
+        def value(s: Any) -> Any:
+            of = source(s)
+            parts = of if isinstance(of, list | tuple) else [of]
+            if not parts:
+                raise DiagramError(
+                    f"{eq.name}: keeps is empty. Return functions of states"
+                )
+            values = np.concatenate([np.ravel(part) for part in parts])
+            sizes.append(len(values))
+            return values[k]
+
+        return value
+
+    first = expression_of(eq, element(0))
+    return [first, *(expression_of(eq, element(k)) for k in range(1, sizes[-1]))]
+
+
 def _traced(
     eq: Equations, source: Callable[[Any], Any]
 ) -> tuple[sympy.Expr, list[str]]:

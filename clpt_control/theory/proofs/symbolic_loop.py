@@ -272,6 +272,20 @@ def refuse_levels(loop: Equations) -> None:
         )
 
 
+def refuse_no_rates(eq: Equations, motion: Mapping[Any, sympy.Expr]) -> None:
+    """Reject equations without states, with states that jump at a level, or without a value."""
+    refuse_levels(eq)
+    if not motion:
+        raise DiagramError(f"{eq.name}: has no states, so V' is not defined")
+    outputs = eq.signals.keys() - {"V"}  # V may be an output
+    refuse_names(eq.name, {*outputs, *eq.states, *eq.inputs, *eq.fields})
+    for s, rate in motion.items():
+        if rate.xreplace(eq.values).has(*NO_VALUE):
+            raise DiagramError(
+                f"{eq.name}: with the parameters as they are {s}' has no value"
+            )
+
+
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     """Reject discrete time, blocks that sample, and, unless `jumps`, states that jump."""
     for block in [node.system for node in wiring.nodes]:

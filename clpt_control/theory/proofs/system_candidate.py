@@ -10,13 +10,11 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain, islice, product
-from math import pi
 from typing import Any
 
 import numpy as np
 import sympy
 
-from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, NamesWithNumbers, element_name
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
@@ -40,16 +38,8 @@ from ..algebra.exact import (
     whole_coefficients,
     without_rounding,
 )
-from ..algebra.facts import (
-    SIGN,
-    functions_in,
-    has_time,
-    is_continuous,
-    roots_in,
-    sector_of,
-)
-from ..algebra.numeric_values import NO_VALUE
-from ..algebra.slopes import along, jumps_nowhere, meets_smoothly
+from ..algebra.facts import SIGN, functions_in, has_time, is_continuous, sector_of
+from ..algebra.slopes import along, meets_smoothly
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms, written_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
@@ -58,14 +48,21 @@ from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
 from .point_search import Failure, PointSearch
 from .rate_as_sum import Ways, of_system
+from .relations import (
+    Relations,
+    divides,
+    errors_of,
+    forks,
+    lost_in_errors,
+    written_in_errors,
+)
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
-from .symbolic_loop import refuse_levels, refuse_names
+from .symbolic_loop import refuse_no_rates
 from .ultimate_bounds import pulled_forms
-from .where import MOST_CORNERS, NOTHING, Where
+from .where import MOST_CORNERS, NOTHING, Where, rest_of
 
-MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
 
@@ -81,6 +78,8 @@ class SystemCandidate(LyapunovCandidate):
         False  # whether V, V' or rates are without rounding errors of their terms
     )
 
+    errors = cached_property(errors_of)  # states in errors, and what these are
+
     def __init__(
         self,
         system: Any,
@@ -94,9 +93,11 @@ class SystemCandidate(LyapunovCandidate):
         unsigned: Set[str] = frozenset(),
         symbols: Set[str] = frozenset(),
         margins: Sequence[sympy.Expr] = (),
+        keeps: Callable | None = None,
+        above: Set[str] = frozenset(),
     ):
         self.system, self.points, self.seed = system, points, seed
-        self.unsigned, self.symbols = unsigned, symbols
+        self.chosen = {"unsigned": unsigned, "symbols": symbols, "above": above}
         self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
         written = self._equations(Names) if numbers else self.eq
@@ -109,7 +110,7 @@ class SystemCandidate(LyapunovCandidate):
         self.motion = {
             s: self._as_it_runs(rate, written.motion[s], values) for s, rate in rates
         }
-        self._refuse_what_has_no_rates()
+        refuse_no_rates(self.eq, self.motion)
         self.states = [*self.motion]
         self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
@@ -119,6 +120,7 @@ class SystemCandidate(LyapunovCandidate):
         V_of_states, undefined = expression_of(self.eq, V)
         written_V = expression_of(written, V)[0] if numbers else V_of_states
         self.V = self._as_it_runs(V_of_states, written_V, values)
+        undefined += self._leave_out(keeps)
         self.undefined = [*self.eq.undefined, *undefined]
         self.given: dict[Any, sympy.Expr] = {}  # margin -> what it stands for
         self.level_values = self.eq.values
@@ -134,7 +136,7 @@ class SystemCandidate(LyapunovCandidate):
             self._assume(margin)
         self.rate = self._rate_of_V()
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
-        self.rest = None if rest is None else self._rest_state(rest)
+        self.rest = None if rest is None else rest_of(self.states, rest)
         self.place = "rest" if self.rest else ""
 
     def _assume(self, margin: sympy.Expr) -> None:
@@ -151,10 +153,24 @@ class SystemCandidate(LyapunovCandidate):
             self.V = self.V.xreplace({s: value})
             self.claim = self.claim and self.claim.xreplace({s: value})
 
+    def _leave_out(self, keeps: Callable | None) -> list[str]:
+        """Leave out the states that relations give; return where these may have no value."""
+        self.relations, self.whole_V = Relations(self.eq, self.motion), self.V
+        without_value = self.relations.read(keeps) if keeps else []
+        of, solved = self.relations.of, self.relations.solved
+        self.motion = {s: of(r) for s, r in self.motion.items() if s not in solved}
+        self.V, self.is_whole = of(self.V), not solved
+        self.claim = None if self.claim is None else of(self.claim)
+        self.eq, self.states = self.relations.reduced(), [*self.motion]
+        return without_value
+
+    def kept(self) -> list[Step]:
+        """Return the steps that the relations of states are kept."""
+        return self.relations.steps(self.never_positive)
+
     def _equations(self, names: type[Names], watch: Any = undefined_in) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
-        chosen = {"unsigned": self.unsigned, "symbols": self.symbols}
-        named = type("Chosen", (names,), chosen)
+        named = type("Chosen", (names,), self.chosen)
         return on_symbols(self.system, named, watch=watch, with_samples=True)
 
     def _as_it_runs(
@@ -183,35 +199,24 @@ class SystemCandidate(LyapunovCandidate):
 
     def _keeps(self, s: Any, margin: sympy.Expr) -> bool:
         """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
-        rate, jumps = self.motion[s], self.eq.jumps.values()
+        rate, jumps, is_open = self.motion[s], self.eq.jumps.values(), s.is_positive
         nexts = [{s: rate}] if self.eq.discrete else jumps
-        kept = all(self.never_positive(-margin.xreplace(change)) for change in nexts)
-        if self.eq.discrete:
-            return kept
-        inward = sympy.diff(margin, s) * rate
-        at_end = inward.xreplace({s: sympy.solve(margin, s)[0]})
-        is_lipschitz = jumps_nowhere(rate) and all(
-            root.is_positive for root in roots_in(rate)
-        )
-        return kept and is_lipschitz and self.never_positive(-at_end)
+        after = [margin.xreplace(change) for change in nexts]
+        if not all(
+            e.is_positive if is_open else self.never_positive(-e) for e in after
+        ):
+            return False
+        # states above 0 stay there by a rate that is Lipschitz at 0 too
+        closed = {a: sympy.Dummy(nonnegative=True) for a in self.where.above}
+        at_0, slope = rate.xreplace(closed), sympy.diff(margin, s)
+        at_end = (slope * rate).xreplace({s: s - margin / slope})
+        is_lipschitz = not (forks(at_0, self.fixed) or (closed and divides(at_0)))
+        return self.eq.discrete or (is_lipschitz and self.never_positive(-at_end))
 
     def kept_signs(self) -> dict[str, tuple]:
         """Return states of V', but not of V, that stay at 0 or above if they begin so."""
         states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
         return {str(s): (0, None) for s in states if self._keeps(s, s)}
-
-    def _refuse_what_has_no_rates(self) -> None:
-        name, eq = self.system.name, self.eq
-        refuse_levels(eq)
-        if not eq.motion:
-            raise DiagramError(f"{name}: has no states, so V' is not defined")
-        outputs = eq.signals.keys() - {"V"}  # V may be an output
-        refuse_names(name, {*outputs, *eq.states, *eq.inputs, *eq.fields})
-        for s, rate in self.motion.items():
-            if rate.xreplace(eq.values).has(*NO_VALUE):
-                raise DiagramError(
-                    f"{name}: with the parameters as they are {s}' has no value"
-                )
 
     def _rate_of_V(self) -> sympy.Expr:
         """Return V', or in discrete time by how much V changes from one time to the next."""
@@ -232,19 +237,6 @@ class SystemCandidate(LyapunovCandidate):
         )
         return (is_smooth and in_one_piece(rate)) or rate
 
-    def _rest_state(self, values: Mapping[str, float]) -> dict[Any, sympy.Expr]:
-        """Return each state's value at a rest, a share of pi where a number is that."""
-        rest_state = dict.fromkeys(self.states, sympy.Integer(0))
-        names = {str(s): s for s in self.states}
-        check_holds("at", names, values, f"states are {', '.join(names)}")
-        for name, value in values.items():
-            turns = rational(float(value) / pi)
-            is_turn = turns.q <= MOST_TURNS
-            rest_state[names[name]] = (
-                turns * sympy.pi if is_turn else rational(float(value))
-            )
-        return rest_state
-
     def depends_on(self, rate: sympy.Expr) -> list[str]:
         """Return the inputs that V' depends on."""
         rate = normal_form(rate)
@@ -261,11 +253,12 @@ class SystemCandidate(LyapunovCandidate):
         return PointSearch(
             self.system,
             self.eq,
-            self.V.xreplace(self.given),
+            self.whole_V,
             self.output,
             self.origin,
             self.seed,
-            self.where.kept | self.where.box,
+            self.where.ends,
+            self.relations.solved,
         )
 
     def same_as_running(self) -> Step:
@@ -318,6 +311,7 @@ class SystemCandidate(LyapunovCandidate):
         if rate not in self.readable:
             written = rate.xreplace(self.given)
             forms = written_forms(decided(normal_form(written)), self.fixed)
+            forms += written_in_errors(self, written)
             self.readable[rate] = min(map(self.in_signals, forms), key=sympy.count_ops)
         return self.readable[rate]
 
@@ -328,6 +322,8 @@ class SystemCandidate(LyapunovCandidate):
     ) -> tuple[Refutation | None, list[Step]]:
         """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
         searches = list[Step]()
+        if self.relations.broken() or self.relations.broken_at_a_jump():
+            return None, searches
         below = (
             f"V is below its value at {self.place}"
             if self.place
@@ -435,7 +431,10 @@ class SystemCandidate(LyapunovCandidate):
             lower = without_fading(form, states) or form
         if lower != form:
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
-        bounded = {*(definite.least or (f for f in definite.forms if f.is_Symbol))}
+        motion = self.moving(definite, zeroed)
+        motion.outside()
+        bounded = {s for s in self.states if not motion.not_bounded(s)}
+        bounded -= {*self.where.above}  # which may come near 0
         loss = -whole_coefficients(normal_form(bound), (*self.states, *self.inputs))
         inside = loss.xreplace(self.where.inside)
         shares = sympy.Tuple(*self.where.inside.values()).free_symbols
@@ -452,6 +451,7 @@ class SystemCandidate(LyapunovCandidate):
         if losses == rising and not self.where.kept:
             groups = alone_in_groups(loss, self.origin)
             losses = [q for e in groups for q in self._lost(e, bounded)] or losses
+        losses = losses or lost_in_errors(self, loss, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -518,7 +518,7 @@ class SystemCandidate(LyapunovCandidate):
         )
         between = ", ".join(map(as_relation, self.margins))
         conditions += [Condition("between", between)] * bool(self.margins)
-        conditions += self.where.conditions
+        conditions += self.where.conditions + self.relations.conditions
         conditions += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
         return conditions + [Condition("values", ", ".join(values))] * self.are_numbers
@@ -536,7 +536,8 @@ class SystemCandidate(LyapunovCandidate):
 
     def ways(self, definite: Definite, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a file of Coq."""
-        return of_system(self, definite, fall)
+        # a file has the rates of all states
+        return of_system(self, definite, fall) if self.is_whole else []
 
     # --- V' -------------------------------------------------------------------------------------
 
@@ -582,5 +583,5 @@ class SystemCandidate(LyapunovCandidate):
         V = self.in_signals(self.V)
         rate = self.readable_rate(self.rate if fall.rate is None else fall.rate)
         inputs = tuple(self.depends_on(self.rate))
-        fields |= {"claimed": self.claim, "equations": self.eq}
+        fields |= {"claimed": self.claim, "equations": self.relations.eq}
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)

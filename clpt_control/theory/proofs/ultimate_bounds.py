@@ -216,7 +216,7 @@ def pulled_forms(case: Any, definite: Definite) -> Fall | None:
     Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
     """
     found = in_forms(case, definite)
-    if found is None:
+    if found is None or case.where.above:  # forms are those of V at the start
         return None
     fall = Bounding(case, found).bound()
     if fall is None or found.V.xreplace(found.rest).xreplace(case.eq.values) != 0:

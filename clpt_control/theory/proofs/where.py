@@ -9,12 +9,14 @@ bounds.  Sines, cosines, tanh and e^(-c t) are between numbers, as inputs are.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from math import pi
 from types import MappingProxyType
 from typing import Any
 
 import sympy
 from sympy import Expr, S, oo
 
+from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
@@ -23,9 +25,22 @@ from .conclusions import Condition
 from .signal_functions import undefined_in
 
 NOTHING = MappingProxyType[Any, Any]({})
+MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_CORNERS = 64
+ABOVE = 1e-6  # least value of a state above 0, at points
 MOST = sympy.Integer(10) ** 100  # size of a bound
 RANGED = sympy.sin, sympy.cos, sympy.tanh  # from -1 to 1
+
+
+def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Expr]:
+    """Return each state's value at a rest, a share of pi where a number is that."""
+    rest_state = dict.fromkeys(states, S.Zero)
+    names = {str(s): s for s in states}
+    check_holds("at", names, values, f"states are {', '.join(names)}")
+    for name, value in values.items():
+        turns, number = (rational(float(value) / unit) for unit in (pi, 1))
+        rest_state[names[name]] = turns * sympy.pi if turns.q <= MOST_TURNS else number
+    return rest_state
 
 
 class Where:
@@ -71,10 +86,22 @@ class Where:
                 self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
             else:
                 self.kept[s] = low, high
+            if s.is_positive:
+                continue
             share = sympy.Dummy(name, nonnegative=True)
             if low is not None and high is not None:
                 share = CLIP(share, 0, 1) * (high - low)
             self.inside[s] = high - share if low is None else low + share
+
+    @property
+    def above(self) -> list:
+        """States that stay above 0, as their symbols are."""
+        return [s for s in self.kept if s.is_positive]
+
+    @property
+    def ends(self) -> dict[Any, tuple]:
+        """States and inputs with their ends, at points with a number above 0."""
+        return self.kept | dict.fromkeys(self.above, (ABOVE, None)) | self.box
 
     @property
     def bounded(self) -> list:
@@ -102,7 +129,10 @@ class Where:
     @property
     def sets(self) -> str:
         """The sets that states do not leave, as text."""
-        return ", ".join(f"{margin} >= 0" for _, margin in self.margins)
+        return ", ".join(
+            f"{margin} {'>' if s in self.above else '>='} 0"
+            for s, margin in self.margins
+        )
 
     @property
     def conditions(self) -> list[Condition]:

@@ -1,0 +1,251 @@
+"""Relations that states keep, h = 0 at the start: each gives one state in terms of the others.
+
+    s = value(other states),  r = s - value,  r' = 0 where all r = 0
+
+If r' is Lipschitz in r, r stays 0: a run that begins there is one of fewer equations, those of the
+other states, and V is judged on these.  Rounding leaves r by a little: where a distance r is not
+known to shrink, or to stay, the relation is not kept in a run.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Set
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Add, Expr, S
+from sympy.core.function import AppliedUndef
+from sympy.utilities.iterables import strongly_connected_components
+
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations
+from ..algebra.exact import factored, groups_of, normal_form, vanishes
+from ..algebra.facts import inputs_in, roots_in
+from ..algebra.slopes import along, jumps_nowhere
+from ..algebra.sums_of_squares import lost_forms, lost_in_groups, squares, written_forms
+from ..algebra.texts import short
+from .conclusions import Condition
+from .signal_functions import expressions_of
+from .steps import Step, exact
+
+# their slopes have no bound
+STEEP = sympy.asin, sympy.acos, sympy.acosh
+ROUNDED = 1e-9  # of the largest eigenvalue: a real part that may be rounding
+
+
+def forks(rate: Expr, fixed: Set[Any]) -> bool:
+    """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
+    roots = (base for base in roots_in(rate) if not base.is_positive)
+    may_be_zero = any(base.free_symbols - fixed for base in roots)
+    return may_be_zero or rate.has(*STEEP) or not jumps_nowhere(rate)
+
+
+def divides(rate: Expr) -> bool:
+    """Return whether a rate has no bound at some states, as 1/s and log s at 0."""
+    inner = [p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative]
+    inner += [call.args[0] for call in rate.atoms(sympy.log)]
+    return not all(e.is_positive for e in inner)
+
+
+def one_way(candidate: Any) -> dict[Any, Any]:
+    """Return states above 0 that never rise -> their start, where V falls with each."""
+    eq, at_start = candidate.eq, dict[Any, Any]()
+    for s in () if eq.discrete else candidate.where.above:
+        jumps = [e[s] - s for e in eq.jumps_at_once() if s in e]
+        slope = along(candidate.V, {s: S.One})
+        falls = map(candidate.never_positive, (candidate.motion[s], slope, *jumps))
+        if slope != 0 and all(falls):
+            at_start[s] = sympy.Dummy(f"{s}(0)", positive=True)
+    return at_start
+
+
+class Relations:
+    """Relations of states, each solved for one of them.
+
+    `motion` has the rates of all states, `masked` returns an expression with symbols for functions
+    of any value.
+    """
+
+    def __init__(
+        self,
+        eq: Equations,
+        motion: Mapping[Any, Expr],
+        masked: Callable[[Expr], Expr] = sympy.sympify,
+    ):
+        self.eq, self.motion, self.masked = eq, motion, masked
+        self.solved = dict[Any, Expr]()  # state -> its value, in states that are left
+
+    def add(self, relation: Expr, states: Iterable[Any] = ()) -> None:
+        """Solve a relation for one of some states, or for any, and keep it."""
+        h = sympy.expand(relation.xreplace(self.solved))
+        if h == 0:  # it follows from the others
+            return
+        of_states = () if h.has(TIME, AppliedUndef) else reversed(self.motion)
+        for s in states or of_states:
+            slope = sympy.diff(h, s)
+            if slope.is_nonzero and not slope.has(*self.motion):
+                value = sympy.expand(s - h / slope)
+                before = self.solved.items()
+                self.solved = {
+                    o: sympy.expand(v.xreplace({s: value})) for o, v in before
+                }
+                self.solved[s] = value
+                return
+        raise DiagramError(
+            f"{self.eq.name}: the relation {short(h, 60)} = 0 cannot be solved for one state. "
+            "Give a function of states alone, linear in one of them"
+        )
+
+    def read(self, keeps: Callable) -> list[str]:
+        """Add what a function of signals returns; return where that may have no value."""
+        without_value = list[str]()
+        for relation, undefined in expressions_of(self.eq, keeps):
+            self.add(relation)
+            without_value += undefined
+        return without_value
+
+    def of(self, expression: Any) -> Expr:
+        """Return an expression where the relations hold."""
+        return self.masked(sympy.sympify(expression)).xreplace(self.solved)
+
+    @property
+    def text(self) -> str:
+        """The relations, as text."""
+        return ", ".join(f"{s} = {short(v, 40)}" for s, v in self.solved.items())
+
+    @property
+    def conditions(self) -> list[Condition]:
+        """The relations as a condition."""
+        return [Condition("start", self.text)] * bool(self.solved)
+
+    def rate(self, s: Any) -> Expr:
+        """Return the rate of s - value, or in discrete time its next value."""
+        off = s - self.solved[s]
+        if self.eq.discrete:
+            return off.xreplace(dict(self.motion))
+        return along(off, {TIME: S.One, **self.motion})
+
+    def broken(self) -> str:
+        """Return which relation states leave by their rates, or ""."""
+        for s in self.solved:
+            rate = self.rate(s)
+            if left := self._left_by(s, rate):
+                return left
+            if not self.eq.discrete and forks(self.masked(rate), {*self.eq.values}):
+                return f"{s} may leave it, as s' = |s|^(1/2) may leave 0"
+        return ""
+
+    def broken_at_a_jump(self) -> str:
+        """Return which relation states leave where they jump, or ""."""
+        for after in self.eq.jumps_at_once():
+            for s, value in self.solved.items():
+                if left := self._left_by(s, (s - value).xreplace(after)):
+                    return left
+        return ""
+
+    def _left_by(self, s: Any, change: Expr) -> str:
+        remainder = self.of(change)
+        is_kept = vanishes(remainder)
+        return "" if is_kept else f"{s} leaves it by {short(sympy.expand(remainder))}"
+
+    def repels(self, never_positive: Callable[[Expr], bool]) -> str:
+        """Return a sentence unless a small distance from the relations is known not to grow.
+
+        Distances that drive each other are a group.  In a group, with the other distances 0, the
+        sum of squares does not grow; or it moves by itself, and its matrix is stable.
+        """
+        r = {s: sympy.Dummy(f"r_{s}", real=True) for s in self.solved}
+        near = {s: value + r[s] for s, value in self.solved.items()}
+        rates = {r[s]: self.masked(self.rate(s)).xreplace(near) for s in r}
+        rates = {d: sympy.expand(rate) for d, rate in rates.items()}
+        drivers = [
+            (d, other)
+            for d, rate in rates.items()
+            for other in rates
+            if rate.has(other)
+        ]
+        for group in strongly_connected_components(([*rates], drivers)):
+            others = dict.fromkeys(rates.keys() - {*group}, S.Zero)
+            own = {d: rates[d].xreplace(others) for d in group}
+            if self.eq.discrete:
+                growth = sum(rate**2 - d**2 for d, rate in own.items())
+            else:
+                growth = sum(rate * d for d, rate in own.items())
+            if not (self._is_stable(own) or never_positive(growth)):
+                return f"{self.text}: a distance from it that rounding leaves may grow"
+        return ""
+
+    def _is_stable(self, rates: Mapping[Any, Expr]) -> bool:
+        """Return whether distances that move by themselves go to 0 from near it."""
+        numbers = sympy.Matrix([*rates.values()]).xreplace(self.eq.values)
+        if numbers.free_symbols - rates.keys() or inputs_in(numbers):
+            return False
+        J = numbers.jacobian([*rates]).xreplace(dict.fromkeys(rates, S.Zero))
+        try:
+            eigenvalues = np.linalg.eigvals(np.array(J, dtype=float))
+        except TypeError:  # functions without a slope
+            return False
+        if self.eq.discrete:
+            return bool(np.abs(eigenvalues).max() < 1 - ROUNDED)
+        return bool(eigenvalues.real.max() < -ROUNDED * np.abs(eigenvalues).max())
+
+    def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
+        """Return the steps that the relations are kept, and that rounding does not leave them."""
+        if not self.solved:
+            return []
+        broken = self.broken() or self.broken_at_a_jump()
+        repels = broken or self.repels(never_positive)
+        return [
+            exact(f"{self.text} is kept", not broken, broken),
+            exact("rounding does not leave it", not repels, repels),
+        ]
+
+    def reduced(self) -> Equations:
+        """Return the equations with the jumps of the states that are left."""
+        jumps = {
+            block: {s: self.of(e) for s, e in change.items() if s not in self.solved}
+            for block, change in self.eq.jumps.items()
+        }
+        return replace(self.eq, jumps=jumps)
+
+
+# --- errors -------------------------------------------------------------------------------------
+
+
+def errors_of(case: Any) -> tuple[dict[Any, Expr], dict[Any, Expr]]:
+    """Return states in errors, linear forms of V such as x - z, and errors -> these forms."""
+    total = squares(case.V, case.fixed)
+    in_errors, forms = Relations(case.eq, case.motion), dict[Any, Expr]()
+    states = [s for s in reversed(case.motion) if s not in case.where.kept]
+    for form in total.forms if total else ():
+        if form not in case.motion:
+            error = sympy.Dummy("e", real=True)
+            with suppress(DiagramError):
+                in_errors.add(form - error, states)
+                forms[error] = form
+    return in_errors.solved, forms
+
+
+def written_in_errors(case: Any, rate: Expr) -> list[Expr]:
+    """Return V' as it is written in errors, each group of terms that share no state factored."""
+    states, forms = case.errors
+    if not states:
+        return []
+    e = normal_form(rate.xreplace(states))
+    groups = Add(*map(factored, groups_of(e, e.free_symbols - case.fixed)))
+    return [form.xreplace(forms) for form in (groups, *written_forms(e, case.fixed))]
+
+
+def lost_in_errors(case: Any, loss: Expr, bounded: Set[Any]) -> list[Expr]:
+    """Return forms that are zero where a loss is, found in errors."""
+    states, forms = case.errors
+    if not states:
+        return []
+    e, known = normal_form(loss.xreplace(states)), {*bounded, *forms}
+    zero = dict.fromkeys((*forms, *case.motion), S.Zero)
+    found = lost_forms(e, case.fixed, known)
+    if not (found or e.has(*case.where.kept)):
+        found = lost_in_groups(e, zero, case.fixed, known)
+    return [form.xreplace(forms) for form in found]

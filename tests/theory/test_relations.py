@@ -1,0 +1,442 @@
+"""Relations that states keep, `lyapunov(..., keeps=)`: laws of textbooks, and traps beside them."""
+
+import control
+import numpy as np
+import pytest
+from text_systems import TICKS
+
+import clpt_control as clpt
+from clpt_control import lyapunov
+
+POSITIVE = {"P": (0, None)}
+
+
+def block(rates, r=True, parameters=None, **more):
+    """A block of scalar states: name -> rate of (x, u, p); its input r is bounded."""
+    return clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {name: rate(x, u, p) for name, rate in rates.items()},
+        states=dict.fromkeys(rates, 1),
+        inputs={"r": 1} if r else {},
+        parameters={"th": 2.0} | (parameters or {}),
+        **more,
+    )
+
+
+FILTER = {
+    "w": lambda x, u, p: -x.w + u.r,
+    "y": lambda x, u, p: -x.y + p.th * u.r,
+    "h": lambda x, u, p: x.w * (x.y - x.h * x.w),
+}
+
+
+def gradient(change=None, **more):
+    """A gradient law on y = th w; `change` of the distance y - th w is added to y'."""
+    rates = dict(FILTER)
+    if change is not None:
+        # without the filter's own -y the distance moves by `change` alone
+        rates["y"] = lambda x, u, p: p.th * (u.r - x.w) + change(x.y - p.th * x.w, x, u)
+    return block(rates, **more)
+
+
+def squared(s):
+    return (s.th - s.h) ** 2 / 2
+
+
+def weighted(s):
+    return (s.th - s.h) ** 2 / (2 * s.P)
+
+
+def on_line(s):
+    return [s.y - s.th * s.w]
+
+
+def least_squares(rate=None, **more):
+    rates = FILTER | {
+        "h": lambda x, u, p: x.P * x.w * (x.y - x.h * x.w),
+        "P": rate or (lambda x, u, p: -(x.P**2) * x.w**2),
+    }
+    return block(rates, **more)
+
+
+# --- laws of textbooks --------------------------------------------------------------------------
+
+
+def test_the_error_of_a_gradient_law_goes_to_zero():
+    verdict = lyapunov(gradient(), squared, keeps=on_line)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert verdict.of == "w*(h - th) goes"
+    assert "where y = th*w at the start" in verdict.sentence
+    assert lyapunov(gradient(), squared).status == "refuted"  # off the line
+
+
+def test_least_squares_with_one_parameter():
+    """V' = -w^2 (h - th)^2/2 by hand, for every th."""
+    verdict = lyapunov(least_squares(), weighted, keeps=on_line, where=POSITIVE)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert f"{verdict.rate}" == "-w**2*(h - th)**2/2"
+    wanted = ["P > 0 at the start", "y = th*w at the start"]
+    assert all(text in verdict.sentence for text in wanted)
+    assert "with the parameters" not in verdict.sentence
+    with pytest.raises(clpt.ClptError, match="states keep relations"):
+        verdict.coq()
+
+
+def test_least_squares_of_a_wrong_line_are_not_proved():
+    def wrong(s):
+        return [s.y - 1.1 * s.th * s.w]
+
+    verdict = lyapunov(least_squares(), weighted, keeps=wrong, where=POSITIVE)
+    assert verdict.status == "open"
+    assert "leaves it by" in verdict.sentence
+
+
+def test_two_parameters_by_two_filters():
+    """V' = -(w^T (th - h))^2."""
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {
+            "w": -x.w + u.r,
+            "y": -x.y + p.th @ u.r,
+            "h": x.w * (x.y[0] - x.h @ x.w),
+        },
+        states={"w": 2, "y": 1, "h": 2},
+        inputs={"r": 2},
+        parameters={"th": [2.0, -1.0]},
+    )
+    verdict = lyapunov(
+        law, lambda s: (s.th - s.h) @ (s.th - s.h) / 2, keeps=lambda s: s.y - s.th @ s.w
+    )
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+
+
+def test_information_of_a_filter_is_a_second_relation():
+    """Y' = w y and R' = w^2 keep Y = th R where y = th w."""
+    rates = FILTER | {
+        "R": lambda x, u, p: x.w**2 - x.R,
+        "Y": lambda x, u, p: x.w * x.y - x.Y,
+        "h": lambda x, u, p: x.R * (x.Y - x.h * x.R),
+    }
+
+    def lines(s):
+        return [s.y - s.th * s.w, s.Y - s.th * s.R]
+
+    verdict = lyapunov(block(rates), squared, keeps=lines)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert lyapunov(block(rates), squared, keeps=on_line).status != "proved"
+
+
+def test_filters_in_discrete_time():
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {
+            "w": 0.5 * x.w + u.r,
+            "y": 0.5 * x.y + p.th * u.r,
+            "h": x.h + x.w * (x.y - x.h * x.w) / (1 + x.w**2),
+        },
+        states={"w": 1, "y": 1, "h": 1},
+        inputs={"r": 1},
+        parameters={"th": 2.0},
+        dt=0.1,
+    )
+    verdict = lyapunov(law, squared, keeps=on_line)
+    assert verdict.status == "proved"
+
+
+def jumping(rates, jump):
+    """A block that jumps at whole times."""
+    ticks = {"breakpoints": TICKS["breakpoints"], "jump": jump}
+    return block(
+        rates, r="r" if rates is FILTER else "", parameters={"interval": -1.0}, **ticks
+    )
+
+
+@pytest.mark.parametrize(
+    ("jump", "status"),
+    [
+        (lambda t, x, u, p: {"w": x.w / 2, "y": x.y / 2, "h": x.h}, "proved"),
+        (lambda t, x, u, p: {"w": x.w, "y": x.y + 1, "h": x.h}, "open"),
+        (lambda t, x, u, p: {"w": 2 * x.w, "y": x.y, "h": x.h}, "open"),
+        (lambda t, x, u, p: {"w": x.w, "y": 0 * x.y, "h": x.h}, "open"),
+        (lambda t, x, u, p: {"w": x.h, "y": x.y, "h": x.h}, "open"),
+    ],
+)
+def test_jumps_keep_the_line_or_leave_it(jump, status):
+    assert lyapunov(jumping(FILTER, jump), squared, keeps=on_line).status == status
+
+
+# --- traps --------------------------------------------------------------------------------------
+
+BESIDE = {  # r' of the distance r from the line
+    "r": lambda r, x, u: r,
+    "r/100": lambda r, x, u: r / 100,
+    "r^3": lambda r, x, u: r**3,
+    "r^2": lambda r, x, u: r**2,
+    "sin r": lambda r, x, u: np.sin(r),
+    "tanh r": lambda r, x, u: np.tanh(r),
+    "1 - cos r": lambda r, x, u: 1 - np.cos(r),
+    "|r|^(1/2)": lambda r, x, u: np.sqrt(np.abs(r)),
+    "-|r|^(1/2)": lambda r, x, u: -np.sqrt(np.abs(r)),
+    "r^(1/3)": lambda r, x, u: np.cbrt(r),
+    "acosh": lambda r, x, u: np.arccosh(1 + np.abs(r)),
+    "asin": lambda r, x, u: np.pi / 2 - np.arcsin(1 / (1 + r**2)),
+    "sign r": lambda r, x, u: np.sign(r),
+    "-sign r": lambda r, x, u: -np.sign(r),
+    "where r > 0": lambda r, x, u: np.where(r > 0, 1.0, 0.0),
+    "max(r, 0)": lambda r, x, u: np.maximum(r, 0.0),
+    "w^2 r": lambda r, x, u: x.w**2 * r,
+    "w r": lambda r, x, u: x.w * r,
+    "h r": lambda r, x, u: x.h * r,
+    "u r": lambda r, x, u: u.r * r,
+    "-r + w r^2": lambda r, x, u: -r + x.w * r**2,
+    "u": lambda r, x, u: u.r,
+    "2 - r": lambda r, x, u: 2 - r,
+    "h - r": lambda r, x, u: x.h - r,
+    "(1 - w^2) r": lambda r, x, u: (1 - x.w**2) * r,
+}
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_a_line_that_a_run_leaves_is_not_kept(name):
+    verdict = lyapunov(gradient(BESIDE[name]), squared, keeps=on_line)
+    assert verdict.status == "open"
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda r, x, u: 0 * r,
+        lambda r, x, u: -r,
+        lambda r, x, u: -(r**3),
+        lambda r, x, u: -r + r**3,  # stable near it
+        lambda r, x, u: -(x.w**2) * r,
+        lambda r, x, u: -np.tanh(r),
+    ],
+)
+def test_a_line_that_distances_do_not_leave_is_kept(change):
+    verdict = lyapunov(gradient(change), squared, keeps=on_line)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+
+
+def test_two_distances_that_drive_each_other():
+    """(1 + w^2) times [[-1, 2], [2, -1]] has a negative trace, and a positive eigenvalue."""
+
+    def pair(share):
+        def off(x, p):
+            return x.y - p.th * x.w, x.z - p.th * x.w
+
+        def rate(own, other):
+            return lambda x, u, p: (
+                p.th * (u.r - x.w)
+                + (1 + x.w**2) * (-off(x, p)[own] + share * off(x, p)[other])
+            )
+
+        return block(FILTER | {"y": rate(0, 1), "z": rate(1, 0)})
+
+    def lines(s):
+        return [s.y - s.th * s.w, s.z - s.th * s.w]
+
+    assert lyapunov(pair(2.0), squared, keeps=lines).status == "open"
+    assert lyapunov(pair(0.5), squared, keeps=lines).status == "proved"
+
+
+@pytest.mark.parametrize("share", [1.1, 1.0 + 1e-6, -2.0])
+def test_distances_that_grow_in_discrete_time(share):
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {
+            "w": 0.5 * x.w,
+            "y": p.th * 0.5 * x.w + p.a * (x.y - p.th * x.w),
+            "h": x.h + x.w * (x.y - x.h * x.w) / (1 + x.w**2),
+        },
+        states={"w": 1, "y": 1, "h": 1},
+        parameters={"th": 2.0, "a": share},
+        dt=1.0,
+    )
+    assert lyapunov(law, squared, keeps=on_line).status == "open"
+
+
+def test_stable_is_not_said_on_a_relation():
+    """x' = -x + y^2 with y = 0: 0 is the rest, and y' = -y alone is judged."""
+    rates = {"x": lambda x, u, p: -x.x, "y": lambda x, u, p: -x.y + 0 * x.x}
+    plain = block(rates, r=False)
+    verdict = lyapunov(plain, lambda s: s.x**2, keeps=lambda s: s.y)
+    assert verdict.conclusion == "goes to zero"
+    assert "stable" not in verdict.sentence
+    rates["x"] = lambda x, u, p: -(x.x**3) + 1e3 * x.y
+    driven = lyapunov(
+        block(rates, r=False), lambda s: s.x**2 / 2, keeps=lambda s: [s.y]
+    )
+    assert "stable" not in driven.sentence
+    assert driven.status == "proved"
+    rates["x"] = lambda x, u, p: 0 * x.x
+    still = lyapunov(block(rates, r=False), lambda s: s.x**2 / 2, keeps=lambda s: s.y)
+    assert "stable" not in still.sentence
+
+
+def test_V_that_is_zero_on_the_line_shows_nothing():
+    verdict = lyapunov(gradient(), lambda s: (s.y - s.th * s.w) ** 2, keeps=on_line)
+    assert verdict.status == "open"
+
+
+def test_runs_on_a_line_that_escape_are_not_said_to_exist():
+    """w' = w^2 ends at t = 1/w(0)."""
+    rates = FILTER | {
+        "w": lambda x, u, p: x.w**2,
+        "y": lambda x, u, p: p.th * x.w**2 - (x.y - p.th * x.w),
+    }
+    verdict = lyapunov(block(rates), squared, keeps=on_line)
+    assert verdict.conclusion in ("square-integrable", "V does not increase")
+
+
+@pytest.mark.parametrize(
+    "keeps",
+    [
+        lambda s: s.y - s.th * s.r,  # of an input
+        lambda s: s.y - s.th * s.w * np.exp(-s.t),
+        lambda s: s.y**2 - (s.th * s.w) ** 2,
+        lambda s: s.y * s.w - 1,
+        lambda s: s.th - 2,
+        lambda s: [s.y - s.th * s.w, s.y - s.th * s.w - 1],
+        lambda s: np.maximum(s.y, s.w),
+        lambda s: [],
+    ],
+)
+def test_what_is_no_relation_of_states_is_refused(keeps):
+    with pytest.raises(clpt.ClptError, match=r"keeps|relation"):
+        lyapunov(gradient(), squared, keeps=keeps)
+
+
+def test_keeps_is_refused_in_a_box_and_without_V():
+    lag = block({"x": lambda x, u, p: -x.x, "y": lambda x, u, p: -x.y}, r=False)
+    box = {"x": (-1, 1), "y": (-1, 1)}
+    with pytest.raises(clpt.ClptError, match="leave `keeps` out"):
+        lyapunov(lag, lambda s: s.x**2, within=box, keeps=lambda s: s.y)
+    with pytest.raises(clpt.ClptError, match="leave `keeps` out"):
+        lyapunov(lag, keeps=lambda s: s.y)
+
+
+# --- P > 0 --------------------------------------------------------------------------------------
+
+NOT_KEPT = {
+    "-1": lambda x, u, p: -1 + 0 * x.P,
+    "-P^(1/2)": lambda x, u, p: -np.sqrt(x.P),
+    "-P^(1/3)": lambda x, u, p: -np.cbrt(x.P),
+    "-|P|^(2/3)": lambda x, u, p: -(np.abs(x.P) ** (2 / 3)),
+    "-1/P": lambda x, u, p: -1 / x.P,
+    "-P/(P + y^2)": lambda x, u, p: -x.P / (x.P + x.y**2),
+    "r": lambda x, u, p: u.r + 0 * x.P,
+    "-sign P": lambda x, u, p: -np.sign(x.P),
+    "-w^2": lambda x, u, p: -(x.w**2) + 0 * x.P,
+}
+
+
+@pytest.mark.parametrize("name", NOT_KEPT)
+def test_P_that_may_reach_zero_is_not_kept_above(name):
+    verdict = lyapunov(
+        least_squares(NOT_KEPT[name]), weighted, keeps=on_line, where=POSITIVE
+    )
+    assert verdict.status != "proved"
+
+
+def covariance(rates, jump=None):
+    return jumping(rates, jump) if jump else block(rates, r=False)
+
+
+def over_P(s):
+    return s.e**2 / s.P
+
+
+@pytest.mark.parametrize(
+    "jump",
+    [
+        lambda t, x, u, p: {"e": x.e, "P": 0 * x.P},
+        lambda t, x, u, p: {"e": x.e * 1.4, "P": 2 * x.P},
+        lambda t, x, u, p: {"e": x.e, "P": np.maximum(x.P - 1, 0)},
+        lambda t, x, u, p: {"e": x.e, "P": x.P - 1},
+    ],
+)
+def test_P_that_jumps_to_zero_or_up_bounds_nothing(jump):
+    rates = {"e": lambda x, u, p: -x.e, "P": lambda x, u, p: 0 * x.P}
+    verdict = lyapunov(covariance(rates, jump), over_P, where=POSITIVE)
+    assert verdict.conclusion in ("", "V does not increase", "square-integrable")
+
+
+def test_P_that_rises_bounds_nothing():
+    """e' = 0.4 e and P' = P have (e^2/P)' = -0.2 e^2/P, and e grows."""
+    rates = {"e": lambda x, u, p: 0.4 * x.e, "P": lambda x, u, p: x.P}
+    verdict = lyapunov(covariance(rates), over_P, where=POSITIVE)
+    assert verdict.conclusion in ("", "V does not increase")
+
+
+def test_a_loss_that_P_makes_small_forces_nothing_to_zero():
+    """z' = -P z with P = exp(-t) ends at z(0)/e, though V' <= -P z^2."""
+    rates = {
+        "e": lambda x, u, p: -x.e,
+        "z": lambda x, u, p: -x.P * x.z,
+        "P": lambda x, u, p: -x.P,
+    }
+    verdict = lyapunov(
+        covariance(rates), lambda s: s.e**2 / s.P + s.z**2 / 2, where=POSITIVE
+    )
+    assert not (verdict.status == "proved" and "z" in verdict.of)
+
+
+def test_an_end_at_P_of_zero_is_no_rest():
+    """a' = b, b' = -a - P b with P = exp(-t) swings for ever."""
+    rates = {
+        "a": lambda x, u, p: x.b,
+        "b": lambda x, u, p: -x.a - x.P * x.b,
+        "P": lambda x, u, p: -x.P,
+        "e": lambda x, u, p: -x.e,
+    }
+    verdict = lyapunov(
+        covariance(rates),
+        lambda s: s.e**2 / s.P + (s.a**2 + s.b**2) / 2,
+        where=POSITIVE,
+    )
+    zero = verdict.of.rpartition(" ")[0].split(", ")
+    assert not {"a", "b"} & {*zero}
+    assert "rest" not in verdict.conclusion
+
+
+def test_the_sets_of_V_with_a_value_stay_closed():
+    """q' = -q^2 + d, d >= 0, is kept at 0 or above; V has a value there."""
+    rates = {"q": lambda x, u, p: -(x.q**2), "P": lambda x, u, p: -x.P}
+    verdict = lyapunov(
+        covariance(rates), lambda s: s.q**2, where={"q": (0, None), "P": (0, None)}
+    )
+    assert "P >= 0" in verdict.sentence
+
+
+def test_a_source_that_is_a_function_of_a_distance_is_not_known_to_keep_it():
+    source = clpt.Block(
+        "source",
+        output=lambda t, x, u, p: {"v": abs(u.w) ** 0.5},
+        inputs={"w": 1},
+        outputs={"v": 1},
+        opaque=True,
+    )
+    plant = clpt.Block(
+        "plant",
+        update=lambda t, x, u, p: {"x": -x.x, "w": u.v},
+        output=lambda t, x, u, p: {"w": x.w},
+        inputs={"v": 1},
+        outputs={"w": 1},
+        states={"x": 1, "w": 1},
+    )
+    loop = clpt.connect([source, plant])
+    assert lyapunov(loop, lambda s: s.x**2, keeps=lambda s: s.w).status == "open"
+
+
+def test_a_system_of_python_control_keeps_a_relation():
+    plant = control.nlsys(
+        lambda t, x, u, p: [-x[0] + u[0], -x[1] + 2 * u[0], -x[2] + x[1] - 2 * x[0]],
+        states=["w", "y", "e"],
+        inputs=["r"],
+        outputs=0,
+        name="plant",
+    )
+    verdict = lyapunov(plant, lambda s: s.e**2 / 2, keeps=lambda s: s.y - 2 * s.w)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert "stable" not in verdict.sentence
