@@ -24,7 +24,12 @@ from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
 from ..algebra.facts import inputs_in, roots_in
 from ..algebra.slopes import along, jumps_nowhere
-from ..algebra.sums_of_squares import lost_forms, lost_in_groups, squares, written_forms
+from ..algebra.sums_of_squares import (
+    alone_in_groups,
+    lost_forms,
+    squares,
+    written_forms,
+)
 from ..algebra.texts import short
 from .conclusions import Condition
 from .signal_functions import expressions_of
@@ -247,5 +252,6 @@ def lost_in_errors(case: Any, loss: Expr, bounded: Set[Any]) -> list[Expr]:
     zero = dict.fromkeys((*forms, *case.motion), S.Zero)
     found = lost_forms(e, case.fixed, known)
     if not (found or e.has(*case.where.kept)):
-        found = lost_in_groups(e, zero, case.fixed, known)
+        groups = alone_in_groups(e, zero)
+        found = [q for loss in groups for q in lost_forms(loss, case.fixed, known)]
     return [form.xreplace(forms) for form in found]
