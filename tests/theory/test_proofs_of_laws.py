@@ -207,10 +207,8 @@ def test_a_covariance_that_may_pass_its_bound_is_not_proved(law):
 
 
 BREAKING = [
-    (
-        lambda x: {"origin": x.origin},
-        "and is kept where they jump",
-    ),  # where the last one began
+    # where the last one began
+    (lambda x: {"origin": x.origin}, "what the law's states keep is kept"),
     (lambda x: {"S": -x.S, "B": -x.B}, "Q_1, Q_2, S >= 0 is not left where they jump"),
 ]
 

@@ -440,3 +440,149 @@ def test_a_system_of_python_control_keeps_a_relation():
     verdict = lyapunov(plant, lambda s: s.e**2 / 2, keeps=lambda s: s.y - 2 * s.w)
     assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
     assert "stable" not in verdict.sentence
+
+
+# --- laws beside a plant ------------------------------------------------------------------------
+
+
+def test_a_composite_law_with_least_squares():
+    """Slotine and Li (1991), section 8.8: V' = -kd s^2 - (vf (bh - b))^2/2, s = v - vr."""
+
+    def rates(t, x, u, p):
+        s, ar = x.v - x.vr, u.r - p.l * x.vr
+        tau = ar + x.bh * x.v - p.kd * s
+        drag = tau - p.b * x.v
+        return {
+            "v": drag,
+            "vr": ar,
+            "vf": -p.lam * x.vf + x.v,
+            "y": -p.lam * x.y + tau - drag,
+            "bh": -x.P * (x.v * s + x.vf * (x.vf * x.bh - x.y)),
+            "P": -(x.P**2) * x.vf**2,
+        }
+
+    loop = clpt.Block(
+        "loop",
+        update=rates,
+        states=dict.fromkeys(("v", "vr", "vf", "y", "bh", "P"), 1),
+        inputs={"r": 1},
+        parameters={"b": 0.4, "l": 1.0, "lam": 2.0, "kd": 3.0},
+    )
+    verdict = lyapunov(
+        loop,
+        lambda s: (s.v - s.vr) ** 2 / 2 + (s.bh - s.b) ** 2 / (2 * s.P),
+        keeps=lambda s: s.y - s.b * s.vf,
+        where=POSITIVE,
+    )
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert f"{verdict.rate}" == "-kd*(v - vr)**2 - vf**2*(b - bh)**2/2"
+    assert {*verdict.of.removesuffix(" go").split(", ")} == {"v - vr", "vf*(b - bh)"}
+
+
+def test_a_normalised_gradient():
+    """V' = -g (w (h - th))^2/(1 + w^2), and w is bounded."""
+    rates = FILTER | {"h": lambda x, u, p: p.g * x.w * (x.y - x.h * x.w) / (1 + x.w**2)}
+    law = block(rates, parameters={"g": 0.7})
+    verdict = lyapunov(law, squared, keeps=on_line)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert "where r is bounded" in verdict.sentence
+    rates |= {
+        "w": lambda x, u, p: x.w,
+        "y": lambda x, u, p: x.y - 2 * (x.y - p.th * x.w),
+    }
+    grows = lyapunov(block(rates, parameters={"g": 0.7}), squared, keeps=on_line)
+    assert grows.conclusion in ("square-integrable", "V does not increase")
+
+
+# --- claims with a push -------------------------------------------------------------------------
+
+
+def pushed(rates, V, claim, **more):
+    return lyapunov(block(rates, parameters={"k": 2.0}), V, claim, **more)
+
+
+SHARED = {"e": lambda x, u, p: -p.k * x.e + x.h * u.r, "h": lambda x, u, p: -x.h}
+
+
+def of_both(s):
+    return (s.e**2 + s.h**2) / 2
+
+
+def of_e(s):
+    return s.e**2 / 2
+
+
+def test_a_claim_that_holds_is_not_refuted():
+    """V' = -k e^2 + e h r - h^2, so k e^2 is in the mean at most (h r)^2/k."""
+    verdict = pushed(SHARED, of_both, lambda s: -s.k * s.e**2 + s.e * s.h * s.r)
+    assert (verdict.status, verdict.conclusion) == ("proved", "bounded in the mean")
+    assert verdict.bound == "e**2*k is at most h**2*r(t)**2/k"
+
+
+def test_an_error_in_two_states_has_a_mean():
+    rates = {
+        "y": lambda x, u, p: -p.k * (x.y - x.m) - x.m + u.r + x.h * u.r,
+        "m": lambda x, u, p: -x.m + u.r,
+        "h": lambda x, u, p: -x.h,
+    }
+    verdict = pushed(
+        rates,
+        lambda s: (s.y - s.m) ** 2 / 2,
+        lambda s: -s.k * (s.y - s.m) ** 2 + (s.y - s.m) * s.h * s.r,
+    )
+    assert verdict.conclusion == "bounded in the mean"
+    assert verdict.bound.endswith("is at most h**2*r(t)**2/k")
+
+
+def test_a_level_and_an_input_of_zero_come_before_a_mean():
+    rates = {"e": lambda x, u, p: -p.k * x.e + u.r}
+
+    def claim(s):
+        return -s.k * s.e**2 + s.e * s.r
+
+    level = pushed(rates, of_e, claim, where={"r": (-1, 1)})
+    assert level.conclusion == "ultimately bounded"
+    still = pushed(rates, of_e, claim)
+    assert "where r = 0" in still.sentence
+
+
+@pytest.mark.parametrize(
+    ("rates", "V", "claim"),
+    [
+        (  # e' = h^2 r and h' = e h^2 may end in finite time
+            {
+                "e": lambda x, u, p: -p.k * x.e + x.h**2 * u.r,
+                "h": lambda x, u, p: x.e * x.h**2,
+            },
+            of_e,
+            lambda s: -s.k * s.e**2 + s.e * s.h**2 * s.r,
+        ),
+        (
+            {"e": lambda x, u, p: -p.k * x.e + x.z * u.r, "z": lambda x, u, p: x.e**2},
+            of_e,
+            lambda s: -s.k * s.e**2 + s.e * s.z * s.r,
+        ),
+        (  # e in the push
+            {"e": lambda x, u, p: -p.k * x.e + x.e * u.r},
+            of_e,
+            lambda s: -s.k * s.e**2 + s.e**2 * s.r,
+        ),
+        (
+            {"e": lambda x, u, p: -p.k * x.e + np.sin(x.e) * u.r},
+            of_e,
+            lambda s: -s.k * s.e**2 + s.e * np.sin(s.e) * s.r,
+        ),
+        (  # nothing pulls
+            SHARED | {"e": lambda x, u, p: p.k * x.e + x.h * u.r},
+            of_both,
+            lambda s: s.k * s.e**2 + s.e * s.h * s.r,
+        ),
+        (  # V does not hold e
+            SHARED,
+            lambda s: s.h**2 / 2,
+            lambda s: -s.k * s.e**2 + s.e * s.h * s.r,
+        ),
+    ],
+)
+def test_a_push_that_may_carry_V_away_has_no_mean(rates, V, claim):
+    assert pushed(rates, V, claim).conclusion in ("", "V' is at most the claim")

@@ -371,7 +371,6 @@ def claims_of(case: Invariants) -> Claims:
         claims["what is kept does not repel"] = "", _repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
-        claims["and is kept where they jump"] = "", _broken_at_a_jump
         claims[claim] = "", Invariants.semidefinite_after_a_jump
     if names:
         claims[
@@ -398,10 +397,6 @@ def claims_of(case: Invariants) -> Claims:
 
 def _repels(case: Invariants) -> str:
     return case.relations.repels(lambda e: never_positive(e, case.fixed))
-
-
-def _broken_at_a_jump(case: Invariants) -> str:
-    return case.relations.broken_at_a_jump()
 
 
 def _reads(case: Invariants) -> bool:

@@ -30,6 +30,7 @@ from .steps import How, Step, first_failure, worked_out
 from .system_candidate import SystemCandidate
 
 NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
+MEAN = "bounded in the mean"
 AS_STRONG = (
     "asymptotically stable"  # numbers are tried where LaSalle's rest is not shown
 )
@@ -303,7 +304,13 @@ def lyapunov(
                 verdict = answers.verdict()
         if is_given and _zeroed(verdict):
             failure = candidate.refuted_by_inputs()
-            if failure is not None:
+            if claim is not None:  # it holds with the inputs
+                pushed = partial(read, is_pushed=True)
+                with_inputs = asked(pushed())
+                found = with_inputs.verdict()
+                if failure is not None or found.conclusion == MEAN:
+                    read, answers, verdict = pushed, with_inputs, found
+            elif failure is not None:
                 return refuted(candidate, failure, answers.fall, verdict.steps)
         kept = candidate.kept_signs() if verdict.status == "open" and not where else {}
         if kept and (of_signs := judged(V, kept)).status == "proved":

@@ -7,12 +7,11 @@ other states, and V is judged on these.  Rounding leaves r by a little: where a 
 known to shrink, or to stay, the relation is not kept in a run.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 import sympy
 from sympy import Add, Expr, S
 from sympy.core.function import AppliedUndef
@@ -21,23 +20,19 @@ from sympy.utilities.iterables import strongly_connected_components
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
-from ..algebra.facts import inputs_in, roots_in
+from ..algebra.facts import roots_in
 from ..algebra.slopes import along, jumps_nowhere
-from ..algebra.sums_of_squares import (
-    alone_in_groups,
-    lost_forms,
-    squares,
-    written_forms,
-)
+from ..algebra.sums_of_squares import alone_in_groups, squares, written_forms
 from ..algebra.texts import short
 from .conclusions import Condition
+from .outside import hurwitz, schur
 from .signal_functions import expressions_of
 from .steps import Step, exact
 
 # their slopes have no bound
 STEEP = sympy.asin, sympy.acos, sympy.acosh
-ROUNDED = 1e-9  # of the largest eigenvalue: a real part that may be rounding
 
 
 def forks(rate: Expr, fixed: Set[Any]) -> bool:
@@ -133,27 +128,16 @@ class Relations:
         return along(off, {TIME: S.One, **self.motion})
 
     def broken(self) -> str:
-        """Return which relation states leave by their rates, or ""."""
-        for s in self.solved:
-            rate = self.rate(s)
-            if left := self._left_by(s, rate):
-                return left
+        """Return which relation states leave, by their rates or at a jump, or ""."""
+        for s, value in self.solved.items():
+            rate, jumps = self.rate(s), self.eq.jumps_at_once()
+            for change in (rate, *((s - value).xreplace(after) for after in jumps)):
+                remainder = self.of(change)
+                if not vanishes(remainder):
+                    return f"{s} leaves it by {short(sympy.expand(remainder))}"
             if not self.eq.discrete and forks(self.masked(rate), {*self.eq.values}):
                 return f"{s} may leave it, as s' = |s|^(1/2) may leave 0"
         return ""
-
-    def broken_at_a_jump(self) -> str:
-        """Return which relation states leave where they jump, or ""."""
-        for after in self.eq.jumps_at_once():
-            for s, value in self.solved.items():
-                if left := self._left_by(s, (s - value).xreplace(after)):
-                    return left
-        return ""
-
-    def _left_by(self, s: Any, change: Expr) -> str:
-        remainder = self.of(change)
-        is_kept = vanishes(remainder)
-        return "" if is_kept else f"{s} leaves it by {short(sympy.expand(remainder))}"
 
     def repels(self, never_positive: Callable[[Expr], bool]) -> str:
         """Return a sentence unless a small distance from the relations is known not to grow.
@@ -184,23 +168,17 @@ class Relations:
 
     def _is_stable(self, rates: Mapping[Any, Expr]) -> bool:
         """Return whether distances that move by themselves go to 0 from near it."""
-        numbers = sympy.Matrix([*rates.values()]).xreplace(self.eq.values)
-        if numbers.free_symbols - rates.keys() or inputs_in(numbers):
+        field = sympy.Matrix([*rates.values()])
+        if field.free_symbols - rates.keys() - self.eq.values.keys():
             return False
-        J = numbers.jacobian([*rates]).xreplace(dict.fromkeys(rates, S.Zero))
-        try:
-            eigenvalues = np.linalg.eigvals(np.array(J, dtype=float))
-        except TypeError:  # functions without a slope
-            return False
-        if self.eq.discrete:
-            return bool(np.abs(eigenvalues).max() < 1 - ROUNDED)
-        return bool(eigenvalues.real.max() < -ROUNDED * np.abs(eigenvalues).max())
+        J = field.jacobian([*rates]).xreplace(dict.fromkeys(rates, S.Zero))
+        return schur(J) if self.eq.discrete else hurwitz(J)
 
     def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
         """Return the steps that the relations are kept, and that rounding does not leave them."""
         if not self.solved:
             return []
-        broken = self.broken() or self.broken_at_a_jump()
+        broken = self.broken()
         repels = broken or self.repels(never_positive)
         return [
             exact(f"{self.text} is kept", not broken, broken),
@@ -233,25 +211,31 @@ def errors_of(case: Any) -> tuple[dict[Any, Expr], dict[Any, Expr]]:
     return in_errors.solved, forms
 
 
-def written_in_errors(case: Any, rate: Expr) -> list[Expr]:
-    """Return V' as it is written in errors, each group of terms that share no state factored."""
+def in_errors(case: Any, e: Expr) -> Iterator[tuple[Expr, Mapping[Any, Expr]]]:
+    """Yield an expression as it is and, if that is another one, in errors, and what these are."""
     states, forms = case.errors
-    if not states:
-        return []
-    e = normal_form(rate.xreplace(states))
-    groups = Add(*map(factored, groups_of(e, e.free_symbols - case.fixed)))
-    return [form.xreplace(forms) for form in (groups, *written_forms(e, case.fixed))]
+    yield e, {}
+    if e.has(*states):
+        yield normal_form(e.xreplace(states)), forms
 
 
-def lost_in_errors(case: Any, loss: Expr, bounded: Set[Any]) -> list[Expr]:
-    """Return forms that are zero where a loss is, found in errors."""
-    states, forms = case.errors
-    if not states:
-        return []
-    e, known = normal_form(loss.xreplace(states)), {*bounded, *forms}
-    zero = dict.fromkeys((*forms, *case.motion), S.Zero)
-    found = lost_forms(e, case.fixed, known)
-    if not (found or e.has(*case.where.kept)):
-        groups = alone_in_groups(e, zero)
-        found = [q for loss in groups for q in lost_forms(loss, case.fixed, known)]
-    return [form.xreplace(forms) for form in found]
+def written(case: Any, rate: Expr) -> list[Expr]:
+    """Return V' factored, in groups that share no state, or as a sum of squares."""
+    found = list[Expr]()
+    for e, forms in in_errors(case, decided(normal_form(rate))):
+        groups = groups_of(e, e.free_symbols - case.fixed) if forms else [e]
+        ways = *written_forms(e, case.fixed), Add(*map(factored, groups))
+        found += [way.xreplace(forms) for way in ways]
+    return found
+
+
+def lost_by_groups(case: Any, loss: Expr, bounded: Set[Any]) -> list[Expr]:
+    """Return the forms that groups of terms lose, of a loss as it is or in errors."""
+    found = list[Expr]()
+    for e, forms in in_errors(case, loss):
+        zero = case.origin | dict.fromkeys(forms, S.Zero)
+        if not (found or e.has(*case.where.kept)):
+            groups, known = alone_in_groups(e, zero), {*bounded, *forms}
+            lost = (q for group in groups for q in case.lost(group, known))
+            found = [form.xreplace(forms) for form in lost]
+    return found

@@ -40,22 +40,16 @@ from ..algebra.exact import (
 )
 from ..algebra.facts import SIGN, functions_in, has_time, is_continuous, sector_of
 from ..algebra.slopes import along, meets_smoothly
-from ..algebra.sums_of_squares import alone_in_groups, lost_forms, written_forms
+from ..algebra.sums_of_squares import lost_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, written_in
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
 from .point_search import Failure, PointSearch
+from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
-from .relations import (
-    Relations,
-    divides,
-    errors_of,
-    forks,
-    lost_in_errors,
-    written_in_errors,
-)
+from .relations import Relations, divides, errors_of, forks, lost_by_groups, written
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
@@ -95,8 +89,10 @@ class SystemCandidate(LyapunovCandidate):
         margins: Sequence[sympy.Expr] = (),
         keeps: Callable | None = None,
         above: Set[str] = frozenset(),
+        is_pushed: bool = False,
     ):
         self.system, self.points, self.seed = system, points, seed
+        self.is_pushed = is_pushed  # whether inputs that raise V are judged, not zero
         self.chosen = {"unsigned": unsigned, "symbols": symbols, "above": above}
         self.eq = self._equations(NamesWithNumbers if numbers else Names)
         self.fixed = {*self.eq.values}
@@ -309,10 +305,8 @@ class SystemCandidate(LyapunovCandidate):
     def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         if rate not in self.readable:
-            written = rate.xreplace(self.given)
-            forms = written_forms(decided(normal_form(written)), self.fixed)
-            forms += written_in_errors(self, written)
-            self.readable[rate] = min(map(self.in_signals, forms), key=sympy.count_ops)
+            forms = map(self.in_signals, written(self, rate.xreplace(self.given)))
+            self.readable[rate] = min(forms, key=sympy.count_ops)
         return self.readable[rate]
 
     # --- points at which it fails --------------------------------------------------------------
@@ -322,7 +316,7 @@ class SystemCandidate(LyapunovCandidate):
     ) -> tuple[Refutation | None, list[Step]]:
         """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
         searches = list[Step]()
-        if self.relations.broken() or self.relations.broken_at_a_jump():
+        if self.relations.broken():
             return None, searches
         below = (
             f"V is below its value at {self.place}"
@@ -414,7 +408,7 @@ class SystemCandidate(LyapunovCandidate):
         inputs = [] if self.where.box else self.depends_on(bound)
         zeroed = dict[Any, Any]()
         falling = self.falling(bound)
-        if falling is None and inputs:
+        if falling is None and inputs and not self.is_pushed:
             zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
@@ -445,13 +439,11 @@ class SystemCandidate(LyapunovCandidate):
             if self.never_positive(least - inside):
                 loss = least
                 break
-        losses, rising = self._lost(loss, bounded), self._rising(loss)
+        losses, rising = self.lost(loss, bounded), self._rising(loss)
         if losses == rising:
             losses = lost_forms(-bound, self.fixed, bounded) or losses
-        if losses == rising and not self.where.kept:
-            groups = alone_in_groups(loss, self.origin)
-            losses = [q for e in groups for q in self._lost(e, bounded)] or losses
-        losses = losses or lost_in_errors(self, loss, bounded)
+        if losses == rising:
+            losses = lost_by_groups(self, loss, bounded) or losses
         claim += " <= 0" * (not claim.endswith("= 0"))
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -465,7 +457,7 @@ class SystemCandidate(LyapunovCandidate):
             conditions=self.conditions(inputs if zeroed else []),
         )
 
-    def _lost(self, loss: sympy.Expr, bounded: set) -> Sequence[sympy.Expr]:
+    def lost(self, loss: sympy.Expr, bounded: set) -> Sequence[sympy.Expr]:
         """Return the forms of which an expression that is never negative has squares."""
         return lost_forms(loss, self.fixed, bounded) or self._rising(loss)
 
@@ -485,7 +477,7 @@ class SystemCandidate(LyapunovCandidate):
         *claimed, _ = fall.steps
         if self.claim is not None and not claimed:
             return fall
-        bound = pulled_forms(self, definite) if definite.forms else None
+        bound = pulled_forms(self, definite) or mean_of(self, definite)
         conditions = self.conditions([])
         if bound is None:
             return replace(fall, steps=claimed or fall.steps, conditions=conditions)

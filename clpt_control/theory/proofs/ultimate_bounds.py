@@ -215,7 +215,7 @@ def pulled_forms(case: Any, definite: Definite) -> Fall | None:
 
     Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
     """
-    found = in_forms(case, definite)
+    found = in_forms(case, definite) if definite.forms else None
     if found is None or case.where.above:  # forms are those of V at the start
         return None
     fall = Bounding(case, found).bound()
