@@ -206,23 +206,21 @@ def named_by_file(files: Iterable[tuple[Path, Sequence[Dive]]]) -> list[Dive]:
     ]
 
 
-def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
-    """Return what was skipped of files; reasons that are the same but for the file once.
+def grouped(faults: Iterable[tuple[Any, Skipped]], name: str) -> list[Skipped]:
+    """Return the first of what was skipped for each reason, with the number of all.
 
-    >>> faults = [(Path(name), Skipped(None, f"{name}: is empty")) for name in "ab"]
-    >>> grouped_faults(faults)
+    >>> faults = [("is empty", Skipped(None, f"{file}: is empty")) for file in "ab"]
+    >>> grouped(faults, "files")
     [Skipped(dive=None, why='a: is empty (one of 2 files)')]
     """
-    reasons: dict[tuple[int | None, str], list[str]] = {}
-    for file, skip in faults:
-        reasons.setdefault((skip.dive, skip.why.removeprefix(str(file))), []).append(
-            skip.why
-        )
+    groups: dict[Any, list[Skipped]] = {}
+    for reason, skip in faults:
+        groups.setdefault(reason, []).append(skip)
     return [
-        Skipped(
-            dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else "")
-        )
-        for (dive, _), whys in reasons.items()
+        replace(first, why=f"{first.why} (one of {1 + len(others)} {name})")
+        if others
+        else first
+        for first, *others in groups.values()
     ]
 
 
@@ -290,11 +288,12 @@ def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
         try:
             file_dives, file_skipped = read_dive_file(file)
         except DataError as error:
-            faults.append((file, Skipped(seaglider.number_in_name(file), str(error))))
+            fault = Skipped(seaglider.number_in_name(file), str(error))
+            faults.append(((fault.dive, fault.why.removeprefix(str(file))), fault))
             continue
         read.append((file, file_dives))
         skipped += file_skipped
-    skipped += grouped_faults(faults)
+    skipped += grouped(faults, "files")
     if dives := named_by_file(read):
         return dives, skipped
     if len(skipped) == len(files) == 1:
@@ -338,15 +337,12 @@ def is_log_file(path: AnyPath) -> bool:
 def known_legs(legs: Sequence[Dive]) -> DivesAndSkipped:
     """Return legs of a known displacement, and the others with their reasons."""
     used = []
-    skipped = []
+    skipped: list[tuple[Any, Skipped]] = []
     for leg in legs:
         if isfinite(leg.dr_east) and isfinite(leg.dr_north):
             used.append(leg)
         else:
             why = "; ".join(("the way through the water is not known", *leg.notes))
-            skipped.append(Skipped(leg.number, why))
-    stays = [skip for skip in skipped if skip.why.endswith(STAYS)]
-    if stays[1:]:
-        summary = Skipped(stays[0].dive, f"{stays[0].why} (one of {len(stays)} legs)")
-        skipped = [summary, *(skip for skip in skipped if skip not in stays)]
-    return used, skipped
+            reason = STAYS if why.endswith(STAYS) else len(skipped)
+            skipped.append((reason, Skipped(leg.number, why)))
+    return used, grouped(skipped, "legs")

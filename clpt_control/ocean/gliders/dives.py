@@ -297,9 +297,7 @@ def is_fix(lat: Any, lon: Any) -> Any:
     return is_place(lat, lon) & ((lat != 0.0) | (lon != 0.0))
 
 
-def cut_dives(
-    fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float
-) -> list[Three]:
+def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None) -> list[Three]:
     """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
 
     Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
@@ -317,7 +315,7 @@ def cut_dives(
             if wet is None
             else np.ptp(np.searchsorted(wet, (start[0], end[0]), "right"))
         )
-        return end[0] - start[0] > least_gap and bool(under > 0)
+        return end[0] - start[0] > LEAST_GAP and bool(under > 0)
 
     new = [*fixes[:1]]
     for fix in fixes[1:]:

@@ -30,7 +30,7 @@ class Reading(NamedTuple):
     """Parts of a row that count: displacement since the row before (m) and fix (degrees).
 
     `moved` is None where it is not known, of which `unknown` has the reason; `skipped` has the
-    reason for which the row, or a part of it, is left out.
+    reason for which the row, or a part of it, is left out, and `cure` what to do.
     """
 
     moved: Pair | None = None
@@ -38,6 +38,7 @@ class Reading(NamedTuple):
     unknown: str = ""
     skipped: str = ""
     is_taken: bool = True
+    cure: str = ""
 
 
 @dataclass
@@ -71,12 +72,14 @@ class LogRows:
         is_new = has_motion and motion not in self.recent
         adds = (has_fix and not self.had_fix) or (steering is not None and is_new)
         fault = time_fault(time)
+        cure = ""
         if not fault and not (in_order and (adds or time != self.time)):
             fault = f"dated {iso(time)}, not later than the row before or after rows behind it"
+            cure = ". Sort the rows by time, each with its own"
         if fault:
             if is_new:
                 self.lost = "a motion is left out"
-            return Reading(skipped=fault, is_taken=False)
+            return Reading(skipped=fault, is_taken=False, cure=cure)
         if fix is not None and (fault := place_fault(*fix)):
             fix = None
             if not has_motion:

@@ -14,7 +14,7 @@ import numpy as np
 import pandas
 
 from ...base.errors import DataError
-from .dives import LEAST_GAP, Fix, Three, cut_dives
+from .dives import Fix, Three, cut_dives
 
 BACK = 6  # files before one that are merged with it at most
 SLOCUM_FILES = (
@@ -93,7 +93,7 @@ def dives_across_files(
         with suppress(DataError):  # named where it is read for itself
             logs.insert(0, read(before))
     merged = _merged(logs)
-    return merged, cut_dives(*fixes_and_wet(merged), LEAST_GAP)
+    return merged, cut_dives(*fixes_and_wet(merged))
 
 
 def _merged(logs: list[pandas.DataFrame]) -> pandas.DataFrame:

@@ -197,7 +197,7 @@ def dives_of(data: xarray.Dataset, _path: Path) -> DivesOrSkipped:
     of = with_steady_clock(of, of.attrs["fix_clock"])
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
-    dive_fixes = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
+    dive_fixes = cut_dives(fixes, under) or cut_dives(fixes, None)
     dives: DivesOrSkipped = []
     dated_currents = of.attrs["own_currents"]
     currents = currents_of(

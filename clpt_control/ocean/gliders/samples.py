@@ -23,10 +23,12 @@ compass is of use.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 from math import isfinite, nan
+from typing import Any
 
 import numpy as np
 import xarray
@@ -37,6 +39,7 @@ from ...base.units import (
     finite_or_none,
     length_in_metres,
     number,
+    seconds_since_1970,
     speed_in_metres_per_second,
 )
 from ...paper.currents.cf_times import decoded
@@ -161,6 +164,13 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     return np.where(times > 0, times, nan)
 
 
+def in_units(
+    usual: str, size_of: Callable[[str, str], float], data: xarray.Dataset, name: str
+) -> np.ndarray:
+    """Return a variable in SI units or degrees, NaN where missing; without units in the usual."""
+    return values(data, name) * size_of(said(data[name]) or usual, name)
+
+
 def metres(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return lengths in m, depths positive down, NaN where missing.
 
@@ -169,22 +179,13 @@ def metres(data: xarray.Dataset, name: str) -> np.ndarray:
     >>> metres(data, "eng_depth")
     array([1.5])
     """
-    units = said(data[name]) or "m"
-    size = length_in_metres(units, name)
     up = said(data[name], "positive").lower() == "up"
-    return values(data, name) * (-size if up else size)
+    lengths = in_units("m", length_in_metres, data, name)
+    return -lengths if up else lengths
 
 
-def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
-    """Return speeds in m/s, NaN where missing."""
-    units = said(data[name]) or "m/s"
-    return values(data, name) * speed_in_metres_per_second(units, name)
-
-
-def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
-    return values(data, name) * size_of_unit(TURNS, said(data[name]), name)
-
-
+metres_per_second: Any = partial(in_units, "m/s", speed_in_metres_per_second)
+_degrees: Any = partial(in_units, "", partial(size_of_unit, TURNS))
 ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
 
 
@@ -395,9 +396,7 @@ def variation(time: float, lat: float, lon: float) -> float:
     >>> variation(4.0e9, 66.9, -57.1)  # the year 2096
     nan
     """
-    earliest, latest = (
-        datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in (FIRST, LAST)
-    )
+    earliest, latest = (seconds_since_1970(f"{year}-01-01") for year in (FIRST, LAST))
     if not (earliest <= time <= latest and isfinite(lat) and isfinite(lon)):
         return nan
     when = datetime.fromtimestamp(time, UTC).replace(tzinfo=None)

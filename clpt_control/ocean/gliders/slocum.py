@@ -40,7 +40,6 @@ from .dive_fields import HEADINGS
 from .dives import (
     CONTRADICTS,
     LEAST_DEPTH,
-    LEAST_GAP,
     Dive,
     Fix,
     Three,
@@ -190,7 +189,7 @@ def dives_of(path: Path) -> list[Dive]:
         path, log, lambda file: read_segment(file).of, _fixes_and_wet
     )
     fixes, _ = _fixes_and_wet(of)
-    if of.m_depth.isna().all() and cut_dives(fixes, None, LEAST_GAP):
+    if of.m_depth.isna().all() and cut_dives(fixes, None):
         raise DataError(
             f"{path}: the Slocum file has fixes and no m_depth, by which dives are found. Give "
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"

@@ -23,7 +23,6 @@ and errors that were learned in one record are wrong in another.
 
 import re
 from collections.abc import Iterable
-from datetime import UTC, datetime
 from itertools import pairwise
 from math import hypot, isfinite
 from operator import attrgetter
@@ -32,18 +31,18 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
-from ...base.units import DAY, iso
+from ...base.units import DAY, iso, seconds_since_1970
 from .dive_fields import FILLS, NUMBERS
 from .dives import FASTEST, Dive, DivesAndSkipped, Fix, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 LAST_YEAR = 2200
-LATEST = datetime(LAST_YEAR, 1, 1, tzinfo=UTC).timestamp()  # s since 1970
+LATEST = seconds_since_1970(f"{LAST_YEAR}-01-01")
 # in one second
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
 LONGER = {"days": DAY, "hours": 3600.0, "minutes": 60.0}  # s
-FIRST_GLIDERS = datetime(1990, 1, 1, tzinfo=UTC).timestamp()
+FIRST_GLIDERS = seconds_since_1970("1990-01-01")
 LONGEST = 30 * DAY  # s of a dive
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
@@ -162,10 +161,7 @@ def check_weeks(dives: Iterable[Dive]) -> None:
         off = abs(dive.t_gps2 - early.t_gpse - ROLLOVER)
         in_one_region = distance(*early.end, *dive.start) < REGION
         if off < MISSION_LENGTH and in_one_region:
-            dated = [
-                f"dive {d.number} of {datetime.fromtimestamp(d.t_gpse, UTC):%Y-%m-%d}"
-                for d in (early, dive)
-            ]
+            dated = [f"dive {d.number} of {iso(d.t_gpse)[:10]}" for d in (early, dive)]
             raise DataError(
                 f"{' and '.join(dated)}: are in one region about 1024 weeks apart, as if the "
                 f"GPS week had begun again; {ADD_WEEKS}, or {OWN} if these are two missions"

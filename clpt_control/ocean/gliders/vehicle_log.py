@@ -274,8 +274,8 @@ def _in_order(times: dict[int, float]) -> set[int]:
 
 def _readings(
     moments: dict[int, tuple[Moment, str]], rows: LogRows
-) -> Iterator[tuple[int, float, str, Reading]]:
-    """Yield line, time and fault of each row, and the parts of it that count."""
+) -> Iterator[tuple[int, float, Reading]]:
+    """Yield line and time of each row, and the parts of it that count."""
     in_order = _in_order(
         {
             line: moment[0]
@@ -286,16 +286,16 @@ def _readings(
     for line, (moment, fault) in sorted(moments.items()):
         if fault:
             rows.lost = f"line {line} is left out"  # which may be a turn
-            yield line, moment[0], fault, Reading(is_taken=False)
+            yield line, moment[0], Reading(skipped=fault, is_taken=False)
         else:
-            yield line, moment[0], "", rows.read(*moment, line in in_order)
+            yield line, moment[0], rows.read(*moment, line in in_order)
 
 
-def _kinds_of(readings: list[tuple[int, float, str, Reading]]) -> list[str]:
+def _kinds_of(readings: list[tuple[int, float, Reading]]) -> list[str]:
     """Return the kind of each position, empty for a fix."""
     step = 0j
     rows = []
-    for _, time, _, reading in readings:
+    for _, time, reading in readings:
         step += complex(*(reading.moved or (nan if reading.unknown else 0.0, 0.0)))
         if reading.fix is not None:
             rows.append((time, *reading.fix, step))
@@ -334,19 +334,12 @@ def _legs_of(
     readings = [*_readings(moments, rows)]
     kinds = _kinds_of(readings)
     remaining = iter(kinds)
-    for line, time, fault, reading in readings:
+    for line, time, reading in readings:
         where = f"{path}, line {line}"
-        if fault:
-            left_out.append(f"{where}: {fault}")
-            legs.append(Skipped(number + 1, left_out[-1]))
-            continue
         if reading.skipped:
             legs.append(Skipped(number + 1, f"{where}: {reading.skipped}"))
         if not reading.is_taken:
-            cure = (
-                "" if time_fault(time) else ". Sort the rows by time, each with its own"
-            )
-            left_out.append(f"{where}: {reading.skipped}{cure}")
+            left_out.append(f"{where}: {reading.skipped}{reading.cure}")
             continue
         if points:
             if reading.unknown and not unknown:
