@@ -189,7 +189,7 @@ def port_variables(
         name = port
         while name in reserved or (name != port and name in ports):
             name += "_"
-        series = columns(port_columns, *port_dims)
+        series = columns(port_columns, *[size] * len(port_dims))
         variables[name] = Series(("time", *port_dims), series, unit)
     return variables, axes
 
@@ -210,11 +210,9 @@ def diagram_template(
     return DatasetTemplate(variables, axes, attributes, states=states)
 
 
-def columns(indices: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
+def columns(indices: Sequence[int], *shape: int) -> Callable[[np.ndarray], np.ndarray]:
     """Return a function that selects columns of the signals in a shape, or a single column."""
     if not shape:
         return lambda signals: signals[:, indices[0]]
     selected = np.array(indices)
-    if len(shape) == 1:
-        return lambda signals: signals[:, selected]
     return lambda signals: signals[:, selected].reshape(len(signals), *shape)

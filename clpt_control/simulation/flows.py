@@ -16,7 +16,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..base.arguments import numbers, public
 from ..base.errors import DataError
-from ..base.units import percent
+from ..base.units import finite_or_none, percent
 from ..engine.model.block import evaluate
 from ..paper.blocks.field import gridded_flow
 from ..paper.blocks.flow import phi_and_slopes, turning_rate
@@ -147,7 +147,7 @@ def explained_variance(
     flows = flows_learned(scenario, run, window)
     shares = {name: explained_share(*pair) for name, pair in flows.items()}
     return {
-        **{name: None if np.isnan(share) else share for name, share in shares.items()},
+        **{name: finite_or_none(share) for name, share in shares.items()},
         "window": [float(time) for time in window],
     }
 

@@ -43,11 +43,15 @@ def step_of_means(scenario: Scenario, max_samples: int = MAX_SAMPLES) -> float:
     return STEP_FACTOR * end / max_samples
 
 
+def tolerance_of(times: np.ndarray) -> float:
+    """Return a difference of times by rounding."""
+    return 1e-9 * max(1.0, float(times[-1]))
+
+
 def union(*series: np.ndarray) -> np.ndarray:
     """Return the sorted times of all series; times that differ by rounding are merged."""
     times = np.sort(np.concatenate(series))
-    tolerance = 1e-9 * max(1.0, float(times[-1]))
-    return times[np.append(True, np.diff(times) > tolerance)]
+    return times[np.append(True, np.diff(times) > tolerance_of(times))]
 
 
 def nearest(times: np.ndarray, targets: np.ndarray) -> np.ndarray:
@@ -60,8 +64,7 @@ def nearest(times: np.ndarray, targets: np.ndarray) -> np.ndarray:
 
 def starts_of_rounds(times: np.ndarray, cycle: float) -> np.ndarray:
     """Return the indices at which rounds of the waypoints start, also the unfinished round."""
-    tolerance = 1e-9 * max(1.0, float(times[-1]))
-    rounds = np.floor((times + tolerance) / cycle)
+    rounds = np.floor((times + tolerance_of(times)) / cycle)
     return np.flatnonzero(np.diff(rounds, prepend=-1.0))
 
 
@@ -69,7 +72,7 @@ def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]
     """Return the rms of CLPE over each round from t = 0 on, the run, and its last quarter."""
     times = run.time.values
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    tolerance = 1e-9 * max(1.0, float(times[-1]))
+    tolerance = tolerance_of(times)
     starts: Any = []
     if times[0] <= tolerance:
         starts = starts_of_rounds(times, scenario.cycle)

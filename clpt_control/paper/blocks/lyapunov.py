@@ -27,9 +27,7 @@ def weighted(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
 
     With a gain of 0 the error is not part of V.
     """
-    theta = np.asarray(theta, dtype=float)
-    KD = np.asarray(KD, dtype=float)
-    GammaD = np.asarray(GammaD, dtype=float)
+    theta, KD, GammaD = (np.asarray(v, dtype=float) for v in (theta, KD, GammaD))
     alpha, K, Gamma = (gain if gain > 0 else np.inf for gain in gains)
     return Parameters(
         gain=np.full(theta.shape, alpha),  # (2, N)

@@ -43,7 +43,7 @@ class LeastSquares:
     @property
     def residual_max(self) -> float:
         """Largest length of a residual, the bound of Eq. (32)."""
-        return float(np.sqrt(np.max(np.sum(self.residuals**2, axis=1))))
+        return float(np.hypot(*self.residuals.T).max())
 
 
 def explained_share(values: np.ndarray, model: np.ndarray) -> float:

@@ -62,7 +62,7 @@ def check_fill_value(values: np.ndarray, name: str) -> None:
         count = finite.size - others.size
         if end == 0.0 or count < 2 or np.unique(others[:10000]).size < DISTINCT:
             continue
-        distance = sign * (end - (sign * others).max() * sign)
+        distance = sign * end - (sign * others).max()
         if distance > (FAR if count > 2 else 1.0) * np.ptp(others):
             raise DataError(
                 f"{name} is exactly {end:.6g} at {count} of {finite.size} places, far from all "
@@ -87,7 +87,7 @@ def in_valid_range(
 ) -> np.ndarray:
     """Return numbers, NaN outside the valid range of their variable."""
     attributes, packing = values.attrs, values.encoding
-    low, high = -np.inf, np.inf
+    bounds = {"low": -np.inf, "high": np.inf}
     for key, limits in (
         ("valid_range", ("low", "high")),
         ("valid_min", ("low",)),
@@ -104,10 +104,8 @@ def in_valid_range(
         if packed and stated.dtype.kind in "iu":
             stated = stated * float(packing.get("scale_factor", 1.0))
             stated = stated + float(packing.get("add_offset", 0.0))
-        if "low" in limits:
-            low = float(stated[0])
-        if "high" in limits:
-            high = float(stated[-1])
+        bounds |= zip(limits, stated.tolist(), strict=True)
+    low, high = bounds.values()
     with np.errstate(invalid="ignore"):
         outside = (numbers < low) | (numbers > high)
     if 2 * outside.sum() > np.isfinite(numbers).sum():
