@@ -1,5 +1,7 @@
 """Conclusions and conditions of verdicts: LaSalle, Barbalat, levels, discrete time."""
 
+import re
+
 import control
 import numpy as np
 import pytest
@@ -547,3 +549,16 @@ def test_a_ceiling_of_numbers_is_of_the_values_of_parameters(m):
     verdict = lyapunov(weighed, lambda s: (s.e**2 + s.w**2) / 2, points=POINTS)
     assert float(verdict.level) == pytest.approx(m**2 / 2)
     assert f"with the parameters' values m = {m:g}" in verdict.sentence
+
+
+def test_a_level_of_a_region_is_told_once_and_not_above_it():
+    def after(t, x, u, p):
+        jump = 2 * np.pi * np.where(x.x > 0.5, 1.0, 0.0)
+        return {"x": np.where(x.x > 6, x.x + 1, 0.5 * x.x + jump)}
+
+    loop = clpt.Block("loop", update=after, states={"x": 1}, dt=1.0)
+    verdict = clpt.lyapunov(loop, lambda s: 1 - np.cos(s.x), within={"x": (-1, 1)})
+    levels = re.findall(r"V < ([\d.]+)", verdict.sentence)
+    assert len(levels) == 1
+    assert 0.9 * verdict.level < float(levels[0]) <= verdict.level < 1 - np.cos(0.5)
+    assert verdict.sentence.endswith("so what begins there comes to rest")

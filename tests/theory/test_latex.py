@@ -56,6 +56,12 @@ def test_a_linear_system_is_a_theorem():
     assert "Conditions" not in text
 
 
+def test_functions_of_time_keep_their_argument():
+    text = well_formed(verdict_of("x' = -(2 + sin(t))*x; V = x**2"))
+    assert r"\sin{\left(t \right)} + 2" in text
+    assert "mathrm{sin}" not in text
+
+
 def test_a_condition_is_told():
     lag = clpt.Block(
         "lag",

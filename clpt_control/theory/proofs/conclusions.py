@@ -64,7 +64,7 @@ def _needs(text: str) -> frozenset[str]:
 
 CONCLUSIONS = {
     "asymptotically stable in a region": Conclusion(
-        "what begins where V is below {level} in the box comes to rest",
+        "so what begins there comes to rest",
         _needs("region exists"),
         "start below `level`",
     ),

@@ -132,12 +132,13 @@ class Sentences:
 
     def _side(self, text: str) -> str:
         """Return an expression as LaTeX; of one that was cut its whole terms."""
-        symbols, whole = {**OWN}, text.removesuffix(CUT)
+        symbols, whole = OWN | {"t": TIME}, text.removesuffix(CUT)
         end = "" if whole == text else CUT
 
         def symbol(token: re.Match) -> str:
             name = token["name"] or PHRASES.get(token[0])
-            if not name or token.string.startswith("(", token.end()):
+            is_call = token["of"] and name not in self.names and hasattr(sympy, name)
+            if not name or is_call or token.string.startswith("(", token.end()):
                 return token[0]
             is_input = token["of"] or name not in self.names
             key = f"s_{len(symbols)}"
