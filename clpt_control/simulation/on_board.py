@@ -40,7 +40,9 @@ INPUTS = {  # of learners, and their meaning
 }
 
 
-def learner_file(system: Any, name: str, initial_state: Any, params: Any) -> CFile:
+def learner_file(
+    system: Any, name: str, initial_state: Any, params: Any, watch: Iterable[Any]
+) -> CFile:
     """Return the C file of the learner of a scenario or of a closed loop."""
     loop = getattr(system, "origin", None)
     if isinstance(system, Scenario):
@@ -57,7 +59,7 @@ def learner_file(system: Any, name: str, initial_state: Any, params: Any) -> CFi
                 "and see docs/on_board.md for late fixes"
             )
         params = {**(params or {}), "adaptation.interval": 0.0}
-    return c_file(learner(loop, name), initial_state, params, LearnerFile)
+    return c_file(learner(loop, name, watch), initial_state, params, LearnerFile)
 
 
 def received(t, x, u, p):
@@ -65,13 +67,13 @@ def received(t, x, u, p):
     return {"taken": 1.0}
 
 
-def learner(loop: ClosedLoop, name: str) -> Diagram:
-    """Wire the law and the blocks that it reads, up to the ports from outside."""
-    blocks = changed_blocks(loop.scenario, loop.changes, loop.external)
+def learner(loop: ClosedLoop, name: str, watch: Iterable[Any]) -> Diagram:
+    """Wire the law, blocks that watch it, and all that they read, up to the ports from outside."""
+    blocks = [*changed_blocks(loop.scenario, loop.changes, loop.external), *watch]
     outside = {*INPUTS, *loop.external} - ({"zc"} - {*loop.external})
     makers = {port: block for block in blocks for port in output_ports(block)}
     makers["taken"] = paper_block("received", "-> taken", output=received)
-    parts = [makers["alpha"]]
+    parts = [makers["alpha"], *watch]
     read: set[str] = set()
     for block in parts:
         ports = input_ports(block).keys()

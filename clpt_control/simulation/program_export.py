@@ -7,7 +7,7 @@ the regions of their forecasts.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -54,6 +54,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
+    watch: Iterable[Any] = (),
 ) -> str: ...
 @overload
 def export(
@@ -64,6 +65,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
+    watch: Iterable[Any] = (),
 ) -> str | None: ...
 @public
 def export(
@@ -74,6 +76,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
+    watch: Iterable[Any] = (),
 ) -> str | None:
     """Write a diagram as C99 or an FMU, or a run's track as a map.
 
@@ -93,6 +96,9 @@ def export(
         computer on board. The names of its functions begin with the name of the file.
     single : bool, optional
         Write C with ``float`` in place of ``double``.
+    watch : iterable of Block, optional
+        Blocks that a learner carries beside the law, such as `watch` of `gramian`: outputs that
+        are 1 while the certified rate of convergence holds.
 
     Returns
     -------
@@ -119,6 +125,8 @@ def export(
     """
     if part not in (None, "learner"):
         raise ClptError(f"part = '{part}': must be 'learner', or left out")
+    if watch and not part:
+        raise ClptError("watch: is of part='learner'. Give that too, or leave it out")
     if not isinstance(system, Scenario | control.InputOutputSystem):
         if path is None:
             raise ClptError(
@@ -139,7 +147,7 @@ def export(
         file = c_file(system, initial_state, params)
     else:
         name = "learner" if path is None else path.stem
-        file = learner_file(system, name, initial_state, params)
+        file = learner_file(system, name, initial_state, params, watch)
     if path is not None and path.suffix == ".fmu":
         write_file(path, fmu(file))
         return None

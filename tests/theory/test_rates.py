@@ -157,6 +157,40 @@ def test_R_is_positive_and_periodic_by_scipy():
     assert b0 <= min(b) < max(b) <= b1 < b0 + 1.1 * np.ptp(b)
 
 
+def test_a_flag_falls_when_w_dies_out():
+    """R by SciPy, of w = [sin t, cos t] until 2 pi, then 0."""
+    found = measured(*LOOPS["a circle"])
+    (watch,), rate = found.watch, found.riccati["w"]
+    p, kappa, rho, C = (float(rate.constants[k]) for k in ("p", "kappa", "rho", "C"))
+    end, t = 2 * np.pi, np.linspace(0, 6 * np.pi, 6001)
+
+    def rates(t, y, on):
+        R, f, w = y[:4].reshape(2, 2), y[4:], on * np.array([sin(t), cos(t)])
+        R_rate = np.outer(f, f) - rho * (R + C * np.eye(2))
+        return [*np.ravel(R_rate - kappa * R @ np.outer(w, w) @ R), *(w - p * f)]
+
+    options = {"rtol": 1e-9, "atol": 1e-12}
+    start = [*rate.R.ravel(), *rate.f]
+    first = solve_ivp(rates, (0, end), start, args=(1,), t_eval=t[:2001], **options)
+    last = solve_ivp(
+        rates, (end, t[-1]), first.y[:, -1], args=(0,), t_eval=t[2001:], **options
+    )
+    R = np.hstack([first.y, last.y])[:4].T.reshape(-1, 2, 2)
+    inputs = np.where(t <= end, [sin(t), cos(t)], 0.0)
+    run = clpt.simulate(watch, t, inputs, rtol=1e-9)
+    assert run.holds.values[:2001].all()
+    assert not run.holds.values[2001:].any()  # f'w = 0 is below its bound
+    # without its bounds, as long as R > 0
+    free = clpt.simulate(
+        watch, t, inputs, params={"watch_w.b0": -9.0, "watch_w.b1": 9.0}, rtol=1e-9
+    )
+    least = np.linalg.eigvalsh(R)[:, 0]
+    known = np.abs(least) > 1e-4
+    assert least[-1] < -0.1
+    assert known.mean() > 0.5
+    assert np.array_equal(np.ravel(free.holds)[known], (least > 0)[known])
+
+
 def test_contraction_of_a_constant_regressor_in_closed_form():
     a, g, w = 1.0, 0.1, 0.5
     coupling = w * np.sqrt(g)

@@ -207,6 +207,10 @@ def export(
         "NAME", "learner: law, model and controller alone, for a computer on board."
     ),
     single: bool = flag("Write C with float in place of double.", "--single"),
+    watch: bool = flag(
+        "With --part: flags that the Riccati certificate of clpt excitation holds.",
+        "--watch",
+    ),
 ) -> None:
     """Write a loop as C99, FMU or drawing; a run as a map or table.
 
@@ -240,7 +244,10 @@ def export(
         check_writable(
             out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
         )
-        clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
+        loaded = load_vehicle_scenario(scenario)
+        whole = loaded.run.duration, 0.0
+        blocks = clpt.gramian(loaded, *whole).watch if watch else ()
+        clpt.export(loaded, out, part=part, single=single, watch=blocks)
     say(f"Wrote {out}")
 
 

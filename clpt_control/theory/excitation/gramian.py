@@ -50,6 +50,7 @@ from .regressor import (
     system_of,
 )
 from .riccati import MOST, riccati_of
+from .watch import watch_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
@@ -79,6 +80,7 @@ class Excitation(Regressor):
     not_learnable = property(not_learnable_of)
     in_one_sentence = property(in_one_sentence_of)
     riccati = cached_property(riccati_of)  # rate of each axis, which Coq checks
+    watch = property(watch_of)  # blocks that watch its facts
 
     @property
     def span(self) -> str:

@@ -35,7 +35,7 @@ from ...base.errors import DataError
 from ..proofs.in_coq import PRELUDE
 from .certificates import halving_text
 
-COARSE = 400  # pieces in the search
+COARSE = 400, 4000  # pieces in the search, between them one for each radian of e and th
 SQUARINGS = 12  # windows after which R is periodic: 2 to this power
 CONVERGED = 1e-10
 LARGEST = 10.0  # entry of a step of R, whose inverse has its digits
@@ -125,7 +125,7 @@ def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
 
     f = filtered(filtered(0 * w[0])[-1] / (1 - np.prod(decay)))
     b = np.sum([f[:-1] * w, f[1:] * w], axis=2)
-    off = 1e-3 * np.abs(b).max()
+    off = 1e-2 * np.abs(b).max()
     b0, b1 = rational(b.min() - off), rational(b.max() + off)
     # Step 2: D that makes X least, and C
     middle = p - a + (b0 + b1) / 2
@@ -181,11 +181,12 @@ def riccati_of(excitation: Any) -> dict[str, Any]:
         feedback, gains = excitation.scenario.vehicle.feedback, excitation.gains
         w = np.sqrt(gains[gains > 0]) * w[..., gains > 0]
     h, found = h.reshape(w.shape[1] * w.shape[2], -1).sum(axis=1), {}
-    thin = slice(None, None, 1 + len(h) // COARSE)
     for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
         a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
-        fewer = h[thin] * thin.step, pieces[thin]
         # Step 2: the largest rho in fewer, longer pieces
+        turns = h @ np.linalg.norm(pieces, axis=1)
+        thin = slice(None, None, 1 + len(h) // int(np.clip(turns, *COARSE)))
+        fewer = h[thin] * thin.step, pieces[thin]
         rho, best = SMALLEST * float(a), (a, a, Fraction(1))
         for factor, share, kappa in product((5, 1.5, 1.1, 1.02), SHARES, KAPPAS):
             at = a, a * rational(share), rational(kappa)
