@@ -232,14 +232,15 @@ def lyapunov(
         The ends of each state, ``{"theta": (-1, 1), "omega": (-2, 2)}``: where V' < 0 in this box,
         and from where every run comes to rest, inputs 0. For few states, some four.
     where : mapping, optional
-        The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0: V' is judged
-        there. Its rate, or next value, is asked for at each end: it must not lead outside. Inputs,
-        at most six, have bounds, ``{"d": (-1, 3)}``, one bound, ``(0, None)``, or one value: if V'
-        is convex in each, or in its square, V comes down to a `level`, an upper estimate, for
-        every d(t) within them. A `claim` is for any inputs.
+        The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0, or q > 0 if V
+        divides by q: V' is judged there. Its rate, or next value, is asked for at each end: it
+        must not lead outside. Inputs, at most six, have bounds, ``{"d": (-1, 3)}``, one bound,
+        ``(0, None)``, or one value: if V' is convex in each, or in its square, V comes down to a
+        `level`, an upper estimate, for every d(t) within them. A `claim` is for any inputs.
     keeps : callable, optional
-        A function of signals that are 0 where a run begins, and that the system keeps at 0:
-        ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. V' is judged there.
+        Relations of states that hold where a run begins: a function of signals that returns what
+        is then 0, ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. Rates and jumps
+        must keep them, and a small distance must not grow. V' is judged there.
 
     Returns
     -------
