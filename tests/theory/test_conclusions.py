@@ -562,3 +562,40 @@ def test_a_level_of_a_region_is_told_once_and_not_above_it():
     assert len(levels) == 1
     assert 0.9 * verdict.level < float(levels[0]) <= verdict.level < 1 - np.cos(0.5)
     assert verdict.sentence.endswith("so what begins there comes to rest")
+
+
+AS, LEVEL = "asymptotically stable", "ultimately bounded"
+POSITIVE = {  # rates of states that stay at 0 or above, V: the conclusion, and the level
+    "births and deaths": ("S' = 1 - S - 2*S*I; I' = 2*S*I - I", "S + I", LEVEL, 1),
+    "a chemostat": ("s' = 2*(3 - s) - s*b; b' = s*b - 2*b", "s + b", LEVEL, 3),
+    "weights": ("a' = 4 - a; b' = a/2 - b", "a + b", LEVEL, 8),
+    "compartments": ("a' = -2*a + b; b' = 2*a - b - b/2", "a + b", AS, None),
+    "an epidemic": ("S' = -2*S*I; I' = 2*S*I - I", "S + I", "comes to rest", None),
+    "an enzyme": ("s' = -s/(2 + s)", "s", AS, None),
+    "with a square": ("s' = -s; v' = -v", "s + v**2", AS, None),
+    "no end of b": ("a' = -a; b' = b", "a", "goes to zero", None),
+    "b may escape": ("a' = -a*b; b' = b**2", "a", "square-integrable", None),
+    "a rate that fades": ("s' = -s*exp(-t)", "s", "stable", None),
+    "a divisor that grows": (
+        "s' = -s/(1 + b); b' = 1",
+        "s",
+        "V does not increase",
+        None,
+    ),
+    "not kept": ("s' = -1", "s", "", None),
+    "no way back": ("s' = -sqrt(s)", "s", "", None),
+    "a difference": ("a' = -a; b' = -2*b", "a - b", "", None),
+    "a growth": ("a' = a - b; b' = -b", "a + b", "", None),
+    "a loss of the other": ("a' = 1; b' = -2*b", "a + b", "", None),
+    "a rest at the end": ("s' = -s*(1 - s)", "s", "", None),
+    "a product": ("a' = -a*b; b' = 0*b", "a + b", "comes to rest", None),
+}
+
+
+@pytest.mark.parametrize("name", POSITIVE)
+def test_V_is_linear_in_states_that_stay_positive(name):
+    rates, level, conclusion, most = POSITIVE[name]
+    plant, V, *_ = written(f"{rates}; V = {level}")
+    kept = {label: (0, None) for label in plant.state_labels if label != "v"}
+    found = clpt.lyapunov(plant, V, where=kept)
+    assert (found.conclusion, found.level) == (conclusion, most), found

@@ -59,6 +59,25 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
         ("x' = v; v' = -x - exp(-t)*minimum(v, 0)", STABLE, None),
         ("x' = v; v' = -x - u**2*minimum(v, 0); input u", INTEGRAL, None),
     ],
+    "a loss that fades with time": [  # x stays above x(0) exp(-integral of the rate)
+        ("x' = -x*exp(-t)", STABLE, None),
+        ("x' = -x*(exp(-t) + exp(-2*t)); y' = -y", "goes to zero", None),
+        ("x' = -x**3*exp(-t)*(1 + exp(-2*t))", STABLE, None),
+        ("x' = -x/(1 + exp(t))", STABLE, None),
+        ("x' = -x/(1 + t**4)", STABLE, None),
+        ("x' = -x/(1 + t)**2", STABLE, None),
+        ("x' = -x/(1 + t)**2*(2 + sin(t))", STABLE, None),
+        ("x' = -x*cos(t)**2*exp(-t)", STABLE, None),
+        ("x' = -x*sin(t)**2/(1 + t**2)", STABLE, None),
+        ("x' = -x/(1 + t); y' = -y/(1 + t)**2", STABLE, None),
+        ("x' = -x*where(t > 3, 0, 1)", STABLE, None),
+        ("x' = -x*maximum(5 - t, 0)", STABLE, None),
+        ("x' = -x*where(y > 0, 0, 1)**2/(1 + t); y' = -y/(1 + t)", STABLE, None),
+        ("x' = -x/(1 + t)*u**2; input u", INTEGRAL, None),
+        ("x' = -x/((1 + t)*(1 + u**2)); input u", STABLE, None),
+        ("x' = v; v' = -x - v/(1 + t)**2", STABLE, None),
+        ("x' = v; v' = -x - (2 + t**2)*v", ZERO, None),  # overdamped: x stays
+    ],
     "a loss whose weight may fade": [
         ("x' = -x*w**2; input w", INTEGRAL, None),
         ("x' = -x*w**2*(1 + w**2); y' = -y; input w", ZERO, None),
@@ -209,6 +228,10 @@ HELD = {  # kind -> text, what must be shown
         ("x' = v; v' = -x - minimum(v, 0)", AS),
         ("x' = v; v' = -x**3 - 2*maximum(v, 0); V = v**2/2 + x**4/4", AS),
         ("x' = -v; v' = x - k*maximum(0, v); k = 2", AS),
+    ],
+    "what fades beside what stays": [
+        ("x' = -x*(1 + exp(-t))", AS),
+        ("x' = -x - exp(-2*t)*v; v' = x - v; V = x**2 + (1 + exp(-2*t))*v**2", AS),
     ],
     "a weight of an input": [
         ("x' = -x*(1 + w**2); input w", AS),

@@ -242,7 +242,7 @@ BETWEEN = [  # text -> the textbook's conditions
     ("x' = -x + b*y; y' = -a*y; a = 1; b = 1; V = x**2 + y**2", "4*a > b**2", ""),
     ("x' = -a*x + b*y; y' = -c*x - d*y; a = 1; b = 2; c = 2; d = 1; V = x**2 + y**2",
      "4*a*d + 2*b*c > b**2 + c**2", "d > 0"),
-    ("x' = -(b - a)*x - x**3; y' = -(1 - r)*y; a = 1; b = 2; r = 0.5", "1 > r, b > a", ""),
+    ("x' = -(b - a)*x - x**3; y' = -(1 - r)*y; a = 1; b = 2; r = 0.5", "b > a, 1 > r", ""),
     (CHAIN + "V = x**2/s + y**2 + z**2", "1 > r", "b, r, s > 0"),  # Lorenz
     ("x' = -(a*b - 1)*x; a = -2; b = -1; V = x**2/2", "a*b > 1", "b < 0"),
 ]  # fmt: skip

@@ -4,38 +4,31 @@ A margin m > 0 of the parameters is used by writing one of them in a positive sy
 
     b = a + d of b > a,    r = 1/(1 + d) of r < 1, r > 0,    a = b^2/4 + d of b^2 < 4 a
 
-so that every other question reads the condition as the sign of d.  Margins are factors of the
-coefficients of V and V', and of the leading minors of their second derivatives, that are positive
-with the parameters' values.
+so that every other question reads the condition as the sign of d.  Margins are factors of V', and
+of the leading minors of the second derivatives of V and V', that are positive with the parameters'
+values.
 """
 
-from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
 import sympy
 from sympy import Add, Expr, Mul
 
-from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import factored
+from ..algebra.facts import is_smooth
 from ..algebra.texts import short
-from .rate_as_sum import is_nonnegative
 
 MOST_STATES = 4  # of leading minors
 
 
 def _deciding(case: Any) -> Iterator[Expr]:
-    """Yield expressions of parameters on which the signs of V and V' may depend."""
-    for e in case.V, (case.claim or 0) - case.rate:
-        e, weights = sympy.expand(e.xreplace(case.where.inside)), Counter[Expr]()
-        for term in Add.make_args(e):
-            moving = term.free_symbols - case.fixed
-            weight, varying = term.as_independent(*moving, as_Add=False)
-            weights[varying] += weight
-        yield from (weight for e, weight in weights.items() if is_nonnegative(e))
-        used = [s for s in case.states if e.has(s)][:MOST_STATES]
-        H = sympy.hessian(e, used or [TIME]).xreplace(dict.fromkeys(used, sympy.S.Zero))
-        yield from (H[:k, :k].det() for k in range(2, len(used) + 1))
+    """Yield V', and leading minors of V and V', on whose factors their signs may depend."""
+    yield case.rate
+    for e in filter(is_smooth, (case.V, (case.claim or 0) - case.rate)):
+        states = [s for s in case.states if e.has(s)] or case.states
+        H = sympy.hessian(e, states).xreplace(dict.fromkeys(states, sympy.S.Zero))
+        yield from (H[:k, :k].det() for k in range(1, 1 + len(states[:MOST_STATES])))
 
 
 def margins_of(case: Any) -> Iterator[Expr]:
@@ -61,6 +54,21 @@ def written_in(d: Any, margin: Expr, parameters: set) -> tuple[Any, Expr, Expr] 
             value = end / (1 + d) if keeps_sign else end + sign * d
             return q, value, sympy.solve(value - q, d)[0]
     return None
+
+
+def assume(case: Any, margin: Expr) -> None:
+    """Write a parameter of a candidate in a positive symbol, such that a margin is positive."""
+    names = {str(s): s for s in case.fixed}
+    margin = margin.xreplace({s: names[str(s)] for s in margin.free_symbols})
+    case.margins.append(margin.xreplace(case.given))
+    d = sympy.Symbol(f"margin_{len(case.margins)}", positive=True)
+    if way := written_in(d, margin, {*case.eq.values}):
+        s, value, meaning = way
+        case.given[d] = meaning.xreplace(case.given)
+        case.fixed.add(d)
+        case.motion = {x: e.xreplace({s: value}) for x, e in case.motion.items()}
+        case.V = case.V.xreplace({s: value})
+        case.claim = case.claim and case.claim.xreplace({s: value})
 
 
 def as_relation(margin: Expr) -> str:

@@ -24,7 +24,7 @@ from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
 from ..algebra.facts import roots_in
 from ..algebra.slopes import along, jumps_nowhere
-from ..algebra.sums_of_squares import alone_in_groups, squares, written_forms
+from ..algebra.sums_of_squares import squares, written_forms
 from ..algebra.texts import short
 from .conclusions import Condition
 from .outside import hurwitz, schur
@@ -226,16 +226,4 @@ def written(case: Any, rate: Expr) -> list[Expr]:
         groups = groups_of(e, e.free_symbols - case.fixed) if forms else [e]
         ways = *written_forms(e, case.fixed), Add(*map(factored, groups))
         found += [way.xreplace(forms) for way in ways]
-    return found
-
-
-def lost_by_groups(case: Any, loss: Expr, bounded: Set[Any]) -> list[Expr]:
-    """Return the forms that groups of terms lose, of a loss as it is or in errors."""
-    found = list[Expr]()
-    for e, forms in in_errors(case, loss):
-        zero = case.origin | dict.fromkeys(forms, S.Zero)
-        if not (found or e.has(*case.where.kept)):
-            groups, known = alone_in_groups(e, zero), {*bounded, *forms}
-            lost = (q for group in groups for q in case.lost(group, known))
-            found = [form.xreplace(forms) for form in lost]
     return found

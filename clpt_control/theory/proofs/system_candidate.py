@@ -9,7 +9,7 @@ numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
-from itertools import chain, islice, product
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -35,27 +35,26 @@ from ..algebra.exact import (
     terms_of,
     too_small,
     vanishes,
-    whole_coefficients,
     without_rounding,
 )
-from ..algebra.facts import SIGN, functions_in, has_time, is_continuous, sector_of
+from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly
-from ..algebra.sums_of_squares import lost_forms
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
-from .between import as_relation, written_in
+from .between import as_relation, assume
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
+from .losses import forms_lost
 from .point_search import Failure, PointSearch
 from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
-from .relations import Relations, divides, errors_of, forks, lost_by_groups, written
+from .relations import Relations, divides, errors_of, forks, written
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_no_rates
 from .ultimate_bounds import pulled_forms
-from .where import MOST_CORNERS, NOTHING, Where, rest_of
+from .where import NOTHING, Where, rest_of
 
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
@@ -129,25 +128,11 @@ class SystemCandidate(LyapunovCandidate):
         self.motion = {s: rate.xreplace(values) for s, rate in self.motion.items()}
         self.margins = list[sympy.Expr]()  # conditions between parameters
         for margin in margins:
-            self._assume(margin)
+            assume(self, margin)
         self.rate = self._rate_of_V()
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else rest_of(self.states, rest)
         self.place = "rest" if self.rest else ""
-
-    def _assume(self, margin: sympy.Expr) -> None:
-        """Write a parameter in a positive symbol, such that a margin is positive."""
-        names = {str(s): s for s in self.fixed}
-        margin = margin.xreplace({s: names[str(s)] for s in margin.free_symbols})
-        self.margins.append(margin.xreplace(self.given))
-        d = sympy.Symbol(f"margin_{len(self.margins)}", positive=True)
-        if way := written_in(d, margin, {*self.eq.values}):
-            s, value, meaning = way
-            self.given[d] = meaning.xreplace(self.given)
-            self.fixed.add(d)
-            self.motion = {x: e.xreplace({s: value}) for x, e in self.motion.items()}
-            self.V = self.V.xreplace({s: value})
-            self.claim = self.claim and self.claim.xreplace({s: value})
 
     def _leave_out(self, keeps: Callable | None) -> list[str]:
         """Leave out the states that relations give; return where these may have no value."""
@@ -429,21 +414,7 @@ class SystemCandidate(LyapunovCandidate):
         motion.outside()
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
-        loss = -whole_coefficients(normal_form(bound), (*self.states, *self.inputs))
-        inside = loss.xreplace(self.where.inside)
-        shares = sympy.Tuple(*self.where.inside.values()).free_symbols
-        shares &= inside.free_symbols
-        corners = product((sympy.S.Zero, sympy.S.One), repeat=len(shares))
-        for ends in islice(corners, MOST_CORNERS):
-            least = decided(inside.xreplace(dict(zip(shares, ends, strict=True))))
-            if self.never_positive(least - inside):
-                loss = least
-                break
-        losses, rising = self.lost(loss, bounded), self._rising(loss)
-        if losses == rising:
-            losses = lost_forms(-bound, self.fixed, bounded) or losses
-        if losses == rising:
-            losses = lost_by_groups(self, loss, bounded) or losses
+        losses = forms_lost(self, bound, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
@@ -456,21 +427,6 @@ class SystemCandidate(LyapunovCandidate):
             rate=falling if self.claim is None and most is None else None,
             conditions=self.conditions(inputs if zeroed else []),
         )
-
-    def lost(self, loss: sympy.Expr, bounded: set) -> Sequence[sympy.Expr]:
-        """Return the forms of which an expression that is never negative has squares."""
-        return lost_forms(loss, self.fixed, bounded) or self._rising(loss)
-
-    def _rising(self, loss: sympy.Expr) -> list[sympy.Expr]:
-        """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
-        return [
-            sector.factor
-            for call in sorted(functions_in(loss), key=str)
-            if (sector := sector_of(call))
-            and sector.rises
-            and sector.low >= 0
-            and self.never_positive(sector.factor * call / 2 - loss)
-        ]
 
     def bounds(self, definite: Definite, fall: Fall) -> Fall:
         """Return the bound of a V' that pulls V back but for a constant."""

@@ -202,6 +202,9 @@ def in_forms(case: Any, definite: Definite) -> InForms | None:
                 break
     V, rate = (sympy.expand(e.xreplace(coordinates)) for e in (case.V, case.rate))
     total = squares(V, case.fixed)
+    if total is None:  # linear in states of sets
+        V, rate = (sympy.expand(e.xreplace(case.where.squared)) for e in (V, rate))
+        total, forms = squares(V, case.fixed), case.where.roots
     states = sorted(V.free_symbols - case.fixed, key=str)
     rest = zero_of(total, states) if total else None
     if rest is None:
@@ -318,7 +321,9 @@ class Bounding:
                 share = (weight * self.pushes[s]) ** 2 / (2 * pull.rate)
                 pull = Pull(pull.rate, share)
             push += pull.push
-            rates.append(pull.rate / weight)
+            # of the square of a root nothing is needed to complete a square
+            share = 2 if s in self.case.where.roots and pull.push == 0 else 1
+            rates.append(share * pull.rate / weight)
         return Pull(sympy.Min(*rates), push)
 
     def about_the_rest(self, rate: sympy.Expr) -> sympy.Expr:

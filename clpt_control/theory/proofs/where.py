@@ -55,6 +55,8 @@ class Where:
     ):
         self.kept = dict[Any, tuple]()  # state -> the ends of its set
         self.inside = dict[Any, Expr]()  # state -> what cannot leave its set
+        self.squared = dict[Any, Expr]()  # state -> an end, and the square of a root
+        self.roots = dict[Any, Expr]()  # root -> the distance that it is the root of
         self.box = dict[Any, tuple]()  # input -> its bounds
         names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
         for name, numbers in given.items():
@@ -86,6 +88,11 @@ class Where:
                 self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
             else:
                 self.kept[s] = low, high
+                for end, sign in ((high, -1), (low, 1)):
+                    if end is not None:
+                        root = sympy.Dummy(name, real=True)
+                        self.roots[root] = sign * (s - end)
+                        self.squared[s] = end + sign * root**2
             if s.is_positive:
                 continue
             share = sympy.Dummy(name, nonnegative=True)
@@ -108,6 +115,13 @@ class Where:
         """Inputs that have two bounds."""
         box = self.box.items()
         return [d for d, (low, high) in box if low < high and high - low < oo]
+
+    def in_states(self, forms: Sequence[Expr]) -> list[Expr]:
+        """Return forms without roots, and squares of products with them; [] for other forms."""
+        of = {root: sympy.sqrt(distance) for root, distance in self.roots.items()}
+        if any(f.is_Add and f.has(*of) for f in forms):
+            return []
+        return [f.xreplace(of) ** (2 if f.has(*of) else 1) for f in forms]
 
     def undefined(self, owner: str, kind: str, arguments: tuple) -> str | None:
         """Return where an operation has no value within the sets and the bounds."""

@@ -1,0 +1,78 @@
+"""Forms that V' loses: q of V' <= -q^2, by squares, sectors, groups of terms and roots of states.
+
+A loss is least at a bound of an input, or without functions such as e^(-t), if it is so for all
+states.
+"""
+
+from collections.abc import Sequence
+from itertools import islice, product
+from typing import Any
+
+import sympy
+from sympy import Expr, S
+
+from ...engine.diagram.symbol_names import TIME
+from ..algebra.decided import decided
+from ..algebra.exact import normal_form, whole_coefficients
+from ..algebra.facts import functions_in, sector_of
+from ..algebra.sums_of_squares import alone_in_groups, lost_forms
+from .relations import in_errors
+from .where import MOST_CORNERS
+
+
+def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
+    """Return forms of whose squares V', at most a bound, loses multiples."""
+    loss = -whole_coefficients(normal_form(bound), (*case.states, *case.inputs))
+    ends = {d: [e for e in case.where.box[d] if e.is_finite] for d in case.where.box}
+    fading = (
+        e for e in sympy.expand(loss).atoms(sympy.exp) if e.free_symbols == {TIME}
+    )
+    ends |= {e: [S.Zero] for e in fading}
+    for corner in islice(product(*ends.values()), MOST_CORNERS):
+        least = decided(
+            sympy.expand(loss).xreplace(dict(zip(ends, corner, strict=True)))
+        )
+        if case.never_positive(least - loss):
+            loss = least
+            break
+    losses, where, rising = _lost(case, loss, bounded), case.where, _rising(case, loss)
+    if losses == rising:
+        losses = lost_forms(-bound, case.fixed, bounded) or losses
+    if losses == rising:
+        losses = _lost_by_groups(case, loss, bounded) or losses
+    if not losses and where.kept:
+        bounded = bounded | {
+            r for r, e in where.roots.items() if e.free_symbols & bounded
+        }
+        loss = loss.xreplace(where.squared)
+        losses = where.in_states(_lost(case, loss, bounded))
+    return losses
+
+
+def _lost(case: Any, loss: Expr, bounded: set) -> Sequence[Expr]:
+    """Return the forms of which an expression that is never negative has squares."""
+    return lost_forms(loss, case.fixed, bounded) or _rising(case, loss)
+
+
+def _rising(case: Any, loss: Expr) -> list[Expr]:
+    """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
+    return [
+        sector.factor
+        for call in sorted(functions_in(loss), key=str)
+        if (sector := sector_of(call))
+        and sector.rises
+        and sector.low >= 0
+        and case.never_positive(sector.factor * call / 2 - loss)
+    ]
+
+
+def _lost_by_groups(case: Any, loss: Expr, bounded: set) -> list[Expr]:
+    """Return the forms that groups of terms lose, of a loss as it is or in errors."""
+    found = list[Expr]()
+    for e, forms in in_errors(case, loss):
+        zero = case.origin | dict.fromkeys(forms, S.Zero)
+        if not (found or e.has(*case.where.kept)):
+            groups, known = alone_in_groups(e, zero), {*bounded, *forms}
+            lost = (q for group in groups for q in _lost(case, group, known))
+            found = [form.xreplace(forms) for form in lost]
+    return found
