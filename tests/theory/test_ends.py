@@ -76,6 +76,12 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
         ("x' = -x/(1 + t)*u**2; input u", INTEGRAL, None),
         ("x' = -x/((1 + t)*(1 + u**2)); input u", STABLE, None),
         ("x' = v; v' = -x - v/(1 + t)**2", STABLE, None),
+        ("x' = -x/(1 + t)**1.5", STABLE, None),
+        ("x' = -x*(1 + sin(t))**2/(1 + t)**2", STABLE, None),
+        ("x' = -x*cos(t)**2; y' = -y*exp(-t)", STABLE, None),
+        ("x' = -x*y**2/(1 + t); y' = -y*x**2/(1 + t)", STABLE, [0, 1]),
+        ("x' = -x*(1 + cos(t))*where(y > 0, 0, 1)**2; y' = -y*(1 + cos(t))", STABLE, None),
+        ("x' = -(b - a)*x/(1 + t); a = 2; b = 2; y' = -y/(1 + t)", STABLE, [1, 0]),
         ("x' = v; v' = -x - (2 + t**2)*v", ZERO, None),  # overdamped: x stays
     ],
     "a loss whose weight may fade": [
@@ -228,6 +234,12 @@ HELD = {  # kind -> text, what must be shown
         ("x' = v; v' = -x - minimum(v, 0)", AS),
         ("x' = v; v' = -x**3 - 2*maximum(v, 0); V = v**2/2 + x**4/4", AS),
         ("x' = -v; v' = x - k*maximum(0, v); k = 2", AS),
+    ],
+    "a rate without a finite integral": [
+        ("x' = -x/(1 + t)", AS),
+        ("x' = -x**3*t/(1 + t**2)", AS),
+        ("x' = -k*cos(t)**2*x; k = 2", AS),
+        ("x' = y - x*(1 + sin(2*t)); y' = -x - y*(1 + sin(2*t))", AS),
     ],
     "what fades beside what stays": [
         ("x' = -x*(1 + exp(-t))", AS),

@@ -37,6 +37,7 @@ class Fall:
     conditions: list[Condition] = field(default_factory=list)
     rate: sympy.Expr | None = None  # V' as it was judged
     residual: sympy.Expr = sympy.S.Zero  # of a law: V' less its fall
+    slow: Sequence[sympy.Expr] = ()  # forms of W, of V' <= -f(t) W, int f dt = oo
 
     @property
     def holds(self) -> bool:

@@ -55,10 +55,18 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
     least = definite.least if definite.is_steady else None
     # on the way, a loss that has a step or depends on time may fade off the rest
     fading = TIME, *candidate.intervals
-    lost = [q for q in fall.losses if jumps_nowhere(q) and not q.has(*fading)]
+    lost = [
+        q for q in (fall.losses or fall.slow) if jumps_nowhere(q) and not q.has(*fading)
+    ]
     of = fall.of or go(map(candidate.text, fall.losses))
     if least and zero_of(Squares(sympy.S.Zero, [], lost), [*least]) == least:
-        return Ends([exact("V' < 0 but at the rest", True, "", "limit rest")], of)
+        claim = "V' < 0 but at the rest"
+        claim += ", or at times: its integral is infinite off the rest" * bool(
+            fall.slow
+        )
+        return Ends([exact(claim, True, "", "limit rest")], of)
+    if fall.slow:
+        return Ends([], of)
     cases = lasalle(candidate, fall, motion)
     # of a friction at one side of g = s', s rises for good to a limit, where V is as before
     sides = [side_of(q) for q in lost]

@@ -409,7 +409,7 @@ def asked(candidate: LyapunovCandidate) -> Answers:
         answers.for_every_N = every_N.holds
     motion = candidate.moving(definite, fall.zeroed)
     steps.append(motion.outside())
-    if fall.losses:
+    if fall.losses or fall.slow:
         answers.ends = ends(candidate, definite, fall, motion)
         steps += answers.ends.steps
     answers.where = motion.where

@@ -9,13 +9,14 @@ from itertools import islice, product
 from typing import Any
 
 import sympy
-from sympy import Expr, S
+from sympy import Expr, Mul, S
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
-from ..algebra.exact import normal_form, whole_coefficients
-from ..algebra.facts import functions_in, sector_of
+from ..algebra.exact import factored, normal_form, whole_coefficients
+from ..algebra.facts import functions_in, inputs_in, sector_of
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms
+from .outside import ANGLES
 from .relations import in_errors
 from .where import MOST_CORNERS
 
@@ -47,6 +48,32 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
         loss = loss.xreplace(where.squared)
         losses = where.in_states(_lost(case, loss, bounded))
     return losses
+
+
+def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
+    """Return forms of W in V' <= -f(t) W, where f, never negative, has no finite integral.
+
+    Then V - V(0) is below -W int f dt, so no run stays where W is above a positive number.
+    """
+    factors = Mul.make_args(factored(normal_form(-bound)))
+    f = Mul(*(e for e in factors if e.free_symbols <= {TIME} and not inputs_in(e)))
+    is_slow = not case.eq.discrete and _has_no_integral(f)
+    return lost_forms(Mul(*factors) / f, case.fixed, set()) if is_slow else []
+
+
+def _has_no_integral(f: Expr) -> bool:
+    """Return whether f >= 0 is a polynomial in waves, or a fraction that falls at most as 1/t."""
+    waves = {
+        w: sympy.Dummy() for w in f.atoms(*ANGLES) if w.args[0].diff(TIME).is_number
+    }
+    of_waves = f.xreplace(waves)
+    if waves:  # almost periodic: its mean is positive
+        return bool(of_waves.is_polynomial(*waves.values()) and not of_waves.has(TIME))
+    parts = sympy.fraction(sympy.together(f))
+    if not all(part.is_polynomial(TIME) for part in parts):
+        return False
+    rise, fall = (sympy.degree(part, TIME) for part in parts)
+    return bool(fall - rise <= 1)
 
 
 def _lost(case: Any, loss: Expr, bounded: set) -> Sequence[Expr]:

@@ -44,7 +44,7 @@ from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
-from .losses import forms_lost
+from .losses import forms_lost, lost_slowly
 from .point_search import Failure, PointSearch
 from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
@@ -423,6 +423,7 @@ class SystemCandidate(LyapunovCandidate):
             claim,
             losses,
             self.text(-self.readable_rate(bound)),
+            slow=[] if losses else lost_slowly(self, bound),
             zeroed=zeroed,
             rate=falling if self.claim is None and most is None else None,
             conditions=self.conditions(inputs if zeroed else []),
