@@ -599,3 +599,12 @@ def test_V_is_linear_in_states_that_stay_positive(name):
     kept = {label: (0, None) for label in plant.state_labels if label != "v"}
     found = clpt.lyapunov(plant, V, where=kept)
     assert (found.conclusion, found.level) == (conclusion, most), found
+
+
+def test_a_set_that_is_not_needed_is_no_condition():
+    plant, V, *_ = written("x' = -x; q' = -q*x**2; V = x**2")
+    alone = clpt.lyapunov(plant, V, where={"q": (0, None)})
+    assert alone.sentence == clpt.lyapunov(plant, V).sentence
+    plant, V, *_ = written("x' = -q*x; q' = 1 - q; V = x**2")
+    needed = clpt.lyapunov(plant, V, where={"q": (0, None)})
+    assert "q >= 0 at the start" in needed.sentence

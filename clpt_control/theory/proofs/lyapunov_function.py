@@ -125,9 +125,14 @@ def _texts(verdict: Verdict) -> tuple:
     return verdict.sentence, f"{verdict.V}", f"{verdict.rate}", steps
 
 
+def _names(verdict: Verdict) -> set[str]:
+    """Return the names of conditions."""
+    return {condition.name for condition in verdict.conditions}
+
+
 def _zeroed(verdict: Verdict) -> bool:
     """Return whether it is proved for inputs of 0 alone."""
-    return any(condition.name == "zero inputs" for condition in verdict.conditions)
+    return "zero inputs" in _names(verdict)
 
 
 def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
@@ -331,4 +336,14 @@ def lyapunov(
         is_given = V is not None
         V = function_of_signals(system, V)
         claim = function_of_signals(system, claim)
-        return judged(V) if is_given else _searched(system, at, judged)
+        if not is_given:
+            return _searched(system, at, judged)
+        verdict = judged(V)
+        for name in where or {}:
+            fewer = {key: ends for key, ends in (where or {}).items() if key != name}
+            weaker = judged(V, fewer) if "start" in _names(verdict) else verdict
+            if weaker.conclusion == verdict.conclusion and _names(weaker) < _names(
+                verdict
+            ):
+                verdict, where = weaker, fewer
+        return verdict
