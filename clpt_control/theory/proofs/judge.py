@@ -229,10 +229,10 @@ class LyapunovCandidate(ABC):
         moved = moved.xreplace({s: s + v for s, v in rest_state.items()})
         fixed = self.fixed | {*at_start.values()}
         total = squares(moved, fixed) or squares(moved, fixed, False)
-        if not total and (
-            total := squares(self.V.xreplace(self.where.squared), self.fixed)
-        ):
-            total = total._replace(forms=self.where.in_states(total.forms))
+        if not total and self.where.roots and self.rest is None:
+            total = squares(self.V.xreplace(self.where.squared), self.fixed)
+            forms = self.where.in_states(total.forms) if total else []
+            total = total and total._replace(forms=forms)
         states = [*self.motion]
         if total and self.rest is not None:
             zero = dict.fromkeys(states, 0)
