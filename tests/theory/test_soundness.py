@@ -76,6 +76,17 @@ def test_an_interval_is_no_constant(rate):
     assert fields_of(verdict) == ("proved", "goes to zero", {"outside V": "y is"})
 
 
+def test_an_interval_has_no_margin():
+    """k counts the intervals, so that 5 - k falls below any number."""
+    block = clpt.Block(
+        "clocked",
+        update=lambda t, x, u, p: {"x": -(5 - p.interval) * x.x},
+        states={"x": 1},
+        **TICKS,
+    )
+    assert lyapunov(block, square_of_x).status != "proved"
+
+
 def test_a_state_whose_rate_grows_with_the_interval_may_grow():
     law = beside(
         "s' = interval*s + e[:1]",

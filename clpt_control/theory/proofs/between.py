@@ -37,8 +37,9 @@ def margins_of(case: Any) -> Iterator[Expr]:
         for factor in Mul.make_args(factored(decisive)):
             base = factor.as_base_exp()[0]
             is_known = base.is_nonnegative or base.is_nonpositive
+            moves = base.has(*case.intervals)
             value = base.xreplace(case.given).xreplace(case.eq.values)
-            if value.is_number and value != 0 and not is_known:
+            if value.is_number and value != 0 and not (is_known or moves):
                 yield base * sympy.sign(value)
 
 
