@@ -405,7 +405,6 @@ LESS = {  # a weaker conclusion is shown
             "a chain of diodes",
             "a chain of soft dampers",
             "a diode",
-            "a higher-order tuner",
             "a polynomial that just stays below zero",
             "a pull of two strengths",
             "a rate of which rounding is left",
@@ -416,6 +415,7 @@ LESS = {  # a weaker conclusion is shown
         ),
         "stable",
     ),
+    "a higher-order tuner": "goes to zero",
     "a square of squares": "comes to rest",
     "backstepping": "all rates go to zero",
 }
@@ -439,7 +439,7 @@ NEEDED = {  # conditions of right ones
         "values": "",  # of P
     },
     "a projection": {"bounded inputs": "f is"},
-    "a higher-order tuner": {"values": ""},  # b mu >= 0.8
+    "a higher-order tuner": {"values": "", "bounded inputs": "f is"},  # b mu >= 0.8
     "a divisor of masses": {"values": ""},  # M m > c^2
     "a power that a parameter gives": {"values": ""},  # n is odd
     **{name: {"t >= 0": ""} for name in OF_TIME},

@@ -184,6 +184,8 @@ BESIDE = {  # r' of the distance r from the line
     "-sign r": lambda r, x, u: -np.sign(r),
     "where r > 0": lambda r, x, u: np.where(r > 0, 1.0, 0.0),
     "max(r, 0)": lambda r, x, u: np.maximum(r, 0.0),
+    "-r + 2 |r|": lambda r, x, u: -r + 2 * np.abs(r),
+    "u^2 r": lambda r, x, u: u.r**2 * r,
     "w^2 r": lambda r, x, u: x.w**2 * r,
     "w r": lambda r, x, u: x.w * r,
     "h r": lambda r, x, u: x.h * r,

@@ -396,7 +396,15 @@ def claims_of(case: Invariants) -> Claims:
 
 
 def _repels(case: Invariants) -> str:
-    return case.relations.repels(lambda e: never_positive(e, case.fixed))
+    """Return a sentence where a distance is known to grow, or moves by itself and may grow."""
+    moving = {*case.motion, *case.words.values()}
+
+    def may_shrink(growth: sympy.Expr) -> bool:
+        is_driven = bool(growth.free_symbols & moving) or growth.has(AppliedUndef)
+        is_kept = is_driven and not never_positive(-growth, case.fixed)
+        return is_kept or never_positive(growth, case.fixed)
+
+    return case.relations.repels(may_shrink)
 
 
 def _reads(case: Invariants) -> bool:

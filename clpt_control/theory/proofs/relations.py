@@ -22,7 +22,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
-from ..algebra.facts import roots_in
+from ..algebra.facts import is_smooth, roots_in
 from ..algebra.slopes import along, jumps_nowhere
 from ..algebra.sums_of_squares import squares, written_forms
 from ..algebra.texts import short
@@ -103,7 +103,7 @@ class Relations:
         without_value = list[str]()
         for relation, undefined in expressions_of(self.eq, keeps):
             self.add(relation)
-            without_value += undefined
+            without_value += [f"keeps{text.removeprefix('V')}" for text in undefined]
         return without_value
 
     def of(self, expression: Any) -> Expr:
@@ -169,7 +169,8 @@ class Relations:
     def _is_stable(self, rates: Mapping[Any, Expr]) -> bool:
         """Return whether distances that move by themselves go to 0 from near it."""
         field = sympy.Matrix([*rates.values()])
-        if field.free_symbols - rates.keys() - self.eq.values.keys():
+        outside = field.free_symbols - rates.keys() - self.eq.values.keys()
+        if outside or not all(map(is_smooth, field)):
             return False
         J = field.jacobian([*rates]).xreplace(dict.fromkeys(rates, S.Zero))
         return schur(J) if self.eq.discrete else hurwitz(J)
@@ -223,7 +224,7 @@ def written(case: Any, rate: Expr) -> list[Expr]:
     """Return V' factored, in groups that share no state, or as a sum of squares."""
     found = list[Expr]()
     for e, forms in in_errors(case, decided(normal_form(rate))):
-        groups = groups_of(e, e.free_symbols - case.fixed) if forms else [e]
-        ways = *written_forms(e, case.fixed), Add(*map(factored, groups))
-        found += [way.xreplace(forms) for way in ways]
+        groups = groups_of(e, e.free_symbols - case.fixed) if forms else []
+        in_groups = Add(*map(factored, groups)).xreplace(forms)
+        found += [in_groups] if forms else written_forms(e, case.fixed)
     return found
