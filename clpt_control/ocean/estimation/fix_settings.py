@@ -65,8 +65,7 @@ class FixSettings:
         self.noise_per_leg = row.at_fixes  # else per square root of time
         self.scatter = SCATTER / self.speed
         table = scenario.localization
-        has_noise = table is not None and table.noise > 0
-        self.fix = table.noise if table is not None and has_noise else FIX / metres
+        self.fix = (table and table.noise) or FIX / metres
         facts: Any = SimpleNamespace(  # as of a `LawContext`
             N=scenario.basis.N,
             settings={"priors": None, **learning.settings},

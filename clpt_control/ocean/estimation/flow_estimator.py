@@ -46,7 +46,7 @@ from ..gliders.unmeasured import DOUBT, NO_FIX, unmeasured
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
-from .leg_track import Ahead, Leg, LegTrack, Turn, long_interval
+from .leg_track import Ahead, Arrival, Leg, LegTrack, long_interval
 from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
@@ -358,8 +358,7 @@ class FlowEstimator:
         likely = self.guesses.where(lambda guess: guess.leg is leg)
         theta = self._turned(leg, theta_of(likely).T).T
         arrival = self.track.end(leg, theta)
-        turn = self.track.turn(arrival, theta, self.covariance)
-        terms = self._terms(leg, arrival.m, arrival.z, turn)
+        terms = self._terms(leg, arrival, theta, arrival.z)
         bend = hypot(terms.bend, self.track.beside(leg, arrival, self.fixes))
         terms = terms._replace(bend=bend)
         radius = self._guessing.radius(likely, terms) * frame.metres
@@ -471,11 +470,8 @@ class FlowEstimator:
         path : str or Path
             File to write or replace.
         """
-        parts = {
-            "scenario": scenario_to_text(self.scenario, Path(path).parent),
-            "state": self.state,
-        }
-        text = json.dumps(parts)
+        scenario = scenario_to_text(self.scenario, Path(path).parent)
+        text = json.dumps({"scenario": scenario, "state": self.state})
         write_file(path, f"{KIND} {VERSION} {_checksum(text)}\n{text}")
 
     @classmethod
@@ -653,12 +649,15 @@ class FlowEstimator:
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
 
-    def _terms(self, leg: Leg, m: np.ndarray, Y: np.ndarray, turn: Turn) -> Regression:
+    def _terms(
+        self, leg: Leg, arrival: Arrival, theta: np.ndarray, Y: np.ndarray
+    ) -> Regression:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
         noise = self.settings.noise_of(duration)
         bend = self.track.bend(leg, self.fastest)
-        return Regression(Y, m, duration, noise, bend, turn, self.theta)
+        turn = self.track.turn(arrival, theta, self.covariance)
+        return Regression(Y, arrival.m, duration, noise, bend, turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
@@ -670,11 +669,10 @@ class FlowEstimator:
             arrival = self.track.end(leg, theta, drift)
             arrival = arrival._replace(z=arrival.z - off)
         Y = self._turned(leg, place - arrival.z + theta @ arrival.m, -1.0)
-        turn = self.track.turn(arrival, theta, self.covariance)
         times = np.append(arrival.points[:, 0], leg.time) - leg.start
         path = np.vstack([arrival.path, arrival.m])
         along = LegRegressor(times, path, float(np.hypot(*drift)) * times)
-        return self._terms(leg, arrival.m, Y, turn)._replace(path=along)
+        return self._terms(leg, arrival, theta, Y)._replace(path=along)
 
     def _learn(self, start: Leg, leg: Leg | None) -> dict[str, Any]:
         """Divide each guess by the fix from which a leg may start; return note and turn."""

@@ -107,10 +107,8 @@ def chain_of(
     width, period = track.size
     places: list[np.ndarray] = []
     fixes: list[np.ndarray] = []
-    links: list[int] = []
-    noise: list[float] = []
-    deviation: list[float] = []
     pieces: list[np.ndarray] = []
+    of_pieces = []  # links, noise, deviation
     unknown = np.full(2, np.nan)
     last: np.ndarray | None = None
     for leg, end, bend in legs:
@@ -133,11 +131,9 @@ def chain_of(
         )
         for begin, stop in pairwise(cuts.astype(int)):
             piece = steps[begin:stop]
-            links.append(len(places) - 1)
             pieces.append(piece)
-            share = piece[:, 1].sum() / T
-            noise.append(((of_track + bend**2) * share) ** 0.5)
-            deviation.append(hypot(variance**0.5, bend))
+            noise = ((of_track + bend**2) * piece[:, 1].sum() / T) ** 0.5
+            of_pieces.append((len(places) - 1, noise, hypot(variance**0.5, bend)))
             gone = steps[:stop, 1].sum() / T
             drawn = gone * (end - start - moved[-1])
             places.append(start + moved[stop - 1] + drawn)
@@ -147,15 +143,9 @@ def chain_of(
     for number, piece in enumerate(pieces):
         table[: len(piece), number] = piece
         table[len(piece) :, number, 0] = piece[-1, 0] + piece[-1, 1]
-    return LegChain(
-        track,
-        np.array(places),
-        np.array(fixes),
-        np.array(links),
-        np.array(noise),
-        np.array(deviation),
-        table,
-    )
+    links, noises, deviations = np.transpose(of_pieces)
+    nodes_of = np.array(places), np.array(fixes), links.astype(int)
+    return LegChain(track, *nodes_of, noises, deviations, table)
 
 
 def _steps_of(leg: Leg, settings: FixSettings, track: LegTrack) -> np.ndarray:

@@ -15,7 +15,7 @@ import numpy as np
 import xarray
 
 from ...base.arguments import public
-from ...base.errors import DataError, ScenarioError
+from ...base.errors import DataError, ScenarioError, refuse_unused
 from ...base.geodesy import displacement
 from ...base.progress.interrupt import check
 from ...base.run_attributes import versions
@@ -93,18 +93,14 @@ def flow_estimate(
     """
     check_method(method)
     if isinstance(source, xarray.Dataset):
-        if scenario is not None:
-            raise ScenarioError("scenario: is that of the run. Leave it out")
+        refuse_unused("is that of the run. Leave it out", scenario=scenario)
         return flow_of_run(source, method, every, prior, noise)[0]
     if scenario is None:
         raise ScenarioError(
             "scenario: is required with legs. Give the scenario whose law learns"
         )
-    for name, value in (("every", every), ("prior", prior), ("noise", noise)):
-        if value is not None:
-            raise ScenarioError(
-                f"{name}: is of runs. Set the law's keys in the scenario"
-            )
+    reason = "is of runs. Set the law's keys in the scenario"
+    refuse_unused(reason, every=every, prior=prior, noise=noise)
     return flow_of_legs(list(source), scenario, method)[0]
 
 
@@ -120,9 +116,9 @@ def check_method(method: str) -> None:
 def flow_of_run(
     run: xarray.Dataset,
     method: str,
-    every: float | None = None,
-    prior: float | None = None,
-    noise: float | None = None,
+    every: float | None,
+    prior: float | None,
+    noise: float | None,
 ) -> tuple[xarray.Dataset, np.ndarray]:
     """Return the Dataset of `flow_estimate`, and theta in the scenario's units."""
     for name, value in (("prior", prior), ("noise", noise)):
@@ -171,9 +167,7 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
         frame = estimator._frame_at(*leg.start)
         place, end = frame.point(*leg.start), frame.point(*leg.end)
         t = frame.own_time(start)
-        over_ground, _ = displacement(*leg.start, *leg.end)
-        drift = (over_ground - leg.through_water[0]) / frame.metres
-        flow = drift / (frame.own_time(leg.t_gpse) - t)
+        flow = leg.miss_east / frame.metres / (frame.own_time(leg.t_gpse) - t)
         under_way = Leg(t, place.tolist(), t, flow=flow)
         under_way.move(frame, stretches_of(leg, start), track.size)
         if estimator.is_everywhere:
@@ -205,7 +199,7 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
 def flow_of_legs(
     legs: list[Dive],
     scenario: Scenario,
-    method: str = "kalman",
+    method: str,
     frame: LocalFrame | None = None,
     is_spanned: bool = False,
     **limits: float,
@@ -261,8 +255,10 @@ def flow_of_legs(
         estimator.ways = []  # whose motion is its own
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
-    places = [(r.time, r.latitude, r.longitude) for r in learned]
-    flow = [flow_by(estimator, theta / speed, *at) for at in places]
+    flow = [
+        flow_by(estimator, theta / speed, r.time, r.latitude, r.longitude)
+        for r in learned
+    ]
     forecasts = [result.forecast for result in learned]
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")

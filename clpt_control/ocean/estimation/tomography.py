@@ -66,19 +66,18 @@ def tomography(
     used = list(legs)
     while True:
         chain = chain_of(used, settings, track, nodes=False)
-        plain, _ = _single_shooting(chain, settings, settings.theta, "linear")
+        plain, *_ = _single_shooting(chain, settings, settings.theta, "linear")
         tries = [
             _single_shooting(chain, settings, theta, "soft_l1")
             for theta in (settings.theta, plain)
         ]
-        theta, cost = min(tries, key=lambda solution: solution[1])
-        off = _squares(chain, theta)
+        theta, cost, off = min(tries, key=lambda solution: solution[1])
         square = float(np.median(off)) / np.log(4)
         right = _without_wild(used, off > FAR * max(square, LEAST_SCALE**2))
         if len(right) in (0, len(used)):
             break
         used = right
-    if max(cost for _, cost in tries) - cost > SAME * (1 + cost):
+    if max(cost for _, cost, _ in tries) - cost > SAME * (1 + cost):
         notes.append(
             "tomography: two starts end at different costs, the lower one is taken. Record more "
             "legs, or shorter ones"
@@ -96,8 +95,11 @@ def tomography(
 
 def _single_shooting(
     chain: LegChain, settings: FixSettings, start: np.ndarray, loss: str
-) -> tuple[np.ndarray, float]:
-    """Return theta and the cost of nonlinear least squares of the legs from their fixes."""
+) -> tuple[np.ndarray, float, np.ndarray]:
+    """Return theta and the cost of nonlinear least squares of the legs from their fixes.
+
+    And |position error|^2 over its variance of each leg.
+    """
     begin, ends = chain.places[chain.links], chain.places[chain.links + 1]
     r, sd = chain.deviation[:, None], np.tile(_least(settings.prior), 2)
     first = settings.theta.ravel()
@@ -117,18 +119,13 @@ def _single_shooting(
         f_scale=ROBUST,
         max_nfev=MOST,
     )
-    return solution.x.reshape(2, -1), float(solution.cost)
+    errors = solution.fun[: 2 * len(r)].reshape(-1, 2)
+    return solution.x.reshape(2, -1), float(solution.cost), np.sum(errors**2, axis=1)
 
 
 def _least(prior: np.ndarray) -> np.ndarray:
     """Return standard deviations of the prior, of which 0 fixes a parameter."""
     return np.maximum(prior, 1e-9 * prior.max())
-
-
-def _squares(chain: LegChain, theta: np.ndarray) -> np.ndarray:
-    """Return |position error|^2 over its variance of each leg."""
-    z = chain.shoot(chain.places[chain.links], theta, slopes=False).z
-    return np.sum((chain.places[chain.links + 1] - z) ** 2, axis=1) / chain.deviation**2
 
 
 def _without_wild(legs: list[FlownLeg], is_far: np.ndarray) -> list[FlownLeg]:
