@@ -55,6 +55,7 @@ from ...base.errors import ClptError, DataError
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.geodesy import LocalPlane
 from ...base.units import METRES, SECONDS, seconds_since_1970
+from ...engine.model.block import evaluate
 from ...paper.currents.current_grid import AROUND, missing_steps
 from ...paper.currents.grid_file import DEEPEST, SUFFIXES, read_currents
 from ..gliders.dives import Dive, reckoned
@@ -84,6 +85,18 @@ class FlowModel(ABC):
         (s since GPS2, m east, m north of it) -> flow east and north, m/s; `Uncovered` is
         raised where the model says nothing.
         """
+
+
+def flow_of(current: Flow, dive: Dive) -> Flow:
+    """Return the flow for a dive of a current by time, latitude and longitude, east and north."""
+    plane = LocalPlane(*dive.start)
+
+    def flow(t: float, east: float, north: float) -> tuple[float, float]:
+        lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
+        u1, u2 = plane.rotate(lat, lon, *current(dive.t_gps2 + t, lat, lon))
+        return float(u1), float(u2)
+
+    return flow
 
 
 def flow_displacement(dive: Dive, flow: Flow) -> tuple[float, float]:
@@ -201,22 +214,19 @@ class Forecast(FlowModel):
         bridged = any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends)
         if bridged or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
             raise Uncovered("outside the forecast's steps, or in a gap of them")
-        plane = LocalPlane(*dive.start)
         deepest = dive.depth_max
         if deepest is None or not (isfinite(deepest) and deepest > 0):
             deepest = DEEPEST
 
-        def flow(t: float, east: float, north: float) -> tuple[float, float]:
-            lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
+        def current(time: float, lat: float, lon: float) -> tuple[float, float]:
             unwrapped = self.lon[0] + (lon - self.lon[0]) % 360.0  # as the file counts
-            (profile,) = self.flow([[dive.t_gps2 + t, lat, unwrapped]])
+            (profile,) = self.flow([[time, lat, unwrapped]])
             mean = depth_mean(self.depth, profile, deepest)
             if not np.isfinite(mean):
                 raise Uncovered("outside the forecast's area, or in a gap of it")
-            u1, u2 = plane.rotate(lat, lon, mean.real, mean.imag)
-            return float(u1), float(u2)
+            return mean.real, mean.imag
 
-        return flow
+        return flow_of(current, dive)
 
 
 class Fitted(FlowModel):
@@ -235,7 +245,8 @@ class Fitted(FlowModel):
             report = json.loads(text)
             self.theta = np.array(report["theta"], float)  # (2, N), along x1 and x2
             latitude, longitude = map(float, report["origin"])
-            self.plane = LocalPlane(latitude, longitude)
+            units = self.scenario.units
+            self.plane = LocalPlane(latitude, longitude, units.length)
             self.start = seconds_since_1970(report["start"])  # its t = 0
             self.lat0, self.lat1, self.lon0, self.lon1 = map(float, report["box"])
             self.about = (
@@ -253,28 +264,21 @@ class Fitted(FlowModel):
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
-        dive_plane = LocalPlane(*dive.start)
         units = self.scenario.units
-        long = METRES[units.length]
         time_unit = SECONDS[units.time]
         basis = self.scenario.basis_block()
-        N = self.scenario.basis.N
-        no_state = np.zeros(0)
 
-        def flow(t: float, east: float, north: float) -> tuple[float, float]:
-            lat, lon = dive_plane.to_earth(east / 1000, north / 1000)
+        def current(time: float, lat: float, lon: float) -> tuple[float, float]:
             in_box = (lon - self.lon0) % 360.0 <= self.lon1 - self.lon0
             if not (self.lat0 <= lat <= self.lat1 and in_box):
                 raise Uncovered("outside the fit's area")
-            x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
-            when = (dive.t_gps2 + t - self.start) / time_unit
-            phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
-            u1, u2 = self.theta @ phi * (long / time_unit)
-            # where east points in the fit's plane
-            c, s = self.plane.rotate(lat, lon, 1.0, 0.0)
-            u1, u2 = dive_plane.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
-            return float(u1), float(u2)
+            place = np.array([self.plane.to_plane(lat, lon)])
+            [phi] = evaluate(basis, (time - self.start) / time_unit, place)
+            u, v = self.theta @ phi * METRES[units.length] / time_unit
+            u, v = self.plane.rotate(lat, lon, u, v, inverse=True)
+            return float(u), float(v)
 
+        flow = flow_of(current, dive)
         flow(0.0, 0.0, 0.0)
         return flow
 

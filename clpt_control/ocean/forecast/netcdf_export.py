@@ -60,7 +60,12 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
     """
     report = source
     if isinstance(source, xarray.Dataset):
-        report = summary_in(source, name)
+        try:
+            report = json.loads(str(source[SUMMARY].values))
+        except (KeyError, ValueError, RecursionError):
+            raise DataError(
+                f"{name}: is a replay's NetCDF without its summary. Run `clpt replay --out` again"
+            ) from None
     elif hasattr(source, "steps"):
         report = source.summary()
     if not (isinstance(report, dict) and "hindsight" in report):
@@ -178,13 +183,3 @@ def units_of(name: str) -> str:
     """Return the units of a number: those of a field of a dive, or by its name."""
     by_name = (units for pattern, units in UNITS.items() if re.fullmatch(pattern, name))
     return FIELD_UNITS.get(name) or next(by_name)
-
-
-def summary_in(data: xarray.Dataset, name: str) -> Any:
-    """Return the JSON in a replay's dataset."""
-    try:
-        return json.loads(str(data[SUMMARY].values))
-    except (KeyError, ValueError, RecursionError):
-        raise DataError(
-            f"{name}: is a replay's NetCDF without its summary. Run `clpt replay --out` again"
-        ) from None

@@ -43,7 +43,7 @@ from math import hypot
 import numpy as np
 
 from ...base.errors import DataError
-from ...base.geodesy import displacement, distance
+from ...base.geodesy import displacement
 from ...paper.currents.identifiability import check_separable
 from ..estimation.fix_model import OTHERS, Priors
 from ..estimation.wrong_units import CLEAR, COMPARED, FEWEST, residual
@@ -78,11 +78,11 @@ def doubt_one_fix(
     The forecast is that of the end of the one before; `is_next` is false if other dives may lie
     between them; `usual_drift` is that of `DiveStatistics`.
     """
-    separation = distance(*before.end, *dive.start)
+    gap = np.array(displacement(*before.end, *dive.start))
+    separation = hypot(*gap)
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
     current = float(np.hypot(*before.miss)) / before.duration
     fastest = min(current + WIND, FASTEST) if is_next else FASTEST
-    gap = np.array(displacement(*before.end, *dive.start))
     is_usual = is_next and squared_distance(gap, *usual_drift) <= OUTLYING
     if is_usual or not separation > fastest * since + FIXES * priors.fix:
         return before, dive

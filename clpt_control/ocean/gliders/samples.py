@@ -301,12 +301,11 @@ def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
     return np.where(bad, speed * since, steps)
 
 
-def track_of(since: np.ndarray, steps: np.ndarray, duration: float) -> Track:
-    """Sum steps (m) at times since the fix before the dive (s) to a track of the whole dive."""
-    path = np.vstack([since, np.cumsum(steps, axis=1)])
-    if since[0] > 0:
+def track_of(path: np.ndarray, duration: float) -> Track:
+    """Return the track of a whole dive by a path: time since its fix (s), east and north (m)."""
+    if path[0, 0] > 0:
         path = np.hstack([np.zeros((3, 1)), path])
-    if since[-1] < duration:
+    if path[0, -1] < duration:
         path = np.hstack([path, [[duration], *path[1:, -1:]]])
     return path[0], path[1], path[2]
 
@@ -369,7 +368,8 @@ def summed(
         return ThroughWater(notes=notes)
     east, north = steps
     total = float(np.sum(east)), float(np.sum(north))
-    return ThroughWater(total, track_of(since, steps, duration), notes)
+    path = np.vstack([since, np.cumsum(steps, axis=1)])
+    return ThroughWater(total, track_of(path, duration), notes)
 
 
 def deepest(depth: np.ndarray) -> float | None:

@@ -56,6 +56,7 @@ from .samples import (
     deepest,
     degrees,
     hole_under_water,
+    track_of,
     turned,
     variation,
     within,
@@ -241,9 +242,7 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
             path, wet[0] - start[0], gps, duration, currents, used
         )
         notes.append(note)
-    track = None
-    if path is not None:
-        track = np.append(path[0], duration), *path[1:, [*range(path.shape[1]), -1]]
+    track = None if path is None else track_of(path, duration)
     return dive_between(
         segment.number,
         fixes,
