@@ -181,20 +181,17 @@ def map_of(
     is_inside = np.all((points >= low - margin) & (points <= high + margin), axis=1)
     is_inside |= learned.covariance is not None
 
-    def masked(values: np.ndarray) -> tuple[list[str], np.ndarray]:
-        return dims, np.where(is_inside, values, np.nan).reshape(grid[0].shape)
+    def masked(values: np.ndarray, long_name: str, **names: str) -> tuple:
+        shown = np.where(is_inside, values, np.nan).reshape(grid[0].shape)
+        return dims, shown, {"long_name": long_name, "units": learned.unit, **names}
 
     def components(flow: np.ndarray, prefix: str, words: str) -> dict[str, Any]:
         u, v = flow.T
         if plane is not None:
             u, v = plane.rotate(north, east, u, v, inverse=True)
-        long_name = f"{words} flow"
         names = STANDARD_NAMES[learned.is_geographic]
         return {
-            prefix + name: (
-                *masked(values),
-                {"standard_name": standard, "long_name": long_name},
-            )
+            prefix + name: masked(values, f"{words} flow", standard_name=standard)
             for name, values, standard in zip("uv", (u, v), names, strict=True)
         }
 
@@ -206,14 +203,14 @@ def map_of(
         if learned.field is not None:
             truth[learned.field.on_land(points)] = np.nan
         data |= components(truth, "true_", "true")
-        words = {"long_name": "length of learned less true flow"}
-        data["error"] = (*masked(np.hypot(*(flow - truth).T)), words)
+        off = np.hypot(*(flow - truth).T)
+        data["error"] = masked(off, "length of learned less true flow")
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
         variance += learned.beside(points, flow)
-        words = {"long_name": "standard error of u and of v"}
-        data["standard_error"] = (*masked(np.sqrt(np.maximum(variance, 0.0))), words)
+        error = np.sqrt(np.maximum(variance, 0.0))
+        data["standard_error"] = masked(error, "standard error of u and of v")
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
 
 
@@ -237,8 +234,6 @@ def _dataset(
         standard = name if name in DEGREES else f"projection_{name}_coordinate"
         unit = DEGREES.get(name, learned.scenario.units.length)
         coordinates[name] = (name, values, {"standard_name": standard, "units": unit})
-    for *_, attributes in data.values():
-        attributes["units"] = learned.unit
     title = f"Learned flow: {learned.scenario.title}".removesuffix(": ")
     attributes = {"Conventions": "CF-1.11", "title": title}
     made = xarray.Dataset(data, coordinates, attributes)

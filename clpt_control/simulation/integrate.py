@@ -131,12 +131,7 @@ def simulate(
         from .loops import closed_loop
         from .scenario_runs import refuse_arguments, simulated
 
-        loop_arguments = {
-            "inputs": inputs,
-            "initial_state": initial_state,
-            "params": params,
-        }
-        refuse_arguments(system, stop=stop, **loop_arguments)
+        refuse_arguments(system, stop, inputs, initial_state, params)
         times, skipped = times_from_zero(system, timepts)
         if initial_state is not None or params:
             system, timepts = closed_loop(system), times

@@ -7,7 +7,6 @@ caller says so: its interval is fixed, and its input `taken` is 1.
 """
 
 import re
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from importlib import resources
 from string import Template
@@ -20,6 +19,7 @@ from ..base.html import asset
 from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
 from ..engine.diagram.wiring import input_ports, output_ports
+from ..engine.model.ports import counts_of
 from ..paper.blocks.ports import POWERS, paper_block
 from ..paper.laws.fix_bound import largest_gain
 from ..paper.scenario.experiment import Scenario
@@ -121,8 +121,7 @@ class LearnerFile(CFile):
 
     def _inputs(self, scenario: Scenario) -> Iterator[str]:
         """Yield a line for each input: its name, size, meaning and unit."""
-        sizes = Counter(label.partition("[")[0] for label in self.labels["u"])
-        for port, size in sizes.items():
+        for port, size in counts_of(self.labels["u"]).items():
             meaning = INPUTS.get(port, "as in the scenario")
             unit = unit_of(scenario.units, *POWERS.get(port, (0, 0)))
             yield f"    {port}[{size}]: {meaning}, {unit}".rstrip(", ")

@@ -122,18 +122,19 @@ class TeamRun(SystemRun):
 # --- calls of `simulate` ------------------------------------------------------------------------
 
 
-def refuse_arguments(system: Scenario | Team, **given: Any) -> None:
+def refuse_arguments(
+    system: Scenario | Team, stop: Any, inputs: Any, initial_state: Any, params: Any
+) -> None:
     """Raise an error for arguments of `simulate` that a scenario or a team does not have."""
-    if given["stop"] is not None:
+    if stop is not None:
         raise SimulationError(
             "stop: is for a diagram. Simulate closed_loop(scenario) with it"
         )
-    if given["inputs"] is not None:
+    if inputs is not None:
         raise SimulationError(
             "inputs: a scenario has none. Simulate closed_loop(..., external=)"
         )
-    has_own = given["initial_state"] is not None or given["params"]
-    if has_own and isinstance(system, Team):
+    if isinstance(system, Team) and (initial_state is not None or params):
         raise SimulationError(
             "initial_state, params: a team has its own. Change its scenarios, or simulate "
             "closed_loop(team)"

@@ -232,16 +232,14 @@ class Scenario(tables.Table):
         return isinstance(value, Scenario) and self.__dict__ == value.__dict__
 
     def __repr__(self) -> str:
-        if self.left_out:
-            return (
-                f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} "
-                f"flow functions, for recorded fixes>"
-            )
-        points = len(self.waypoints)
+        use = "for recorded fixes"
+        if not self.left_out:
+            points = len(self.waypoints)
+            visited = f"{points} waypoint{'s' * (points > 1)}"
+            use = f"{visited}, {self.run.duration:g} {self.units.time}"
         return (
             f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} flow "
-            f"functions, {points} waypoint{'s' * (points > 1)}, {self.run.duration:g} "
-            f"{self.units.time}>"
+            f"functions, {use}>"
         )
 
     __str__ = __repr__

@@ -210,9 +210,10 @@ def read_estimate(
 
     scenario = scenario_of_run(data)
     N = scenario.basis.N
-    sizes = {"leg": data.sizes.get("leg"), "axis": 2, "basis": N, "other_basis": N}
+    sizes = {**data.sizes, "axis": 2, "basis": N, "other_basis": N}
     try:
         estimate = xarray.decode_cf(data).reindex(axis=["east", "north"])
+        np.datetime64(str(data.attrs.get("time_origin", "NaT")))
     except ValueError:
         raise DataError(
             "the estimate has no axis east and north, or no dates. Estimate again"
@@ -223,7 +224,9 @@ def read_estimate(
         kind = KINDS_READ.get(name, "iuf")
         fits = getattr(found, "dims", dims) == dims and values.dtype.kind in kind
         fits &= values.size > 0 and values.shape == tuple(map(sizes.get, dims))
-        if not fits or (kind != "U" and not np.isfinite(values).all()):
+        # before they became dates, too
+        numbers = values, np.asarray(data.variables.get(name, 0.0))
+        if not fits or (kind != "U" and not all(np.isfinite(x).all() for x in numbers)):
             over = f" over {', '.join(dims)}" if dims else ""
             raise DataError(
                 f"the estimate has no finite {name}{over}, as its scenario has: it is damaged, or "
