@@ -298,14 +298,14 @@ def is_fix(lat: Any, lon: Any) -> Any:
 
 
 def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None) -> list[Three]:
-    """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
+    """Return the fixes of each dive: `LEAST_GAP` apart, with a time under water between.
 
     Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
     After a dive, a fix with exactly the place of the one before it is that one repeated: it is
     left out, and the dive goes on to the first new place.
 
     >>> up = [(0.0, 43.0, 8.0), (60.0, 43.0, 8.0), (7200.0, 43.0, 8.1), (9000.0, 43.0, 8.1)]
-    >>> cut_dives(up, np.array([600.0]), 300.0) == [tuple(up[:3])]
+    >>> cut_dives(up, np.array([600.0])) == [tuple(up[:3])]
     True
     """
 
