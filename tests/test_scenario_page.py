@@ -2,6 +2,7 @@
 
 import re
 import runpy
+import tomllib
 
 from paths import ROOT
 
@@ -98,6 +99,45 @@ def test_a_key_has_the_symbol_of_the_glossary():
     for key, symbol in declared.items():
         letters = plain.sub(lambda m: (m[1] or "") and f"{m[1]}hat", symbols[key])
         assert plain.sub("", letters) == symbol.replace("_", ""), key
+
+
+def test_a_key_has_the_default_of_its_comment():
+    """A line of the example that is no comment has the default, if there is one."""
+    fields = dict(PRINTED["fields_of"](PRINTED["Scenario"]))
+    compared = set()
+    for key, line in PRINTED["rows_of"](PRINTED["Scenario"]):
+        default = None if key not in fields else fields[key].get_default()
+        if line.startswith(("#", "[")) or fields[key].is_required() or not default:
+            continue
+        (value,) = tomllib.loads(line).values()
+        value = tuple(value) if isinstance(value, list) else value
+        assert value == default, key
+        compared.add(key)
+    assert {"run.rtol", "run.atol", "run.output_step", "units.time"} <= compared
+
+
+LEFT_OUT = {  # key -> the value that its sentence gives in place of it, other keys
+    "model.parameters": (((0.0,) * 3,) * 2, {}),
+    "learning.parameters": (((0.0,) * 3,) * 2, {}),
+    "learning.hedging": (True, {"vehicle.max_speed": 0.8}),
+}
+
+
+def test_a_key_that_is_left_out_has_the_value_of_its_sentence():
+    said = {
+        key: found[1] or found[2]
+        for key, sentence in PRINTED["sentences"]().items()
+        if (
+            found := re.search(
+                r"left out: (true|false|[\d.]+)|(\S+) where left", sentence
+            )
+        )
+    }
+    assert said == {**dict.fromkeys(LEFT_OUT, "0"), "learning.hedging": "true"}
+    for key, (value, others) in LEFT_OUT.items():
+        short = clpt.paper_scenario().with_values({"run.duration": 30, **others})
+        runs = [clpt.simulate(short.with_values({key: one})) for one in (None, value)]
+        assert runs[0].predicted_position.equals(runs[1].predicted_position), key
 
 
 def test_a_key_names_what_laws_read():
