@@ -481,6 +481,47 @@ def test_a_composite_law_with_least_squares():
     assert {*verdict.of.removesuffix(" go").split(", ")} == {"v - vr", "vf*(b - bh)"}
 
 
+@pytest.mark.slow
+def test_a_composite_law_with_two_parameters():
+    """V' = -kd s^2 - c (W (a_hat - a))^2, W = (v - lam vf, vf), for all parameters."""
+
+    def rates(t, x, u, p):
+        s, ar = x.v - x.vr, u.r - p.l * x.vr
+        tau = x.mh * ar + x.bh * x.v - p.kd * s
+        W = x.v - p.lam * x.vf
+        miss = W * x.mh + x.vf * x.bh - x.y
+        return {
+            "v": (tau - p.b * x.v) / p.m,
+            "vr": ar,
+            "vf": -p.lam * x.vf + x.v,
+            "y": -p.lam * x.y + tau,
+            "mh": -p.g * (ar * s + p.c * W * miss),
+            "bh": -p.g * (x.v * s + p.c * x.vf * miss),
+        }
+
+    loop = clpt.Block(
+        "loop",
+        update=rates,
+        states=dict.fromkeys(("v", "vr", "vf", "y", "mh", "bh"), 1),
+        inputs={"r": 1},
+        parameters={
+            **{"m": 1.5, "b": 0.4, "l": 1.0},
+            **{"lam": 2.0, "kd": 3.0, "g": 2.0, "c": 1.0},
+        },
+    )
+    verdict = lyapunov(
+        loop,
+        lambda s: (
+            s.m * (s.v - s.vr) ** 2 / 2
+            + ((s.mh - s.m) ** 2 + (s.bh - s.b) ** 2) / (2 * s.g)
+        ),
+        keeps=lambda s: s.y - s.m * (s.v - s.lam * s.vf) - s.b * s.vf,
+    )
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert "v - vr" in verdict.of
+    assert "values" not in verdict.sentence
+
+
 def test_a_normalised_gradient():
     """V' = -g (w (h - th))^2/(1 + w^2), and w is bounded."""
     rates = FILTER | {"h": lambda x, u, p: p.g * x.w * (x.y - x.h * x.w) / (1 + x.w**2)}

@@ -102,7 +102,8 @@ SAMPLE = {
         "x' = -x*(1 + x**2); V = arctan(x)**2", "square-integrable", "",
     ),
     "the square of atan, bounded": (
-        "x' = -x; V = arctan(x)**2", "V does not increase", "",
+        "x' = -x; V = arctan(x)**2", "comes to rest",
+        "still isolated",
     ),
     "a damping tanh(t)": (
         "x' = v; v' = -x - tanh(t)*v; V = (x**2 + v**2)/2", "stable", "",
