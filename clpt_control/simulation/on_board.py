@@ -7,7 +7,7 @@ caller says so: its interval is fixed, and its input `taken` is 1.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from importlib import resources
 from string import Template
 from typing import Any
@@ -41,7 +41,7 @@ INPUTS = {  # of learners, and their meaning
 
 
 def learner_file(
-    system: Any, name: str, initial_state: Any, params: Any, watch: Iterable[Any]
+    system: Any, name: str, initial_state: Any, params: Any, watch: Sequence[Any]
 ) -> CFile:
     """Return the C file of the learner of a scenario or of a closed loop."""
     loop = getattr(system, "origin", None)
@@ -67,7 +67,7 @@ def received(t, x, u, p):
     return {"taken": 1.0}
 
 
-def learner(loop: ClosedLoop, name: str, watch: Iterable[Any]) -> Diagram:
+def learner(loop: ClosedLoop, name: str, watch: Sequence[Any]) -> Diagram:
     """Wire the law, blocks that watch it, and all that they read, up to the ports from outside."""
     blocks = [*changed_blocks(loop.scenario, loop.changes, loop.external), *watch]
     outside = {*INPUTS, *loop.external} - ({"zc"} - {*loop.external})

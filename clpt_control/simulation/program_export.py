@@ -7,7 +7,7 @@ the regions of their forecasts.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -54,7 +54,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
-    watch: Iterable[Any] = (),
+    watch: Sequence[Any] = (),
 ) -> str: ...
 @overload
 def export(
@@ -65,7 +65,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
-    watch: Iterable[Any] = (),
+    watch: Sequence[Any] = (),
 ) -> str | None: ...
 @public
 def export(
@@ -76,7 +76,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
-    watch: Iterable[Any] = (),
+    watch: Sequence[Any] = (),
 ) -> str | None:
     """Write a diagram as C99 or an FMU, or a run's track as a map.
 
@@ -96,7 +96,7 @@ def export(
         computer on board. The names of its functions begin with the name of the file.
     single : bool, optional
         Write C with ``float`` in place of ``double``.
-    watch : iterable of Block, optional
+    watch : sequence of Block, optional
         Blocks that a learner carries beside the law, such as `watch` of `gramian`: outputs that
         are 1 while the certified rate of convergence holds.
 
