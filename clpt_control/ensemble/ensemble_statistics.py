@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.arguments import check_holds, public
-from ..base.errors import ArgumentError
 from ..simulation.comparison import labelled_elements, named
 from .results import COMPLETED, STATUS
 
@@ -21,28 +20,6 @@ if TYPE_CHECKING:
 PERCENTS = (5, 25, 50, 75, 95)
 ENSEMBLE = "clpt.run_ensemble(scenario, vary, members) makes an ensemble"
 READ_BYTES = 8_000_000  # read at once, so that memory does not grow with the members
-
-
-@public
-def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
-    """Return percentiles over the members, column by column.
-
-    >>> import xarray
-    >>> data = xarray.Dataset({"e": (("member", "mark"), np.arange(5.0)[:, None])})
-    >>> percentiles(data, "e")[:, 0]
-    array([0.2, 1. , 2. , 3. , 3.8])
-    """
-    check_holds(
-        "percentiles: data",
-        data,
-        [name],
-        f"it has {', '.join(map(str, data.data_vars))}",
-    )
-    if data[name].dims[:1] != ("member",) or data[name].ndim != 2:
-        raise ArgumentError(
-            f"percentiles: name = '{name}': must have the dimensions member and another"
-        )
-    return percentiles_of(data[name])
 
 
 def percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
