@@ -404,7 +404,7 @@ def _repels(case: Invariants) -> str:
         is_kept = is_driven and not never_positive(-growth, case.fixed)
         return is_kept or never_positive(growth, case.fixed)
 
-    return case.relations.repels(may_shrink)
+    return case.relations.repels(may_shrink, alone=True)
 
 
 def _reads(case: Invariants) -> bool:

@@ -15,7 +15,10 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, S
 from sympy.core.function import AppliedUndef
-from sympy.utilities.iterables import strongly_connected_components
+from sympy.utilities.iterables import (
+    connected_components,
+    strongly_connected_components,
+)
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -139,40 +142,54 @@ class Relations:
                 return f"{s} may leave it, as s' = |s|^(1/2) may leave 0"
         return ""
 
-    def repels(self, never_positive: Callable[[Expr], bool]) -> str:
-        """Return a sentence unless a small distance from the relations is known not to grow.
+    def repels(
+        self, never_positive: Callable[[Expr], bool], *, alone: bool = False
+    ) -> str:
+        """Return a sentence unless a distance from the relations is known not to grow.
 
-        Distances that drive each other are a group.  In a group, with the other distances 0, the
-        sum of squares does not grow; or it moves by itself, and its matrix is stable.
+        Distances of which one drives another are a group, or `alone` those that drive each other,
+        with the other distances 0.  In a group the sum of squares does not grow; or it moves by
+        itself, and its matrix is stable.  No jump raises the sum of all squares.
         """
         r = {s: sympy.Dummy(f"r_{s}", real=True) for s in self.solved}
         near = {s: value + r[s] for s, value in self.solved.items()}
-        rates = {r[s]: self.masked(self.rate(s)).xreplace(near) for s in r}
-        rates = {d: sympy.expand(rate) for d, rate in rates.items()}
-        drivers = [
-            (d, other)
-            for d, rate in rates.items()
-            for other in rates
-            if rate.has(other)
-        ]
-        for group in strongly_connected_components(([*rates], drivers)):
+
+        def distances(changes: Iterable[Expr]) -> dict[Any, Expr]:
+            changed = (sympy.expand(self.masked(e).xreplace(near)) for e in changes)
+            return dict(zip(r.values(), changed, strict=True))
+
+        # Step 1: rates
+        rates = distances(map(self.rate, r))
+        drivers = [(d, other) for d in rates for other in rates if rates[d].has(other)]
+        groups = strongly_connected_components if alone else connected_components
+        growths = list[Expr]()
+        for group in groups(([*rates], drivers)):
             others = dict.fromkeys(rates.keys() - {*group}, S.Zero)
             own = {d: rates[d].xreplace(others) for d in group}
+            if self._is_stable(own, alone):
+                continue
             if self.eq.discrete:
-                growth = sum(rate**2 - d**2 for d, rate in own.items())
+                growths.append(Add(*(rate**2 - d**2 for d, rate in own.items())))
             else:
-                growth = sum(rate * d for d, rate in own.items())
-            if not (self._is_stable(own) or never_positive(growth)):
-                return f"{self.text}: a distance from it that rounding leaves may grow"
-        return ""
+                growths.append(Add(*(rate * d for d, rate in own.items())))
+        # Step 2: jumps
+        for after in () if alone else self.eq.jumps_at_once():
+            jumped = distances((s - v).xreplace(after) for s, v in self.solved.items())
+            growths.append(Add(*(e**2 - d**2 for d, e in jumped.items())))
+        if all(map(never_positive, growths)):
+            return ""
+        return f"{self.text}: a distance from it that rounding leaves may grow"
 
-    def _is_stable(self, rates: Mapping[Any, Expr]) -> bool:
-        """Return whether distances that move by themselves go to 0 from near it."""
+    def _is_stable(self, rates: Mapping[Any, Expr], nearby: bool) -> bool:
+        """Return whether distances that move by themselves go to 0, or do so from `nearby`."""
         field = sympy.Matrix([*rates.values()])
         outside = field.free_symbols - rates.keys() - self.eq.values.keys()
         if outside or not all(map(is_smooth, field)):
             return False
-        J = field.jacobian([*rates]).xreplace(dict.fromkeys(rates, S.Zero))
+        J = field.jacobian([*rates])
+        if J.has(*rates) and not nearby:
+            return False
+        J = J.xreplace(dict.fromkeys(rates, S.Zero))
         return schur(J) if self.eq.discrete else hurwitz(J)
 
     def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
