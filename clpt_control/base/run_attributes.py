@@ -44,6 +44,16 @@ BEYOND = {  # attribute of a run -> change that its scenario does not have, reme
     OWN_PARTS: ("parts given in Python", IN_PYTHON),
 }
 
+
+def beyond_scenario(attributes: Mapping[Any, Any]) -> list[str]:
+    """Return what a run had that its scenario does not hold, by attributes of the run."""
+    return [
+        f"{change}, {attributes[name]}"
+        for name, (change, _) in BEYOND.items()
+        if name in attributes
+    ]
+
+
 # --- notes ----------------------------------------------------------------------------------------
 
 ARGUMENTS = "arguments"

@@ -196,9 +196,11 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     )
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
-    assert 'The run has parameters {"adaptation.gain": 0.001}' in said_of_decay(slow)
+    assert 'at call time, {"adaptation.gain": 0.001}' in said_of_decay(slow)
     run = clpt.simulate(own_law, times)
-    assert re.search("no certificate: .* The run has the law mine", said_of_decay(run))
+    assert re.search(
+        "no certificate: .* The run has a law given in Python, mine", said_of_decay(run)
+    )
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 

@@ -9,11 +9,11 @@ from ...base.errors import ClptError
 from ...base.figures import axes_for, figure_of
 from ...base.html import Result, folded, listing
 from ...base.page import Drawn, Page, Section, drawn, versions_section
-from ...base.run_attributes import BEYOND, CHANGED, OWN_LAW, OWN_PARTS, TEAM
+from ...base.run_attributes import CHANGED, OWN_LAW, OWN_PARTS, TEAM, beyond_scenario
 from ...engine.diagram.interconnection import Diagram
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
-from ...paper.scenario.recorded_run import unknown_parts, waypoints_of
+from ...paper.scenario.recorded_run import thinned, unknown_parts, waypoints_of
 from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
@@ -108,8 +108,7 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Summary) -> list[str]:
     if not _ended(run) and (begin > 0 or end < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
         sentences.append(f"The page shows t = {begin:g} to {end:g} {unit} of the run.")
-    kinds = [name for name in BEYOND if name in run.attrs]
-    if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
+    if beyond := beyond_scenario(run.attrs):
         sentences.append(
             f"The run had what its scenario does not hold: {'; '.join(beyond)}. What it followed, "
             "the true flow and the law may be others than drawn."
@@ -260,9 +259,7 @@ def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
     step = -(-count // MOST_SAMPLES)
     if step == 1:
         return run, ""
-    few = run.isel(time=np.unique([*range(0, count, step), count - 1]))
-    few.encoding.update(run.encoding)
-    return few, f" Drawn from 1 in {step} of {count} samples."
+    return thinned(run, step), f" Drawn from 1 in {step} of {count} samples."
 
 
 # --- of any diagram ------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from ...base.errors import DataError
 from ...base.figures import ONE_DRAWING, checked_formats
 from ...base.files import check_writable, make_folder, write_together
 from ...base.files.reading import open_netcdf
+from ...base.run_attributes import beyond_scenario
 from ...paper.scenario.recorded_run import (
     check_response,
     check_run,
@@ -147,17 +148,13 @@ def page_of(data: Any, title: str | None, name: str) -> "Page":
 
 def _title_of(run: "xarray.Dataset") -> str:
     """Return the title of a run; a changed run of the paper's scenario has a title of its own."""
-    from ...paper.scenario.file import BEYOND, paper_scenario, scenario_of_run
+    from ...paper.scenario.file import paper_scenario, scenario_of_run
 
     title = str(run.attrs.get("title") or "A run without a title")
     paper = paper_scenario()
     if title != paper.title:
         return title
-    changes = [
-        f"{change}, {run.attrs[name]}"
-        for name, (change, _) in BEYOND.items()
-        if name in run.attrs
-    ]
+    changes = beyond_scenario(run.attrs)
     if "scenario" in run.attrs:
         values, of_paper = map(_by_key, (scenario_of_run(run), paper))
         keys = [key for key in values if values[key] != of_paper.get(key)]

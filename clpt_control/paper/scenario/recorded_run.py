@@ -233,3 +233,11 @@ def read_estimate(
                 "of an older version. Estimate again"
             )
     return estimate, scenario
+
+
+def thinned(run: "xarray.Dataset", step: int) -> "xarray.Dataset":
+    """Return each `step`-th sample of a run, and the last one."""
+    last = run.sizes["time"] - 1
+    few = run.isel(time=np.unique([*range(0, last, step), last]))
+    few.encoding.update(run.encoding)
+    return few

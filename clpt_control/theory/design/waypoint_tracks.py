@@ -26,8 +26,8 @@ from ...paper.laws.law import LEARNED
 from ...paper.scenario.experiment import Scenario
 from ...simulation.initial_states import state_of
 from ...simulation.loops import ClosedLoop
-from ..excitation.certificates import smallest_eigenvalue, worst_drop
-from ..excitation.regressor import quadrature, w_along, waypoint_in
+from ..excitation.certificates import worst_drop
+from ..excitation.regressor import eigenvalues_of, quadrature, w_along, waypoint_in
 
 ATOL = 1e-2  # absolute tolerance over the relative one
 LEARNER = ("z", "e", *LEARNED)  # signals of the learner, which does not run
@@ -124,7 +124,7 @@ class Tracks:
         zc = waypoints[:, self.node_waypoint]
         w = np.nan_to_num(w_along(self.basis, self.nodes, x, x, zc))
         if self.gains is None:
-            kappa = smallest_eigenvalue(w, self.weights)
+            kappa = eigenvalues_of(w, self.weights)[..., 0]
         else:
             k = np.array(self.scenario.vehicle.feedback)[:, None]
             kappa, _ = worst_drop(w, k, self.gains, self.weights)

@@ -23,7 +23,7 @@ from scipy.linalg import expm
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import factors_of
+from .regressor import eigenvalues_of, scale_of
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
@@ -83,11 +83,6 @@ def halving_text(bound: Any, unit: str) -> str:
     half_life = f"{at_most(bound.half_life)} {unit}".rstrip()
     factor = at_most(bound.overshoot)
     return f"errors of parameters halve at least every {half_life}, but for a factor {factor},"
-
-
-def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the smallest eigenvalue of the Gramian of rows."""
-    return np.linalg.svd(factors_of(rows, weights), compute_uv=False)[..., -1] ** 2
 
 
 def refuse_turns(turns: float) -> None:
@@ -174,10 +169,9 @@ def worst_drop(
     w_j is scaled by the root of gamma_j, the parameter error by its inverse; the gain is then 1.
     A parameter without a gain does not adapt.
     """
-    adapted = gains > 0
-    w, weights = finely(np.sqrt(gains[adapted]) * w[..., adapted], weights)
+    w, weights = finely(w @ scale_of(gains), weights)
     rows, transition = propagate(w, k, 1.0, weights.sum(axis=1))
-    return 2 * k * smallest_eigenvalue(rows, weights), transition
+    return 2 * k * eigenvalues_of(rows, weights)[..., 0], transition
 
 
 def refuse_unproved(scenario: Scenario) -> None:
@@ -213,16 +207,16 @@ def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
             "no certificate: it is for the run of one scenario, or of=verdict. A team and signals "
             "have Gramians only"
         )
-    law, adapted = scenario.learning.law, excitation.gains > 0
+    law, gains = scenario.learning.law, excitation.gains
     if excitation.python_parts or law not in ("learned-flow", "known-flow"):
         raise ScenarioError(
             "no certificate: it is for the paper's two laws. The run has "
             f"{excitation.python_parts or f'the law {law}'}"
         )
     refuse_unproved(scenario)
-    if not adapted.any():
+    if not gains.any():
         raise ScenarioError("no certificate: the law adapts no parameter")
-    feedback, gains = np.array(scenario.vehicle.feedback), excitation.gains
+    feedback = np.array(scenario.vehicle.feedback)
     drop, Phi = worst_drop(excitation.w, feedback, gains, excitation.weights)
     return drop, Phi[None]
 
@@ -235,6 +229,7 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     """
     form, cuts = excitation.form, excitation.cuts
     m, n = form.W.shape
+    scaled_A = form.left @ np.array(form.A, dtype=float) @ np.linalg.inv(form.left)
     ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
     W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
 
@@ -242,7 +237,7 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         at = np.unique([0, *range(first, len(W), step), len(W) - 1])
         mean = (W[at[1:]] + W[at[:-1]]) / 2
         rates = np.zeros((len(mean), m + n, m + n))
-        rates[:, :m, :m] = form.scaled_A
+        rates[:, :m, :m] = scaled_A
         rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(np.matmul, steps[::-1])]

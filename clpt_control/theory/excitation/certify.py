@@ -266,10 +266,5 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     ends = window * np.arange(count + 1)
     span = float(ends[-1]), 0.0, ends[1:-1], "position"
     regressor = joint_regressors(scenario, *span)[""]
-    w, gains, weights = regressor.w, regressor.gains, regressor.weights
-    return np.array(
-        [
-            worst_drop(w[:, nodes], k, gains, weights[nodes])[0]
-            for nodes in regressor.parts(ends[:-1], window)
-        ]
-    )
+    parts = regressor.parts(ends[:-1], window)
+    return np.array([worst_drop(w, k, regressor.gains, h)[0] for w, h in parts])

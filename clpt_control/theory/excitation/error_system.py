@@ -9,7 +9,6 @@ V is least.  W may depend on all signals: along a run it is a function of time.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -44,16 +43,6 @@ class ErrorSystem:
     rates: dict[Any, Any]  # of all states in the loop's order
     inputs: dict[str, Any]  # name -> symbol
     errors: Matrix  # e and th, in states
-
-    @cached_property
-    def scaled_A(self) -> np.ndarray:
-        """A in the coordinates."""
-        return self.left @ np.array(self.A, dtype=float) @ np.linalg.inv(self.left)
-
-    @cached_property
-    def forms(self) -> np.ndarray:
-        """Rates of change of e and th with the states."""
-        return np.array(self.errors.jacobian([*self.rates]), dtype=float)
 
     def errors_at(self, states: np.ndarray) -> np.ndarray:
         """Return e and th, shape (times, m + n)."""
@@ -122,7 +111,8 @@ class ErrorSystem:
         self, times: np.ndarray, states: np.ndarray, rates: np.ndarray
     ) -> np.ndarray:
         """Return by how much a run may miss the equations, of states, and of e and th."""
-        sums = np.hstack([np.eye(states.shape[1]), self.forms.T])
+        forms = np.array(self.errors.jacobian([*self.rates]), dtype=float)
+        sums = np.hstack([np.eye(states.shape[1]), forms.T])
 
         def missed(every: int) -> np.ndarray:
             """Changes over two intervals, less the rates by the trapezoidal rule."""

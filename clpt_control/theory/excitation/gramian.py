@@ -25,7 +25,7 @@ from ...base.arguments import public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.recorded_run import is_response
+from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
 from .certificates import Certificate, certificate
 from .error_system import error_system_of
@@ -44,6 +44,7 @@ from .excitation_report import (
 from .regressor import (
     Regressor,
     Source,
+    eigenvalues_of,
     factors_of,
     joint_regressors,
     span_of,
@@ -124,8 +125,7 @@ class Excitation(Regressor):
     def accuracy(self) -> float | None:
         """Relative change of the eigenvalues of a recorded run without every second sample."""
         last = self.source.sizes["time"] - 1
-        thin = self.source.isel(time=np.unique([*range(0, last, 2), last]))
-        thin.encoding.update(self.source.encoding)
+        thin = thinned(self.source, 2)
         try:
             coarse = self._in(thin, self.window, self.start).eigenvalues
         except DataError:
@@ -171,12 +171,8 @@ class Excitation(Regressor):
         starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
         edges = np.concatenate([starts, starts + self.window])
         regressor = self._in(self.source, end - begin, begin, edges)
-        factors = [
-            factors_of(regressor.w[:, nodes], regressor.weights[nodes])
-            for nodes in regressor.parts(starts, self.window)
-        ]
-        eigenvalues = np.linalg.svd(factors, compute_uv=False)[..., ::-1] ** 2
-        by_axis = np.moveaxis(eigenvalues, 1, 0)
+        parts = regressor.parts(starts, self.window)
+        by_axis = np.stack([eigenvalues_of(*part) for part in parts], axis=1)
         return starts, dict(zip(self.names, by_axis, strict=True))
 
     @property

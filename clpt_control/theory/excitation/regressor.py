@@ -13,7 +13,7 @@ each 0.2 s within 1e-6.
 straight lines between the samples, and the trapezoidal rule integrates their products.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
@@ -22,7 +22,7 @@ import numpy as np
 from scipy.interpolate import interp1d
 
 from ...base.errors import ArgumentError, DataError, ScenarioError
-from ...base.run_attributes import CHANGED, OWN_LAW, OWN_PARTS
+from ...base.run_attributes import beyond_scenario
 from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
 from ...paper.scenario.experiment import Scenario
@@ -39,11 +39,6 @@ DEGREE = 5
 REGRESSOR_BLOCKS = {"reference", "basis_x"}  # whose outputs w contains
 POSITION = "position"
 PREDICTED = "predicted_position"
-PYTHON_PARTS = {
-    OWN_LAW: "the law",
-    OWN_PARTS: "parts given in Python,",
-    CHANGED: "parameters",
-}
 Source = Union[Scenario, Team, "xarray.Dataset"]
 
 
@@ -126,6 +121,12 @@ class Regressor:
     form: Any = None  # error system of a verdict, whose W has its m rows at each node
 
     @property
+    def scale(self) -> np.ndarray:
+        """What takes w of one e, as a row, into coordinates in which V is half a sum of squares."""
+        form = self.form
+        return form.left[0, 0] * form.right if form else scale_of(self.gains)
+
+    @property
     def start(self) -> float:
         """Start of the window, units.time."""
         return float(self.cuts[0])
@@ -135,11 +136,14 @@ class Regressor:
         """Length of the window."""
         return float(self.cuts[-1] - self.cuts[0])
 
-    def parts(self, starts: np.ndarray, window: float) -> list[slice]:
-        """Return the pieces of windows that begin and end at cuts."""
+    def parts(
+        self, starts: np.ndarray, window: float
+    ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield w and weights of windows that begin and end at cuts."""
         ends = starts + window
         cuts = np.searchsorted(self.cuts, np.array([starts, ends]) - 1e-9 * window)
-        return [slice(*pair) for pair in cuts.T.tolist()]
+        for begin, end in cuts.T:
+            yield self.w[:, begin:end], self.weights[begin:end]
 
 
 # cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
@@ -221,6 +225,11 @@ def gains_of_w(scenario: Scenario) -> np.ndarray:
     gains = scenario.learning.used_gains
     flow = 0.0 if scenario.learning.row.given_estimate else gains.parameters
     return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
+
+
+def scale_of(gains: np.ndarray) -> np.ndarray:
+    """Return S, w S scaled by the roots of the gains; a parameter without a gain is left out."""
+    return np.diag(np.sqrt(gains))[:, gains > 0]
 
 
 def joint_regressors(
@@ -314,8 +323,7 @@ def _regressor(
         x, z = (positions_between(samples, v, dwell, times) for v in positions)
         step = np.median(np.diff(samples))
         trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-        named = [key for key in PYTHON_PARTS if key in run.attrs]
-        python_parts = " and ".join(f"{PYTHON_PARTS[k]} {run.attrs[k]}" for k in named)
+        python_parts = " and ".join(beyond_scenario(run.attrs))
     zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
     w = w_along(scenario.basis_block(), times, x, z, zc)
     N, gains = scenario.basis.N, gains_of_w(scenario)
@@ -395,15 +403,14 @@ def w_along(
     return regressors(phi.reshape(*shape, -1), z, np.broadcast_to(zc, z.shape))
 
 
-def weighted_rows(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return matrices M of w (..., pieces, nodes, n), with M^T M the Gramian int w w^T dt."""
-    *batch, _, _, n = w.shape
-    return (np.sqrt(weights)[..., None] * w).reshape(*batch, -1, n)
-
-
 def factors_of(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return R (..., n, n), R^T R the Gramian of w (..., pieces, nodes, n)."""
-    rows = weighted_rows(w, weights)
-    *batch, _, n = rows.shape
+    *batch, _, _, n = w.shape
+    rows = (np.sqrt(weights)[..., None] * w).reshape(*batch, -1, n)
     padded = np.concatenate([np.zeros((*batch, n, n)), rows], axis=-2)
     return np.asarray(np.linalg.qr(padded, mode="r"))
+
+
+def eigenvalues_of(w: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return the eigenvalues (..., n) of the Gramian of w, ascending."""
+    return np.linalg.svd(factors_of(w, weights), compute_uv=False)[..., ::-1] ** 2

@@ -171,15 +171,13 @@ def riccati_of(excitation: Any) -> dict[str, Any]:
     # Step 1: w, constant in pieces
     if excitation.certificate().half_life is None:
         raise DataError("no Riccati certificate: not all parameters are excited enough")
-    form, w, h = excitation.form, excitation.w, excitation.weights
+    form, h = excitation.form, excitation.weights
+    w = excitation.w @ excitation.scale
     if form:
-        feedback, w = (
-            [-form.A[0]] * (form.W.rows == 1),
-            form.left[0, 0] * w.mean(axis=2, keepdims=True) @ form.right,
-        )
+        feedback = [-form.A[0]] * (form.W.rows == 1)
+        w = w.mean(axis=2, keepdims=True)
     else:
-        feedback, gains = excitation.scenario.vehicle.feedback, excitation.gains
-        w = np.sqrt(gains[gains > 0]) * w[..., gains > 0]
+        feedback = excitation.scenario.vehicle.feedback
     h, found = h.reshape(w.shape[1] * w.shape[2], -1).sum(axis=1), {}
     for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
         a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)

@@ -13,15 +13,15 @@ import numpy as np
 
 from ...engine.model.block import Block
 from ...parts.common import make_block
-from .regressor import gains_of_w
+from .regressor import gains_of_w, regressors, scale_of
 
 USED = {"p", "kappa", "rho", "C", "b0", "b1"}  # constants
 
 
 def regressor(t, x, u, p):
     """w_i = [phi(x), z_i, zc_i], Eq. (31)."""
-    rows = (np.hstack([u.phi_x, u.z[i], u.zc[i]]) for i in (0, 1))
-    return dict(zip(("w_x1", "w_x2"), rows, strict=True))
+    w_x1, w_x2 = regressors(u.phi_x, u.z, u.zc)
+    return {"w_x1": w_x1, "w_x2": w_x2}
 
 
 def watched(t, x, u, p):
@@ -48,21 +48,24 @@ def held(t, x, u, p):
 def watch_of(excitation: Any) -> list[Block]:
     """Return blocks for `export(..., watch=)` or `connect`: w, and the flag `holds` by axis."""
     rates, form, scenario = excitation.riccati, excitation.form, excitation.scenario
-    blocks = []
-    if form:
-        scale = form.left[0, 0] * form.right.T
-    else:
-        gains, N = gains_of_w(scenario), scenario.basis.N
-        scale = np.diag(np.sqrt(gains))[gains > 0]
+    blocks, scale = [], excitation.scale
+    if not form:
+        scale, N = scale_of(gains_of_w(scenario)), scenario.basis.N
         inputs, w = {"phi_x": N, "z": 2, "zc": 2}, {"w_x1": N + 2, "w_x2": N + 2}
         blocks += [Block("regressor", output=regressor, inputs=inputs, outputs=w)]
     for axis, rate in rates.items():
         names = {} if form else {"w": f"w_{axis}", "holds": f"holds_{axis}"}
         numbers = {name: float(x) for name, x in rate.constants.items() if name in USED}
-        numbers |= {"f0": rate.f, "R0": (rate.R + rate.R.T) / 2, "scale": scale}
-        n = len(rate.f)
-        sizes = {"inputs": {"w": scale.shape[1]}, "outputs": {"holds": 1}}
-        sizes["states"] = {"f": n, "R": (n, n)}
-        name, rules = f"watch_{axis}", {"update": watched, "output": held}
-        blocks += [make_block(name, names, numbers, **rules, **sizes)]
+        numbers |= {"f0": rate.f, "R0": (rate.R + rate.R.T) / 2, "scale": scale.T}
+        watch = make_block(
+            f"watch_{axis}",
+            names,
+            numbers,
+            update=watched,
+            output=held,
+            inputs={"w": len(scale)},
+            outputs={"holds": 1},
+            states={"f": rate.f.size, "R": rate.R.shape},
+        )
+        blocks.append(watch)
     return blocks
