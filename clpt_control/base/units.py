@@ -54,7 +54,11 @@ def number(cell: Any) -> float:
 
 
 def finite_or_none(value: Any) -> Any:
-    """Return None for a number that is not finite, which JSON cannot express."""
+    """Return a value as JSON has it: None for a number that is not finite, arrays as lists."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, list):
+        return [*map(finite_or_none, value)]
     return None if isinstance(value, float) and not isfinite(value) else value
 
 

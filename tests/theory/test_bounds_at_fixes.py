@@ -112,7 +112,7 @@ REFUSED = [
     ({"localization.latency": 0.1}, {}, "in the plan each fix arrives, and at once"),
     ({"localization.dropouts": 0.1}, {}, "in the plan each fix arrives, and at once"),
     ({"run.duration": 1e4}, {}, "more than 5000 intervals of 0.5"),
-    ({}, {"radius": 1.0}, "are not of a scenario of fixes"),
+    ({}, {"radius": 1.0}, "radius: is not of a scenario of fixes"),
     ({}, {"unmodelled": -1.0}, "must be 0 or more"),
     ({}, {"unmodelled": np.inf}, "must be 0 or more"),
     (
@@ -141,7 +141,7 @@ def test_a_shear_that_is_none_is_refused(shear):
 
 
 def test_limits_of_the_flow_are_of_fixes_alone():
-    with pytest.raises(clpt.ScenarioError, match="are of a scenario of fixes"):
+    with pytest.raises(clpt.ScenarioError, match="shear: is of a scenario of fixes"):
         clpt.certify(clpt.paper_scenario(), shear=0.1)
 
 

@@ -1,7 +1,7 @@
 """Results, figure and page of a flow learned from fixes: errors of the forecasts, parameters."""
 
 import json
-from math import atan2, degrees, hypot
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -9,7 +9,7 @@ import xarray
 
 from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ...base.figures.degree_axes import degree_axes
-from ...base.geodesy import LocalPlane
+from ...base.geodesy import LocalPlane, direction
 from ...base.html import Result
 from ...base.page import Page, Section, drawn, versions_section
 from ...base.units import at_most, finite_or_none
@@ -52,8 +52,8 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
             "error_m": float(size),
             "radius_m": float(radius),
             "inside": bool(inside),
-            "flow": towards(*map(float, flow)),
-            "guaranteed_m_s": finite_or_none(float(bound)),
+            "flow": {"speed": hypot(*flow), "towards": direction(*flow) or 0.0},
+            "guaranteed_m_s": finite_or_none(bound),
         }
         for number, start, end, size, radius, inside, flow, bound in zip(
             data.leg.values,
@@ -189,8 +189,3 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     errors.set_ylim(0, 1.15 * max(float(error.max()), 1e-3))
     legend_below(errors, 2)
     return np.array([chart, errors])
-
-
-def towards(east: float, north: float) -> dict[str, float]:
-    """Return speed (m/s) and direction (degrees) of a flow."""
-    return {"speed": hypot(east, north), "towards": degrees(atan2(east, north)) % 360.0}

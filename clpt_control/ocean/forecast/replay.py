@@ -387,8 +387,7 @@ class Replay:
         if self.flow_model is not None:
             carried_by.append(np.array([dive.model_east, dive.model_north], float))
         sizes = [
-            finite_or_none(float(np.hypot(*(y - displacement))))
-            for displacement in carried_by
+            finite_or_none(np.hypot(*(y - displacement))) for displacement in carried_by
         ]
         return dict(zip(self.models, sizes, strict=True))
 

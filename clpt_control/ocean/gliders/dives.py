@@ -373,9 +373,7 @@ def dive_between(
     )
     fields = {"track": through.track, "turned": through.turned, **gps1}
     for key, value in optional.items():
-        fields[key] = (
-            finite_or_none(float(value)) if isinstance(value, float) else value
-        )
+        fields[key] = finite_or_none(value)
     return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **fields))
 
 

@@ -128,7 +128,7 @@ def scalar(data: xarray.Dataset, name: str) -> float | None:
     if name not in data.variables:
         return None
     numbers = values(data, name)
-    return finite_or_none(float(numbers.flat[0])) if numbers.size else None
+    return finite_or_none(numbers.flat[0]) if numbers.size else None
 
 
 def seconds(data: xarray.Dataset, name: str) -> np.ndarray:

@@ -173,7 +173,7 @@ def _variation(data: xarray.Dataset) -> float | None:
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
     degrees, _ = within(np.array(stated), VARIATIONS)
-    return finite_or_none(float(degrees))
+    return finite_or_none(degrees)
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:

@@ -14,16 +14,17 @@ of squares.  In windows with one w the norm of the errors, the root of V, falls 
 
 from bisect import bisect_left
 from dataclasses import dataclass
-from functools import cache, reduce
+from functools import reduce
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import legendre
 from scipy.linalg import expm
 
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import eigenvalues_of, scale_of
+from .regressor import COEFFICIENTS, NODE, NODES, WEIGHT, eigenvalues_of, scale_of
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
@@ -31,6 +32,9 @@ WINDOWS = 8  # of a half-life at most
 ROUNDING = 1e-14  # of |Phi|
 MAX_POWER = 10**15  # of Phi
 MAX_CHANGE = 0.5  # of |Phi| with fewer times
+# a of the Gauss method on a step of length 1: integrals of P_j from -1 to each node, halved
+INTEGRALS = legendre.legval(NODE, legendre.legint(np.eye(NODES), lbnd=-1)).T
+COLLOCATION = INTEGRALS @ COEFFICIENTS / 2
 
 
 @dataclass(frozen=True)
@@ -104,26 +108,11 @@ def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     turns = largest * weights.sum(axis=1)
     refuse_turns(turns.sum())
     division = int(np.ceil(max(1.0, turns.max() / TURN)))
-    nodes = weights.shape[1]
-    node = np.polynomial.legendre.leggauss(nodes)[0]
-    fine_node = (2 * np.arange(division)[:, None] + 1 + node) / division - 1
-    legendre = np.polynomial.legendre.legvander
-    inverse = np.linalg.inv(legendre(node, nodes - 1))
-    interpolation = legendre(fine_node, nodes - 1) @ inverse
+    fine_node = (2 * np.arange(division)[:, None] + 1 + NODE) / division - 1
+    interpolation = legendre.legvander(fine_node, NODES - 1) @ COEFFICIENTS
     w = interpolation @ w[..., None, :, :]
-    w = w.reshape(*w.shape[:-4], -1, nodes, w.shape[-1])
+    w = w.reshape(*w.shape[:-4], -1, NODES, w.shape[-1])
     return w, np.repeat(weights / division, division, axis=0)
-
-
-@cache
-def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return a (nodes, nodes) and b (nodes,) of the Gauss method on a step of length 1."""
-    legendre = np.polynomial.legendre
-    c, weight = legendre.leggauss(nodes)
-    # integrals of P_j from -1 to each node
-    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))
-    a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
-    return a / 2, weight / 2
 
 
 def propagate(
@@ -140,13 +129,12 @@ def propagate(
         e   -> e + h b (W eta - k E - gamma h (a*G) E)
         eta -> eta - gamma h sum_j b_j w_j E_j
     """
-    *batch, count, nodes, n = w.shape
-    a, b = collocation(nodes)
+    *batch, count, _, n = w.shape
     k = np.asarray(k)[..., None, None]
-    rows = np.empty((*batch, count, nodes, n + 1))
+    rows = np.empty((*batch, count, NODES, n + 1))
     end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
     e, eta = end[..., :1, :], end[..., 1:, :]
-    identity = np.eye(nodes)
+    identity, a, b = np.eye(NODES), COLLOCATION, WEIGHT / 2
     for j in range(count):
         h = lengths[j]
         W = w[..., j, :, :]

@@ -45,8 +45,8 @@ import numpy as np
 from scipy.optimize import brentq
 
 from ...base.arguments import Positive, public
-from ...base.errors import ScenarioError
-from ...base.units import at_least, at_most
+from ...base.errors import ScenarioError, refuse_unused
+from ...base.units import at_least, at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ..laws.promises import largest_disturbance
@@ -102,7 +102,7 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        fields = {name: np.asarray(v).tolist() for name, v in vars(self).items()}
+        fields = {name: finite_or_none(value) for name, value in vars(self).items()}
         return {**fields, "within_run": self.within_run, "said": self.said}
 
 
@@ -180,22 +180,17 @@ def certify(
     >>> found.V.round(4).tolist(), found.drops.round(2).tolist()
     ([0.01, 0.007, 0.0053], [0.4, 0.32])
     """
-    of_fixes = shear, unmodelled
-    if scenario.learning.row.at_fixes and not scenario.left_out:
-        if (radius, error, window) != (None, None, None):
-            raise ScenarioError(
-                "radius, error, window: are not of a scenario of fixes. Give shear and unmodelled"
-            )
-        return certify_fixes(scenario, *of_fixes)
     if scenario.learning.row.at_fixes:
-        lacking = ", ".join(scenario.left_out)
-        raise ScenarioError(
-            f"no certificate: the scenario lacks {lacking}. Give its plan"
-        )
-    if of_fixes != (None, None):
-        raise ScenarioError(
-            "shear, unmodelled: are of a scenario of fixes. Give radius, error and window"
-        )
+        if scenario.left_out:
+            lacking = ", ".join(scenario.left_out)
+            raise ScenarioError(
+                f"no certificate: the scenario lacks {lacking}. Give its plan"
+            )
+        reason = "is not of a scenario of fixes. Give shear and unmodelled"
+        refuse_unused(reason, radius=radius, error=error, window=window)
+        return certify_fixes(scenario, shear, unmodelled)
+    reason = "is of a scenario of fixes. Give radius, error and window"
+    refuse_unused(reason, shear=shear, unmodelled=unmodelled)
     _check(scenario)
     if max(radius or 0.0, error or 0.0) > LARGEST:
         raise ScenarioError(f"radius, error: must be at most {LARGEST:g}")

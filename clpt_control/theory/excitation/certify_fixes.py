@@ -83,12 +83,7 @@ class FixBounds:
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        return {
-            name: [*map(finite_or_none, field.tolist())]
-            if isinstance(field, np.ndarray)
-            else field
-            for name, field in vars(self).items()
-        }
+        return {name: finite_or_none(value) for name, value in vars(self).items()}
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draw guaranteed and made errors against the interval."""

@@ -15,7 +15,7 @@ The vehicles of a team share the flow parameters of an axis and have their own K
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import control
@@ -141,7 +141,7 @@ class Excitation(Regressor):
     def _in(self, *where: Any) -> "Excitation":
         """Return the same of another run or window, cut at edges."""
         signals = self.form or self.names.get("w")
-        regressor = partial(joint_regressors, signals=signals)(*where)[""]
+        regressor = joint_regressors(*where, signals=signals)[""]
         return Excitation(**vars(regressor), source=where[0])
 
     def plot(self, *, ax: Any = None) -> np.ndarray:

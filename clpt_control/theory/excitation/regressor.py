@@ -19,6 +19,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
+from numpy.polynomial import legendre
 from scipy.interpolate import interp1d
 
 from ...base.errors import ArgumentError, DataError, ScenarioError
@@ -96,10 +97,12 @@ def positions_between(
 
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
-NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
+NODE, WEIGHT = legendre.leggauss(NODES)
+# values at the nodes -> coefficients of their polynomial
+COEFFICIENTS = np.linalg.inv(legendre.legvander(NODE, NODES - 1))
 MAX_PIECES = 1e6
 SHORTEST = 1e-9  # window, share of the run
-ROUGH = 1e-6  # last Legendre coefficients of a piece, share of the largest w
+ROUGH = 9e-7  # last Legendre coefficients of a piece, share of the largest w
 REFINEMENTS = 5
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
@@ -238,6 +241,7 @@ def joint_regressors(
     start: float | None = None,
     edges: Any = (),
     predicted: str = PREDICTED,
+    *,
     signals: Sequence[str] | ErrorSystem | None = None,
 ) -> dict[str, Regressor]:
     """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or of `signals`, which
@@ -251,8 +255,6 @@ def joint_regressors(
     system = system_of(source)
     members, simulated = members_of(system), isinstance(source, Scenario | Team)
     window, start = checked_window(source, window, start)
-    legendre = np.polynomial.legendre.legvander(NODE, NODES - 1)
-    last_coefficients = (legendre * WEIGHT[:, None])[:, -2:] * NODES
     for _ in range(REFINEMENTS):
         nodes = {
             name: quadrature(scenario, start, start + window, edges)
@@ -272,7 +274,7 @@ def joint_regressors(
         new_cuts = []
         for regressor in result.values():
             w, cuts = regressor.w, regressor.cuts
-            tails = np.abs(np.swapaxes(w, -1, -2) @ last_coefficients).max(axis=-1)
+            tails = np.abs(COEFFICIENTS[-2:] @ w).max(axis=2)
             largest = np.abs(w).max(axis=(1, 2))[:, None]
             rough = np.any(tails > ROUGH * largest, axis=(0, 2))
             quarters = np.linspace(cuts[:-1][rough], cuts[1:][rough], 5)
