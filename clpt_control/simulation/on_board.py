@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..base.errors import DiagramError
+from ..base.errors import ClptError, DiagramError
 from ..base.html import asset
 from ..base.units import at_least
 from ..engine.diagram.interconnection import Diagram, connect
@@ -78,6 +78,11 @@ def learner(loop: ClosedLoop, name: str, watch: Sequence[Any]) -> Diagram:
     for block in parts:
         ports = input_ports(block).keys()
         read |= ports
+        if unknown := ports - outside - makers.keys():
+            raise ClptError(
+                f"watch: no block makes {', '.join(sorted(unknown))}. Give all of `watch` of the "
+                "gramian of this learner"
+            )
         parts += [makers[port] for port in ports - outside if makers[port] not in parts]
     inputs = dict.fromkeys([*INPUTS, *loop.external])
     external = [port for port in inputs if port in read & outside]

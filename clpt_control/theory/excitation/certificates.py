@@ -217,7 +217,6 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     """
     form, cuts = excitation.form, excitation.cuts
     m, n = form.W.shape
-    scaled_A = form.left @ np.array(form.A, dtype=float) @ np.linalg.inv(form.left)
     ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
     W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
 
@@ -225,7 +224,7 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         at = np.unique([0, *range(first, len(W), step), len(W) - 1])
         mean = (W[at[1:]] + W[at[:-1]]) / 2
         rates = np.zeros((len(mean), m + n, m + n))
-        rates[:, :m, :m] = scaled_A
+        rates[:, :m, :m] = form.scaled_A
         rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(np.matmul, steps[::-1])]

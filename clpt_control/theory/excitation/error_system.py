@@ -49,10 +49,20 @@ class ErrorSystem:
         points = dict(zip(self.rates, states.T, strict=True))
         return NumericValues(*self.errors).at(points, len(states)).T
 
+    @property
+    def scaled_A(self) -> np.ndarray:
+        """A in the coordinates."""
+        return self.left @ np.array(self.A, dtype=float) @ np.linalg.inv(self.left)
+
+    @property
+    def scale(self) -> np.ndarray:
+        """The matrix of the coordinates of e and th."""
+        return block_diag(self.left, np.linalg.inv(self.right))
+
     def V_along(self, run: Any) -> np.ndarray:
         """Return V of a run at its times."""
-        scale = block_diag(self.left, np.linalg.inv(self.right))
-        return np.sum((self.errors_at(run[STATES].values) @ scale.T) ** 2, axis=1) / 2
+        scaled = self.errors_at(run[STATES].values) @ self.scale.T
+        return np.sum(scaled**2, axis=1) / 2
 
     def along(
         self, run: Any, signals: dict[str, np.ndarray]
@@ -84,6 +94,8 @@ class ErrorSystem:
         # Step 2: the run follows the rates of all states, and of e and th
         allowed = self._missed(times, states, rates)[len(self.rates) :]
         # Step 3: it shows each term of A e, W th and G W^T P e
+        if not W.any():
+            return t, W
         m = W.shape[1]
         errors = self.errors_at(x)[:, None]
         A, P = np.array([self.A], dtype=float), self.left.T @ self.left
@@ -97,14 +109,16 @@ class ErrorSystem:
             shown = trapezoid(np.abs(matrix * errors[..., column]), t, axis=0)
             largest = np.abs(matrix).max(axis=0)
             appears = largest > ROUNDING * largest.max(axis=1, keepdims=True)
-            hidden = appears & (shown <= SHOWN * allowed[row, None])
-            if W.any() and hidden.any():
-                k, j = np.argwhere(hidden)[0]
-                raise DataError(
-                    f"of: the run does not show ({short(self.errors[row][k])})' of the verdict: "
-                    f"{short(self.errors[column][j])} is 0, or adds too little to it. Start the "
-                    "run from another state, make it longer, or give more times"
-                )
+            for k, j in np.argwhere(appears & (shown <= SHOWN * allowed[row, None])):
+                raise hidden(self.errors[row][k], self.errors[column][j])
+        # Step 4: and each error would show in any equation, in the coordinates
+        sizes = trapezoid(np.abs(errors[:, 0] @ self.scale.T), t, axis=0)
+        rate = max(
+            np.abs(self.scaled_A).max(), np.abs(self.left @ W @ self.right).max()
+        )
+        least = SHOWN * (np.abs(self.scale) @ allowed).max()
+        for j in np.flatnonzero(rate * sizes <= least):
+            raise hidden(self.errors[np.argmax(sizes)], self.errors[j])
         return t, W
 
     def _missed(
@@ -132,6 +146,15 @@ class ErrorSystem:
                 "far apart. Give the run of the same loop with the same parameters, or more times"
             )
         return allowed
+
+
+def hidden(state: Any, error: Any) -> DataError:
+    """Return the error for a run that does not show what an error adds to a rate."""
+    return DataError(
+        f"of: the run does not show ({short(state)})' of the verdict: {short(error)} is 0, or adds "
+        "too little to it for these samples. Start the run from another state, make it longer, or "
+        "give more times"
+    )
 
 
 def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:

@@ -24,24 +24,31 @@ def regressor(t, x, u, p):
     return {"w_x1": w_x1, "w_x2": w_x2}
 
 
+def least_pivot(R):
+    """Return the least pivot of R up to the first that is not positive."""
+    least = R[0, 0]
+    for k in range(len(R)):
+        least = np.minimum(least, R[k, k])
+        R = R - np.outer(R[:, k], R[k]) / np.where(least > 0, R[k, k], 1.0)
+    return least
+
+
 def watched(t, x, u, p):
-    """Return f' and R', of V of Eq. (24)."""
+    """Return f' and R', of V of Eq. (24); 0 from where R is not positive, which ends the facts."""
     f, R, w = x.f + p.f0, x.R + p.R0, p.scale @ u.w
     pull = R @ w
     loss = p.rho * (R + p.C * np.eye(len(f)))
+    goes_on = np.where(least_pivot(R) > 0, 1.0, 0.0)
     return {
-        "f": w - p.p * f,
-        "R": np.outer(f, f) - loss - p.kappa * np.outer(pull, pull),
+        "f": goes_on * (w - p.p * f),
+        "R": goes_on * (np.outer(f, f) - loss - p.kappa * np.outer(pull, pull)),
     }
 
 
 def held(t, x, u, p):
     """Return whether the facts hold under which V of Eq. (24) falls."""
     R, b = x.R + p.R0, (x.f + p.f0) @ p.scale @ u.w
-    least = np.minimum(b - p.b0, p.b1 - b)
-    for k in range(len(R)):
-        least = np.minimum(least, R[k, k])
-        R = R - np.outer(R[:, k], R[k]) / R[k, k]
+    least = np.minimum(np.minimum(b - p.b0, p.b1 - b), least_pivot(R))
     return {"holds": np.where(least > 0, 1.0, 0.0)}
 
 
