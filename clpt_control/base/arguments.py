@@ -393,7 +393,7 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
 
 
 def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
-    """Return a new vector of numbers; a single number is the value of all."""
+    """Return a new vector of finite numbers; a single number is the value of all."""
     array = numbers(argument, value)
     if not array.ndim:
         array = np.full(size, array)
@@ -401,6 +401,8 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
         raise ArgumentError(
             f"{argument}: must have {size} numbers; it has shape {array.shape}"
         )
+    for k in np.flatnonzero(~np.isfinite(array))[:1]:
+        raise ArgumentError(f"{argument}[{k}] = {array[k]}: must be finite")
     return array.copy()
 
 

@@ -46,7 +46,7 @@ def varied_numbers(
             varied |= _elements(name, location, parameters)
     if not varied:
         raise SimulationError(
-            "to: no parameters. Name a parameter, or a state of the start"
+            "to, or parameters= of a fit: no parameters. Name a parameter, or a state of the start"
         )
     _check_differentiable(varied, wiring)
     return varied

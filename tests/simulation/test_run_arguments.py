@@ -113,6 +113,8 @@ def test_other_states_of_a_scenario_are_its_own():
         ({"initial_state": {"speed": 1}}, "lag: has no state 'speed'. It has angle"),
         ({"initial_state": {"angle": [1, 2]}}, "must have 1 numbers"),
         ({"inputs": {"torque": "much"}}, "must be an array of numbers"),
+        ({"initial_state": {"angle": np.nan}}, "initial_state['angle'][0] = nan: must"),
+        ({"initial_state": [np.inf]}, "initial_state[0] = inf: must be finite"),
     ],
 )
 def test_other_names_are_refused(arguments, sentence):

@@ -182,7 +182,7 @@ ASKING = autonomous(
     lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]], k=1.0, n=3.0
 )
 UNKNOWN = [
-    (gain("y"), {"to": "x0"}, "to: no parameters"),
+    (gain("y"), {"to": "x0"}, "to, or .*: no parameters"),
     (gain("parameter"), {"to": "k"}, "parameter: is a dimension"),
     (
         control.ss(1, 1, 1, 0, name="p"),
@@ -198,7 +198,7 @@ UNKNOWN = [
     (ASKING, {"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
     (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
     (ASKING, {"to": "k", "of": "q"}, "must be among x, states"),
-    (ASKING, {"to": []}, "to: no parameters"),
+    (ASKING, {"to": []}, "to, or .*: no parameters"),
 ]
 
 

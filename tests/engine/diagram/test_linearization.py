@@ -245,6 +245,10 @@ def test_what_is_given_is_as_in_python_control():
         clpt.ArgumentError, match=r"x: must have 2 numbers; it has shape \(3,\)"
     ):
         clpt.linearize(PENDULUM, [0, 0, 0])
+    with pytest.raises(clpt.ArgumentError, match=r"^x\[1\] = nan: must be finite$"):
+        clpt.linearize(PENDULUM, [0, np.nan], [0])
+    with pytest.raises(clpt.ArgumentError, match=r"^u\[0\] = inf: must be finite$"):
+        clpt.linearize(PENDULUM, [0, 0], np.inf)
 
 
 def test_the_interval_is_that_of_the_time():
