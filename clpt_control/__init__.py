@@ -8,20 +8,11 @@ imported when first used, so that importing the package is light.
 
 from typing import Any
 
-import lazy_loader
-
 from .base import notebook_display, public_modules
 
 __version__ = "0.1.0"
-_lazy_getattr, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = public_modules.attach(__name__, __file__)
 public_modules.register()
-
-
-def __getattr__(name: str) -> Any:
-    try:
-        return _lazy_getattr(name)
-    except AttributeError:
-        raise public_modules.missing(__name__, name, __all__) from None
 
 
 def _diagram_html(diagram: Any) -> str:

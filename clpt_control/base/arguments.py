@@ -10,10 +10,10 @@ import difflib
 import os
 import re
 import reprlib
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache, update_wrapper
-from inspect import CO_VARKEYWORDS
+from inspect import signature
 from itertools import zip_longest
 from numbers import Integral, Real
 from types import FunctionType, NoneType, UnionType
@@ -62,6 +62,7 @@ EXAMPLES = {  # argument -> example for its message
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
 }
+HIDDEN = {"self", "_cls", "ports", "options", "optional"}  # not in lists of arguments
 TIMES = "timepts", "Give the times as timepts"
 START = "initial_state", "Give the initial state as initial_state"
 NO_RESPONSE = "timepts", "Leave it out: a run is an xarray.Dataset, with run.states"
@@ -72,6 +73,7 @@ OTHER_NAMES = {  # argument of python-control or SciPy -> ours, and the remedy
     "U": ("inputs", "Give the inputs as inputs"),
     "solve_ivp_method": ("method", "Give the method as method"),
     "solve_ivp_kwargs": ("rtol", "Give rtol, atol and max_step themselves"),
+    "bounds": ("parameters", "Give parameters={'k': (start, low, high)}"),
     "ignore_errors": ("rtol", "Leave it out: a run that fails raises an error"),
 }
 MAKERS = {  # word of the allowed kinds -> remedy
@@ -107,9 +109,8 @@ def _checking(function: Any, name: str) -> Any:
     """Return a function that checks its arguments before it calls another."""
     code = function.__code__
     positional = code.co_varnames[: code.co_argcount]
-    names = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
-    any_name = bool(code.co_flags & CO_VARKEYWORDS)
-    refuse_other_names = _refuse_other_names  # `call` has the globals of the target
+    of_call = signature(function)
+    refuse_call = _refuse_call  # `call` has the globals of the target
     kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
@@ -130,9 +131,10 @@ def _checking(function: Any, name: str) -> Any:
         return value
 
     def call(*values: Any, **named: Any) -> Any:
-        if len(values) > len(positional) or not (any_name or names.issuperset(named)):
-            refuse_other_names(name, names, named)
-            return function(*values, **named)  # Python itself says what is too much
+        try:
+            of_call.bind(*values, **named)
+        except TypeError as error:
+            refuse_call(name, of_call.parameters, named, error)
         return function(
             *map(checked, positional, values),
             **{argument: checked(argument, value) for argument, value in named.items()},
@@ -141,15 +143,18 @@ def _checking(function: Any, name: str) -> Any:
     return update_wrapper(call, function)
 
 
-def _refuse_other_names(
-    name: str, names: Collection[str], named: Mapping[str, Any]
+def _refuse_call(
+    name: str, parameters: Iterable[str], named: Mapping[str, Any], error: TypeError
 ) -> None:
-    """Refuse names of arguments that python-control or SciPy has for those of a function."""
-    for name_elsewhere, (name_here, advice) in OTHER_NAMES.items():
-        if name_elsewhere in named and name_here in names:
-            raise ArgumentError(
-                f"{name}: {name_elsewhere}= is not an argument. {advice}"
-            )
+    """Refuse a call with unknown, missing, repeated or too many arguments."""
+    names = [own for own in parameters if own not in HIDDEN]
+    for unknown in sorted(named.keys() - names):
+        name_here, advice = OTHER_NAMES.get(unknown, ("", ""))
+        if name_here not in names:
+            advice = known(unknown, names)
+        if "unexpected" in str(error) or "mean" in advice:  # else it may be a port
+            raise ArgumentError(f"{name}: {unknown}= is not an argument. {advice}")
+    raise ArgumentError(f"{name}: {error}. Its arguments are {', '.join(names)}")
 
 
 def without_mask(value: Any) -> Any:
@@ -429,10 +434,11 @@ def check_holds(argument: str, data: Any, names: Iterable[str], cure: str) -> No
 
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the most similar name, also without the block before it, or ""."""
-    candidates, last = [*names], name.rpartition(".")[2]
-    if last in candidates:
+    candidates, last = {one.lower(): one for one in names}, name.rpartition(".")[2]
+    if last in candidates.values():
         return last
-    return next(iter(difflib.get_close_matches(name, candidates, n=1)), "")
+    close = difflib.get_close_matches(name.lower(), candidates, n=1)
+    return candidates[close[0]] if close else ""
 
 
 def known(name: str, names: Iterable[str]) -> str:

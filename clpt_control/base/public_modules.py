@@ -13,6 +13,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import lazy_loader
+
 PACKAGE = __package__.partition(".")[0]
 PUBLIC_MODULES = {
     "currents": "Gridded currents, tides, fits, and the flow of a run.",
@@ -62,6 +64,19 @@ def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
     similar = nearest(name, names)
     advice = f". Did you mean {short}.{similar}?" if similar else ""
     return AttributeError(f"No {module} attribute {name}{advice}")
+
+
+def attach(module: str, file: str) -> Any:
+    """Return __getattr__, __dir__ and __all__ of a module whose names its stub lists."""
+    lazy_getattr, directory, names = lazy_loader.attach_stub(module, file)
+
+    def attribute(name: str) -> Any:
+        try:
+            return lazy_getattr(name)
+        except AttributeError:
+            raise missing(module, name, names) from None
+
+    return attribute, directory, names
 
 
 class PublicModule(ModuleType):

@@ -4,6 +4,6 @@
 (observer, Kalman filter, noise) and `vehicles`.
 """
 
-import lazy_loader
+from ..base.public_modules import attach
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -5,6 +5,6 @@ Proofs of laws (`prove`, `lyapunov`), the Gramian of a track (`gramian`) and bou
 (`certify`) are names of the package.
 """
 
-import lazy_loader
+from ..base.public_modules import attach
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach(__name__, __file__)
