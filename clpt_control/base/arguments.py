@@ -61,6 +61,7 @@ EXAMPLES = {  # argument -> example for its message
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
+    "values": "{'learning.gain': 2.0}",
 }
 HIDDEN = {"self", "_cls", "ports", "options", "optional"}  # not in lists of arguments
 TIMES = "timepts", "Give the times as timepts"
@@ -365,7 +366,7 @@ def hint(argument: str, value: Any, allowed: str) -> str:
     """Return a remedy for the message, or ""."""
     if argument in EXAMPLES:
         return f", such as {EXAMPLES[argument]}"
-    if isinstance(value, str) and "[str" in allowed:
+    if isinstance(value, str) and re.search(r"(Sequence|Iterable|list)\[str", allowed):
         return f". Give a list: [{value!r}]"
     return next(
         (f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS),

@@ -151,13 +151,11 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
     panels = np.reshape(axes, (len(shown), len(columns)))
     for (label, values), in_row in zip(shown.items(), panels, strict=True):
         name = literal(named(label, unit_of(values)))
-        limits = {"vmin": rows[label].min(), "vmax": rows[label].max()}
+        low, high = rows[label].min(), rows[label].max()
+        limits = {"vmin": low, "vmax": high, "cmap": "cividis"}
         for (_, part), panel in zip(columns, in_row, strict=True):
             if is_map:
-                position = part[x], part[others[0]]
-                colours = panel.scatter(
-                    *position, 16, part[label], marker="s", cmap="cividis", **limits
-                )
+                colours = _draw_map(panel, part, x, others[0], label, limits)
             else:
                 _draw_lines(panel, part, x, label, others[:1])
         in_row[0].set_ylabel(_axis_of(varied[others[0]]) if is_map else name)
@@ -174,6 +172,17 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
         beside = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
         panels[0, -1].legend(frameon=False, fontsize=8, **beside)
     return axes
+
+
+def _draw_map(
+    ax: Any, rows: pandas.DataFrame, x: str, y: str, label: str, limits: dict
+) -> Any:
+    """Draw cells in colours if each x has all y, or a square at each member."""
+    cells = rows.groupby([y, x])[label].mean().unstack()
+    if cells.size > len(rows):
+        return ax.scatter(rows[x], rows[y], 16, rows[label], marker="s", **limits)
+    ax.grid(visible=False)
+    return ax.pcolormesh(cells.columns, cells.index, cells, **limits)
 
 
 def _draw_lines(

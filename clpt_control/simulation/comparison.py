@@ -76,11 +76,12 @@ def signals_plot(
     ax: Any = None,
     label: str | None = None,
     color: str | None = None,
+    plots: Sequence[str] = (),
 ) -> Any:
     """Draw signals and states of a run by name, on one Axes.
 
     A name is that of a port, a signal or a state: ``"e"``, ``"e[0]"``, ``"tank_h[0]"``. On several
-    Axes, as many as names, each has one.
+    Axes, as many as names, each has one. A refused name may be meant for one of `plots`.
 
     >>> import clpt_control as clpt
     >>> run = clpt.simulate(clpt.parts.lag(2.0), [0.0, 1.0, 2.0], 1.0)
@@ -96,7 +97,7 @@ def signals_plot(
     ax = axes_for(ax, 6.4, 3.2)
     signals: dict[str, np.ndarray] = {}  # by name with unit
     for name in names:
-        signals |= _signals_by_name(run, name)
+        signals |= _signals_by_name(run, name, plots)
     before = len(ax.lines)
     for k, (name, values) in enumerate(signals.items()):
         text = literal(name)
@@ -120,22 +121,24 @@ def _title(run: "xarray.Dataset", name: str) -> str:
     return with_unit(name, port)
 
 
-def _signals_by_name(run: "xarray.Dataset", name: str) -> dict[str, np.ndarray]:
+def _signals_by_name(
+    run: "xarray.Dataset", name: str, plots: Sequence[str]
+) -> dict[str, np.ndarray]:
     """Return the signals of a port, or a signal or state, by name with unit."""
     ports = ports_along(run)
     if name in ports:
         signals = signals_of(run[name])
         return {_title(run, signal): values for signal, values in signals.items()}
     by_name: dict[str, np.ndarray] = {}
-    for port in ports:
-        by_name |= signals_of(run[port])
     if STATES in run.variables:
         labels = run[STATES]["state"].values.tolist()
-        by_name = dict(zip(labels, run[STATES].values.T, strict=True)) | by_name
+        by_name = dict(zip(labels, run[STATES].values.T, strict=True))
+    advice = known(name, dict.fromkeys([*plots, *ports, *by_name]))
+    for port in ports:
+        by_name |= signals_of(run[port])
     for spelling in (name, name.replace(".", "_"), name.removesuffix("[0]")):
         if spelling in by_name:
             return {_title(run, spelling): by_name[spelling]}
-    advice = known(name, [*COMPARED, *ports, *by_name])
     raise ArgumentError(f"plot '{name}': the run has no such signal or state. {advice}")
 
 
@@ -217,19 +220,20 @@ def compare(
         raise ArgumentError(f"labels: has {len(labels)}; must be {len(every)}, as runs")
     check_runs(every)
     is_new_figure = ax is None
+    of_scenarios = all("scenario" in run.attrs for run in every)
+    plots = COMPARED if of_scenarios else {"response": response_plot}
     if plot is None:
-        of_scenarios = all("scenario" in run.attrs for run in every)
-        plot = "run" if of_scenarios else "response"
-    draw = COMPARED.get(plot) if isinstance(plot, str) else None
+        plot = next(iter(plots))
+    draw = plots.get(plot) if isinstance(plot, str) else None
     if draw is None:
-        draw = partial(signals_plot, names=plot)
+        draw = partial(signals_plot, names=plot, plots=[*plots])
         is_new_figure = False
     names = [*map(str, labels or runs)]
     signals = [changing_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
-        raise DataError(
-            f"not all runs have the same signals: choose some, as run[{signals[0][:1]}]"
-        )
+        shared = sorted({*signals[0]}.intersection(*signals))
+        remedy = f"give plot={shared[:1]}" if shared else "draw each, run.clpt.plot()"
+        raise DataError(f"runs: not all have the same signals; {remedy}")
     for colour, name, run in zip(COLOURS, names, every, strict=False):
         ax = draw(run, ax=ax, label=name, color=colour, **options)
     panels = np.ravel(ax)

@@ -310,6 +310,14 @@ SAID = {  # call -> the sentence
     lambda: clpt.tune_law(SCENARIO, laws="sigma"): (
         "tune_law: laws = 'sigma': must be Iterable[str]. Give a list: ['sigma']"
     ),
+    lambda: SCENARIO.with_values("learning.gain=2"): (
+        "Scenario.with_values: values = 'learning.gain=2': must be Mapping[str, Any], such as "
+        "{'learning.gain': 2.0}"
+    ),
+    lambda: clpt.compare("run.nc"): (
+        "compare: runs = 'run.nc': must be Mapping[str, 'Dataset'] or Sequence['Dataset']; "
+        "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one"
+    ),
 }
 
 

@@ -316,12 +316,29 @@ def test_a_sweep_of_two_long_ranges_is_a_map():
     panels = data.clpt.plot()
     assert [panel.get_ylabel() for panel in panels] == ["b", ""]
     shown = panels[1].collections[0]
-    a, b = shown.get_offsets().T
+    a, b = MANY, MANY[:, None]
     by_trapezoids = 0.5 * (0.0 / 2 + 0.25 + 1.0 / 2)
     np.testing.assert_allclose(
         shown.get_array(), (a + b + 7.0) * by_trapezoids**0.5, rtol=1e-9
     )
     assert shown.norm.vmin == panels[0].collections[0].norm.vmin
+    corners = shown.get_coordinates()  # cells fill the panel, each about its numbers
+    np.testing.assert_allclose((corners[0, 1:, 0] + corners[0, :-1, 0]) / 2, MANY)
+    np.testing.assert_allclose((corners[1:, 0, 1] + corners[:-1, 0, 1]) / 2, MANY)
+    assert not [line for line in panels[1].get_xgridlines() if line.get_visible()]
+
+
+def test_members_without_a_grid_are_squares_at_their_numbers():
+    vary = {"a": "1:9", "b": "1:9"}
+    data = clpt.run_ensemble(pushed(), vary, 20, timepts=[0.0, 0.5, 1.0])
+    (panel,) = np.ravel(data.clpt.plot())[:1]
+    shown = panel.collections[0]
+    np.testing.assert_array_equal(shown.get_offsets(), np.c_[data.a, data.b])
+    by_trapezoids = 0.5 * (0.0 / 2 + 0.25 + 1.0 / 2)
+    a, b = data.a.values, data.b.values
+    np.testing.assert_allclose(
+        shown.get_array(), (a + b) * by_trapezoids**0.5, rtol=1e-9
+    )
 
 
 @pytest.mark.parametrize("width", [5.0, 7.0, 12.0])

@@ -1,5 +1,7 @@
 """Several runs in one figure, units of ports, and dimensions named after them."""
 
+from functools import partial
+
 import control
 import matplotlib.pyplot as plt
 import numpy as np
@@ -335,14 +337,32 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
         ({str(k): a for k in range(7)}, None, ""),
         ({"a": a}, "map", ""),
         ({"a": a}, "track", ""),
-        (
-            {"a": a, "b": a[["h"]]},
-            None,
-            r"the same signals: choose some, as run\[\['h'\]\]",
-        ),
+        ({"a": a, "b": a[["h"]]}, None, r"the same signals; give plot=\['h'\]"),
+        ({"a": a[["v"]], "b": a[["h"]]}, None, r"draw each, run\.clpt\.plot\(\)"),
         ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
     ):
         says(clpt.ClptError, rf"\A.*{said}.*\Z", clpt.compare, runs, plot)
+    assert len(clpt.compare({"a": a, "b": a[["h"]]}, ["h"]).lines) == 4
+
+
+def test_names_of_a_refused_plot_are_plots_when_followed(of_tanks, of_scenarios):
+    tanks, scenarios = of_tanks["0.5"], of_scenarios["0.8"]
+    for draw, names in (
+        (tanks.clpt.plot, [*tanks.data_vars]),
+        (partial(clpt.compare, of_tanks), ["response", *tanks.data_vars]),
+        (scenarios.clpt.plot, ["track", "map", "clpe", "learning", "signals"]),
+        (partial(clpt.compare, of_scenarios), ["run", "track", "clpe", "learning"]),
+    ):
+        with pytest.raises(clpt.ArgumentError) as caught:
+            draw("qqqqqqqq")
+        listed = str(caught.value).partition("It has ")[2].split(", ")
+        assert len({*listed}) == len(listed)
+        assert {*names} - {"states"} <= {*listed}
+        for name in listed[:6]:
+            draw(name)
+        plt.close("all")
+    for name in ("map", "run"):
+        says(clpt.ArgumentError, f"{name}': the run has no such", tanks.clpt.plot, name)
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):

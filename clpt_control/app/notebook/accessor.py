@@ -186,6 +186,7 @@ class ClptAccessor:
         plots = PLOTS[self.kind]
         if not isinstance(name, str) or name not in plots:
             if self.kind in ("run", "diagram"):
+                options |= {"plots": [*filter(None, plots)]}
                 return signals_plot(self._data, name, ax=ax, **options)
             names = ", ".join(filter(None, plots))
             advice = f"there is one plot of this {self.kind}. Leave the name out"
