@@ -67,9 +67,7 @@ def assume(case: Any, margin: Expr) -> None:
         s, value, meaning = way
         case.given[d] = meaning.xreplace(case.given)
         case.fixed.add(d)
-        case.motion = {x: e.xreplace({s: value}) for x, e in case.motion.items()}
-        case.V = case.V.xreplace({s: value})
-        case.claim = case.claim and case.claim.xreplace({s: value})
+        case.write(lambda e: e.xreplace({s: value}))
 
 
 def as_relation(margin: Expr) -> str:

@@ -213,7 +213,7 @@ class LyapunovCandidate(ABC):
         return exact(claim, not self.undefined, "".join(self.undefined[:1]), "values")
 
     def kept(self) -> list[Step]:
-        """Return the steps that relations of states are kept."""
+        """Return the steps that relations and sets of states are kept."""
         return []
 
     def definite(self) -> Definite:

@@ -36,18 +36,18 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
         if case.never_positive(least - loss):
             loss = least
             break
-    losses, where, rising = _lost(case, loss, bounded), case.where, _rising(case, loss)
-    if losses == rising:
-        losses = lost_forms(-bound, case.fixed, bounded) or losses
-    if losses == rising:
-        losses = _lost_by_groups(case, loss, bounded) or losses
-    if not losses and where.kept:
-        bounded = bounded | {
-            r for r, e in where.roots.items() if e.free_symbols & bounded
-        }
-        loss = loss.xreplace(where.squared)
-        losses = where.in_states(_lost(case, loss, bounded))
-    return losses
+    losses = (
+        lost_forms(loss, case.fixed, bounded)
+        or lost_forms(-bound, case.fixed, bounded)
+        or _lost_by_groups(case, loss, bounded)
+        or _rising(case, loss)
+    )
+    if losses or not case.where.kept:
+        return losses
+    roots = case.where.roots.items()
+    bounded = bounded | {root for root, e in roots if e.free_symbols & bounded}
+    of_roots = lost_forms(loss.xreplace(case.where.squared), case.fixed, bounded)
+    return case.where.in_states(of_roots)
 
 
 def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:

@@ -6,7 +6,7 @@ bounded; with rates that grow at most linearly in them they exist for all times 
 s' = 1 + s^2 escapes at t = pi/2.  Inputs are bounded.
 """
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from typing import Any
@@ -102,9 +102,7 @@ class Motion:
         condition = f", if {self._names_of(sources)} bounded" * bool(sources)
         stable = list[Any]()
         self.free = outside
-        drivers = [(s, d) for s in rates for d in rates[s].free_symbols & rates.keys()]
-        # groups that drive each other, each after those that drive it
-        for states in strongly_connected_components(([*rates], drivers)):
+        for states in groups_of_drivers(rates):
             own_rates = [rates[s].xreplace(self.bounded) for s in states]
             if not jumps.keys() & {*states} and self._is_linear_and_stable(
                 own_rates, states
@@ -159,7 +157,7 @@ class Motion:
             return False
         if any(self.not_bounded(e) for e in remainder):
             return False
-        return schur(J) if self.eq.discrete else hurwitz(J)
+        return is_stable(J, self.eq.discrete)
 
     def not_bounded(self, expression: Expr) -> list[str]:
         """Return the names of what may take an expression beyond every bound."""
@@ -270,6 +268,20 @@ def _names(eq: Equations, free: list) -> list[str]:
     return [name.rpartition(":")[2] for name in names]
 
 
+def groups_of_drivers(rates: Mapping[Any, Expr]) -> list[list]:
+    """Return groups of states that drive each other, each after those that drive it."""
+    drivers = [(s, d) for s in rates for d in rates[s].free_symbols & rates.keys()]
+    return strongly_connected_components(([*rates], drivers))
+
+
+def is_stable(A: sympy.Matrix, discrete: bool) -> bool:
+    """Return whether a linear motion goes to zero; in discrete time by (A - I)/(A + I)."""
+    if not discrete:
+        return hurwitz(A)
+    identity = sympy.eye(A.rows)
+    return (A + identity).det() != 0 and hurwitz((A - identity) * (A + identity).inv())
+
+
 def hurwitz(A: sympy.Matrix) -> bool:
     """Return whether all eigenvalues have a negative real part, by Routh's table, exactly."""
     row, next_row = (A.charpoly().all_coeffs()[k::2] for k in (0, 1))
@@ -278,9 +290,3 @@ def hurwitz(A: sympy.Matrix) -> bool:
         pairs = zip_longest(row[1:], next_row[1:], fillvalue=0)
         row, next_row = next_row, [sympy.cancel(a - share * b) for a, b in pairs]
     return not next_row
-
-
-def schur(A: sympy.Matrix) -> bool:
-    """Return whether all eigenvalues are within the unit circle, by those of (A - I)/(A + I)."""
-    identity = sympy.eye(A.rows)
-    return (A + identity).det() != 0 and hurwitz((A - identity) * (A + identity).inv())

@@ -15,10 +15,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, S
 from sympy.core.function import AppliedUndef
-from sympy.utilities.iterables import (
-    connected_components,
-    strongly_connected_components,
-)
+from sympy.utilities.iterables import connected_components
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -27,10 +24,9 @@ from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
 from ..algebra.facts import is_smooth, roots_in
 from ..algebra.slopes import along, jumps_nowhere
-from ..algebra.sums_of_squares import squares, written_forms
+from ..algebra.sums_of_squares import written_forms
 from ..algebra.texts import short
-from .conclusions import Condition
-from .outside import hurwitz, schur
+from .outside import groups_of_drivers, is_stable
 from .signal_functions import expressions_of
 from .steps import Step, exact
 
@@ -118,11 +114,6 @@ class Relations:
         """The relations, as text."""
         return ", ".join(f"{s} = {short(v, 40)}" for s, v in self.solved.items())
 
-    @property
-    def conditions(self) -> list[Condition]:
-        """The relations as a condition."""
-        return [Condition("start", self.text)] * bool(self.solved)
-
     def rate(self, s: Any) -> Expr:
         """Return the rate of s - value, or in discrete time its next value."""
         off = s - self.solved[s]
@@ -161,9 +152,9 @@ class Relations:
         # Step 1: rates
         rates = distances(map(self.rate, r))
         drivers = [(d, other) for d in rates for other in rates if rates[d].has(other)]
-        groups = strongly_connected_components if alone else connected_components
+        joint = connected_components(([*rates], drivers))
         growths = list[Expr]()
-        for group in groups(([*rates], drivers)):
+        for group in groups_of_drivers(rates) if alone else joint:
             others = dict.fromkeys(rates.keys() - {*group}, S.Zero)
             own = {d: rates[d].xreplace(others) for d in group}
             if self._is_stable(own, alone):
@@ -190,7 +181,7 @@ class Relations:
         if J.has(*rates) and not nearby:
             return False
         J = J.xreplace(dict.fromkeys(rates, S.Zero))
-        return schur(J) if self.eq.discrete else hurwitz(J)
+        return is_stable(J, self.eq.discrete)
 
     def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
         """Return the steps that the relations are kept, and that rounding does not leave them."""
@@ -215,18 +206,20 @@ class Relations:
 # --- errors -------------------------------------------------------------------------------------
 
 
-def errors_of(case: Any) -> tuple[dict[Any, Expr], dict[Any, Expr]]:
+def errors_of(
+    case: Any, forms: Iterable[Expr]
+) -> tuple[dict[Any, Expr], dict[Any, Expr]]:
     """Return states in errors, linear forms of V such as x - z, and errors -> these forms."""
-    total = squares(case.V, case.fixed)
-    in_errors, forms = Relations(case.eq, case.motion), dict[Any, Expr]()
-    states = [s for s in reversed(case.motion) if s not in case.where.kept]
-    for form in total.forms if total else ():
+    in_errors, errors = Relations(case.eq, case.motion), dict[Any, Expr]()
+    as_they_are = {*forms, *case.where.kept}
+    states = [s for s in reversed(case.motion) if s not in as_they_are]
+    for form in forms:
         if form not in case.motion:
-            error = sympy.Dummy("e", real=True)
+            error = sympy.Dummy(f"{form}", real=True)
             with suppress(DiagramError):
                 in_errors.add(form - error, states)
-                forms[error] = form
-    return in_errors.solved, forms
+                errors[error] = form
+    return in_errors.solved, errors
 
 
 def in_errors(case: Any, e: Expr) -> Iterator[tuple[Expr, Mapping[Any, Expr]]]:

@@ -39,6 +39,7 @@ from ..algebra.exact import (
 )
 from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly
+from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
@@ -70,8 +71,6 @@ class SystemCandidate(LyapunovCandidate):
     is_rounded = (
         False  # whether V, V' or rates are without rounding errors of their terms
     )
-
-    errors = cached_property(errors_of)  # states in errors, and what these are
 
     def __init__(
         self,
@@ -136,18 +135,25 @@ class SystemCandidate(LyapunovCandidate):
 
     def _leave_out(self, keeps: Callable | None) -> list[str]:
         """Leave out the states that relations give; return where these may have no value."""
-        self.relations, self.whole_V = Relations(self.eq, self.motion), self.V
+        self.relations, self.whole_V = Relations(self.eq, {**self.motion}), self.V
         without_value = self.relations.read(keeps) if keeps else []
-        of, solved = self.relations.of, self.relations.solved
-        self.motion = {s: of(r) for s, r in self.motion.items() if s not in solved}
-        self.V, self.is_whole = of(self.V), not solved
-        self.claim = None if self.claim is None else of(self.claim)
+        for s in self.relations.solved:
+            self.motion.pop(s)
+        self.write(self.relations.of)
+        self.is_whole = not self.relations.solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]
         return without_value
 
+    def write(self, as_it_is: Callable[[sympy.Expr], sympy.Expr]) -> None:
+        """Write V, the claim and the rates of states in another way."""
+        self.motion = {s: as_it_is(rate) for s, rate in self.motion.items()}
+        self.V, self.claim = as_it_is(self.V), self.claim and as_it_is(self.claim)
+
     def kept(self) -> list[Step]:
-        """Return the steps that the relations of states are kept."""
-        return self.relations.steps(self.never_positive)
+        """Return the steps that the relations and the sets of states are kept."""
+        steps = self.relations.steps(self.never_positive)
+        are_kept = all(map(self._keeps, self.where.roots.values()))
+        return steps if are_kept else [exact(f"{self.where.sets} is kept", False)]
 
     def _equations(self, names: type[Names], watch: Any = undefined_in) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
@@ -172,14 +178,9 @@ class SystemCandidate(LyapunovCandidate):
         self.is_rounded = True
         return of_numbers
 
-    def has_values(self) -> Step:
-        """Return the step that there are values, and that states do not leave their sets."""
-        if all(self._keeps(s, margin) for s, margin in self.where.margins):
-            return super().has_values()
-        return exact(f"{self.where.sets} is kept", False)
-
-    def _keeps(self, s: Any, margin: sympy.Expr) -> bool:
+    def _keeps(self, margin: sympy.Expr) -> bool:
         """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
+        (s,) = margin.free_symbols
         rate, jumps, is_open = self.motion[s], self.eq.jumps.values(), s.is_positive
         nexts = [{s: rate}] if self.eq.discrete else jumps
         after = [margin.xreplace(change) for change in nexts]
@@ -197,7 +198,7 @@ class SystemCandidate(LyapunovCandidate):
     def kept_signs(self) -> dict[str, tuple]:
         """Return states of V', but not of V, that stay at 0 or above if they begin so."""
         states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
-        return {str(s): (0, None) for s in states if self._keeps(s, s)}
+        return {str(s): (0, None) for s in states if self._keeps(s)}
 
     def _rate_of_V(self) -> sympy.Expr:
         """Return V', or in discrete time by how much V changes from one time to the next."""
@@ -217,6 +218,12 @@ class SystemCandidate(LyapunovCandidate):
             map(is_continuous, self.motion.values())
         )
         return (is_smooth and in_one_piece(rate)) or rate
+
+    @cached_property
+    def errors(self) -> Any:
+        """States in errors of V, and what these are."""
+        total = squares(self.V, self.fixed)
+        return errors_of(self, total.forms if total else ())
 
     def depends_on(self, rate: sympy.Expr) -> list[str]:
         """Return the inputs that V' depends on."""
@@ -460,14 +467,16 @@ class SystemCandidate(LyapunovCandidate):
         stand_ins = [*filter(None, (node.system.approximation for node in nodes))]
         # inputs within bounds are not taken as zero
         rate = self.rate.xreplace(dict.fromkeys(self.where.box, sympy.Dummy()))
-        conditions = [Condition("t >= 0")] * has_time(self.V, rate)
-        conditions += [Condition("zero inputs", " = ".join(zeroed))] * bool(zeroed)
-        conditions += [Condition("approximation", ", ".join(stand_ins))] * bool(
-            stand_ins
+        texts = (
+            ("zero inputs", " = ".join(zeroed)),
+            ("approximation", ", ".join(stand_ins)),
+            ("between", ", ".join(map(as_relation, self.margins))),
+            ("start", self.where.sets),
+            ("input bounds", self.where.bounds),
+            ("start", self.relations.text),
         )
-        between = ", ".join(map(as_relation, self.margins))
-        conditions += [Condition("between", between)] * bool(self.margins)
-        conditions += self.where.conditions + self.relations.conditions
+        conditions = [Condition("t >= 0")] * has_time(self.V, rate)
+        conditions += [Condition(name, text) for name, text in texts if text]
         conditions += [Condition("rounding")] * self.is_rounded
         values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
         return conditions + [Condition("values", ", ".join(values))] * self.are_numbers

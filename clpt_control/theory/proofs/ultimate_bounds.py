@@ -37,6 +37,7 @@ from ..algebra.texts import bound_text, listed
 from .answers import Definite, Fall
 from .conclusions import Condition
 from .leaks import Leak, leaks_of, radial_of, stays_within
+from .relations import errors_of
 from .steps import exact
 
 # of V that V' may lose
@@ -186,27 +187,14 @@ class InForms(NamedTuple):
 
 def in_forms(case: Any, definite: Definite) -> InForms | None:
     """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
-    coordinates: dict[Any, sympy.Expr] = {}
-    forms = {}
-    for form in definite.forms:
-        states = sorted(form.free_symbols & {*case.motion}, key=str)
-        if len(states) < 2 or not form.is_polynomial(*states):
-            continue
-        used = set().union(*(e.free_symbols for e in coordinates.values()), coordinates)
-        for s in states:
-            slope = sympy.diff(form, s)
-            if slope.free_symbols <= case.fixed and s not in used and slope.is_nonzero:
-                e = sympy.Dummy(case.text(form), real=True)
-                coordinates[s] = sympy.expand((e - form) / slope + s)
-                forms[e] = form
-                break
-    V, rate = (sympy.expand(e.xreplace(coordinates)) for e in (case.V, case.rate))
+    states, forms = errors_of(case, definite.forms)
+    V, rate = (sympy.expand(e.xreplace(states)) for e in (case.V, case.rate))
     total = squares(V, case.fixed)
     if total is None:  # linear in states of sets
         V, rate = (sympy.expand(e.xreplace(case.where.squared)) for e in (V, rate))
         total, forms = squares(V, case.fixed), case.where.roots
-    states = sorted(V.free_symbols - case.fixed, key=str)
-    rest = zero_of(total, states) if total else None
+    moving = sorted(V.free_symbols - case.fixed, key=str)
+    rest = zero_of(total, moving) if total else None
     if rest is None:
         return None
     errors = {s: forms.get(s, s) - true for s, true in rest.items()}

@@ -21,7 +21,6 @@ from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from ..algebra.facts import CLIP
-from .conclusions import Condition
 from .signal_functions import undefined_in
 
 NOTHING = MappingProxyType[Any, Any]({})
@@ -56,7 +55,9 @@ class Where:
         self.kept = dict[Any, tuple]()  # state -> the ends of its set
         self.inside = dict[Any, Expr]()  # state -> what cannot leave its set
         self.squared = dict[Any, Expr]()  # state -> an end, and the square of a root
-        self.roots = dict[Any, Expr]()  # root -> the distance that it is the root of
+        self.roots = dict[
+            Any, Expr
+        ]()  # root -> the distance from an end, never negative
         self.box = dict[Any, tuple]()  # input -> its bounds
         names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
         for name, numbers in given.items():
@@ -88,11 +89,11 @@ class Where:
                 self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
             else:
                 self.kept[s] = low, high
-                for end, sign in ((high, -1), (low, 1)):
+                for end, sign in ((low, 1), (high, -1)):
                     if end is not None:
                         root = sympy.Dummy(name, real=True)
                         self.roots[root] = sign * (s - end)
-                        self.squared[s] = end + sign * root**2
+                        self.squared.setdefault(s, end + sign * root**2)
             if s.is_positive:
                 continue
             share = sympy.Dummy(name, nonnegative=True)
@@ -131,34 +132,20 @@ class Where:
         )
 
     @property
-    def margins(self) -> list[tuple[Any, Expr]]:
-        """States that have sets, and the distances from the ends, which are never negative."""
-        return [
-            (s, sign * (s - end))
-            for s, ends in self.kept.items()
-            for sign, end in zip((1, -1), ends, strict=True)
-            if end is not None
-        ]
-
-    @property
     def sets(self) -> str:
         """The sets that states do not leave, as text."""
-        return ", ".join(
-            f"{margin} {'>' if s in self.above else '>='} 0"
-            for s, margin in self.margins
-        )
+        distances = self.roots.values()
+        return ", ".join(f"{e} {'>' if e.is_positive else '>='} 0" for e in distances)
 
     @property
-    def conditions(self) -> list[Condition]:
-        """The sets and the bounds as conditions."""
-        ends = [
+    def bounds(self) -> str:
+        """The bounds of inputs, as text."""
+        return ", ".join(
             f"{float(low):.15g} <= " * (low != -oo)
             + f"{d.func}"
             + f" <= {float(high):.15g}" * (high != oo)
             for d, (low, high) in self.box.items()
-        ]
-        conditions = [Condition("start", self.sets)] * bool(self.kept)
-        return conditions + [Condition("input bounds", ", ".join(ends))] * bool(ends)
+        )
 
     def corners(self, rate: Expr, waves: bool = False) -> list[tuple]:
         """Return factors of the share of each corner of the box of inputs, and the rate there.
