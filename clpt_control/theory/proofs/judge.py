@@ -47,7 +47,7 @@ from .in_coq import File
 from .in_latex import verdict_in_latex
 from .outside import Motion
 from .rate_as_sum import NotASum
-from .relations import one_way
+from .relations import in_errors, one_way
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 from .where import Where
@@ -293,9 +293,8 @@ class LyapunovCandidate(ABC):
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is never positive for t >= 0, states in their sets."""
         parameters = self.fixed if self.numbers is None else self.numbers
-        written = dict.fromkeys((expression.xreplace(self.errors[0]), expression))
-        inside = (normal_form(e.xreplace(self.where.inside)) for e in written)
-        return any(never_positive(e, parameters) for e in inside)
+        inside = (e.xreplace(self.where.inside) for e, _ in in_errors(self, expression))
+        return any(never_positive(normal_form(e), parameters) for e in inside)
 
     def refuted(
         self, definite: Definite, fall: Fall
@@ -366,8 +365,9 @@ class Answers:
     where: Sequence[Condition] = ()
     jumps: Jumps | None = None
 
+    @cached_property
     def verdict(self) -> Verdict:
-        """Return the verdict: the first conclusion whose requirements are shown, or none."""
+        """The verdict: the first conclusion whose requirements are shown, or none."""
         fall, steps, failed = self.fall, tuple(self.steps), self.failed
         verdict = partial(self.candidate.verdict, fall=fall, steps=steps)
         if self.jumps and not self.jumps.step.holds:
@@ -421,14 +421,12 @@ def asked(candidate: LyapunovCandidate) -> Answers:
 
 def judge(candidate: LyapunovCandidate) -> Verdict:
     """Return the verdict on a candidate V; where it is open, look for a point that refutes V."""
-    answers = asked(candidate)
-    return with_refutation(candidate, answers, answers.verdict())
+    return with_refutation(candidate, asked(candidate))
 
 
-def with_refutation(
-    candidate: LyapunovCandidate, answers: Answers, verdict: Verdict
-) -> Verdict:
-    """Return a verdict, or where it is open and a point refutes V that refutation."""
+def with_refutation(candidate: LyapunovCandidate, answers: Answers) -> Verdict:
+    """Return the verdict, or where it is open and a point refutes V that refutation."""
+    verdict = answers.verdict
     if verdict.status != "open":
         return verdict
     found, searches = candidate.refuted(answers.definite, answers.fall)

@@ -21,7 +21,7 @@ from ..algebra.texts import short
 from .answers import Fall
 from .between import margins_of
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
-from .judge import Verdict, asked, refuted, with_refutation
+from .judge import Answers, Verdict, asked, refuted, with_refutation
 from .rate_as_sum import in_region
 from .region import Region
 from .searching import candidates
@@ -42,16 +42,14 @@ MOST_MARGINS = 3  # conditions between parameters
 MOST_TRIES = 16  # judgements without signs, or values, of parameters
 
 
-def _of_fewest_values(
-    case: SystemCandidate, verdict: Verdict, zeroed: Mapping, read: Reader
-) -> Reader:
+def _of_fewest_values(case: SystemCandidate, proof: Answers, read: Reader) -> Reader:
     """Return the reader by which a proof for the parameters' values is of the fewest of them.
 
     `case` has symbols for all parameters.  They may be so under conditions between them; else a
     parameter by which V' may rise needs its value; the others are tried all at once, then one by
     one.
     """
-    margins, of_margins = list[sympy.Expr](), case
+    margins, of_margins, verdict = list[sympy.Expr](), case, proof.verdict
     while len(margins) < MOST_MARGINS and (more := next(margins_of(of_margins), None)):
         margins.append(more)
         reader = partial(read, margins=margins)
@@ -60,7 +58,7 @@ def _of_fewest_values(
         of_margins = reader(points=1)
     names = [*map(str, case.eq.values)]
     if "falls" in CONCLUSIONS[verdict.conclusion].requires:
-        rate = (case.rate - (case.claim or 0)).xreplace(zeroed)
+        rate = (case.rate - (case.claim or 0)).xreplace(proof.fall.zeroed)
         names = _harmless(rate, case.eq.values)
     free = frozenset[str]()
     for group in [names, *([name] for name in names)][:MOST_TRIES]:
@@ -84,7 +82,7 @@ def _harmless(rate: sympy.Expr, values: Mapping[Any, Any]) -> list[str]:
 def _holds(verdict: Verdict, read: Reader) -> bool:
     """Return whether a verdict holds as it is read now, under no more conditions."""
     try:
-        weaker = asked(read(points=1)).verdict()
+        weaker = asked(read(points=1)).verdict
     except ClptError:
         return False
     given = {*verdict.conditions}
@@ -108,7 +106,7 @@ def _with_signs(verdict: Verdict, case: Any, read: Reader) -> Verdict:
     dropped = set[str]()
     for group in [*filter(None, groups)][:MOST_TRIES]:
         try:
-            weaker = asked(read(points=1, unsigned=dropped | group)).verdict()
+            weaker = asked(read(points=1, unsigned=dropped | group)).verdict
         except ClptError:
             continue
         if _texts(weaker) == _texts(verdict):
@@ -130,9 +128,9 @@ def _names(verdict: Verdict) -> set[str]:
     return {condition.name for condition in verdict.conditions}
 
 
-def _zeroed(verdict: Verdict) -> bool:
+def _zeroed(answers: Answers) -> bool:
     """Return whether it is proved for inputs of 0 alone."""
-    return "zero inputs" in _names(verdict)
+    return "zero inputs" in _names(answers.verdict)
 
 
 def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
@@ -295,35 +293,30 @@ def lyapunov(
         if within:
             return _in_region(candidate, within)
         answers = asked(candidate)
-        verdict = answers.verdict()
         weakest = AS_STRONG if answers.ends and answers.ends.cases else "goes to zero"
-        is_final = strength(verdict) <= [*CONCLUSIONS].index(weakest)
-        is_final = is_final and not _zeroed(verdict)
-        if candidate.eq.values and not is_final:
+        is_final = strength(answers.verdict) <= [*CONCLUSIONS].index(weakest)
+        if candidate.eq.values and (_zeroed(answers) or not is_final):
             of_numbers = asked(read(numbers=True))
-            found = of_numbers.verdict()
-            is_stronger = strength(found) < strength(verdict)
-            if is_stronger or (_zeroed(verdict) and not _zeroed(found)):
-                zeroed = of_numbers.fall.zeroed
-                read = _of_fewest_values(candidate, found, zeroed, read)
+            is_stronger = strength(of_numbers.verdict) < strength(answers.verdict)
+            if is_stronger or (_zeroed(answers) and not _zeroed(of_numbers)):
+                read = _of_fewest_values(candidate, of_numbers, read)
                 answers = asked(read())
-                verdict = answers.verdict()
-        if is_given and _zeroed(verdict):
+        if is_given and _zeroed(answers):
             failure = candidate.refuted_by_inputs()
             if claim is not None:  # it holds with the inputs
                 pushed = partial(read, is_pushed=True)
                 with_inputs = asked(pushed())
-                found = with_inputs.verdict()
-                if failure is not None or found.conclusion == MEAN:
-                    read, answers, verdict = pushed, with_inputs, found
+                if failure is not None or with_inputs.verdict.conclusion == MEAN:
+                    read, answers = pushed, with_inputs
             elif failure is not None:
-                return refuted(candidate, failure, answers.fall, verdict.steps)
+                return refuted(candidate, failure, answers.fall, answers.steps)
+        verdict = answers.verdict
         kept = candidate.kept_signs() if verdict.status == "open" and not where else {}
         if kept and (of_signs := judged(V, kept)).status == "proved":
             return of_signs
         if verdict.status == "proved":
             return _with_signs(verdict, answers.candidate, read)
-        return with_refutation(candidate, answers, verdict)
+        return with_refutation(candidate, answers)
 
     if within and where:
         raise DiagramError(f"{system.name}: leave `where` out: the box `within` is one")

@@ -13,7 +13,7 @@ from sympy import Expr, Poly, S, expand
 
 from ..algebra.slopes import degree
 from .answers import Definite, Fall
-from .steps import exact
+from .ultimate_bounds import bounded
 
 
 def mean_of(case: Any, definite: Definite) -> Fall | None:
@@ -36,8 +36,8 @@ def mean_of(case: Any, definite: Definite) -> Fall | None:
     if expand(claim) != 0 or is_by_inputs or _may_escape(case, definite, push):
         return None
     lost, push = (case.text(e.xreplace(forms)) for e in (lost, push))
-    step = exact(f"V' <= -({lost})/2 + ({push})/2", True, "", "mean")
-    return Fall([step], step.claim, bound=f"{lost} is at most {push}")
+    claim = f"V' <= -({lost})/2 + ({push})/2"
+    return bounded(claim, "mean", bound=f"{lost} is at most {push}")
 
 
 def _may_escape(case: Any, definite: Definite, push: Expr) -> bool:

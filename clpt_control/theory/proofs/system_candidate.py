@@ -484,7 +484,7 @@ class SystemCandidate(LyapunovCandidate):
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""
         answers = asked(self)
-        conclusion = answers.verdict().conclusion
+        conclusion = answers.verdict.conclusion
         if conclusion == "asymptotically stable":
             return [dict(answers.definite.least or {})]
         if conclusion != "comes to rest" or not answers.ends:
