@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from text_systems import TICKS
+from text_systems import TICKS, written
 
 import clpt_control as clpt
 from clpt_control import lyapunov
@@ -111,7 +111,7 @@ def test_two_parameters_by_two_filters():
 
 
 def test_information_of_a_filter_is_a_second_relation():
-    """Y' = w y and R' = w^2 keep Y = th R where y = th w."""
+    """Y' = w y and R' = w^2 keep Y = th R where y = th w; w, that may grow, drives distances."""
     rates = FILTER | {
         "R": lambda x, u, p: x.w**2 - x.R,
         "Y": lambda x, u, p: x.w * x.y - x.Y,
@@ -122,7 +122,7 @@ def test_information_of_a_filter_is_a_second_relation():
         return [s.y - s.th * s.w, s.Y - s.th * s.R]
 
     verdict = lyapunov(block(rates), squared, keeps=lines)
-    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert verdict.failed[0].claim == "rounding does not leave it"
     assert lyapunov(block(rates), squared, keeps=on_line).status != "proved"
 
 
@@ -190,6 +190,7 @@ BESIDE = {  # r' of the distance r from the line
     "w r": lambda r, x, u: x.w * r,
     "h r": lambda r, x, u: x.h * r,
     "u r": lambda r, x, u: u.r * r,
+    "-r + r^3": lambda r, x, u: -r + 1e20 * r**3,  # stable nearer than rounding
     "-r + w r^2": lambda r, x, u: -r + x.w * r**2,
     "u": lambda r, x, u: u.r,
     "2 - r": lambda r, x, u: 2 - r,
@@ -210,7 +211,6 @@ def test_a_line_that_a_run_leaves_is_not_kept(name):
         lambda r, x, u: 0 * r,
         lambda r, x, u: -r,
         lambda r, x, u: -(r**3),
-        lambda r, x, u: -r + r**3,  # stable near it
         lambda r, x, u: -(x.w**2) * r,
         lambda r, x, u: -np.tanh(r),
     ],
@@ -218,6 +218,35 @@ def test_a_line_that_a_run_leaves_is_not_kept(name):
 def test_a_line_that_distances_do_not_leave_is_kept(change):
     verdict = lyapunov(gradient(change), squared, keeps=on_line)
     assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+
+
+@pytest.mark.parametrize(
+    "after",
+    [
+        lambda w, y: w + 2 * (y - w),
+        lambda w, y: w + np.sqrt(np.abs(y - w)),
+        lambda w, y: w + (y - w) ** 2,
+    ],
+)
+def test_a_jump_that_enlarges_a_distance(after):
+    loop = clpt.Block(
+        "loop",
+        update=lambda t, x, u, p: {"w": 0 * x.w, "y": 0 * x.y, "e": -x.e},
+        jump=lambda t, x, u, p: {"y": after(x.w, x.y)},
+        states={"w": 1, "y": 1, "e": 1},
+        **TICKS,
+    )
+    verdict = lyapunov(loop, lambda s: s.e**2, keeps=lambda s: [s.y - s.w])
+    assert verdict.failed[0].claim == "rounding does not leave it"
+
+
+@pytest.mark.parametrize("drive", ["c * (z - 3 * w)", "z - 3 * w + (y - 3 * w)"])
+def test_a_distance_that_another_drives(drive):
+    """r_y' = -r_y + c r_z with c' = 3 c; r_y' = r_z with r_z' = 0."""
+    e = f"w' = -w; y' = -3*w - (y - 3*w) + {drive}; z' = -3*w{'- (z - 3*w)' * ('c' in drive)}"
+    plant, V, *_ = written(f"{e}; c' = 3*c; e' = -e; V = e**2")
+    verdict = lyapunov(plant, V, keeps=lambda s: [s.y - 3 * s.w, s.z - 3 * s.w])
+    assert verdict.failed[0].claim == "rounding does not leave it"
 
 
 def test_two_distances_that_drive_each_other():
