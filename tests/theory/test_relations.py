@@ -232,7 +232,7 @@ def test_a_jump_that_enlarges_a_distance(after):
     loop = clpt.Block(
         "loop",
         update=lambda t, x, u, p: {"w": 0 * x.w, "y": 0 * x.y, "e": -x.e},
-        jump=lambda t, x, u, p: {"y": after(x.w, x.y)},
+        jump=lambda t, x, u, p: {"w": x.w, "y": after(x.w, x.y), "e": x.e},
         states={"w": 1, "y": 1, "e": 1},
         **TICKS,
     )
