@@ -263,7 +263,7 @@ def test_what_is_known_of_jumps_is_said(change, status, detail):
     across = verdict.steps[-1]
     assert verdict.status == status
     assert verdict.conclusion == "goes to zero" * (status == "proved")
-    assert ("m is not in V" in verdict.sentence) == (status == "proved")
+    assert ("m is not held by V" in verdict.sentence) == (status == "proved")
     assert across.holds == (not detail)
     assert across.claim == "V does not rise where states of own jump"
     assert across.detail.startswith(detail)

@@ -96,7 +96,7 @@ def test_a_state_whose_rate_grows_with_the_interval_may_grow():
     )
     verdict = prove(law(), points=POINTS)
     assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
-    assert "s is not in V, and not known to be bounded" in verdict.sentence
+    assert "s is not held by V, and not known to be bounded" in verdict.sentence
 
 
 def driven_by(source):

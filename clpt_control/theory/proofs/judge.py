@@ -66,7 +66,7 @@ class Verdict(Judged):
     conclusion : str
         Of a proof: "goes to zero", "ultimately bounded", ...: a row of the table of docs/theory.md.
     conditions : tuple of Condition
-        Where it holds: "for t >= 0", "where u = 0", "x is not in V, and bounded", ...
+        Where it holds: "for t >= 0", "where u = 0", "x is not held by V, and bounded", ...
     claim : str
         What is shown of V', where it fails, or which step is missing.
     sentence : str
