@@ -19,6 +19,7 @@ from itertools import combinations, combinations_with_replacement, product
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy.linalg
 import sympy
 from sympy import QQ, Expr
 from sympy.polys.matrices import DomainMatrix
@@ -210,29 +211,18 @@ def _regular(blocks: list[Block], matrices: list[np.ndarray]) -> list[Block]:
         if len(directions) == len(G):
             smaller.append(block)
             continue
-        rows = _echelon(directions)
-        basis = [_combined(row, block.basis) for row in rows]
-        if basis:
+        if len(directions):
+            rows = _echelon(directions)
+            basis = [_combined(row, block.basis) for row in rows]
             smaller.append(block._replace(basis=basis))
     return smaller
 
 
 def _echelon(rows: np.ndarray) -> list[list[Any]]:
     """Return rows that span the same space, reduced and rounded to plain numbers."""
-    rows, pivot = rows.copy(), 0
-    for column in range(rows.shape[1] if len(rows) else 0):
-        if pivot == len(rows):
-            break
-        k = pivot + int(np.argmax(np.abs(rows[pivot:, column])))
-        if abs(rows[k, column]) < 1e-3:
-            continue
-        rows[[pivot, k]] = rows[[k, pivot]]
-        rows[pivot] /= rows[pivot, column]
-        for j in range(len(rows)):
-            if j != pivot:
-                rows[j] -= rows[j, column] * rows[pivot]
-        pivot += 1
-    return [[_rounded(v, 1000) for v in row] for row in rows]
+    _, order = scipy.linalg.qr(rows, mode="r", pivoting=True)
+    reduced = np.linalg.solve(rows[:, sorted(order[: len(rows)])], rows)
+    return [[_rounded(v, 1000) for v in row] for row in reduced]
 
 
 def _rounded(number: float, denominator: int) -> Any:
