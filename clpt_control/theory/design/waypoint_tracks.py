@@ -189,8 +189,7 @@ class Limits(NamedTuple):
         """Return limits that leave a share of speed and area free."""
         border = share * (self.high - self.low)
         speed = self.max_speed
-        return Limits(
-            length=self.length,
+        return self._replace(
             max_speed=None if speed is None else (1 - share) * speed,
             low=self.low + border,
             high=self.high - border,

@@ -204,7 +204,7 @@ def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     refuse_unproved(scenario)
     if not gains.any():
         raise ScenarioError("no certificate: the law adapts no parameter")
-    feedback = np.array(scenario.vehicle.feedback)
+    feedback = np.array(excitation.feedback)
     drop, Phi = worst_drop(excitation.w, feedback, gains, excitation.weights)
     return drop, Phi[None]
 

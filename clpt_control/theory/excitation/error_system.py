@@ -207,7 +207,7 @@ def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
     parameters = Matrix([states[k] for k in in_th])
     th = parameters + weights.inv() * least.extract(in_th, [0])
     # Step 4: the rates are those of the form
-    e_rate = e.applyfunc(eq.derivative).xreplace(eq.values)
+    e_rate, th_rate = (x.applyfunc(eq.derivative).xreplace(eq.values) for x in (e, th))
     W = e_rate.jacobian(parameters)
     rest = (e_rate - W * th).applyfunc(normal_form)
     A = rest.jacobian([states[k] for k in heads]).applyfunc(normal_form)
@@ -216,7 +216,7 @@ def error_system_of(verdict: Any, names: Sequence[str]) -> ErrorSystem:
             raise DiagramError(
                 f"of: ({short(e[k])})' = {short(e_rate[k])}: is not A e + W th with a constant A"
             )
-    missed = weights * th.applyfunc(eq.derivative).xreplace(eq.values) + W.T * P * e
+    missed = weights * th_rate + W.T * P * e
     for y, x in zip(parameters, missed, strict=True):
         if not _is_zero(x):
             raise DiagramError(

@@ -299,10 +299,9 @@ def _draw_direction(ax: "Axes", excitation: Any, axis: str) -> None:
     ax.plot(names, shares, "D", color=RED, markersize=5, label="excited share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)
-    start, end = excitation.start, excitation.start + excitation.window
     kappa = excitation.eigenvalues[axis][0]
-    span = f"{start:.4g} to {end:.4g} {excitation.time_unit}"
-    ax.set_title(rf"{axis}: $\kappa_1$ = {kappa:.3g}, {span}", **TITLE)
+    title = rf"{axis}: $\kappa_1$ = {kappa:.3g}, {excitation.span}"
+    ax.set_title(title, **TITLE)
 
 
 def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":

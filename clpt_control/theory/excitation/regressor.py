@@ -124,6 +124,14 @@ class Regressor:
     form: Any = None  # error system of a verdict, whose W has its m rows at each node
 
     @property
+    def feedback(self) -> Sequence[Any]:
+        """Decay k of e of each axis; none where e has several components."""
+        form = self.form
+        if form:
+            return [-form.A[0]] * (form.W.rows == 1)
+        return self.scenario.vehicle.feedback
+
+    @property
     def scale(self) -> np.ndarray:
         """What takes w of one e, as a row, into coordinates in which V is half a sum of squares."""
         form = self.form

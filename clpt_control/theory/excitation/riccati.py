@@ -168,18 +168,13 @@ def tried(h: np.ndarray, w: np.ndarray, *weights: Fraction) -> Riccati | None:
 
 def riccati_of(excitation: Any) -> dict[str, Any]:
     """Search the weights p and kappa for the largest rate of each axis; return those found."""
-    # Step 1: w, constant in pieces
+    # Step 1: w, constant in pieces about the nodes
     if excitation.certificate().half_life is None:
         raise DataError("no Riccati certificate: not all parameters are excited enough")
-    form, h = excitation.form, excitation.weights
-    w = excitation.w @ excitation.scale
-    if form:
-        feedback = [-form.A[0]] * (form.W.rows == 1)
-        w = w.mean(axis=2, keepdims=True)
-    else:
-        feedback = excitation.scenario.vehicle.feedback
-    h, found = h.reshape(w.shape[1] * w.shape[2], -1).sum(axis=1), {}
-    for axis, k, at_nodes in zip(excitation.names, feedback, w, strict=False):
+    w, h, found = excitation.w @ excitation.scale, excitation.weights.ravel(), {}
+    for axis, k, at_nodes in zip(
+        excitation.names, excitation.feedback, w, strict=False
+    ):
         a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
         # Step 2: the largest rho in fewer, longer pieces
         turns = h @ np.linalg.norm(pieces, axis=1)

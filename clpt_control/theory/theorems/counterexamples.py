@@ -250,14 +250,11 @@ def limited_speed_counterexample() -> tuple[float, float]:
             {"vehicle.max_speed": 1.5, "run.duration": 200.0, "run.output_step": 0.1}
         )
     )
-    hedged = simulate(scenario.with_values({"learning.hedging": True}))
-    unhedged = simulate(scenario.with_values({"learning.hedging": False}))
-    return _largest_clpe(hedged), _largest_clpe(unhedged)
-
-
-def _largest_clpe(run: "xarray.Dataset") -> float:
-    """Return the largest |e| of a run."""
-    return float(np.hypot(*run.clpe.values.T).max())
+    hedged, unhedged = (
+        simulate(scenario.with_values({"learning.hedging": is_hedged})).clpe.values
+        for is_hedged in (True, False)
+    )
+    return float(np.hypot(*hedged.T).max()), float(np.hypot(*unhedged.T).max())
 
 
 class Unlearned(NamedTuple):
