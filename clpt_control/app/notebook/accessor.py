@@ -18,7 +18,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import ArgumentError, DataError, refuse_unused
 from ...base.files import atomic_path, check_writable, write_file
-from ...base.run_attributes import BEYOND, DIAGRAM, RunDiagram
+from ...base.run_attributes import DIAGRAM, RunDiagram, beyond_scenario
 from ...engine.diagram.wiring import columns_of
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import (
@@ -225,8 +225,7 @@ class ClptAccessor:
         from ...engine.diagram.linearization import linearize, minimal_of
 
         state = state_at(self._data, t)
-        attributes = self._data.attrs
-        beyond = [attributes[name] for name in BEYOND if name in attributes]
+        beyond = beyond_scenario(self._data.attrs)
         if self.kind != "run" or beyond:
             description = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             linear = self._linear_in_memory(state, t, description)

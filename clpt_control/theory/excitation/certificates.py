@@ -116,18 +116,19 @@ def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def propagate(
-    w: np.ndarray, k: np.ndarray, gain: float, lengths: np.ndarray
+    w: np.ndarray, k: np.ndarray, lengths: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the row of e in Phi at the nodes, (..., pieces, nodes, n + 1), and Phi at the end.
 
     w (..., pieces, nodes, n) is given at the Gauss-Legendre nodes of pieces with these lengths
-    (pieces,), k (...) is the feedback gain; Phi = I at the start.  The implicit Runge-Kutta
-    method of order 2 NODES is reduced to e at the nodes, E, because eta moves along w; with
-    G = W W^T, entries of a and G multiplied one by one in a*G, on a piece of length h
+    (pieces,) and with the roots of the gains; k (...) is the feedback gain; Phi = I at the start.
+    The implicit Runge-Kutta method of order 2 NODES is reduced to e at the nodes, E, because eta
+    moves along w; with G = W W^T, entries of a and G multiplied one by one in a*G, on a piece of
+    length h
 
-        (I + h k a + gamma h^2 a (a*G)) E = e + h a W eta
-        e   -> e + h b (W eta - k E - gamma h (a*G) E)
-        eta -> eta - gamma h sum_j b_j w_j E_j
+        (I + h k a + h^2 a (a*G)) E = e + h a W eta
+        e   -> e + h b (W eta - k E - h (a*G) E)
+        eta -> eta - h sum_j b_j w_j E_j
     """
     *batch, count, _, n = w.shape
     k = np.asarray(k)[..., None, None]
@@ -138,13 +139,12 @@ def propagate(
     for j in range(count):
         h = lengths[j]
         W = w[..., j, :, :]
-        Wt = np.swapaxes(W, -1, -2)
         forcing = W @ eta
-        damping = k * identity + gain * h * a * (W @ Wt)
+        damping = k * identity + h * a * (W @ W.mT)
         system = identity + h * a @ damping
         E = np.linalg.solve(system, e + h * a @ forcing)
         e += h * b[None] @ (forcing - damping @ E)
-        eta -= gain * h * (Wt * b) @ E
+        eta -= h * (W.mT * b) @ E
         rows[..., j, :, :] = E
     return rows, end
 
@@ -158,7 +158,7 @@ def worst_drop(
     A parameter without a gain does not adapt.
     """
     w, weights = finely(w @ scale_of(gains), weights)
-    rows, transition = propagate(w, k, 1.0, weights.sum(axis=1))
+    rows, transition = propagate(w, k, weights.sum(axis=1))
     return 2 * k * eigenvalues_of(rows, weights)[..., 0], transition
 
 
@@ -225,7 +225,7 @@ def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         mean = (W[at[1:]] + W[at[:-1]]) / 2
         rates = np.zeros((len(mean), m + n, m + n))
         rates[:, :m, :m] = form.scaled_A
-        rates[:, :m, m:], rates[:, m:, :m] = mean, -np.swapaxes(mean, 1, 2)
+        rates[:, :m, m:], rates[:, m:, :m] = mean, -mean.mT
         steps = expm(np.diff(cuts[at])[:, None, None] * rates)
         return [reduce(np.matmul, steps[::-1])]
 
