@@ -133,7 +133,7 @@ class Regressor:
 
     @property
     def scale(self) -> np.ndarray:
-        """What takes w of one e, as a row, into coordinates in which V is half a sum of squares."""
+        """Matrix S: w S belongs to coordinates in which V is half a sum of squares, for one e."""
         form = self.form
         return form.left[0, 0] * form.right if form else scale_of(self.gains)
 
