@@ -433,6 +433,13 @@ def check_holds(argument: str, data: Any, names: Iterable[str], cure: str) -> No
             raise ArgumentError(f"{argument} = {brief(data)}: has no '{name}'; {cure}")
 
 
+def check_known(argument: str, given: Iterable[str], names: Collection[str]) -> None:
+    """Refuse a name that is none of those allowed."""
+    for name in given:
+        if name not in names:
+            raise ArgumentError(f"{argument}: there is no {name}. {known(name, names)}")
+
+
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the most similar name, also without the block before it, or ""."""
     candidates, last = {one.lower(): one for one in names}, name.rpartition(".")[2]

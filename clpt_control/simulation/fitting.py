@@ -33,6 +33,7 @@ from ..engine.diagram.wiring import check_unit
 from ..engine.model.ports import indices_by_name, ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
+from .comparison import named
 from .diagram_runs import signal_units
 from .requests import as_diagram, clock_of
 from .sensitivities import RunWithDerivatives, SensitivityRun
@@ -55,6 +56,7 @@ class FittedOutput(NamedTuple):
     times: np.ndarray
     measured: np.ndarray
     modelled: np.ndarray
+    units: str = ""
 
     @property
     def residuals(self) -> np.ndarray:
@@ -156,7 +158,7 @@ class Fit:
         ):
             above.plot(output.times, output.measured, ".", color=GREY, label="data")
             above.plot(output.times, output.modelled, color=BLUE, label="model")
-            above.set_title(literal(name), **TITLE)
+            above.set_title(literal(named(name, output.units)), **TITLE)
             above.legend(frameon=False, fontsize=8)
             below.plot(output.times, output.residuals, ".-", color=RED, linewidth=0.5)
             below.set(xlabel="time", ylabel="data - model")
@@ -184,7 +186,7 @@ class FitProblem:
         """Read the measurements: columns of outputs, their names, values and finite ones."""
         times = self.times = self.run.request.times[self.run.request.skipped :]
         self.columns: list[int] = []
-        self.outputs: list[str] = []
+        self.outputs: dict[str, str] = {}  # name -> unit
         values: list[np.ndarray] = []
         units = signal_units(self.run.wiring)
         for name, signal in measured.items():
@@ -199,7 +201,8 @@ class FitProblem:
             if set(columns) & set(self.columns):
                 raise ArgumentError(f"data: {name} is given twice")
             labels = [self.run.output_labels[k] for k in columns]
-            check_unit(f"data['{name}']", signal.units, [units[k] for k in columns])
+            own_units = [units[k] for k in columns]
+            check_unit(f"data['{name}']", signal.units, own_units)
             array = signal.ordered(f"data['{name}']", labels)
             own_times: Any = signal.times
             count = len(columns)
@@ -212,7 +215,8 @@ class FitProblem:
             samples[:, np.searchsorted(times, own_times)] = array.reshape(count, n)
             values += [*samples]
             self.columns += columns
-            self.outputs += labels if count > 1 else [name]
+            names = labels if count > 1 else [name]
+            self.outputs |= zip(names, own_units, strict=True)
         if not values:
             ports = ", ".join(ports_of(self.run.output_labels))
             raise ArgumentError(f"data: has no finite numbers of the outputs {ports}")
@@ -331,8 +335,11 @@ class FitProblem:
         sentences = [_sentence(free_names, direction) for direction in directions]
         sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
         modelled = self.run_at(values).outputs[: len(self.times), self.columns, 0]
-        columns = zip(self.outputs, self.measured.T, modelled.T, strict=True)
-        outputs = {name: FittedOutput(self.times, *pair) for name, *pair in columns}
+        columns = zip(self.outputs.items(), self.measured.T, modelled.T, strict=True)
+        outputs = {
+            name: FittedOutput(self.times, *pair, unit)
+            for (name, unit), *pair in columns
+        }
         start, parameters = self.run.with_values(values)
         params = {}
         for name, location in self.run.locations.items():

@@ -8,7 +8,7 @@ from collections.abc import Collection
 
 import numpy as np
 
-from ..base.arguments import public
+from ..base.arguments import check_known, public
 from ..base.errors import DiagramError
 from ..engine.diagram.wiring import Part, input_ports, output_ports
 from ..engine.model.block import Block
@@ -192,11 +192,7 @@ def remaining_blocks(
     ports = {
         port for block in blocks for port in input_ports(block) | output_ports(block)
     }
-    for port in external:
-        if port not in ports:
-            raise DiagramError(
-                f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
-            )
+    check_known("external", external, sorted(ports))
     outside = {*external, *({TRUE} if "x" in external else ())}
     remaining = [block for block in blocks if outside.isdisjoint(output_ports(block))]
     opened = [

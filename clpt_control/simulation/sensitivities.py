@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import public
+from ..base.arguments import check_known, public
 from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.diagram_record import Form
 from ..engine.codegen.directional_derivatives import may_jump, put, value_at
@@ -274,10 +274,7 @@ def sensitivity(
     if of is None:
         return data
     names = [of] if isinstance(of, str) else [*of]
-    for name in names:
-        if name not in data.data_vars:
-            variables = ", ".join(map(str, data.data_vars))
-            raise SimulationError(f"of = {name!r}: must be among {variables}")
+    check_known("of", names, [*map(str, data.data_vars)])
     return data[names]
 
 

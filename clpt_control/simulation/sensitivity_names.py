@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..base.arguments import nearest
+from ..base.arguments import known
 from ..base.errors import SimulationError
 from ..engine.codegen.directional_derivatives import (
     Place,
@@ -28,18 +28,21 @@ def varied_numbers(
 ) -> dict[str, Place]:
     """Return the locations of the numbers that have these names, one by one."""
     parameters = [node.system.parameters for node in wiring.nodes]
-    known = places_of(wiring, parameters, states)
-    known |= {
+    places = places_of(wiring, parameters, states)
+    places |= {
         f"{START}.{name}": candidates[-1:]
-        for name, candidates in known.items()
+        for name, candidates in places.items()
         if candidates[-1].states
     }
-    known[START] = [Place(states=tuple(range(len(states))))]
+    places[START] = [Place(states=tuple(range(len(states))))]
     varied = {}
     for name in [names] if isinstance(names, str) else names:
-        location = place_of(name, known, parameters)
+        location = place_of(name, places, parameters)
         if location is None:  # unknown, or the name of a parameter and of a state
-            raise _unknown_name(name, sorted(known))
+            raise SimulationError(
+                f"parameter '{name}': is no number of the system, nor an element, counted from 0. "
+                f"{known(name, sorted(places))}"
+            )
         for k in location.states:
             varied[f"{START}.{states[k]}"] = Place(states=(k,))
         if location.fields:
@@ -50,14 +53,6 @@ def varied_numbers(
         )
     _check_differentiable(varied, wiring)
     return varied
-
-
-def _unknown_name(name: str, names: Sequence[str]) -> SimulationError:
-    similar = nearest(name, names)
-    return SimulationError(
-        f"{name}: must be among {', '.join(names)}, or an element, counted from 0"
-        + (f"; did you mean {similar}?" if similar else "")
-    )
 
 
 def _elements(

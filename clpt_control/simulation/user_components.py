@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import control
 
+from ..base.arguments import check_known
 from ..base.errors import DiagramError
 from ..engine.diagram.wiring import (
     Part,
@@ -140,8 +141,7 @@ def replaced(components: Sequence[Part], replace: Mapping[str, Part]) -> list[Pa
     for name, component in replace.items():
         names = [old.name for old in components]
         argument = f"replace = {name!r}"
-        if name not in names:
-            raise DiagramError(f"{argument}: must be among {', '.join(names)}")
+        check_known("replace", [name], names)
         index = names.index(name)
         sizes = _output_sizes(components)
         components[index] = _in_place(component, components[index], sizes, argument)

@@ -180,7 +180,7 @@ MISTAKES = [
         "force is not an output; inputs= takes inputs",
     ),
     ({"data": {"place": TIMES}, "times": None}, "timepts: is required"),
-    ({"begin": {"q": 1.0}}, "must be among"),
+    ({"begin": {"q": 1.0}}, "parameter 'q': is no number of the system"),
     ({"begin": {"m": (1.0, 2.0, 3.0)}}, "low <= start <= high"),
     ({"begin": {"m": (1.0, 2.0)}}, r"or \(start, low, high\)"),
     ({"begin": {"m": [1.0, 0.5, 3.0]}}, r"m = \[1.0, 0.5, 3.0\]: must be a number"),
@@ -342,6 +342,22 @@ def test_data_model_and_residuals_are_drawn():
     np.testing.assert_allclose(residuals.get_ydata(), data - model, atol=1e-6)
     both = fit(measured(5, speed=0.1))
     assert both.plot().shape == (2, 2)
+
+
+def test_an_output_is_drawn_with_its_unit():
+    room = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0]],
+        states=["T"],
+        outputs=["T"],
+        inputs=0,
+        params={"k": 1.0},
+        name="room",
+    )
+    room.units = {"T": "degC"}
+    times = np.linspace(0.0, 2.0, 9)
+    data = {"T": 20.0 * np.exp(-0.5 * times)}
+    found = clpt.fit_parameters(room, data, {"k": 1.0}, times, initial_state=[20.0])
+    assert found.plot()[0].get_title("left") == "T (degC)"
 
 
 def test_a_run_begins_at_the_first_of_timepts():

@@ -254,14 +254,12 @@ def test_names_that_functions_read_are_known_and_no_others(update, looped):
             call({"c": 2.0, **params})
         for name in unknown:
             with pytest.raises(
-                BlockError, match=rf"unknown parameter '{name}'.* knows .*c"
+                BlockError, match=rf"unknown parameter '{name}'. (It has .*c|Did)"
             ):
                 call({"c": 2.0, name: 1.0})
     near = {"mm": "m", "rood.m": "m"} | ({"bak.D": r"back\.D"} if looped else {})
     for name, own in near.items() if update is rate else ():
-        with pytest.raises(
-            BlockError, match=rf"did you mean {own}\? This diagram knows .*c"
-        ):
+        with pytest.raises(BlockError, match=rf"Did you mean '{own}'\?"):
             calls[0]({name: 1.0})
 
 

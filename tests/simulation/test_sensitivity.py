@@ -195,16 +195,16 @@ UNKNOWN = [
         "lag: has no .*<lambda>",
     ),
     (ASKING, {"to": "n"}, r"n: .*asks for its value"),
-    (ASKING, {"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
-    (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
-    (ASKING, {"to": "k", "of": "q"}, "must be among x, states"),
+    (ASKING, {"to": "q"}, r"'q': is no .* It has k, lag\.k, lag\.n, n, x, x0"),
+    (ASKING, {"to": "plant.k"}, r"Did you mean 'k'\?"),
+    (ASKING, {"to": "k", "of": "q"}, "of: there is no q. It has x, states"),
     (ASKING, {"to": []}, "to, or .*: no parameters"),
 ]
 
 
 @pytest.mark.parametrize(("system", "given", "said"), UNKNOWN)
 def test_what_is_not_known_is_said(system, given, said):
-    with pytest.raises(clpt.SimulationError, match=said):
+    with pytest.raises(clpt.ClptError, match=said):
         clpt.sensitivity(system, [0.0, 1.0], **given)
 
 

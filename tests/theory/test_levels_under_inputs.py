@@ -172,6 +172,8 @@ def test_bounds_that_are_none_are_refused(bounds, message):
 def test_names_and_a_v_of_inputs_are_refused():
     with pytest.raises(clpt.ClptError, match="there is no q"):
         clpt.lyapunov(lag, half, where={"q": (0, 1)})
+    with pytest.raises(clpt.ClptError, match=r"at: there is no q\. It has x"):
+        clpt.lyapunov(lag, half, at={"q": 0})
     with pytest.raises(clpt.ClptError, match="V depends on input d"):
         clpt.lyapunov(lag, lambda s: (s.x - s.d) ** 2 / 2, where={"d": (0, 1)})
     same = clpt.Block(

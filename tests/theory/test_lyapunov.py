@@ -183,7 +183,11 @@ PLANT, _ = written("x' = -x")
 DRIVEN = partial(control.nlsys, lambda t, x, u, p: [x[0] * (u[0] - 1e6)], states=["x"])
 TWO = clpt.Block("two", update=lambda t, x, u, p: {"e": -x.e}, states={"e": 2})
 MISTAKES = {
-    "has no 'W'": (PLANT, "W"),
+    r"V = 'W': is no signal\. It has x": (PLANT, "W"),
+    r"V = 'x\*\*2': is no signal\. Give a function in NumPy: lambda s: s\.x\*\*2$": (
+        PLANT,
+        "x**2",
+    ),
     "no port 'q'": (PLANT, lambda s: s.q**2),
     "which returns a number and no block": (PLANT, lambda s: None),
     "^plant: V is a function of signals here": (PLANT, PLANT),

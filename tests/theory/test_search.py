@@ -329,7 +329,7 @@ def test_what_is_not_shown_is_open(rate):
 
 
 NO_REGION = [
-    ("x' = -x", {"q": (-1, 1)}, "has no 'q'; states are x"),
+    ("x' = -x", {"q": (-1, 1)}, "within: there is no q. It has x"),
     (
         "x' = -x",
         {"x": (1, 2)},

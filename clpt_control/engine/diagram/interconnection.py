@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, brief, has, nearest, public
+from ...base.arguments import attribute_of, brief, has, known, nearest, public
 from ...base.errors import BlockError, DiagramError
 from ...base.labelled import unit_of
 from ..model.block import Block
@@ -162,9 +162,7 @@ def _unknown_parameter(key: str, accepted: set[str], names: set[str]) -> str:
     for hint_of in PARAMETER_HINTS:
         if hint := hint_of(key, accepted):
             return hint
-    close = nearest(key, names)
-    hint = f"; did you mean {close}? This" if close else ": this"
-    return f"unknown parameter '{key}'{hint} diagram knows {', '.join(sorted(names)) or 'none'}"
+    return f"params: unknown parameter '{key}'. {known(key, sorted(names))}"
 
 
 class Port(NamedTuple):

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base.arguments import brief, has, numbers, public
+from ...base.arguments import brief, has, known, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..record.graph import Record, evaluated
 from ..record.unread import advice_on_math, located
@@ -302,12 +302,9 @@ class Block(ReadBlock):
             elif key == self.name and has(value, "_fields"):
                 continue  # python-control passes it to every block of a diagram
             elif self.name in (owner, key) or not in_diagram:
-                names = (
-                    ", ".join(f"{self.name}.{f}" for f in self.parameters._fields)
-                    or "none"
-                )
+                names = [f"{self.name}.{f}" for f in self.parameters._fields]
                 raise BlockError(
-                    f"unknown parameter '{key}': block {self.name} has {names}"
+                    f"params: unknown parameter '{key}'. {known(key, names)}"
                 )
         return self.with_values(changes)
 
@@ -316,9 +313,9 @@ class Block(ReadBlock):
         """Return the parameters with some fields changed."""
         for field, value in changes.items():
             if field not in self.parameters._fields:
-                names = ", ".join(self.parameters._fields) or "none"
                 raise BlockError(
-                    f"{self.name}: unknown parameter {field!r}; it has {names}"
+                    f"{self.name}: unknown parameter {field!r}. "
+                    f"{known(field, self.parameters._fields)}"
                 )
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):

@@ -55,6 +55,7 @@ ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
 # of an estimator
 PLAIN = ["legs", "fastest", "turn", "told", "ways", "rows", "water", "fixes"]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
+LATEST = 1e11  # s since 1970: the year 5138, in milliseconds 1973
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "4"
@@ -706,8 +707,9 @@ class FlowEstimator:
         return {"note": note, "turn": self.turn}
 
     def _check_time(self, time: float) -> None:
-        if not np.isfinite(time):
-            raise DataError(f"time {time}: must be finite")
+        if not abs(time) < LATEST:
+            message = "must be finite, s since 1970. Divide milliseconds by 1000"
+            raise DataError(f"time {time:.15g}: {message}")
         if time < self.time - EARLIER:
             raise DataError(
                 f"time {time:.15g}: is before the last one, {self.time:.15g}. Give lines in the "

@@ -61,8 +61,12 @@ class Table(pydantic.BaseModel):
     model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
     scenario: ClassVar[type["Table"]]  # the one around all tables, which names keys
 
-    def __init__(self, **values: Any):
-        with _one_sentence(type(self).__name__.lower()):
+    def __init__(self, *unnamed: Any, **values: Any):
+        name = type(self).__name__
+        if unnamed:
+            fields = "=, ".join(type(self).model_fields)
+            raise ScenarioError(f"{name}: name each argument: {fields}=")
+        with _one_sentence(name.lower()):
             super().__init__(**values)
 
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]  # not of inner tables

@@ -31,7 +31,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...base.arguments import check_holds, numbers
+from ...base.arguments import check_holds, check_known, numbers
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import ON_NUMBERS
@@ -341,7 +341,7 @@ class Region:
 def _box(rest_state: Mapping[Any, Any], ends_by_state: Any) -> Ends:
     """Return the ends of a box of states, about the rest."""
     labels = [str(s) for s in rest_state]
-    check_holds("within", labels, ends_by_state, f"states are {', '.join(labels)}")
+    check_known("within", ends_by_state, labels)
     check_holds("within", ends_by_state, labels, "give each state its two ends")
     ends = np.array([numbers("within", ends_by_state[name], 2) for name in labels])
     for name, (low, high), value in zip(labels, ends, rest_state.values(), strict=True):

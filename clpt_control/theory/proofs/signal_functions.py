@@ -1,5 +1,6 @@
 """Functions of a diagram's signals as expressions: `lambda s: s.e @ s.e/2`, a V or a claim."""
 
+import re
 from collections import Counter
 from collections.abc import Callable
 from typing import Any
@@ -9,6 +10,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.arguments import known
 from ...base.errors import BlockError, DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
@@ -67,7 +69,9 @@ def function_of_signals(system: Any, V: Any) -> Any:
     )
 
 
-def expression_of(eq: Equations, source: Any) -> tuple[sympy.Expr, list[str]]:
+def expression_of(
+    eq: Equations, source: Any, argument: str = "V"
+) -> tuple[sympy.Expr, list[str]]:
     """Return a name, a function of signals or an expression as an expression.
 
     With it the sentences on where it may have no value.
@@ -80,6 +84,14 @@ def expression_of(eq: Equations, source: Any) -> tuple[sympy.Expr, list[str]]:
                 "Return a number that is finite"
             )
         return value, undefined
+    if isinstance(source, str) and source not in eq.named:
+        names = "|".join(signals_by_name(eq))
+        formula = re.sub(rf"\b({names})\b", r"s.\1", source)
+        advice = f"Give a function in NumPy: lambda s: {formula}"
+        advice = known(source, eq.named) if formula == source else advice
+        raise DiagramError(
+            f"{eq.name}: {argument} = '{source}': is no signal. {advice}"
+        )
     value = sympy.sympify(eq[source] if isinstance(source, str) else source)
     if not isinstance(value, sympy.Expr):
         raise DiagramError(f"{eq.name}: {source} is not a single number")

@@ -110,7 +110,9 @@ class SystemCandidate(LyapunovCandidate):
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
         outputs = system.output_labels
         self.output = next((name for name in outputs if name in labels), "")
-        self.claim = None if claim is None else expression_of(self.eq, claim)[0]
+        self.claim = (
+            None if claim is None else expression_of(self.eq, claim, "claim")[0]
+        )
         V_of_states, undefined = expression_of(self.eq, V)
         written_V = expression_of(written, V)[0] if numbers else V_of_states
         self.V = self._as_it_runs(V_of_states, written_V, values)
@@ -137,10 +139,10 @@ class SystemCandidate(LyapunovCandidate):
         """Leave out the states that relations give; return where these may have no value."""
         self.relations, self.whole_V = Relations(self.eq, {**self.motion}), self.V
         without_value = self.relations.read(keeps) if keeps else []
-        for s in self.relations.solved:
-            self.motion.pop(s)
+        solved = self.relations.solved
+        self.motion = {s: rate for s, rate in self.motion.items() if s not in solved}
         self.write(self.relations.of)
-        self.is_whole = not self.relations.solved
+        self.is_whole = not solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]
         return without_value
 

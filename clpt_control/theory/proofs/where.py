@@ -16,7 +16,7 @@ from typing import Any
 import sympy
 from sympy import Expr, S, oo
 
-from ...base.arguments import check_holds
+from ...base.arguments import check_known
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
@@ -35,7 +35,7 @@ def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Exp
     """Return each state's value at a rest, a share of pi where a number is that."""
     rest_state = dict.fromkeys(states, S.Zero)
     names = {str(s): s for s in states}
-    check_holds("at", names, values, f"states are {', '.join(names)}")
+    check_known("at", values, names)
     for name, value in values.items():
         turns, number = (rational(float(value) / unit) for unit in (pi, 1))
         rest_state[names[name]] = turns * sympy.pi if turns.q <= MOST_TURNS else number
@@ -60,11 +60,8 @@ class Where:
         ]()  # root -> the distance from an end, never negative
         self.box = dict[Any, tuple]()  # input -> its bounds
         names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
+        check_known("where", given, names)
         for name, numbers in given.items():
-            if name not in names:
-                raise DiagramError(
-                    f"where: there is no {name}. States and inputs are {', '.join(names)}"
-                )
             s = names[name]
             rationals = (
                 None if end is None else rational(float(end)) for end in numbers

@@ -70,6 +70,12 @@ def fed(learner, made):
     return learned
 
 
+def test_a_time_in_milliseconds_is_refused():
+    learner = clpt.currents.FlowEstimator(clpt.Scenario(**SCENARIO))
+    refuses("Divide milliseconds by 1000", learner.fix, 1000.0 * BEGIN, *PLACE)
+    assert learner.fix(BEGIN, *PLACE).time == BEGIN
+
+
 def test_legs_one_by_one_are_legs_at_once(tmp_path):
     """The table's numbers, to the last bit, from calls of the same legs."""
     rows = straight_mission(legs=10)
