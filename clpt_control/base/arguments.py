@@ -10,7 +10,7 @@ import difflib
 import os
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache, update_wrapper
 from inspect import signature
@@ -60,6 +60,9 @@ EXAMPLES = {  # argument -> example for its message
     "params": "{'adaptation.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",
+    "watch": "clpt.gramian(scenario, 40).watch",
+    "law": "clpt.Block('adaptation', ...); "
+    "scenario.with_values({'learning.law': 'sigma'}) takes a law by name",
     "insert": "{('v_x', 'vehicle'): lag}",
     "values": "{'learning.gain': 2.0}",
 }
@@ -83,6 +86,7 @@ MAKERS = {  # word of the allowed kinds -> remedy
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
     "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
     "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
+    "StateSpace": "control.ss(system) or clpt.linearize(system, x, u) makes one",
     "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
 }
 
@@ -403,12 +407,11 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
     array = numbers(argument, value)
     if not array.ndim:
         array = np.full(size, array)
-    if array.shape != (size,):
+    if array.shape != (size,) or not np.isfinite(array).all():
         raise ArgumentError(
-            f"{argument}: must have {size} numbers; it has shape {array.shape}"
+            f"{argument} = {brief(array.tolist())}: must have {size} finite numbers; it has shape "
+            f"{array.shape}"
         )
-    for k in np.flatnonzero(~np.isfinite(array))[:1]:
-        raise ArgumentError(f"{argument}[{k}] = {array[k]}: must be finite")
     return array.copy()
 
 
@@ -442,11 +445,14 @@ def check_known(argument: str, given: Iterable[str], names: Collection[str]) -> 
 
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the most similar name, also without the block before it, or ""."""
-    candidates, last = {one.lower(): one for one in names}, name.rpartition(".")[2]
-    if last in candidates.values():
+    candidates, last = [*names], name.rpartition(".")[2]
+    if last in candidates:
         return last
-    close = difflib.get_close_matches(name.lower(), candidates, n=1)
-    return candidates[close[0]] if close else ""
+    close = [
+        *difflib.get_close_matches(name, candidates, n=1),
+        *difflib.get_close_matches(name.lower(), candidates, n=1),
+    ]
+    return close[0] if close else ""
 
 
 def known(name: str, names: Iterable[str]) -> str:

@@ -71,10 +71,9 @@ def attach(module: str, file: str) -> Any:
     lazy_getattr, directory, names = lazy_loader.attach_stub(module, file)
 
     def attribute(name: str) -> Any:
-        try:
+        if name in names:
             return lazy_getattr(name)
-        except AttributeError:
-            raise missing(module, name, names) from None
+        raise missing(module, name, names)
 
     return attribute, directory, names
 

@@ -190,13 +190,10 @@ def run_ensemble(
         "atol": atol,
     }
     if timepts is None or isinstance(system, Scenario):
-        remedy = "Leave it out" if isinstance(system, Scenario) else "Give timepts"
-        refuse_unused(
-            f"is for a diagram, with timepts. {remedy}",
-            timepts=timepts,
-            summary=summary,
-            **run_options,
-        )
+        remedy = "needs timepts. Give these too"
+        if isinstance(system, Scenario):
+            remedy = "is for a diagram. Leave it out, or give closed_loop(scenario)"
+        refuse_unused(remedy, timepts=timepts, summary=summary, **run_options)
         loop = getattr(system, "origin", None)
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")

@@ -90,11 +90,14 @@ def checked_sizes(name: str, signals: int, **values: Any) -> dict[str, Any]:
     return values
 
 
-def check_positive(name: str, **values: Any) -> None:
+def check_positive(name: str, *, or_zero: bool = False, **values: Any) -> None:
     """Refuse values that are not positive numbers."""
     for key, value in values.items():
-        if not np.all(numbers(f"{name}: {key}", value) > 0):
-            raise BlockError(f"{name}: {key} = {brief(value)}: must be positive")
+        array = numbers(f"{name}: {key}", value)
+        if not np.all(array >= 0 if or_zero else array > 0):
+            raise BlockError(
+                f"{name}: {key} = {brief(value)}: must be positive{' or 0' * or_zero}"
+            )
 
 
 def check_order(name: str, **limits: Any) -> None:

@@ -16,7 +16,7 @@ Source: Astrom and Murray 2008, Feedback Systems, sections 10.4 and 10.5.
 
 import numpy as np
 
-from ..base.arguments import public
+from ..base.arguments import Count, public
 from ..base.errors import BlockError
 from ..engine.diagram.interconnection import PARAMETER_HINTS
 from ..engine.model.block import Block
@@ -88,7 +88,7 @@ def pid(
     filter: float | None = None,
     tracking: float | None = None,
     dt: float | None = None,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "pid",
     **ports: str,
 ) -> Block:

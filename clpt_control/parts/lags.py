@@ -20,7 +20,7 @@ Digital Control of Dynamic Systems (hold).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import public
+from ..base.arguments import Count, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import check_positive, checked_sizes, following_block, signal_block
@@ -35,7 +35,7 @@ def lagging(t, x, u, p):
 def lag(
     lag: ArrayLike,
     gain: ArrayLike = 1.0,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "lag",
     **ports: str,
 ) -> Block:
@@ -94,10 +94,10 @@ def last_of_line(t, x, u, p):
 @public
 def delay(
     delay: float,
-    order: int = 4,
+    order: Count = 4,
     *,
     dt: float | None = None,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "delay",
     **ports: str,
 ) -> Block:
@@ -172,7 +172,7 @@ def as_sampled(t, x, u, p):
 
 
 @public
-def hold(dt: float, signals: int = 1, name: str = "hold", **ports: str) -> Block:
+def hold(dt: float, signals: Count = 1, name: str = "hold", **ports: str) -> Block:
     """Sample a signal at each multiple of dt, and hold it.
 
     Parameters

@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import brief, numbers, public
+from ..base.arguments import Count, brief, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import (
@@ -53,7 +53,7 @@ def limited(t, x, u, p):
 def saturation(
     low: ArrayLike,
     high: ArrayLike,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "saturation",
     **ports: str,
 ) -> Block:
@@ -95,7 +95,7 @@ def beyond(t, x, u, p):
 def dead_zone(
     low: ArrayLike,
     high: ArrayLike,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "dead_zone",
     **ports: str,
 ) -> Block:
@@ -137,7 +137,7 @@ def looked_up(t, x, u, p):
 def lookup_table(
     at: ArrayLike,
     values: ArrayLike,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "lookup_table",
     **ports: str,
 ) -> Block:
@@ -205,7 +205,7 @@ def rate_limit(
     *,
     lag: float | None = None,
     dt: float | None = None,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "rate_limit",
     **ports: str,
 ) -> Block:
@@ -270,7 +270,7 @@ def backlash(
     *,
     lag: float | None = None,
     dt: float | None = None,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "backlash",
     **ports: str,
 ) -> Block:
@@ -342,7 +342,7 @@ def relay(
     *,
     lag: float | None = None,
     dt: float | None = None,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "relay",
     **ports: str,
 ) -> Block:

@@ -22,7 +22,7 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import Seed, numbers, public
+from ..base.arguments import Count, Seed, brief, numbers, public
 from ..base.errors import BlockError
 from ..base.random_numbers import normal
 from ..engine.model.block import Block
@@ -56,7 +56,8 @@ def observer(
     Parameters
     ----------
     system : control.StateSpace
-        A, B, C, D and dt of the plant; of discrete time it is sampled.
+        A, B, C, D and dt of the plant; of discrete time it is sampled. Ports have its labels:
+        ``control.ss(plant, inputs=["f1", "f2"], outputs=["q1", "q2"])`` gives it others.
     L : array_like, shape (n, outputs)
         The gain, such as ``control.place(A.T, C.T, poles).T``.
     name : str, optional
@@ -136,7 +137,8 @@ def kalman_filter(
     Parameters
     ----------
     system : control.StateSpace
-        A, B, C, D and dt of the plant; of discrete time the filter is sampled.
+        A, B, C, D and dt of the plant; of discrete time the filter is sampled. Ports have its
+        labels: ``control.ss(plant, inputs=["f1", "f2"], outputs=["q1", "q2"])`` gives it others.
     Q : array_like, shape (n, n)
         Intensity of the noise of the states; in discrete time its covariance.
     R : array_like, shape (outputs, outputs)
@@ -168,15 +170,13 @@ def kalman_filter(
     P0 = np.zeros((n, n)) if P0 is None else P0
     for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
         M = matrices[key] = numbers(f"{name}: {key}", value)
-        if M.shape != (size, size) or not np.allclose(M, M.T, atol=0):
-            raise BlockError(
-                f"{name}: {key}: must be symmetric, of shape {(size, size)}"
-            )
-        least = np.linalg.eigvalsh(M)[0]
+        is_symmetric = M.shape == (size, size) and np.allclose(M, M.T, atol=0)
+        least = np.linalg.eigvalsh(M)[0] if is_symmetric else -np.inf
         if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):
             # but for rounding
             raise BlockError(
-                f"{name}: {key}: must be positive semidefinite, and R definite"
+                f"{name}: {key} = {brief(value)}: must be symmetric, of shape {(size, size)}, "
+                f"and positive {'definite' if key == 'R' else 'semidefinite'}"
             )
     sampled = bool(system.dt)
     return _of_plant(
@@ -229,7 +229,7 @@ def noise(
     std: ArrayLike,
     period: float,
     seed: Seed = 0,
-    signals: int = 1,
+    signals: Count = 1,
     name: str = "noise",
     **ports: str,
 ) -> Block:
@@ -263,6 +263,7 @@ def noise(
     1.9
     """
     check_positive(name, period=period)
+    check_positive(name, or_zero=True, std=std)
     values = {**checked_sizes(name, signals, std=std), "period": period, "seed": seed}
     return make_block(
         name,

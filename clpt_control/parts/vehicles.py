@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import brief, numbers, public
+from ..base.arguments import Count, brief, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import check_order, check_positive, checked_sizes, make_block
@@ -38,7 +38,7 @@ def point_vehicle(
     mass: ArrayLike,
     damping: ArrayLike,
     quadratic: ArrayLike = 0.0,
-    axes: int = 2,
+    axes: Count = 2,
     name: str = "point_vehicle",
     **ports: str,
 ) -> Block:
@@ -71,6 +71,7 @@ def point_vehicle(
     """
     values = checked_sizes(name, axes, mass=mass, damping=damping, quadratic=quadratic)
     check_positive(name, mass=mass)
+    check_positive(name, or_zero=True, damping=damping, quadratic=quadratic)
     inputs, states = (
         dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v"))
     )
@@ -143,7 +144,9 @@ def planar_vehicle(
     matrices = {key: numbers(f"{name}: {key}", value) for key, value in given.items()}
     for key, value in matrices.items():
         if value.shape != (3, 3):
-            raise BlockError(f"{name}: {key}: must have the shape (3, 3)")
+            raise BlockError(
+                f"{name}: {key} = {brief(given[key])}: must have the shape (3, 3)"
+            )
     M = matrices["M"]
     if (
         not np.allclose(M, M.T, atol=0)
@@ -151,7 +154,8 @@ def planar_vehicle(
         or np.min(np.linalg.eigvalsh(M)) <= 0
     ):
         raise BlockError(
-            f"{name}: M: must be symmetric and positive definite, with m12 = m13 = 0"
+            f"{name}: M = {brief(given['M'])}: must be symmetric and positive definite, with "
+            "m12 = m13 = 0"
         )
     return make_block(
         name,

@@ -76,7 +76,7 @@ def export(
     part: str | None = None,
     *,
     single: bool = False,
-    watch: Sequence[Any] = (),
+    watch: Sequence[control.InputOutputSystem] = (),
 ) -> str | None:
     """Write a diagram as C99 or an FMU, or a run's track as a map.
 

@@ -68,8 +68,8 @@ class Request(NamedTuple):
 
     def with_state(self, state: Any) -> "Request":
         """Return the run from another initial state; a mapping changes the states it names."""
-        start = start_of(self.diagram, state, self.start, len(self.start))
-        return self._replace(start=start)
+        count = len(self.start)
+        return self._replace(start=start_of(self.diagram, state, self.start, count))
 
     def with_inputs(self, inputs: Any) -> "Request":
         """Return the run with other inputs."""

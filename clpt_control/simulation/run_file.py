@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..base.arguments import public
 from ..base.errors import DataError, naming
-from ..base.files import write_file
+from ..base.files import check_writable, write_file
 from ..base.files.reading import open_netcdf
 from ..base.run_attributes import (
     ARGUMENTS,
@@ -70,6 +70,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
+    check_writable(path, "a run", (".nc",))
     if "clpe" not in run.variables and not is_response(run):
         raise DataError(f"{path}: {NO_RUN}. Make a run with clpt.simulate")
     if not set(run.data_vars) - {"states"}:

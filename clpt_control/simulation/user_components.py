@@ -87,8 +87,7 @@ UNCHANGED = Changes({}, {})
 
 def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
     """Return the user's changes; `law` is short for the replacement of the block adaptation."""
-    replacements = _checked_mapping("replace", replace, "{'vehicle': block}")
-    insertions = _checked_mapping("insert", insert, "{('v_x', 'vehicle'): lag}")
+    replacements = dict(replace or {})
     if law is not None:
         if LAW in replacements:
             raise DiagramError(
@@ -97,19 +96,11 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
         replacements[LAW] = law
     changes = Changes(
         {name: as_part(component) for name, component in replacements.items()},
-        {signal: as_part(component) for signal, component in insertions.items()},
+        {signal: as_part(component) for signal, component in (insert or {}).items()},
     )
     for component in changes.components:
         read_anew(component)
     return changes
-
-
-def _checked_mapping(argument: str, value: Any, example: str) -> dict[Any, Any]:
-    if value is not None and not isinstance(value, Mapping):
-        raise DiagramError(
-            f"{argument}: is a {type(value).__name__}; must be a dict, such as {example}"
-        )
-    return dict(value or {})
 
 
 def law_block(law: Part) -> Part:
@@ -138,6 +129,7 @@ def functions_of(law: Part) -> int:
 def replaced(components: Sequence[Part], replace: Mapping[str, Part]) -> list[Part]:
     """Return components of which some are replaced: {name: its replacement}."""
     components = list(components)
+    made = _output_sizes(components)
     for name, component in replace.items():
         names = [old.name for old in components]
         argument = f"replace = {name!r}"
@@ -145,6 +137,12 @@ def replaced(components: Sequence[Part], replace: Mapping[str, Part]) -> list[Pa
         index = names.index(name)
         sizes = _output_sizes(components)
         components[index] = _in_place(component, components[index], sizes, argument)
+    read = {port for component in components for port in input_ports(component)}
+    for port in sorted(made.keys() & read - _output_sizes(components).keys()):
+        raise DiagramError(
+            f"replace = {', '.join(replace)}: no block makes '{port}' now. Rename an output of the "
+            f"new block to '{port}'"
+        )
     return components
 
 

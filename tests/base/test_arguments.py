@@ -307,6 +307,18 @@ SAID = {  # call -> the sentence
     lambda: clpt.simulate(SCENARIO, rtol=math.nan): (
         "simulate: rtol = nan: must be a number or None"
     ),
+    lambda: clpt.closed_loop(SCENARIO, law="sigma"): (
+        "closed_loop: law = 'sigma': must be a Block, a diagram or None, such as "
+        "clpt.Block('adaptation', ...); scenario.with_values({'learning.law': 'sigma'}) takes a "
+        "law by name"
+    ),
+    lambda: clpt.export(SCENARIO, "l.c", part="learner", watch=[True]): (
+        "export: watch = [True]: must be Sequence[InputOutputSystem], such as "
+        "clpt.gramian(scenario, 40).watch"
+    ),
+    lambda: clpt.check(CLPE, samples=0): (
+        "check: samples = 0: must be a whole number, 1 or more"
+    ),
     lambda: clpt.tune_law(SCENARIO, laws="sigma"): (
         "tune_law: laws = 'sigma': must be Iterable[str]. Give a list: ['sigma']"
     ),

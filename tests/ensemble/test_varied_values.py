@@ -84,7 +84,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         lag(),
         {"tau": [1]},
         {"timepts": [0.0]},
-        "timepts: must be at least two increasing times",
+        "timepts = .*: must be at least two increasing times",
     ),
     (lag(), {"tau": [1]}, {"timepts": ["0", "1"]}, r"timepts = .*: must be"),
     (
@@ -105,7 +105,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         lag(),
         {"tau": [1]},
         {"initial_state": [1.0, 2.0]},
-        "initial_state: must have 1 numbers",
+        "initial_state = .*: must have 1 finite",
     ),
     (
         springs(),
@@ -117,7 +117,12 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
     (springs(), {"one.K[2]": [1.0]}, {}, r"one\.K\[2\] is not an element of one\.K"),
     (springs(), {"one.K[-1]": [1.0]}, {}, r"one\.K\[-1\] is not an element of one\.K"),
     (mrac(), {"a": [1], "plant.a": [1]}, {}, r"plant\.a and a are the same number"),
-    (PAPER, {"learning.gain": [1.0]}, {}, "timepts: is for a diagram, with timepts. L"),
+    (
+        PAPER,
+        {"learning.gain": [1.0]},
+        {},
+        "timepts: is for a diagram. Leave it out, or",
+    ),
     (
         two_shapes([1, 2]),
         {"K": [1, 2]},

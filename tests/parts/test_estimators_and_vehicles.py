@@ -299,8 +299,13 @@ MISTAKES = r"""
     parts.observer(control.ss(-np.eye(2), np.eye(2), [[1, 2]], 0), [[1, 2]]) -> must be (2, 1)
     parts.lookup_table([0, 0], [1, 2]) -> two or more increasing numbers
     parts.planar_vehicle(np.ones((3, 3)), np.eye(3)) -> m12 = m13 = 0
-    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]) -> and R definite
-    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0: must be
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]) -> and positive definite
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0 = [[-1]]: must be
+    parts.noise([1, -1], 0.1, signals=2) -> std = [1, -1]: must be positive or 0
+    parts.point_vehicle(1, -1) -> damping = -1: must be positive or 0
+    parts.lag(1.0, signals=0) -> signals = 0: must be a whole number, 1 or more
+    parts.planar_vehicle([[1]], np.eye(3)) -> M = [[1]]: must have the shape (3, 3)
+    parts.observer(control.tf(1, [1, 1]), [[1]]) -> control.ss(system) or clpt.linearize
     clpt.linearize(parts.noise(1.0, 0.1), [], [], t=0.0) -> noise: has no states and no inputs
 """
 

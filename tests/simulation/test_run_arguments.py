@@ -111,10 +111,13 @@ def test_other_states_of_a_scenario_are_its_own():
     [
         ({"inputs": {"torqe": 1}}, "lag: has no input 'torqe'. Did you mean 'torque'"),
         ({"initial_state": {"speed": 1}}, "lag: has no state 'speed'. It has angle"),
-        ({"initial_state": {"angle": [1, 2]}}, "must have 1 numbers"),
+        ({"initial_state": {"angle": [1, 2]}}, "must have 1 finite numbers"),
         ({"inputs": {"torque": "much"}}, "must be an array of numbers"),
-        ({"initial_state": {"angle": np.nan}}, "initial_state['angle'][0] = nan: must"),
-        ({"initial_state": [np.inf]}, "initial_state[0] = inf: must be finite"),
+        (
+            {"initial_state": {"angle": np.nan}},
+            "initial_state['angle'] = [nan]: must have 1 fin",
+        ),
+        ({"initial_state": [np.inf]}, "initial_state = [inf]: must have 1 finite"),
     ],
 )
 def test_other_names_are_refused(arguments, sentence):

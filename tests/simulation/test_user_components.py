@@ -96,7 +96,7 @@ WIDE = control.ss(-np.eye(3), np.eye(3), np.eye(3), 0, name="w")
 UNFIT = [
     ({"external": ("zcc",)}, "external: there is no zcc. Did you mean 'zc'"),
     ({"replace": {"vehicel": LAG}}, "replace: there is no vehicel. Did you mean 'vehicle'"),
-    ({"replace": {"vehicle": LAG}}, "'x', an input of basis_x, is made by no block"),
+    ({"replace": {"vehicle": LAG}}, "replace = vehicle: no block makes 'x' now. Rename"),
     ({"insert": {"v_c": LAG}}, "insert = 'v_c': must begin with one of Gamma, K, alpha"),
     ({"insert": {("v_x", "clpe"): LAG}}, "'v_x' goes to vehicle, not to 'clpe'"),
     ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),

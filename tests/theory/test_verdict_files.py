@@ -248,7 +248,8 @@ def test_comment_of_a_law_names_its_own_conditions():
     comment = clpt.prove("sigma").coq().split("(* The verdict")[1].split("*)")[0]
     assert "The number N of functions is that of this file." in comment
     assert (
-        "Not in it, and shown by clpt-control: x is not held by V, and bounded." in comment
+        "Not in it, and shown by clpt-control: x is not held by V, and bounded."
+        in comment
     )
     assert "Assumed to be bounded" not in comment
     comment = clpt.prove("learned-flow").coq().split("(* The verdict")[1]

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import Seed, public
+from ...base.arguments import Count, Seed, public
 from ...base.errors import BlockError, DiagramError, Uncompiled
 from ..diagram.linearization import linearize
 from ..diagram.wiring import blocks_of
@@ -337,7 +337,7 @@ class ConformanceReport(NamedTuple):
 def check(
     block: Block | control.NonlinearIOSystem,
     seed: Seed = 0,
-    samples: int = 20,
+    samples: Count = 20,
     units: Mapping[str, str] | None = None,
 ) -> ConformanceReport:
     """Compare a block's machine code with Python, and test it alone.
@@ -389,7 +389,7 @@ def check(
 def check_block(
     block: Block,
     seed: int = 0,
-    samples: int = 20,
+    samples: Count = 20,
     units: Mapping[str, str] | None = None,
 ) -> ConformanceReport:
     """Return the checks of a block and the failures."""

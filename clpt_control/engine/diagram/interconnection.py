@@ -215,8 +215,9 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             rises = attribute_of(breaks, "trigger") == name
             raise DiagramError(
                 f"'{name}', an input of {names[ports[0].block]}, is made by no block"
-                f"{suggestion}; there are {', '.join(available)}; "
-                f"external='{name}' supplies it from outside"
+                f"{suggestion}; there are {', '.join(available)}. Give it one of these names (a "
+                "linear system, or the plant of an observer: control.ss(plant, inputs=[...], "
+                f"outputs=[...])); or external='{name}' supplies it from outside"
                 + ", where each rise above 1/2 is an event"
                 * rises
             )

@@ -157,7 +157,8 @@ class Block(ReadBlock):
         refuse(output is None and not states, "a block without states needs `output`")
         refuse(output and outputs is None, "`output` needs `outputs={'y': 1}`")
         refuse(
-            (update is None) != (not states), "`update` and `states` belong together"
+            (update is None) != (not states),
+            "`update` has the rates of `states`. Give both or neither",
         )
         refuse(
             output is None

@@ -7,13 +7,12 @@ input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite
 from typing import Any
 
 import numpy as np
 from numpy import ndarray
 
-from ...base.arguments import numbers
+from ...base.arguments import brief, numbers
 from ...base.errors import SimulationError
 
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
@@ -134,10 +133,16 @@ NO_INPUTS = Inputs((np.array([-np.inf]), np.zeros((1, 1))))
 def checked_times(name: str, timepts: Any) -> ndarray:
     """Return times as an array: at least two, increasing and finite."""
     times = np.atleast_1d(numbers(name, timepts))
-    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
-        raise SimulationError(f"{name}: must be at least two increasing times")
-    if not (isfinite(times[0]) and isfinite(times[-1])):
-        raise SimulationError(f"{name}: must be finite")
+    if (
+        times.ndim != 1
+        or len(times) < 2
+        or not (times[1:] > times[:-1]).all()
+        or np.isinf(times).any()
+    ):
+        raise SimulationError(
+            f"{name} = {brief(timepts)}: must be at least two increasing times, finite, such as "
+            "np.linspace(0, 10, 101)"
+        )
     return times
 
 

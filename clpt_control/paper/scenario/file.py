@@ -14,7 +14,7 @@ from typing import Any
 
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
-from ...base.files import write_file
+from ...base.files import check_writable, write_file
 from ...base.files.reading import AnyPath, open_netcdf, read_bytes
 from ...base.html import asset
 from ...base.run_attributes import BEYOND, FORM, OWN_PARTS, TEAM
@@ -167,6 +167,7 @@ def save_scenario(scenario: Scenario, path: AnyPath) -> None:
     >>> clpt.save_scenario(clpt.paper_scenario(), file)
     """
     path = Path(path)
+    check_writable(path, "a scenario", (".toml",))
     write_file(path, scenario_to_text(scenario, path.parent))
 
 

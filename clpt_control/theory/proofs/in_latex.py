@@ -137,7 +137,9 @@ class Sentences:
 
         def symbol(token: re.Match) -> str:
             name = token["name"] or PHRASES.get(token[0])
-            is_call = token["of"] and name not in self.names and hasattr(sympy, f"{name}")
+            is_call = (
+                token["of"] and name not in self.names and hasattr(sympy, f"{name}")
+            )
             if not name or is_call or token.string.startswith("(", token.end()):
                 return token[0]
             is_input = token["of"] or name not in self.names

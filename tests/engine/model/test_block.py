@@ -145,7 +145,7 @@ def test_states_are_views_of_one_vector():
 OUT = {"output": flow, "outputs": {"y": 1}}
 CANNOT = [
     ({"inputs": {"u": 1}}, "without states needs `output`"),
-    ({"update": flow, **OUT}, "`update` and `states` belong"),
+    ({"update": flow, **OUT}, "`update` has the rates of `states`"),
     (
         {"update": flow, "states": {"x": 1}, "outputs": {"y": 1}},
         "outputs are the states",
