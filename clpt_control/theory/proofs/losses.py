@@ -36,12 +36,10 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
         if case.never_positive(least - loss):
             loss = least
             break
-    losses = (
-        lost_forms(loss, case.fixed, bounded)
-        or lost_forms(-bound, case.fixed, bounded)
-        or _lost_by_groups(case, loss, bounded)
-        or _rising(case, loss)
-    )
+    losses: Sequence[Expr] = lost_forms(loss, case.fixed, bounded)
+    if not losses and case.claim is not None:  # squares as they are written
+        losses = lost_forms(-bound, case.fixed, bounded)
+    losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss)
     if losses or not case.where.kept:
         return losses
     roots = case.where.roots.items()
@@ -69,11 +67,8 @@ def _has_no_integral(f: Expr) -> bool:
     of_waves = f.xreplace(waves)
     if waves:  # almost periodic: its mean is positive
         return bool(of_waves.is_polynomial(*waves.values()) and not of_waves.has(TIME))
-    parts = sympy.fraction(sympy.together(f))
-    if not all(part.is_polynomial(TIME) for part in parts):
-        return False
-    rise, fall = (sympy.degree(part, TIME) for part in parts)
-    return bool(fall - rise <= 1)
+    is_fraction = bool(f.is_rational_function(TIME))
+    return is_fraction and sympy.limit(TIME * f, TIME, sympy.oo) != 0
 
 
 def _lost(case: Any, loss: Expr, bounded: set) -> Sequence[Expr]:

@@ -207,14 +207,18 @@ class Relations:
 
 
 def errors_of(
-    case: Any, forms: Iterable[Expr]
+    case: Any, forms: Iterable[Expr], least: int = 1
 ) -> tuple[dict[Any, Expr], dict[Any, Expr]]:
-    """Return states in errors, linear forms of V such as x - z, and errors -> these forms."""
+    """Return states in errors, linear forms of V such as x - z, and errors -> these forms.
+
+    Each has at least some number of states.
+    """
     in_errors, errors = Relations(case.eq, case.motion), dict[Any, Expr]()
     as_they_are = {*forms, *case.where.kept}
     states = [s for s in reversed(case.motion) if s not in as_they_are]
     for form in forms:
-        if form not in case.motion:
+        is_error = len(form.free_symbols & case.motion.keys()) >= least
+        if is_error and form not in case.motion:
             error = sympy.Dummy(f"{form}", real=True)
             with suppress(DiagramError):
                 in_errors.add(form - error, states)

@@ -137,10 +137,10 @@ class SystemCandidate(LyapunovCandidate):
 
     def _leave_out(self, keeps: Callable | None) -> list[str]:
         """Leave out the states that relations give; return where these may have no value."""
-        self.relations, self.whole_V = Relations(self.eq, {**self.motion}), self.V
+        self.relations, self.whole_V = Relations(self.eq, self.motion), self.V
         without_value = self.relations.read(keeps) if keeps else []
         solved = self.relations.solved
-        self.motion = {s: rate for s, rate in self.motion.items() if s not in solved}
+        self.motion = {s: r for s, r in self.motion.items() if s not in solved}
         self.write(self.relations.of)
         self.is_whole = not solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]

@@ -187,7 +187,7 @@ class InForms(NamedTuple):
 
 def in_forms(case: Any, definite: Definite) -> InForms | None:
     """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
-    states, forms = errors_of(case, definite.forms)
+    states, forms = errors_of(case, definite.forms, least=2)
     V, rate = (sympy.expand(e.xreplace(states)) for e in (case.V, case.rate))
     total = squares(V, case.fixed)
     if total is None:  # linear in states of sets
