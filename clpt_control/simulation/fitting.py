@@ -337,8 +337,8 @@ class FitProblem:
         modelled = self.run_at(values).outputs[: len(self.times), self.columns, 0]
         columns = zip(self.outputs.items(), self.measured.T, modelled.T, strict=True)
         outputs = {
-            name: FittedOutput(self.times, *pair, unit)
-            for (name, unit), *pair in columns
+            name: FittedOutput(self.times, data, model, unit)
+            for (name, unit), data, model in columns
         }
         start, parameters = self.run.with_values(values)
         params = {}
