@@ -598,3 +598,18 @@ def test_what_the_advice_names_takes_a_sampled_loop():
     assert control.step_info(linear)["SteadyStateValue"] == pytest.approx(1.0)
     response = control.frequency_response(linear, [0.01])
     assert response.magnitude.squeeze() == pytest.approx(1.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("time", [1777593600000.0, math.nan])  # milliseconds, none
+def test_a_fix_in_milliseconds_is_refused(time):
+    found = clpt.currents.FlowEstimator(OF_FIXES)
+    says(clpt.DataError, "must be seconds, .*by 1000", found.fix, time, *PLACE.values())
+
+
+def test_files_have_the_ending_of_their_kind(tmp_path):
+    run = clpt.simulate(SHORT)
+    said = r"x\.csv: a run's name must end in \.nc"
+    says(clpt.DataError, said, clpt.save_run, run, tmp_path / "x.csv")
+    said = r"x\.nc: a scenario's name must end in \.toml"
+    says(clpt.DataError, said, clpt.save_scenario, SHORT, tmp_path / "x.nc")
+    assert not [*tmp_path.iterdir()]
