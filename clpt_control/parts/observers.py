@@ -172,7 +172,9 @@ def kalman_filter(
         M = matrices[key] = numbers(f"{name}: {key}", value)
         is_symmetric = M.shape == (size, size) and np.allclose(M, M.T, atol=0)
         least = np.linalg.eigvalsh(M)[0] if is_symmetric else -np.inf
-        if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):
+        if not least >= -1e-12 * np.max(np.abs(M), initial=0) or (
+            key == "R" and least <= 0
+        ):
             # but for rounding
             raise BlockError(
                 f"{name}: {key} = {brief(value)}: must be symmetric, of shape {(size, size)}, "
