@@ -137,13 +137,17 @@ def _checking(function: Any, name: str) -> Any:
 
     def call(*values: Any, **named: Any) -> Any:
         try:
-            of_call.bind(*values, **named)
-        except TypeError as error:
-            refuse_call(name, of_call.parameters, named, error)
-        return function(
-            *map(checked, positional, values),
-            **{argument: checked(argument, value) for argument, value in named.items()},
-        )
+            return function(
+                *map(checked, positional, values),
+                *values[len(positional) :],  # too many
+                **{argument: checked(argument, v) for argument, v in named.items()},
+            )
+        except TypeError:
+            try:
+                of_call.bind(*values, **named)
+            except TypeError as error:
+                refuse_call(name, of_call.parameters, named, error)
+            raise
 
     return update_wrapper(call, function)
 
