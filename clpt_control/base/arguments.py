@@ -411,11 +411,13 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
     array = numbers(argument, value)
     if not array.ndim:
         array = np.full(size, array)
-    if array.shape != (size,) or not np.isfinite(array).all():
+    said = f"{argument} = {brief(array.tolist())}: must"
+    if array.shape != (size,):
         raise ArgumentError(
-            f"{argument} = {brief(array.tolist())}: must have {size} finite numbers; it has shape "
-            f"{array.shape}"
+            f"{said} have {size} finite numbers; it has shape {array.shape}"
         )
+    for k in np.flatnonzero(~np.isfinite(array)):
+        raise ArgumentError(f"{said} be finite; number {k} is {array[k]}")
     return array.copy()
 
 

@@ -215,4 +215,6 @@ def columns(indices: Sequence[int], *shape: int) -> Callable[[np.ndarray], np.nd
     if not shape:
         return lambda signals: signals[:, indices[0]]
     selected = np.array(indices)
+    if len(shape) == 1:  # signals of members may have times behind
+        return lambda signals: signals[:, selected]
     return lambda signals: signals[:, selected].reshape(len(signals), *shape)

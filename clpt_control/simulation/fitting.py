@@ -35,7 +35,7 @@ from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
 from .comparison import named
 from .diagram_runs import signal_units
-from .requests import as_diagram, clock_of
+from .requests import as_diagram, clock_of, distinct_times
 from .sensitivities import RunWithDerivatives, SensitivityRun
 from .sensitivity_names import varied_numbers
 
@@ -491,7 +491,7 @@ def _measurements(data: Any, clock: Clock) -> tuple[np.ndarray, dict[str, Labell
         raise ArgumentError(
             "data: must be an xarray.Dataset or a table with `time`, or arrays by name"
         )
-    clock_times = np.unique(clock.at)
+    clock_times = distinct_times(clock.at) if len(clock.at) else clock.at
     for name, signal in signals.items():
         if signal.times is None:
             values = signal.values

@@ -439,7 +439,7 @@ def test_a_summary_of_the_user_is_python_controls_step_info():
 
 def test_inputs_without_times_are_answered_with_what_is_missing():
     with pytest.raises(
-        clpt.ScenarioError, match=r"^inputs: .*, with timepts\. Give timepts$"
+        clpt.ScenarioError, match=r"^inputs: needs timepts\. Give these too$"
     ):
         clpt.run_ensemble(control.ss(-1, 1, 1, 0), {"x0.x[0]": [1, 2]}, inputs=1.0)
 

@@ -168,9 +168,7 @@ def test_jumps_and_sampled_parts(engine, times):
     said = told(lambda: clpt.simulate(saw, times, engine=engine))
     assert said.startswith("the integration stopped at t = 2: saw.jump: second, line ")
     assert said.endswith("ValueError: no second jump")
-    with pytest.raises(
-        clpt.SimulationError, match=r"t = 0: state s\[0\] of block saw is not fin"
-    ):
+    with pytest.raises(clpt.ArgumentError, match=r"finite; number 0 is nan"):
         clpt.simulate(saw, times, initial_state=[math.nan], engine=engine)
     sampled = Block("law", update=law, inputs={"y": 1}, states={"w": 1}, dt=0.5)
     plant = Block(
@@ -227,7 +225,7 @@ def test_an_ensemble(model, role, end):
 def test_what_is_infinite_is_named(engine):
     x0 = clpt.initial_state(PAPER)
     x0[1] = np.nan
-    with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+    with pytest.raises(clpt.ArgumentError, match="finite; number 1 is nan"):
         clpt.simulate(PAPER, [0, 1], initial_state=x0, engine=engine)
     burst = clpt.Block("burst", update=lambda t, x, u, p: x[0] ** 2, states={"x": 1})
     with pytest.raises(SimulationError, match=r"\A.*stopped at t = (0\.9|1).*\Z"):

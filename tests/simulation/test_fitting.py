@@ -398,3 +398,18 @@ def test_a_run_begins_at_the_first_of_timepts():
     )
     fit = clpt.fit_parameters(count, early.iloc[1:], {"k": 1.0}, [-1, 0, 1, 2])
     assert fit.values["k"] == pytest.approx((2.5 * 2 + 5 * 3) / (2**2 + 3**2))
+
+
+def test_times_in_falling_order_are_refused():
+    decay = clpt.Block(
+        "decay",
+        update=lambda t, x, u, p: -p.k * x,
+        states={"x": 1},
+        parameters={"k": 1.0},
+    )
+    t = np.linspace(0, 2, 41)
+    data = {"x": np.exp(-0.7 * t)}
+    found = clpt.fit_parameters(decay, data, {"decay.k": 0.3}, t, 0.0, [1.0])
+    assert found.values["decay.k"] == pytest.approx(0.7, rel=1e-6)
+    with pytest.raises(clpt.SimulationError, match="timepts"):
+        clpt.fit_parameters(decay, data, {"decay.k": 0.3}, t[::-1], 0.0, [1.0])

@@ -115,9 +115,9 @@ def test_other_states_of_a_scenario_are_its_own():
         ({"inputs": {"torque": "much"}}, "must be an array of numbers"),
         (
             {"initial_state": {"angle": np.nan}},
-            "initial_state['angle'] = [nan]: must have 1 fin",
+            "initial_state['angle'] = [nan]: must be finite",
         ),
-        ({"initial_state": [np.inf]}, "initial_state = [inf]: must have 1 finite"),
+        ({"initial_state": [np.inf]}, "initial_state = [inf]: must be finite"),
     ],
 )
 def test_other_names_are_refused(arguments, sentence):
