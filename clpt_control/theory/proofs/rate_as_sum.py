@@ -23,7 +23,7 @@ from sympy.core.function import AppliedUndef
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import factored, vanishes
 from ..algebra.exact import terms_of as count_terms
-from ..algebra.facts import facts_of, functions_in, interval
+from ..algebra.facts import facts_of, functions_in, has_time, interval
 from ..algebra.gram import sum_of_squares
 from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
@@ -184,7 +184,7 @@ def is_nonnegative(term: Expr) -> bool:
 
 def apart(term: Expr, fixed: set) -> Iterable[Expr]:
     """Return the parts of a term whose weight is a sum with even powers: (1 + b^2) x^2."""
-    if not is_nonnegative(term):  # a weight of several fractions
+    if not (is_nonnegative(term) or has_time(term)):  # a weight of several fractions
         term = factored(sympy.together(term))
     weight, form = term.as_independent(*(term.free_symbols - fixed), as_Add=False)
     has_signs = all(s.is_positive or s.is_negative for s in weight.free_symbols)
