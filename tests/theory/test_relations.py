@@ -122,7 +122,7 @@ def test_information_of_a_filter_is_a_second_relation():
         return [s.y - s.th * s.w, s.Y - s.th * s.R]
 
     verdict = lyapunov(block(rates), squared, keeps=lines)
-    assert verdict.failed[0].claim == "rounding does not leave it"
+    assert verdict.failed[0].claim == "a distance from it does not grow"
     assert lyapunov(block(rates), squared, keeps=on_line).status != "proved"
 
 
@@ -237,7 +237,7 @@ def test_a_jump_that_enlarges_a_distance(after):
         **TICKS,
     )
     verdict = lyapunov(loop, lambda s: s.e**2, keeps=lambda s: [s.y - s.w])
-    assert verdict.failed[0].claim == "rounding does not leave it"
+    assert verdict.failed[0].claim == "a distance from it does not grow"
 
 
 @pytest.mark.parametrize("drive", ["c * (z - 3 * w)", "z - 3 * w + (y - 3 * w)"])
@@ -246,7 +246,7 @@ def test_a_distance_that_another_drives(drive):
     e = f"w' = -w; y' = -3*w - (y - 3*w) + {drive}; z' = -3*w{'- (z - 3*w)' * ('c' in drive)}"
     plant, V, *_ = written(f"{e}; c' = 3*c; e' = -e; V = e**2")
     verdict = lyapunov(plant, V, keeps=lambda s: [s.y - 3 * s.w, s.z - 3 * s.w])
-    assert verdict.failed[0].claim == "rounding does not leave it"
+    assert verdict.failed[0].claim == "a distance from it does not grow"
 
 
 def test_two_distances_that_drive_each_other():
@@ -658,3 +658,14 @@ def test_a_level_and_an_input_of_zero_come_before_a_mean():
 )
 def test_a_push_that_may_carry_V_away_has_no_mean(rates, V, claim):
     assert pushed(rates, V, claim).conclusion in ("", "V' is at most the claim")
+
+
+def test_a_set_of_a_state_that_a_relation_gives_is_refused():
+    plant, V, *_ = written("a' = -a; b' = -b; V = a")
+    with pytest.raises(
+        clpt.DiagramError, match="where: b is given by a relation, b = a"
+    ):
+        lyapunov(plant, V, keeps=lambda s: [s.a - s.b], where={"b": (0, None)})
+    assert lyapunov(plant, V, keeps=lambda s: [s.a - s.b], where={"a": (0, None)})
+    with pytest.raises(clpt.DiagramError, match="in which one has a constant factor"):
+        lyapunov(plant, V, keeps=lambda s: [s.a * s.b])

@@ -4,7 +4,8 @@
 
 If r' is Lipschitz in r, r stays 0: a run that begins there is one of fewer equations, those of the
 other states, and V is judged on these.  Rounding leaves r by a little: where a distance r is not
-known to shrink, or to stay, the relation is not kept in a run.
+known to shrink, or to stay, the relation is not kept in a run.  What a factor that grows makes of
+such a distance elsewhere is not asked.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
@@ -94,7 +95,7 @@ class Relations:
                 return
         raise DiagramError(
             f"{self.eq.name}: the relation {short(h, 60)} = 0 cannot be solved for one state. "
-            "Give a function of states alone, linear in one of them"
+            "Give a function of states alone, in which one has a constant factor that is not 0"
         )
 
     def read(self, keeps: Callable) -> list[str]:
@@ -169,7 +170,7 @@ class Relations:
             growths.append(Add(*(e**2 - d**2 for d, e in jumped.items())))
         if all(map(never_positive, growths)):
             return ""
-        return f"{self.text}: a distance from it that rounding leaves may grow"
+        return f"{self.text}: a distance from it, as rounding leaves, may grow"
 
     def _is_stable(self, rates: Mapping[Any, Expr], nearby: bool) -> bool:
         """Return whether distances that move by themselves go to 0, or do so from `nearby`."""
@@ -184,14 +185,14 @@ class Relations:
         return is_stable(J, self.eq.discrete)
 
     def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
-        """Return the steps that the relations are kept, and that rounding does not leave them."""
+        """Return the steps that the relations are kept, and that no distance grows."""
         if not self.solved:
             return []
         broken = self.broken()
         repels = broken or self.repels(never_positive)
         return [
             exact(f"{self.text} is kept", not broken, broken),
-            exact("rounding does not leave it", not repels, repels),
+            exact("a distance from it does not grow", not repels, repels),
         ]
 
     def reduced(self) -> Equations:

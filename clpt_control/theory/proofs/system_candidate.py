@@ -121,6 +121,12 @@ class SystemCandidate(LyapunovCandidate):
         self.given: dict[Any, sympy.Expr] = {}  # margin -> what it stands for
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
+        for s in self.relations.solved:
+            if str(s) in where:
+                raise DiagramError(
+                    f"where: {s} is given by a relation, {self.relations.text}. Give bounds of "
+                    "the other states"
+                )
         self.where = Where(where, self.states, self.inputs, self.V)
         if where and self.eq.undefined:
             limited = self._equations(Names, self.where.undefined)
