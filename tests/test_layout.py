@@ -275,7 +275,7 @@ TOKENS = {
     "theory.design": 5660,
     "theory.excitation": 17375,
     "theory.laws": 16267,
-    "theory.proofs": 53860,
+    "theory.proofs": 53883,
     "theory.theorems": 7725,
 }
 LAID_OUT = {
