@@ -32,6 +32,7 @@ ROOT = Path(__file__).parent.parent
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
 SLOW |= {"start.md", "report.md", "team.md", "README.md"}
 SLOW |= {"machine_checked.md"}
+LONG = {"on_board.md"}
 FILM = "docs/index.md"
 FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
@@ -59,8 +60,9 @@ def pages():
     ]:
         if any(blocks(path)):
             name = str(path.relative_to(ROOT))
-            slow = pytest.mark.slow if path.name in SLOW or name == FILM else ()
-            yield pytest.param(path, id=name, marks=slow)
+            marks = [pytest.mark.slow] if path.name in SLOW or name == FILM else []
+            marks += [pytest.mark.long] if path.name in LONG else []
+            yield pytest.param(path, id=name, marks=marks)
 
 
 def blocks(path):

@@ -379,6 +379,7 @@ def rocket():
     return system(rates, **ports)
 
 
+@pytest.mark.long
 def test_members_with_a_burst_finish_with_the_bits_of_simulate(tmp_path):
     """The vibration needs most of the tries; x = 300 (15^2 / 2 + 15 (t - 15)) m."""
     given = {"timepts": [0.0, 15.0, 1e5], "initial_state": [0.0, 0.0, 0.01, 0.0]}

@@ -183,6 +183,7 @@ def test_every_way_in_which_a_member_ends_has_a_name():
     assert summary | wanted == summary
 
 
+@pytest.mark.long
 def test_kernels_vary_as_numbers_do(tmp_path):
     kernels = ["gaussian", "exponential", "gaussian"]
     scenario = PAPER.with_values({"run.duration": 60})

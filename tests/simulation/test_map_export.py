@@ -310,6 +310,7 @@ def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
 
 
 @pytest.mark.parametrize("method", ["kalman", "tomography"])
+@pytest.mark.thirds
 def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
     values = {"run.duration": 20.0, "run.output_step": 0.1, "origin": ORIGIN}
     scenario = PAPER.with_values(values)

@@ -123,6 +123,7 @@ def test_a_limited_speed_gives_the_commanded_velocity_as_an_input(tmp_path):
 
 @needs_cc
 @pytest.mark.parametrize("end", [250.0, pytest.param(2000.0, marks=pytest.mark.slow)])
+@pytest.mark.thirds
 def test_the_papers_run_has_the_numbers_of_its_blocks(tmp_path, end):
     assert compared(PAPER, tmp_path, end, 0.5) <= 1e-12
 

@@ -165,6 +165,7 @@ def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path)
 
 
 @pytest.mark.parametrize("duration", [16.0, 24.0])
+@pytest.mark.thirds
 def test_a_whole_cycle_of_the_track_is_judged(duration):
     """A constant current beside the functions, no noise; the cycle is longer than a quarter."""
     center, width, unmodelled = np.array([-1.4, -8.2]), 13.0, 0.03

@@ -251,7 +251,7 @@ def test_no_run_of_the_leak_stays_above_its_level():
     assert values[len(t) // 2 :].max() <= level
 
 
-@pytest.mark.thirds
+@pytest.mark.long
 @pytest.mark.parametrize("nu", [0.1, 3.0])
 def test_a_leak_that_e_weighs_has_a_ceiling(nu):
     """V' <= -|e| (am |e| + nu b |k - k*|^2/2 - c), c = nu b |k*|^2/2: the corners bound V."""
@@ -279,6 +279,7 @@ def test_where_e_weighs_a_leak_V_falls_above_the_ceiling():
         assert value < level or slope <= 1e-9 * (1 + value)
 
 
+@pytest.mark.long
 def test_what_e_adds_to_the_gains_is_refuted():
     plant = loop(leaky_with_error, nu=-0.1)
     found = lyapunov(plant, V, points=POINTS)
@@ -299,6 +300,7 @@ def test_a_claim_that_is_weaker_is_proved(share):
     assert (found.status, found.conclusion) == ("proved", "goes to zero")
 
 
+@pytest.mark.long
 def test_the_exact_rate_of_a_leak_is_no_wrong_claim():
     def rate(s):
         apart = s.kr * (s.kr - s.bm / s.b) + s.ky * (s.ky - (s.am + s.a) / s.b)

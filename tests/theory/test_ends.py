@@ -383,6 +383,7 @@ def test_a_claim_that_steps_shows_no_rest():
     assert (found.status, found.conclusion, found.of) == ("proved", ZERO, "y goes")
 
 
+@pytest.mark.long
 def test_squares_of_a_claim_are_lost_as_written():
     """A composite law: d = f - (v - w) - c w falls as exp(-t), and with E = (a - c) w
     V' = -2 v^2 - E (E - d) - d^2 = -2 v^2 - (E - d/2)^2 - 3 d^2/4.

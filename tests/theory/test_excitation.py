@@ -62,6 +62,7 @@ def test_equal_functions_are_learnable_only_together(true_paper):
 
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
+@pytest.mark.thirds
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
     exact = gramian(true_paper, 200.0, 200.0).report
     run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
@@ -77,6 +78,7 @@ def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
 
 
 @pytest.mark.parametrize("step", [7.0, 20.0, 500.0])
+@pytest.mark.thirds
 def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     """An eigenvalue is 25 % off or more, and of two samples none can be left out to find it."""
     scenario = paper.with_values({"run.output_step": step})
@@ -92,6 +94,7 @@ def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     )
 
 
+@pytest.mark.long
 def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
     """A learner that begins true has V = 0, which Delta raises: V falls to no share of itself."""
     push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}

@@ -266,6 +266,7 @@ SLIDING = {  # rates of x and v, where |d| <= 1: conclusion
 
 
 @pytest.mark.parametrize("name", SLIDING)
+@pytest.mark.thirds
 def test_sliding_and_linear_terms_together(name):
     """x or v sticks off the rest, or is pushed away, where no conclusion is a rest."""
     rates, conclusion = SLIDING[name]

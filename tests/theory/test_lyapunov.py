@@ -288,6 +288,7 @@ def test_a_difference_of_an_increasing_function_is_read():
         ("x' = -y - x; y' = x + 8 - y**3; V = (x**2 + y**2)/2", None),
     ],
 )
+@pytest.mark.thirds
 def test_a_polynomial_of_one_state_comes_down_to_its_farthest_root(text, root):
     plant, V, *rest = written(text)
     found = clpt.lyapunov(plant, V, **dict(*rest))

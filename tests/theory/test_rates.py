@@ -133,6 +133,7 @@ def test_rates_by_a_riccati_equation(name, least):
     assert repr(found).startswith("<Riccati: errors of parameters halve at")
 
 
+@pytest.mark.long
 def test_R_is_positive_and_periodic_by_scipy():
     _, gains, w, period = LOOPS["other gains"]
     found = measured(*LOOPS["other gains"]).riccati["w"]
@@ -157,6 +158,7 @@ def test_R_is_positive_and_periodic_by_scipy():
     assert b0 <= min(b) < max(b) <= b1 < b0 + 1.1 * np.ptp(b)
 
 
+@pytest.mark.long
 def test_a_flag_falls_when_w_dies_out():
     """R by SciPy, of w = [sin t, cos t] until 2 pi, then 0."""
     found = measured(*LOOPS["a circle"])
@@ -223,6 +225,7 @@ def test_V_is_below_its_tube_in_many_starts(name):
         assert np.all(tube[:, None] * (1 + 1e-4) >= V)
 
 
+@pytest.mark.long
 def test_what_is_not_excited_has_no_rate():
     found = measured(1.0, [1.0, 1.0], [sin, lambda t: 2 * sin(t)], 2 * np.pi)
     assert found.certificate().half_life is None
@@ -317,6 +320,7 @@ def test_adaptive_control_by_a_model_is_read_from_its_verdict():
         clpt.gramian(run, of=verdict, signals=["r"])
 
 
+@pytest.mark.long
 def test_a_run_of_other_parameters_is_refused():
     _, verdict = loop_of(1.0, [1.0, 1.0])
     other, _ = loop_of(1.1, [1.0, 1.0])
@@ -470,6 +474,7 @@ def test_e_that_grows_is_refused():
         clpt.gramian(block, of=verdict, timepts=[0, 1], inputs=1)
 
 
+@pytest.mark.long
 def test_the_paper_halves_within_the_time_of_several_windows():
     found = clpt.gramian(clpt.paper_scenario(), 200.0, 200.0)
     certificate = found.certificate()
@@ -547,6 +552,7 @@ def test_coq_checks_rates_and_refuses_altered_ones(name, tmp_path):
         assert not compiled(tmp_path, wrong)[0]
 
 
+@pytest.mark.long
 def test_a_watch_whose_facts_end_goes_on():
     """R would go to minus infinity within some seconds from where it is not positive."""
     found = measured(1.0, [1.0, 1.0], [sin, lambda t: cos(t) + 0.5], 2 * np.pi)

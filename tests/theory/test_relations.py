@@ -91,6 +91,7 @@ def test_least_squares_of_a_wrong_line_are_not_proved():
     assert "leaves it by" in verdict.sentence
 
 
+@pytest.mark.long
 def test_two_parameters_by_two_filters():
     """V' = -(w^T (th - h))^2."""
     law = clpt.Block(
@@ -110,6 +111,7 @@ def test_two_parameters_by_two_filters():
     assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
 
 
+@pytest.mark.long
 def test_information_of_a_filter_is_a_second_relation():
     """Y' = w y and R' = w^2 keep Y = th R where y = th w; w, that may grow, drives distances."""
     rates = FILTER | {
@@ -551,6 +553,7 @@ def test_a_composite_law_with_two_parameters():
     assert "values" not in verdict.sentence
 
 
+@pytest.mark.long
 def test_a_normalised_gradient():
     """V' = -g (w (h - th))^2/(1 + w^2), and w is bounded."""
     rates = FILTER | {"h": lambda x, u, p: p.g * x.w * (x.y - x.h * x.w) / (1 + x.w**2)}

@@ -152,12 +152,14 @@ def V_of_adaptive(s):
 
 
 @pytest.mark.parametrize("b", [3.0, -2.0])
+@pytest.mark.thirds
 def test_model_reference_control_assumes_the_sign_of_b_but_not_of_a(b):
     verdict = clpt.lyapunov(adaptive(b, np.sign(b)), V_of_adaptive)
     signs = "a_m, b, gamma > 0" if b > 0 else "a_m, gamma > 0 and b < 0"
     assert (verdict.conclusion, signs_of(verdict)) == ("goes to zero", signs)
 
 
+@pytest.mark.long
 def test_a_refutation_is_typeset_with_its_point():
     verdict = clpt.lyapunov(adaptive(-2.0, 1.0), V_of_adaptive)
     text = verdict.latex()
@@ -179,6 +181,7 @@ def test_values_are_printed_where_the_proof_is_of_them():
     assert "values $k = 2$, $m = 0.1$." in verdict.latex()
 
 
+@pytest.mark.long
 def test_values_are_fixed_only_of_parameters_that_need_them():
     """A number in V, the model's pole 3, leaves the plant's a and the gain g symbols.
 
@@ -227,6 +230,7 @@ def test_values_are_fixed_only_of_parameters_that_need_them():
         ("x' = a*x - b*x**3; y' = -m*y; a = 1; b = 1; m = 3", "m > 0", "a = 1, b = 1"),
     ],
 )  # fmt: skip
+@pytest.mark.thirds
 def test_a_number_in_V_fixes_no_other_parameter(text, signs, values):
     plant, V = written(text)
     found = clpt.lyapunov(plant, V)
@@ -249,6 +253,7 @@ BETWEEN = [  # text -> the textbook's conditions
 
 
 @pytest.mark.parametrize(("text", "between", "signs"), BETWEEN)
+@pytest.mark.thirds
 def test_a_condition_between_parameters_stands_for_their_values(text, between, signs):
     """V' <= 0 at random states and parameters that meet the conditions."""
     plant, V, *_ = written(text)

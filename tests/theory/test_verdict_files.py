@@ -244,6 +244,7 @@ def test_bounded_states_outside_V_are_in_the_theorem():
     assert "bounded (T i) (r_y i)" in theorem.replace("r_lag'y", "r_y")
 
 
+@pytest.mark.long
 def test_comment_of_a_law_names_its_own_conditions():
     comment = clpt.prove("sigma").coq().split("(* The verdict")[1].split("*)")[0]
     assert "The number N of functions is that of this file." in comment

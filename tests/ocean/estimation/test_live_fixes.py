@@ -107,6 +107,7 @@ def scenario_of(law, count):
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("count", [1, 13])
+@pytest.mark.thirds
 def test_a_loaded_learner_has_the_same_numbers(tmp_path, law, count):
     """Saved and loaded between any two calls, a wild fix among them: equal to the last bit."""
     made, path = calls(20), tmp_path / "learned.state"
@@ -319,6 +320,7 @@ def test_nmea_sentences_are_learned(nmea):
 
 
 @pytest.mark.parametrize("clock", [True, False])
+@pytest.mark.long
 def test_several_vhw_between_two_rmc_are_their_mean(nmea, clock):
     """Turns of 90 degrees between RMC: half an hour to the north, half an hour to the east.
 
@@ -371,6 +373,7 @@ def test_the_example_goes_on_after_a_restart(nmea):
     assert "begins a leg" not in answers[1]["note"]
 
 
+@pytest.mark.long
 def test_a_speed_that_cannot_be_makes_the_motion_unknown(nmea):
     log = [rmc(1, 0), vhw(90), rmc(2, 1, "V"), vhw(90, 120), rmc(3, 2, "V"), vhw(90)]
     answers, _ = nmea([*log, rmc(4, 3), rmc(5, 5)])
@@ -397,6 +400,7 @@ def test_sentences_that_are_no_fix_end_nothing(nmea, body, count):
     assert len(answers) == count + 1
 
 
+@pytest.mark.long
 def test_a_magnetic_heading_alone_is_told(nmea):
     _, told = nmea([rmc(13, 0), checked("IIVHW,,T,80.0,M,2.0,N,3.7,K")])
     assert "magnetic heading alone" in told

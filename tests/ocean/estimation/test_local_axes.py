@@ -78,6 +78,7 @@ def test_functions_that_are_the_same_everywhere_have_local_axes(
 
 
 @pytest.mark.parametrize("law", ["fix-regression", "kalman-flow"])
+@pytest.mark.long
 def test_fixes_at_the_surface_widen_no_region_and_narrow_none(law):
     """Eight fixes in 4 minutes, whose error lasts 10 minutes: one surfacing, not eight."""
     inside = []

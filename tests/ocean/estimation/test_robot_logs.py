@@ -137,6 +137,7 @@ def test_repeated_positions_are_no_fixes(estimate, every, digits):
 
 
 @pytest.mark.parametrize("every", [0.5 * LEG, 100.0])
+@pytest.mark.long
 def test_a_live_learner_takes_no_repeated_position(every):
     learner, notes = clpt.currents.FlowEstimator(EVERYWHERE), []
     for time, *position, course, speed in repeated(every, 6):

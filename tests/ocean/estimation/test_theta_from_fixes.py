@@ -72,6 +72,7 @@ def test_a_limited_speed_and_a_modelled_flow_are_known():
     np.testing.assert_allclose(theta_of(estimate(run, every=5.0)), THETA, rtol=2e-3)
 
 
+@pytest.mark.long
 def test_an_estimate_feeds_the_known_flow_law(lap):
     found = theta_of(estimate(lap))
     known = clpt.currents.known_flow_scenario
@@ -157,6 +158,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
 
 
 @pytest.mark.parametrize("every", [2.0, 10.0])
+@pytest.mark.thirds
 def test_the_motion_of_a_run_is_never_called_wrong(lap, every):
     notes = estimate(lap, every=every).attrs["notes"]
     assert not [note for note in notes if "look" in note or "contradict" in note]

@@ -101,6 +101,7 @@ LOGS = [
 
 
 @pytest.mark.parametrize(("digits", "every", "kinds", "changes"), LOGS)
+@pytest.mark.thirds
 def test_positions_without_a_measurement_are_left_out(
     tmp_path, digits, every, kinds, changes
 ):
@@ -137,6 +138,7 @@ def test_positions_without_a_measurement_are_left_out(
         ("interpolated", 0.0, 4),
     ],
 )
+@pytest.mark.thirds
 def test_positions_with_jitter_are_left_out(tmp_path, kind, jitter, digits):
     """The interpolated ones follow no turn of the vehicle."""
     fixes = mission(12, scatter=0.02, fix=3.0, seed=3)
