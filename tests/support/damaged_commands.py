@@ -54,7 +54,6 @@ USES = (
     "replay sea035 --least-duration 60 --json | sea035/SEA035.10.gli.sub.004.gz",
     "replay slocum_rosie/sbd --json | slocum_rosie/sbd/*157.sbd",
     "replay slocum_rosie/sbd --json | slocum_rosie/cac/6b016a2e.cac",
-    f"{WATCH} | in/replay/state/dives.csv.json",
     f"{WATCH} | in/dives.csv",
 )
 # what a file names is copied, too
@@ -155,8 +154,6 @@ def put(valid, folder, words):
     for name in (*named, *(BESIDE[name] for name in named if name in BESIDE)):
         source = valid / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, folder / name)
-    for state in folder.rglob("state/*.json"):  # names the folder that is watched
-        state.write_text(state.read_text().replace(str(valid), str(folder)))
     return named[0]
 
 
