@@ -13,7 +13,7 @@ import reprlib
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache, update_wrapper
-from inspect import signature
+from inspect import Signature, signature
 from itertools import zip_longest
 from numbers import Integral, Real
 from types import FunctionType, NoneType, UnionType
@@ -32,6 +32,7 @@ Count = Annotated[int, "1 or more"]
 Positive = Annotated[float, "positive and finite"]
 LISTS = (Sequence, Iterable, list)
 MOST_MEMBERS = 100  # longer lists are not searched for masked arrays
+MOST_SHOWN = 9  # numbers of an array in a message
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 NUMBERS = {float, int}
 SIMPLE = {float, int, str, bool, NoneType}
@@ -55,6 +56,7 @@ NOUNS = {
 # parts of annotations that messages leave out
 NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
 EXAMPLES = {  # argument -> example for its message
+    "blocks": "[plant, controller]",
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
     "params": "{'adaptation.gain': 2.0}",
@@ -66,7 +68,16 @@ EXAMPLES = {  # argument -> example for its message
     "insert": "{('v_x', 'vehicle'): lag}",
     "values": "{'learning.gain': 2.0}",
 }
-HIDDEN = {"self", "_cls", "ports", "options", "optional"}  # not in lists of arguments
+HIDDEN = {
+    "self",
+    "cls",
+    "_cls",
+    "ports",
+    "options",
+    "optional",
+}  # not in lists of arguments
+# words in names that other libraries have for the limits low and high
+OF_LIMITS = ("limit", "min", "max", "bound", "sat", "range")
 TIMES = "timepts", "Give the times as timepts"
 START = "initial_state", "Give the initial state as initial_state"
 NO_RESPONSE = "timepts", "Leave it out: a run is an xarray.Dataset, with run.states"
@@ -74,6 +85,7 @@ OTHER_NAMES = {  # argument of python-control or SciPy -> ours, and the remedy
     **dict.fromkeys(("T", "t_eval", "t_span", "evaluation_times"), TIMES),
     **dict.fromkeys(("X0", "y0", "x0"), START),
     **dict.fromkeys(("squeeze", "return_x", "transpose"), NO_RESPONSE),
+    **dict.fromkeys(("file", "filename"), ("path", "Give the file as path")),
     "U": ("inputs", "Give the inputs as inputs"),
     "solve_ivp_method": ("method", "Give the method as method"),
     "solve_ivp_kwargs": ("rtol", "Give rtol, atol and max_step themselves"),
@@ -115,10 +127,14 @@ def _checking(function: Any, name: str) -> Any:
     code = function.__code__
     positional = code.co_varnames[: code.co_argcount]
     of_call = signature(function)
-    refuse_call = _refuse_call  # `call` has the globals of the target
+    parameters = of_call.parameters
+    has_ports = "ports" in parameters
+    explain = _explain  # `call` has the globals of the target
     kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
+        if has_ports and argument not in parameters and not isinstance(value, str):
+            _refuse_call(name, parameters, [argument])  # the name of a port is a text
         value = without_mask(value)
         if not kinds_by:  # at the first call, when all names are known
             for name_of_argument, kind in function.__annotations__.items():
@@ -131,6 +147,7 @@ def _checking(function: Any, name: str) -> Any:
             allowed = words(kinds)
             raise ArgumentError(
                 f"{name}: {argument} = {brief(value)}: must be {allowed}"
+                f"{', without NaN' * (has_nan(value) and not np.isscalar(value))}"
                 f"{hint(argument, value, allowed)}"
             )
         return value
@@ -142,28 +159,41 @@ def _checking(function: Any, name: str) -> Any:
                 *values[len(positional) :],  # too many
                 **{argument: checked(argument, v) for argument, v in named.items()},
             )
-        except TypeError:
-            try:
-                of_call.bind(*values, **named)
-            except TypeError as error:
-                refuse_call(name, of_call.parameters, named, error)
+        except TypeError as error:
+            explain(name, of_call, values, named, error)
             raise
 
     return update_wrapper(call, function)
 
 
+def _explain(name: str, call: Signature, values: Any, named: Any, error: Any) -> None:
+    """Refuse a call whose arguments are unknown, missing, repeated or too many."""
+    parameters, unknown = call.parameters, getattr(error, "unknown", "")
+    if "options" in parameters and unknown in named:  # by the function that takes them
+        _refuse_call(name, [*parameters, *error.names], [unknown], "unexpected")
+    try:
+        call.bind(*values, **named)
+    except TypeError as mismatch:
+        _refuse_call(name, parameters, named, str(mismatch))
+
+
 def _refuse_call(
-    name: str, parameters: Iterable[str], named: Mapping[str, Any], error: TypeError
+    name: str, parameters: Iterable[str], named: Iterable[str], reason: str = ""
 ) -> None:
-    """Refuse a call with unknown, missing, repeated or too many arguments."""
+    """Refuse a name that is none of the parameters; one that has no advice may be a port."""
     names = [own for own in parameters if own not in HIDDEN]
-    for unknown in sorted(named.keys() - names):
+    for unknown in sorted({*named}.difference(names)):
         name_here, advice = OTHER_NAMES.get(unknown, ("", ""))
         if name_here not in names:
             advice = known(unknown, names)
-        if "unexpected" in str(error) or "mean" in advice:  # else it may be a port
-            raise ArgumentError(f"{name}: {unknown}= is not an argument. {advice}")
-    raise ArgumentError(f"{name}: {error}. Its arguments are {', '.join(names)}")
+        if "low" in names and any(word in unknown for word in OF_LIMITS):
+            advice = "Give the limits as low=, high="
+        if "unexpected" in reason or not advice.startswith("It has"):
+            refused = ArgumentError(f"{name}: {unknown}= is not an argument. {advice}")
+            refused.unknown, refused.names = unknown, names
+            raise refused
+    if reason:
+        raise ArgumentError(f"{name}: {reason}. Its arguments are {', '.join(names)}")
 
 
 def without_mask(value: Any) -> Any:
@@ -224,7 +254,10 @@ def as_python_type(value: Any, kinds: Kinds) -> Any:
         attribute_of(value, "ndim") == 0
         and attribute_of(value, "dtype", EMPTY).kind in "iufb"
     ):
-        return value.item() if {float, int, bool} & set(kinds) else value
+        numeric = {float, int, bool}.intersection(
+            _origin_and_arguments(kind)[0] for kind in kinds
+        )
+        return value.item() if numeric else value
     if isinstance(value, Iterator) and any(
         get_origin(kind) is Iterable for kind in kinds
     ):
@@ -358,10 +391,21 @@ def _noun(kind: Any) -> str:
     return NOUNS.get(name) or f"{'an' if name[0] in 'AEIOUaeioux' else 'a'} {name}"
 
 
+def has_nan(value: Any) -> bool:
+    """Return whether a number is NaN, or one of a list, a dict or an array."""
+    if isinstance(value, Mapping):
+        value = [*value.values()]
+    with suppress(Exception):  # no numbers
+        return bool(np.isnan(np.asarray(value, float)).any())
+    return False
+
+
 def brief(value: Any) -> str:
     """Return a value in a few words."""
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
+    if isinstance(value, np.ndarray | np.generic) and value.size <= MOST_SHOWN:
+        value = value.tolist()
     if value is None or isinstance(value, PLAIN):
         return " ".join(SHORT.repr(value).split())
     kind = type(value).__name__.removeprefix("nd")
@@ -411,14 +455,21 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
     array = numbers(argument, value)
     if not array.ndim:
         array = np.full(size, array)
-    said = f"{argument} = {brief(array.tolist())}: must"
     if array.shape != (size,):
         raise ArgumentError(
-            f"{said} have {size} finite numbers; it has shape {array.shape}"
+            f"{argument} = {brief(array.tolist())}: must have {size} finite numbers; it has shape "
+            f"{array.shape}"
         )
+    return finite(argument, array).copy()
+
+
+def finite(argument: str, value: Any) -> np.ndarray:
+    """Return an array of finite numbers."""
+    array = numbers(argument, value)
     for k in np.flatnonzero(~np.isfinite(array)):
-        raise ArgumentError(f"{said} be finite; number {k} is {array[k]}")
-    return array.copy()
+        where = f"; number {k} is {array[k]}" if array.ndim == 1 else ""
+        raise ArgumentError(f"{argument} = {brief(array)}: must be finite{where}")
+    return array
 
 
 def attribute_of(value: Any, name: str, default: Any = None) -> Any:
@@ -454,9 +505,11 @@ def nearest(name: str, names: Iterable[str]) -> str:
     candidates, last = [*names], name.rpartition(".")[2]
     if last in candidates:
         return last
+    lower = name.lower()
     close = [
         *difflib.get_close_matches(name, candidates, n=1),
-        *difflib.get_close_matches(name.lower(), candidates, n=1),
+        *difflib.get_close_matches(lower, candidates, n=1),
+        *(one for one in candidates if one.startswith(lower) and len(lower) > 2),
     ]
     return close[0] if close else ""
 

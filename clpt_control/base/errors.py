@@ -6,7 +6,7 @@ with status 1 if a run failed.
 """
 
 import types
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
@@ -24,6 +24,9 @@ class ClptError(Exception):
 
 class ArgumentError(ClptError, TypeError, ValueError):
     """An argument of a function has a kind that is not allowed."""
+
+    unknown = ""  # name of an argument that the function does not have
+    names: Iterable[str] = ()  # of those that it has
 
 
 class BlockError(ClptError, ValueError):

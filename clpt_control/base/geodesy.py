@@ -22,6 +22,7 @@ import numpy as np
 from .errors import DataError, import_optional
 
 RADIUS = 6371e3  # m, of the Earth
+LATEST = 1e11  # s since 1970: the year 5138, in milliseconds 1973
 WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 
 
@@ -33,6 +34,15 @@ def _ellipsoid() -> Any:
 def is_place(lat: Any, lon: Any) -> Any:
     """Return True for latitudes and longitudes that are a place on Earth, degrees."""
     return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False for NaN
+
+
+def check_place(time: float, *place: float) -> None:
+    """Refuse a time that is no number of seconds since 1970, and a place that is none."""
+    if not abs(time) < LATEST:
+        message = "must be finite, s since 1970. Divide milliseconds by 1000"
+        raise DataError(f"time {time:.15g}: {message}")
+    if place and not is_place(*place):
+        raise DataError(f"place {place}: must be latitude and longitude, degrees")
 
 
 def displacement(

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arguments import attribute_of, has, known, numbers
+from .arguments import attribute_of, finite, has, known, numbers
 from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
@@ -71,7 +71,7 @@ class Clock:
         self.has_zero = labels.dtype.kind == "M"
         if labels.size and labels.dtype.kind in "mM":
             timepts = self.numbers("timepts", labels)
-        self.at = np.atleast_1d(numbers("timepts", timepts))
+        self.at = np.atleast_1d(finite("timepts", timepts))
 
     def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
         """Return times as numbers."""

@@ -57,6 +57,7 @@ CHUNK = 1000  # members without trajectories
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # of a chunk whose worker was lost
+OF_FILES = (".nc", ".csv", ".mat", ".h5", ".hdf5", ".json", ".html", ".toml")
 STORED = "finished members are stored"
 Report = Callable[
     [int, int], None
@@ -174,6 +175,10 @@ def run_ensemble(
         import_optional(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
+    if path is not None and path.suffix.lower() in OF_FILES:
+        raise ScenarioError(
+            f"out = {out}: is a folder, a Zarr store. Give a name such as {path.stem}.zarr"
+        )
     if summary is not None and path is not None:
         raise ScenarioError(
             "summary: is for a result in memory, since a folder cannot store functions. Leave out "

@@ -9,14 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ..base.arguments import brief, numbers
+from ..base.arguments import brief, finite, known, numbers
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from ..engine.model.ports import renamed
 
 Ports = Mapping[str, str]  # name of a port -> the user's name
-# words in names that other libraries have for the limits low and high
-OF_LIMITS = ("limit", "min", "max", "bound", "sat", "range")
+UNBOUNDED = {"low", "high", "rise", "fall", "tracking"}  # what may be infinite
 
 
 def make_block(
@@ -24,17 +23,15 @@ def make_block(
 ) -> Block:
     """Make a block; `ports` has other names of some ports, {"u": "v_c"}."""
     values = {
-        key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()
+        key: (numbers if key in UNBOUNDED else finite)(f"{name}: {key}", value)[()]
+        for key, value in parameters.items()
     }
     block = Block(name, parameters=values, **declared)
     names = {*block.input_ports, *block.output_ports}
     for port, new_name in ports.items():
         if port not in names:
-            allowed = ", ".join(sorted({*names, *values}))
-            is_limit = "low" in values and any(word in port for word in OF_LIMITS)
             raise BlockError(
-                f"{name}: has no port or parameter '{port}', but {allowed}"
-                + ". Give the limits as low=, high=" * is_limit
+                f"{name}: has no port or argument '{port}'. {known(port, sorted(names))}"
             )
         if not isinstance(new_name, str):
             raise BlockError(f"{name}: {port} = {new_name!r}: must be a name, a text")
@@ -93,7 +90,7 @@ def checked_sizes(name: str, signals: int, **values: Any) -> dict[str, Any]:
 def check_positive(name: str, *, or_zero: bool = False, **values: Any) -> None:
     """Refuse values that are not positive numbers."""
     for key, value in values.items():
-        array = numbers(f"{name}: {key}", value)
+        array = (numbers if key in UNBOUNDED else finite)(f"{name}: {key}", value)
         if not np.all(array >= 0 if or_zero else array > 0):
             raise BlockError(
                 f"{name}: {key} = {brief(value)}: must be positive{' or 0' * or_zero}"

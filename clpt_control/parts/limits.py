@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import Count, brief, numbers, public
+from ..base.arguments import Count, brief, finite, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import (
@@ -388,6 +388,7 @@ def relay(
     """
     values = checked_sizes(name, signals, off=off, on=on, low=low, high=high)
     check_order(name, off=off, on=on)
+    finite(f"{name}: low, high", [*np.ravel(low), *np.ravel(high)])
     return signal_block(
         name,
         ports,

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..base.arguments import Count, brief, numbers, public
+from ..base.arguments import Count, brief, finite, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import check_order, check_positive, checked_sizes, make_block
@@ -141,7 +141,7 @@ def planar_vehicle(
     [0.469, -0.07, 0.149]
     """
     given = {"M": M, "D": D, "Q": np.zeros((3, 3)) if Q is None else Q}
-    matrices = {key: numbers(f"{name}: {key}", value) for key, value in given.items()}
+    matrices = {key: finite(f"{name}: {key}", value) for key, value in given.items()}
     for key, value in matrices.items():
         if value.shape != (3, 3):
             raise BlockError(
@@ -216,8 +216,8 @@ def thrusters(
     >>> clpt.simulate(pair, [0, 9], [50, 10]).tau[-1].values.round(6).tolist()
     [30.0, 0.0, 2.0]
     """
-    points = numbers(f"{name}: places", places, None, 2)
-    a = numbers(f"{name}: angles", angles, None)
+    points = finite(f"{name}: places", numbers(f"{name}: places", places, None, 2))
+    a = finite(f"{name}: angles", angles)
     if a.ndim != 1 or points.shape != (a.size, 2) or not a.size:
         raise BlockError(
             f"{name}: places = {brief(places)}: must be a pair for each angle"

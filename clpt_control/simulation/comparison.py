@@ -139,6 +139,8 @@ def _signals_by_name(
     for spelling in (name, name.replace(".", "_"), name.removesuffix("[0]")):
         if spelling in by_name:
             return {_title(run, spelling): by_name[spelling]}
+    if name in plots:
+        advice = f"Give '{name}' alone, not in a list"
     raise ArgumentError(f"plot '{name}': the run has no such signal or state. {advice}")
 
 
@@ -172,7 +174,7 @@ def compare(
     *,
     labels: Sequence[str] | None = None,
     ax: Any = None,
-    **options: Any,
+    axis: int | None = None,
 ) -> Any:
     """Draw several runs in one figure, each in colour and marks.
 
@@ -189,8 +191,8 @@ def compare(
         Names for the legend, in the order of the runs; formulas such as ``"$k_p$ = 2"`` too.
     ax : Axes or array of Axes, optional
         Where to draw, as that plot takes them; by default a new figure of pyplot's.
-    **options
-        Of that plot, as ``axis=2`` of ``"learning"``.
+    axis : int, optional
+        Of ``"learning"``: 1 or 2.
 
     Returns
     -------
@@ -224,10 +226,14 @@ def compare(
     plots = COMPARED if of_scenarios else {"response": response_plot}
     if plot is None:
         plot = next(iter(plots))
-    draw = plots.get(plot) if isinstance(plot, str) else None
+    draw: Any = plots.get(plot) if isinstance(plot, str) else None
     if draw is None:
         draw = partial(signals_plot, names=plot, plots=[*plots])
         is_new_figure = False
+    if axis is not None:
+        if plot != "learning":
+            raise ArgumentError("axis: is of the plot 'learning'. Leave it out")
+        draw = partial(draw, axis=axis)
     names = [*map(str, labels or runs)]
     signals = [changing_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
@@ -235,7 +241,7 @@ def compare(
         remedy = f"give plot={shared[:1]}" if shared else "draw each, run.clpt.plot()"
         raise DataError(f"runs: not all have the same signals; {remedy}")
     for colour, name, run in zip(COLOURS, names, every, strict=False):
-        ax = draw(run, ax=ax, label=name, color=colour, **options)
+        ax = draw(run, ax=ax, label=name, color=colour)
     panels = np.ravel(ax)
     if draw is response_plot and all(len(one.lines) == len(every) for one in panels):
         for line, name in zip(panels[0].lines, names, strict=True):

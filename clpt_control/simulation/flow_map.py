@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..base.arguments import numbers, public
+from ..base.arguments import finite, public
 from ..base.errors import ArgumentError, DataError
 from ..base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ..base.geodesy import LocalPlane, angle_near
@@ -215,10 +215,10 @@ def map_of(
 
 
 def _row(name: str, values: Any) -> np.ndarray:
-    row = np.atleast_1d(numbers(name, values))
-    if row.ndim != 1 or not row.size or not np.isfinite(row).all():
+    row = np.atleast_1d(finite(name, values))
+    if row.ndim != 1 or not row.size:
         raise ArgumentError(
-            f"{name}: has shape {row.shape}. Give a finite number, or a row of them"
+            f"{name}: has shape {row.shape}. Give a number, or a row of numbers"
         )
     return row
 

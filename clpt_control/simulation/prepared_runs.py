@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import known, public
+from ..base.arguments import finite, known, public
 from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
@@ -81,6 +81,7 @@ class PreparedRun:
                 return False
         return bool(fields)
 
+    @public
     def __call__(
         self,
         initial_state: Any = None,
@@ -119,20 +120,16 @@ class PreparedRun:
 
     def _runner_with(self, params: Mapping[str, Any]) -> Any:
         """Return the runner with parameters; one that code was made for is compiled again."""
-        if not isinstance(params, Mapping):
-            raise SimulationError(
-                f"params = {params!r}: must be a dict, such as {{'gain': 2.0}}"
-            )
         for key, value in params.items():
             if key not in self._params:
                 raise SimulationError(
                     f"params: {key} was not given to prepare. {known(key, self._params)}"
                 )
             shape = np.shape(self._params[key])
-            array = unlabelled(f"params['{key}']", value)
-            if array.shape != shape or not np.isfinite(array).all():
+            array = finite(f"params['{key}']", unlabelled(f"params['{key}']", value))
+            if array.shape != shape:
                 raise SimulationError(
-                    f"params['{key}'] = {value}: must be finite, of shape {shape} as in prepare"
+                    f"params['{key}'] = {value}: must have the shape {shape}, as in prepare"
                 )
         every = {**self._params, **params}
         if not self._is_quick:

@@ -290,8 +290,8 @@ MISTAKES = r"""
     parts.delay(1.0, dt=0.3) -> delay = 1.0: must be a multiple of dt = 0.3
     parts.lag(0.0) -> lag = 0.0: must be positive
     parts.saturation([0, 1], 3, signals=3) -> must be one number, or 3
-    parts.pid(1, 0.1, hgih=1) -> has no port or parameter 'hgih', but
-    parts.pid(1, limits=(0, 1)) -> kp, low, r, u, y. Give the limits as low=, high=
+    parts.pid(1, 0.1, hgih=1) -> hgih= is not an argument. Did you mean 'high'?
+    parts.pid(1, limits=(0, 1)) -> limits= is not an argument. Give the limits as low=, high=
     parts.pid(1, 0.1, u_max=1) -> Give the limits as low=, high=
     parts.relay(1, -1, lag=1, output_limits=(0, 1)) -> Give the limits as low=, high=
     parts.pid(1, 1, dt=1, tracking=0.5) -> tracking = 0.5: must be above half of

@@ -56,7 +56,7 @@ def test_a_run_that_a_guard_stops_is_refused(times):
 
 def test_parameters_of_a_call_are_a_dict():
     run = clpt.prepare(system(k=1.0), TIMES, params={"k": 1.0})
-    refuses("must be a dict", run, params=3, error=clpt.SimulationError)
+    refuses("params = 3: must be Mapping", run, params=3, error=clpt.ArgumentError)
 
 
 def test_inputs_jump_at_repeated_times():
@@ -134,8 +134,10 @@ def test_refusals():
     refused = partial(refuses, error=clpt.SimulationError)
     run = clpt.prepare(system(k=1.0), TIMES, 0.0, [1.0], {"k": 1.0})
     refused("kk was not given to prepare", run, params={"kk": 2.0})
-    refused("must be finite, of shape", run, params={"k": np.nan})
-    refused("must be finite, of shape", run, params={"k": [1.0, 2.0]})
+    refuses(
+        "= nan: must be finite", run, params={"k": np.nan}, error=clpt.ArgumentError
+    )
+    refused("must have the shape", run, params={"k": [1.0, 2.0]})
     refuses(r"initial_state = \[inf\]", run, [np.inf], error=clpt.ArgumentError)
     refuses("must have 1 finite", run, [1.0, 2.0], error=clpt.ArgumentError)
     refused("inputs: must be finite", run, [1.0], np.nan)

@@ -111,7 +111,9 @@ def test_prove_prints_json(printed):
         assert all(step["holds"] for step in one["steps"])
         assert any(step["how"] == "sampled" for step in one["steps"])
         assert {"name", "of", "sentence"} == set(one["conditions"][0])
-        assert all(c["sentence"] in one["sentence"] for c in one["conditions"])
+        said = one["sentence"]  # a long one is cut
+        conditions = (c["sentence"] in said for c in one["conditions"])
+        assert said.endswith(" ...") or all(conditions)
     for name in ("learned-flow", "known-flow"):
         assert laws[name]["for_every_N"]
 

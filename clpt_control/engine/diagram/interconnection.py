@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, brief, has, known, nearest, public
+from ...base.arguments import attribute_of, brief, has, has_nan, known, nearest, public
 from ...base.errors import BlockError, DiagramError
 from ...base.labelled import unit_of
 from ..model.block import Block
@@ -129,6 +129,11 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         raise BlockError(
             f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}"
         )
+    for key, value in params.items():
+        if has_nan(value):
+            raise BlockError(
+                f"params: {key} = {brief(value)}: must be a number, without NaN"
+            )
     accepted = set()
     names = set()
     parameters = []

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy import ndarray
 
-from ...base.arguments import brief, numbers
+from ...base.arguments import brief, finite, numbers
 from ...base.errors import SimulationError
 
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
@@ -132,15 +132,10 @@ NO_INPUTS = Inputs((np.array([-np.inf]), np.zeros((1, 1))))
 
 def checked_times(name: str, timepts: Any) -> ndarray:
     """Return times as an array: at least two, increasing and finite."""
-    times = np.atleast_1d(numbers(name, timepts))
-    if (
-        times.ndim != 1
-        or len(times) < 2
-        or not (times[1:] > times[:-1]).all()
-        or np.isinf(times).any()
-    ):
+    times = np.atleast_1d(finite(name, timepts))
+    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
         raise SimulationError(
-            f"{name} = {brief(timepts)}: must be at least two increasing times, finite, such as "
+            f"{name} = {brief(timepts)}: must be at least two increasing times, such as "
             "np.linspace(0, 10, 101)"
         )
     return times
@@ -161,8 +156,10 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
     if inputs is None:
         return Inputs((times[:1], np.zeros((count, 1))))
     values = numbers("inputs", inputs)
-    if not np.isfinite(values).all():
-        raise SimulationError("inputs: must be finite. Fill the gaps before the run")
+    for value in values[~np.isfinite(values)]:
+        raise SimulationError(
+            f"inputs: must be finite, not {value}. Fill the gaps before the run"
+        )
     samples = (count, len(times))
     if values.shape == samples or (count == 1 and values.shape == times.shape):
         return Inputs((times, values.reshape(samples)))

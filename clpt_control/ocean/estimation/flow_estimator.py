@@ -37,7 +37,7 @@ from ...base.arguments import OrNaN, Positive, public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...base.files.reading import read_text
-from ...base.geodesy import displacement, is_place
+from ...base.geodesy import check_place, displacement
 from ...base.units import at_least
 from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
@@ -55,7 +55,6 @@ ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
 # of an estimator
 PLAIN = ["legs", "fastest", "turn", "told", "ways", "rows", "water", "fixes"]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
-LATEST = 1e11  # s since 1970: the year 5138, in milliseconds 1973
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
 KIND, VERSION = "clpt-flow-estimator", "4"
@@ -214,11 +213,8 @@ class FlowEstimator:
         Learned
             Error of the forecast, parameters, flow at the fix.
         """
-        self._check_time(time)
-        if not is_place(latitude, longitude):
-            raise DataError(
-                f"fix at {latitude}, {longitude}: must be latitude and longitude, degrees"
-            )
+        check_place(time, latitude, longitude)
+        self._check_order(time)
         if self.frame is None:
             origin = self.scenario.origin or (latitude, longitude)
             self.frame = LocalFrame(time, origin, self.scenario.units)
@@ -270,7 +266,8 @@ class FlowEstimator:
         east, north : float
             Displacement through the water, m; 0 for a drifter.
         """
-        self._check_time(time)
+        check_place(time)
+        self._check_order(time)
         if not np.isfinite(east) or not np.isfinite(north):
             raise DataError(
                 f"displacement {east}, {north}: must be finite numbers of metres"
@@ -293,6 +290,7 @@ class FlowEstimator:
         tuple of float
             m/s to the east and to the north.
         """
+        check_place(time, latitude, longitude)
         return flow_by(self, self.theta, time, latitude, longitude)
 
     @public
@@ -314,6 +312,7 @@ class FlowEstimator:
             m/s; inf where nothing is guaranteed that the prior does not say, and with
             ``kalman-flow``, whose flow changes.
         """
+        check_place(time, latitude, longitude)
         frame, likely = self._frame_at(latitude, longitude), self.guesses.states[0]
         if self.scenario.learning.law == WALKS or not np.isfinite(likely.level):
             return np.inf
@@ -706,10 +705,7 @@ class FlowEstimator:
         start.off = float(np.mean(off**2))
         return {"note": note, "turn": self.turn}
 
-    def _check_time(self, time: float) -> None:
-        if not abs(time) < LATEST:
-            message = "must be finite, s since 1970. Divide milliseconds by 1000"
-            raise DataError(f"time {time:.15g}: {message}")
+    def _check_order(self, time: float) -> None:
         if time < self.time - EARLIER:
             raise DataError(
                 f"time {time:.15g}: is before the last one, {self.time:.15g}. Give lines in the "

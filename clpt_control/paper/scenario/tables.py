@@ -189,6 +189,8 @@ def sentence(problem: Any) -> str:
         )
     if kind == "tuple_type":
         message = "must be a list, in brackets"
+    if kind == "dict_type":
+        message = "must be a dict by name, such as {'west': scenario}"
     if kind in ("model_type", "model_attributes_type"):
         message = "must be a table of keys"
     value = shortened(" ".join(repr(problem["input"]).split()), 60)

@@ -66,10 +66,9 @@ class Team(Table):
     @classmethod
     def _all_are_neighbours(cls, values: Any) -> Any:
         if isinstance(values, dict) and values.get("edges") is None:
-            return {
-                **values,
-                "edges": tuple(combinations(values.get("members") or (), 2)),
-            }
+            names = values.get("members")
+            names = names if isinstance(names, dict) else ()
+            return {**values, "edges": tuple(combinations(names, 2))}
         return values
 
     def _mistakes(self) -> Iterator[str]:

@@ -16,7 +16,7 @@ from typing import Any
 import sympy
 from sympy import Expr, S, oo
 
-from ...base.arguments import check_known
+from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
@@ -37,6 +37,7 @@ def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Exp
     names = {str(s): s for s in states}
     check_known("at", values, names)
     for name, value in values.items():
+        finite(f"at: {name}", value)
         turns, number = (rational(float(value) / unit) for unit in (pi, 1))
         rest_state[names[name]] = turns * sympy.pi if turns.q <= MOST_TURNS else number
     return rest_state
