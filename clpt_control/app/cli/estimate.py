@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 import clpt_control as clpt
 
 from ...base.errors import DataError, ScenarioError, refuse_unused
-from ...base.files import check_writable, write_together
+from ...base.files import check_writable, write_file
 from .printing import FIGURE, SCENARIO, Json, arg, draw_figure, finish, flag, opt
 
 if TYPE_CHECKING:
-    import numpy as np
     import xarray
 
 MISSION = "made_auv_mission.csv"
@@ -89,25 +88,27 @@ def estimate(
         raise DataError(
             f"{source}: is not a run. Make a run with: clpt run {source} --out run.nc"
         )
-    paths = out, figure, results
     if source.endswith(".nc") and scenario is None:
         refuse_unused("not with a run", "--", drifter=drifter or None, **limits)
-        of_run(Path(source), method, (every, prior, noise), until, paths, as_json)
-        return
-    of_runs = {"every": every, "prior": prior, "noise": noise, "until": until}
-    reason = "not with fixes. Set the keys of the law in the scenario"
-    refuse_unused(reason, "--", **of_runs)
-    if scenario is None:
-        raise ScenarioError(
-            "--scenario: is missing. Give the scenario file with functions and law; for a run give "
-            "its NetCDF file"
-        )
-    learner = clpt.load_scenario(scenario)
-    if not isinstance(learner, clpt.Scenario):
-        raise ScenarioError(
-            f"{scenario}: is a team's. Give the scenario of one vehicle"
-        )
-    _recorded(source, learner, method, paths, drifter, limits, as_json)
+        learned = _of_run(Path(source), method, (every, prior, noise), until)
+    else:
+        of_runs = {"every": every, "prior": prior, "noise": noise, "until": until}
+        reason = "not with fixes. Set the keys of the law in the scenario"
+        refuse_unused(reason, "--", **of_runs)
+        learned = _recorded(source, scenario, method, drifter, limits)
+    from ..pages.fixes_page import learned_flow_plot, report_of, results_of
+
+    data, known_flow, skipped, truth = learned
+    left_out = [{"leg": skip.dive, "why": skip.why} for skip in skipped]
+    data.attrs["skipped"] = json.dumps(left_out)
+    if out is not None:
+        clpt.save_scenario(known_flow, out)
+    draw_figure(figure, learned_flow_plot, data)
+    data.attrs["title"] = Path(source).name
+    if results is not None:
+        write_file(results, data)
+    report = report_of(data, truth)
+    finish(results_of(report), report, as_json, out, figure, results)
 
 
 def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
@@ -118,86 +119,50 @@ def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
     return str(folder / MISSION), scenario or (folder / MISSION).with_suffix(".toml")
 
 
-# --- recorded -------------------------------------------------------------------------------------
-
-
-Paths = tuple[Path | None, Path | None, Path | None]  # of scenario, figure, results
+# estimate, scenario that is given it, what was skipped, and theta of a run (m/s)
+Learned = tuple["xarray.Dataset", "clpt.Scenario", Sequence[Any], Any]
 
 
 def _recorded(
     source: str,
-    scenario: "clpt.Scenario",
+    scenario: Path | None,
     method: str,
-    paths: Paths,
     drifter: bool,
     limits: dict[str, Any],
-    as_json: bool,
-) -> None:
-    """Learn from a table or files."""
+) -> Learned:
+    """Learn from a table or files; the scenario to write begins at the first fix."""
     from ...ocean.estimation.theta_from_fixes import check_method, flow_of_legs
     from ...ocean.gliders.dive_files import read_legs
 
+    if scenario is None:
+        raise ScenarioError(
+            "--scenario: is missing. Give the scenario file with functions and law; for a run give "
+            "its NetCDF file"
+        )
+    learner = clpt.load_scenario(scenario)
+    if not isinstance(learner, clpt.Scenario):
+        raise ScenarioError(
+            f"{scenario}: is a team's. Give the scenario of one vehicle"
+        )
     check_method(method)
     legs, skipped = read_legs(source, drifter)
-    data, theta = flow_of_legs(legs, scenario, method, **limits)
-    begin = data.attrs["time_origin"]
-    origin = data.attrs["origin"]
-    known_flow = known_scenario(scenario, theta, begin, origin)
-    _finish(data, known_flow, Path(source).name, paths, as_json, skipped)
-
-
-def _finish(
-    data: "xarray.Dataset",
-    known: "clpt.Scenario",
-    title: str,
-    paths: Paths,
-    as_json: bool,
-    skipped: Sequence[Any] = (),
-    truth: "np.ndarray | None" = None,
-) -> None:
-    """Write files and print the results."""
-    from ..pages.fixes_page import learned_flow_plot, report_of, results_of
-
-    out, figure, results = paths
-    left_out = [{"leg": skip.dive, "why": skip.why} for skip in skipped]
-    data.attrs["skipped"] = json.dumps(left_out)
-    if out is not None:
-        clpt.save_scenario(known, out)
-    draw_figure(figure, learned_flow_plot, data)
-    data.attrs["title"] = title
-    if results is not None:
-        write_together({results: data})
-    report = report_of(data, truth)
-    finish(results_of(report), report, as_json, out, figure, results)
-
-
-def known_scenario(
-    scenario: "clpt.Scenario",
-    theta: "np.ndarray",
-    begin: str,
-    origin: tuple[float, float],
-) -> "clpt.Scenario":
-    """Return the scenario that gives the estimate to the known-flow law; it begins at a time."""
-    titled = scenario.with_values(
+    data, theta = flow_of_legs(legs, learner, method, **limits)
+    begin = data.attrs["time_origin"][:19]
+    titled = learner.with_values(
         {
-            "title": f"{scenario.title or 'Learned flow'}, t = 0 at {begin[:19]} UTC",
-            "origin": list(origin),
+            "title": f"{learner.title or 'Learned flow'}, t = 0 at {begin} UTC",
+            "origin": list(data.attrs["origin"]),
         }
     )
-    return clpt.currents.known_flow_scenario(titled, theta)
+    return data, clpt.currents.known_flow_scenario(titled, theta), skipped, None
 
 
-# --- of a run -------------------------------------------------------------------------------------
-
-
-def of_run(
+def _of_run(
     run: Path,
     method: str,
     settings: tuple[float | None, float | None, float | None],
     until: float | None,
-    paths: Paths,
-    as_json: bool,
-) -> None:
+) -> Learned:
     """Estimate theta from fixes of a run; settings are `every`, `prior` and `noise`."""
     import numpy as np
 
@@ -216,5 +181,4 @@ def of_run(
     speed = METRES[scenario.units.length] / SECONDS[scenario.units.time]
     theta_true = scenario.flow.parameters
     truth = None if theta_true is None else np.array(theta_true) * speed
-    known_flow = clpt.currents.known_flow_scenario(scenario, theta)
-    _finish(estimate, known_flow, run.name, paths, as_json, truth=truth)
+    return estimate, clpt.currents.known_flow_scenario(scenario, theta), (), truth
