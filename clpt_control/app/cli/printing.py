@@ -9,7 +9,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -204,7 +204,7 @@ def finish(
         return
     for result in results:
         if result.columns:
-            print_table(result.title, result.columns, result.rows)
+            print_table(result)
         for sentence in result.sentences:
             say(sentence)
     for path in written:
@@ -220,9 +220,7 @@ def terminal_width() -> int:
     return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
 
 
-def print_table(
-    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]
-) -> None:
+def print_table(result: Result) -> None:
     """Print a table on standard output, brackets in it as they are.
 
     No cell is cut: words of the first column and of long cells are broken into lines, and what
@@ -232,25 +230,22 @@ def print_table(
     from rich.table import Table
     from rich.text import Text
 
-    head = any(columns)  # else a column of names beside one of values
-    table = Table(title=Text(escaped(title)), title_justify="left", show_header=head)
-    columns, rows = (
-        list(map(escaped, columns)),
-        [list(map(escaped, row)) for row in rows],
-    )
+    title = Text(escaped(result.title))
+    head = any(result.columns)  # else a column of names beside one of values
+    table = Table(title=title, title_justify="left", show_header=head)
+    lines = [[*map(escaped, line)] for line in (result.columns, *result.rows)]
     least = 1
-    for k, column in enumerate(columns):
-        cells = [column, *(row[k] for row in rows)]
+    for k, cells in enumerate(zip(*lines, strict=True)):
         words = k == 0 and any(" " in cell for cell in cells)
         # numbers are never cut
         is_short = not words and all(len(cell) <= LONG for cell in cells)
-        table.add_column(Text(column), no_wrap=is_short, overflow="fold")
+        table.add_column(Text(cells[0]), no_wrap=is_short, overflow="fold")
         words_of_column = (
             cells if is_short else [word for cell in cells for word in cell.split()]
         )
         least += 3 + max(min(len(word), LONG) for word in words_of_column)
-    for row in rows:
-        table.add_row(*map(Text, row))
+    for line in lines[1:]:
+        table.add_row(*map(Text, line))
     console = Console(width=max(terminal_width(), least))
     with console.capture() as printed:
         console.print(table)

@@ -208,9 +208,20 @@ def watch(
 def replay_of(
     flow: str | None, learn_speed: bool, flow_model: Path | None, units: str | None
 ) -> Any:
-    """Return a `Replay` without dives, of the options."""
-    model = chosen_model(flow, learn_speed, flow_model is not None)
-    forecast = None
+    """Return a `Replay` without dives, of the options.
+
+    With a flow model a factor on it is a parameter, which the dives may find to be near zero.
+    """
+    from ...ocean.estimation.fix_model import FLOW, FixModel
+
+    flow_parts = (
+        FLOW if flow is None else tuple(name.strip() for name in flow.split(","))
+    )
+    if flow_model is None and "model" in flow_parts:
+        raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
+    if flow_model is not None and "model" not in flow_parts:
+        flow_parts = (*flow_parts, "model")
+    model, forecast = FixModel(flow_parts, learn_speed), None
     if flow_model is not None:
         forecast = clpt.replay.read_flow_model(flow_model, units)
     elif units is not None:
@@ -273,23 +284,6 @@ def name_by_files(files: Sequence[Path]) -> str:
     if len(paths) > 1:
         return Path(os.path.commonpath([path.parent for path in paths])).name
     return "".join(path.name if path.is_dir() else path.stem for path in paths)
-
-
-def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
-    """Return the `FixModel` of the options; `forecast` is whether there is a flow model.
-
-    Then a factor on it is a parameter, which the dives may find to be near zero.
-    """
-    from ...ocean.estimation.fix_model import FLOW, FixModel
-
-    flow_parts = (
-        FLOW if flow is None else tuple(name.strip() for name in flow.split(","))
-    )
-    if not forecast and "model" in flow_parts:
-        raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
-    if forecast and "model" not in flow_parts:
-        flow_parts = (*flow_parts, "model")
-    return FixModel(flow_parts, learn_speed)
 
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:

@@ -183,22 +183,16 @@ def results(summary: Report) -> list[Result]:
 
     rows = summary["each_dive"]
     sentences = [*replay_summary.remarks(summary), *replay_summary.coming(summary)]
-    if summary.get("paste"):
-        sentences += [
-            f"to paste, {summary['paste']['file']}:",
-            summary["paste"]["text"].rstrip(),
-        ]
+    if paste := summary.get("paste"):
+        sentences += [f"to paste, {paste['file']}:", paste["text"].rstrip()]
     if not rows:
         return [Result(sentences=["no dives yet", *sentences])]
-    dives = [table_rows.cells(row) for row in rows]
-    if summary["next_dive"]:
-        dives.append(table_rows.cells_ahead(summary["next_dive"]))
+    ahead = table_rows.cells_ahead(summary["next_dive"])
+    dives = [*map(table_rows.cells, rows), ahead]
     means = {name: summary[key] for key, name in ROWS.items()}
-    if (
-        "flow_model" in summary
-        and 0 < summary["flow_model"]["covered"] < summary["used"]
-    ):
-        means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
+    model = summary.get("flow_model")
+    if model and 0 < model["covered"] < summary["used"]:
+        means["covered, after the first dive"] = model["clpe_rms"]
     models = table_rows.MODELS[: len(rows[0]["clpe"])]
     rows = [
         [name, *map(table_rows.metres, rms.values())] for name, rms in means.items()
@@ -231,8 +225,8 @@ def write(
         "next.geojson": next_geojson(summary),
         "track.kml": track_kml(summary, summary["vehicle"]),
     }
-    if summary["paste"]:
-        results[summary["paste"]["file"]] = summary["paste"]["text"]
+    if paste := summary["paste"]:
+        results[paste["file"]] = paste["text"]
     if kinds:
         figure = figure_of(replay_plot, summary)
         results |= {f"replay.{kind}": figure for kind in kinds}

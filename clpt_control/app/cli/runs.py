@@ -75,10 +75,6 @@ def init(
             f"{file}: already exists. Give another name, or move the file away"
         )
     content = (resources.files("clpt_control.data") / source).read_bytes()
-    if example == "paper":
-        from ...paper.scenario.file import paper_text
-
-        content = paper_text().encode()
     write_together({file: content})
     say(f"Wrote {file}. {then.format(file)}")
 
@@ -393,8 +389,11 @@ def tune(
             "length": length,
             "max_speed": max_speed,
             "area": area,
+            "window": window,
+            "start": start,
+            "goal": goal,
+            "seed": seed,
         }
-        search |= {"window": window, "start": start, "goal": goal, "seed": seed}
         tune_waypoints(scenario, out, search, figure, as_json)
         return
     from ...paper.scenario.file import load_vehicle_scenario

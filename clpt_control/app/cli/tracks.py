@@ -108,8 +108,12 @@ def _bound_errors(
         raise ClptError("--figure: with --bounds is of fixes. Leave one out")
     length = bounds.units["length"]
     time = bounds.units["time"]
-    columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
-    columns.append(f"error of a flow parameter at most ({length}/{time})")
+    columns = [
+        f"from ({time})",
+        "V at most",
+        f"CLPE at most ({length})",
+        f"error of a flow parameter at most ({length}/{time})",
+    ]
     numbers = zip(bounds.time, bounds.V, bounds.clpe, bounds.flow_error, strict=True)
     rows = [[at_most(number, 6) for number in row] for row in numbers]
     # a bound holds until the next row

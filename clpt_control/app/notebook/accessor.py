@@ -183,17 +183,17 @@ class ClptAccessor:
         returned.
         A run takes a `label` and a `color` too, as `clpt_control.compare` gives them.
         """
-        plots = PLOTS[self.kind]
+        plots, is_run = PLOTS[self.kind], self.kind in ("run", "diagram")
         if not isinstance(name, str) or name not in plots:
-            if self.kind in ("run", "diagram"):
-                options |= {"plots": [*filter(None, plots)]}
+            names = [*filter(None, plots)]
+            if is_run:
+                options["plots"] = names
                 return signals_plot(self._data, name, ax=ax, **options)
-            names = ", ".join(filter(None, plots))
             advice = f"there is one plot of this {self.kind}. Leave the name out"
             if names:
-                advice = f"must be {names}, for a {self.kind}"
+                advice = f"must be {', '.join(names)}, for a {self.kind}"
             raise ArgumentError(f"plot '{name}': {advice}")
-        if self.kind not in ("run", "diagram"):
+        if not is_run:
             refuse_unused(
                 f"is for a run, not for a {self.kind}. Leave it out", **options
             )
