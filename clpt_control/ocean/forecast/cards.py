@@ -11,11 +11,12 @@ from ...base.geodesy import direction, displacement, distance
 from ...base.html import safe, unbroken
 from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import PERCENT
-from .surfacing import CLOCK, Way, overdue_times
+from .surfacing import CLOCK, overdue_times
 from .table_rows import (
     AGAINST,
     BASES,
     Report,
+    Row,
     against,
     age,
     clock,
@@ -39,14 +40,15 @@ FIRST, ALARM = "first", "alarm"  # styles of a card
 
 def cards(report: Report) -> list[str]:
     """Return the cards of what `clpt replay --json` prints, with one dive at least."""
-    texts = [_surfacing(report), _place(report)]
+    ahead, rows = report["next_dive"], report["each_dive"]
+    last = rows[-1]
+    texts = [_surfacing(ahead, last), _place(ahead)]
     for leg in report["aim"][:1]:
-        texts += [_aim(report, leg), _to_go(report, leg)]
-    texts += [_plan(report), _last_dive(report), _made_good(report), _current(report)]
-    if report["each_dive"][-1]["speed_factor"] is not None:
-        texts.append(_speed_factor(report))
-    texts.append(_position_error(report))
-    return texts
+        texts += [_aim(ahead, leg), _to_go(rows, leg)]
+    texts += [_plan(ahead), _last_dive(ahead, last), _made_good(rows), _current(last)]
+    if last["speed_factor"] is not None:
+        texts.append(_speed_factor(rows))
+    return [*texts, _position_error(last)]
 
 
 def time_of_computing(report: Report) -> str:
@@ -61,7 +63,7 @@ def time_of_computing(report: Report) -> str:
     return f'<p class="soft">{line}</p>'
 
 
-def overdue_marks(ahead: Report, end: str) -> dict[str, str]:
+def overdue_marks(ahead: Row, end: str) -> dict[str, str]:
     """Return the times by which the script knows that a vehicle is overdue."""
     late, until = overdue_times(ahead, end)
     return {"time": ahead["time"], "overdue": utc(late), "until": utc(until)}
@@ -86,63 +88,59 @@ def card(
     )
 
 
-def _surfacing(report: Report) -> str:
-    ahead = report["next_dive"]
+def _surfacing(ahead: Row, last: Row) -> str:
     value = f"{clock(ahead['time'])} {within(ahead)}"
     below = from_now(ahead["hours_from_now"])
     if ahead["now_is"] != CLOCK:
         below = f"{below} from the {ahead['now_is']}"
         return card("Next surfacing", value, below, FIRST)
-    late = is_overdue(ahead)
-    title = "Overdue: next surfacing" if late else "Next surfacing"
-    style = f"{FIRST} {ALARM}" if late else FIRST
-    below = f"expected {below}" if late else below
-    marks = overdue_marks(ahead, report["each_dive"][-1]["end"])
-    return card(title, value, below, style, marks)
+    title, style = "Next surfacing", FIRST
+    if is_overdue(ahead):
+        title, style = "Overdue: next surfacing", f"{FIRST} {ALARM}"
+        below = f"expected {below}"
+    return card(title, value, below, style, overdue_marks(ahead, last["end"]))
 
 
-def _place(report: Report) -> str:
-    ahead = report["next_dive"]
+def _place(ahead: Row) -> str:
     where = in_degrees(ahead["latitude"], ahead["longitude"])
     texts = [where, ellipse_words(ahead), wide(ahead)]
     below = "; ".join(filter(None, texts))
     return card("Place of the next surfacing", ahead["place"], below, FIRST)
 
 
-def _aim(report: Report, leg: Report) -> str:
+def _aim(ahead: Row, leg: Row) -> str:
     is_against = leg["state"] == AGAINST
     texts = [against(leg) if is_against else leg["state"]]
     if leg["crab"] is not None:
         texts.append(f"crab {leg['crab']:+z.0f} degrees")
-    made_good = leg["made_good"]
-    full = leg["through_water_full"]
     texts.append(
-        f"the dive brings it {made_good:.0f} m nearer, of {full:.0f} m through the water"
+        f"the dive brings it {leg['made_good']:.0f} m nearer, of "
+        f"{leg['through_water_full']:.0f} m through the water"
     )
     texts.append(f"expected position error {leg['expected_miss']:.0f} m")
-    if half_axes(leg) != half_axes(report["next_dive"]):
+    if half_axes(leg) != half_axes(ahead):
         texts.append(ellipse_words(leg))
     return card("Aim", heading_words(leg), "; ".join(texts), FIRST)
 
 
-def _to_go(report: Report, leg: Report) -> str:
+def _to_go(rows: list[Row], leg: Row) -> str:
     value = f"{leg['distance'] / 1000:.1f} km"
     if leg["bearing"] is not None:
         value += f" to {compass(leg['bearing'])}"
     texts = [f"waypoint {leg['place']}"]
     if leg["dives"] is not None:
         texts.append(f"there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h")
-    rows = _last_day(report["each_dive"])
+    first, last, seconds = _last_day(rows)
     target = place_in(leg, "")
-    before = distance(*place_in(rows[0], "start_"), *target)
-    after = distance(*place_in(rows[-1], "end_"), *target)
-    nearer = (before - after) / 1000 * DAY / _seconds(rows)
-    texts.append(f"{nearer:z.1f} km per day nearer over the last {_hours(rows)}")
+    before = distance(*place_in(first, "start_"), *target)
+    after = distance(*place_in(last, "end_"), *target)
+    nearer = (before - after) / 1000 * DAY / seconds
+    hours = f"{seconds / 3600:.0f} h"
+    texts.append(f"{nearer:z.1f} km per day nearer over the last {hours}")
     return card("Distance to go", value, "; ".join(texts))
 
 
-def _plan(report: Report) -> str:
-    ahead = report["next_dive"]
+def _plan(ahead: Row) -> str:
     east = ahead["dr_east"]
     north = ahead["dr_north"]
     value = f"{ahead['duration'] / 3600:.2f} h, {hypot(east, north):.0f} m"
@@ -153,9 +151,7 @@ def _plan(report: Report) -> str:
     return card("Next dive", value, below)
 
 
-def _last_dive(report: Report) -> str:
-    last = report["each_dive"][-1]
-    ahead = report["next_dive"]
+def _last_dive(ahead: Row, last: Row) -> str:
     depth = "depth not in its file"
     if last["depth_max"] is not None:
         depth = f"{last['depth_max']:.0f} m deep"
@@ -169,50 +165,37 @@ def _last_dive(report: Report) -> str:
     return card(title, f"{age(hours)} ago", below, marks={"end": last["end"]})
 
 
-def _last_day(rows: list[Report]) -> list[Report]:
-    """Return the last dives, of a day at least where the record is that long."""
-    start = len(rows) - 1
-    while start > 0 and rows[-1]["end_time"] - rows[start]["start_time"] < DAY:
-        start -= 1
-    return rows[start:]
+def _last_day(rows: list[Row]) -> tuple[Row, Row, float]:
+    """Return the first and the last of the last dives, and the time between their ends, s.
+
+    They are of a day at least where the record is that long.
+    """
+    last = rows[-1]
+    since = (
+        row for row in reversed(rows) if last["end_time"] - row["start_time"] >= DAY
+    )
+    first = next(since, rows[0])
+    return first, last, float(last["end_time"] - first["start_time"])
 
 
-def _seconds(rows: list[Report]) -> float:
-    """Return the time from the first start to the last end, s."""
-    return float(rows[-1]["end_time"] - rows[0]["start_time"])
-
-
-def _hours(rows: list[Report]) -> str:
-    return f"{_seconds(rows) / 3600:.0f} h"
-
-
-def made_good(rows: list[Report]) -> Way:
-    """Return the way made good of about a day: straight, from fix to fix."""
-    rows = _last_day(rows)
-    ends = place_in(rows[0], "start_"), place_in(rows[-1], "end_")
-    return Way(*displacement(*ends[0], *ends[1]), _seconds(rows))
-
-
-def _made_good(report: Report) -> str:
-    rows = _last_day(report["each_dive"])
-    east, north, seconds = made_good(rows)
+def _made_good(rows: list[Row]) -> str:
+    first, last, seconds = _last_day(rows)
+    east, north = displacement(*place_in(first, "start_"), *place_in(last, "end_"))
     speed = hypot(east, north) / seconds
     value = f"{speed:.2f} m/s, {speed * DAY / 1000:.1f} km per day"
     angle = direction(east, north)
     toward = "" if angle is None else f"to {compass(angle)}; "
-    below = f"{toward}fix to fix, dives {rows[0]['dive']} to {rows[-1]['dive']}"
-    return card(f"Speed made good, last {_hours(rows)}", value, below)
+    below = f"{toward}fix to fix, dives {first['dive']} to {last['dive']}"
+    return card(f"Speed made good, last {seconds / 3600:.0f} h", value, below)
 
 
-def _current(report: Report) -> str:
-    last = report["each_dive"][-1]
+def _current(last: Row) -> str:
     error = max(last["current_east_error"], last["current_north_error"])
     current = velocity(last["current_east"], last["current_north"])
     return card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s")
 
 
-def _speed_factor(report: Report) -> str:
-    rows = report["each_dive"]
+def _speed_factor(rows: list[Row]) -> str:
     texts = ["1: as fast as its files say"]
     until = rows[-1]["end_time"] - 7 * DAY
     week_ago = next((row for row in reversed(rows) if row["end_time"] <= until), None)
@@ -221,12 +204,11 @@ def _speed_factor(report: Report) -> str:
     return card("Factor on speed", _factor(rows[-1]), "; ".join(texts))
 
 
-def _factor(row: Report) -> str:
+def _factor(row: Row) -> str:
     return f"{row['speed_factor']:.2f} +- {row['speed_factor_error']:.2f}"
 
 
-def _position_error(report: Report) -> str:
-    last = report["each_dive"][-1]
+def _position_error(last: Row) -> str:
     before = f"with the previous dive's current: {last['clpe']['previous_dive']:.0f} m"
     if is_outside(last):
         error = last["forecast"]["error"]

@@ -81,18 +81,14 @@ def events(report: Report, now: float) -> list[Event]:
     last = rows[-1]
     late, until = overdue_times(ahead, last["end"])
     if late < now <= until:
-        happened.append(_event(OVERDUE, last, _overdue(last["dive"], ahead)))
+        why = _overdue(last["dive"], ahead)
+        happened.append(Event(OVERDUE, last["dive"], last["end"], why))
     if (running := _running(rows)) > 1:
         first_row = rows[-running]
         since = f"{running} dives running, since dive {first_row['dive']}"
         why = f"{OUT}: {since}, outside their {PERCENT} ellipses"
-        happened.append(_event(OUT, first_row, why))
+        happened.append(Event(OUT, first_row["dive"], first_row["end"], why))
     return happened
-
-
-def _event(name: str, row: Row, sentence: str) -> Event:
-    """Return the event that began with the dive of a row."""
-    return Event(name, row["dive"], row["end"], sentence)
 
 
 def _overdue(last: int, ahead: Row) -> str:
@@ -280,8 +276,9 @@ class Alerts:
                 "event": event.name,
                 "dive": event.dive,
                 "fix": event.fix,
+                "sentence": sentence,
+                "next_dive": report["next_dive"],
             }
-            data |= {"sentence": sentence, "next_dive": report["next_dive"]}
             why = self._run(sentence, json.dumps(data))
             if not why:
                 self.told.append(key)

@@ -210,9 +210,8 @@ class Forecast(FlowModel):
         `Uncovered` is raised where the dive is not within the steps, or reaches into a gap of them.
         """
         time = self.time
-        ends = zip(time[:-1], time[1:], self.gaps, strict=True)
-        bridged = any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends)
-        if bridged or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
+        bridged = self.gaps & (time[:-1] < dive.t_gpse) & (dive.t_gps2 < time[1:])
+        if bridged.any() or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
             raise Uncovered("outside the forecast's steps, or in a gap of them")
         deepest = dive.depth_max
         if deepest is None or not (isfinite(deepest) and deepest > 0):

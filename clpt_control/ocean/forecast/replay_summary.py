@@ -271,7 +271,12 @@ def remarks(summary: Report) -> list[str]:
     """Return lines on what was learned, noted and skipped, of what `--json` prints."""
     lines = []
     if "flow_model" in summary and summary["each_dive"]:
-        lines += coverage(summary["flow_model"], summary["used"])
+        model = summary["flow_model"]
+        lines.append(
+            f"flow model {model['source']} ({model['about']}) covers {model['covered']} of "
+            f"{summary['used']} dives"
+        )
+        lines += by_reason(model["uncovered"], "why", "no flow model for ")
     if summary["dac_identity_median"] is not None:
         lines.append(
             "position error / duration differs from the file's depth-averaged current by "
@@ -298,27 +303,13 @@ def remarks(summary: Report) -> list[str]:
     return lines
 
 
-def coverage(model: Row, used: int) -> list[str]:
-    """Return lines that say which dives a flow model covers, and why not the others.
-
-    >>> none = {"dive": 7, "why": "outside the forecast's area"}
-    >>> model = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
-    >>> for line in coverage(model, 4):
-    ...     print(line)
-    flow model f.nc (gridded) covers 3 of 4 dives
-    no flow model for dive 7: outside the forecast's area
-    """
-    lines = [
-        f"flow model {model['source']} ({model['about']}) covers {model['covered']} of {used} dives"
-    ]
-    return [*lines, *by_reason(model["uncovered"], "why", "no flow model for ")]
-
-
 def by_reason(entries: list[Row], key: str, before: str = "") -> list[str]:
     """Return a line for each reason, with the dives that share it.
 
     >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
     ['dives 3, 5: odd']
+    >>> by_reason([{"dive": 7, "why": "outside"}], "why", "no flow model for ")
+    ['no flow model for dive 7: outside']
     """
     reasons: dict[str, list[str]] = {}
     for entry in entries:

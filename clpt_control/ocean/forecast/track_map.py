@@ -167,14 +167,15 @@ def _drawn(report: Report, ax: Axes | None, margins: tuple[float, float]) -> Axe
             ax.scatter(
                 x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=links
             )
-    label_style: dict[str, Any] = {
-        "xytext": (5, 4),
-        "textcoords": "offset points",
-        "zorder": 6,
-    }
     for k in with_room(fixes.T * degree * inch):
-        name = literal(plain(rows[k]["dive"]))
-        ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **label_style)
+        ax.annotate(
+            literal(plain(rows[k]["dive"])),
+            tuple(fixes[:, k]),
+            (5, 4),
+            textcoords="offset points",
+            fontsize=7,
+            zorder=6,
+        )
     draw_grid_and_scale_bar(ax, degree)
     return ax
 
