@@ -159,19 +159,12 @@ class Team(Table):
         return self.first.run
 
     @property
-    def _laplacian(self) -> np.ndarray:
-        index = {name: k for k, name in enumerate(self.members)}
-        laplacian = np.zeros((len(index), len(index)))
-        for edge in self.edges:
-            a, b = (index[name] for name in edge)
-            laplacian[[a, b], [a, b]] += 1
-            laplacian[[a, b], [b, a]] -= 1
-        return laplacian
-
-    @property
     def connectivity(self) -> float:
         """Second eigenvalue lambda_2 of the graph's Laplacian."""
-        return float(np.linalg.eigvalsh(self._laplacian)[1])
+        near = [self.neighbours(name) for name in self.members]
+        joined = np.array([[name in names for name in self.members] for names in near])
+        laplacian = np.diag(joined.sum(axis=1)) - joined
+        return float(np.linalg.eigvalsh(laplacian)[1])
 
 
 def shared_tables(scenario: Scenario) -> Nested:
