@@ -60,10 +60,6 @@ class Members:
     schedules: list[Schedule]
     runners: list[tuple[Any, Any]]  # runner and inputs of each member
 
-    def schedule(self, m: int) -> Schedule:
-        """Return the integration segments of a member."""
-        return self.schedules[self.group[m]]
-
     def inputs_along(self, times: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the inputs of members at times, (m or 1, ntimes, ninputs)."""
         inputs = [self.runners[m][1] for m in rows.tolist()]
@@ -161,7 +157,7 @@ class Ensemble:
             begin = float(varied.state_times[0])
             callee = self.native.callee()
             for m, x0 in enumerate(members.x0):
-                schedule = members.schedule(m)
+                schedule = members.schedules[members.group[m]]
                 x0[:] = callee.evaluate(JUMP, [begin], x0, schedule, members.P[m])
         return members
 
@@ -196,7 +192,12 @@ class Ensemble:
         result = first.results
         may_follow = np.isin(result.status, may_go_on(self.native))
         for m in np.flatnonzero(may_follow).tolist():
-            start = members.x0[m], members.P[m], times, members.schedule(m)
+            start = (
+                members.x0[m],
+                members.P[m],
+                times,
+                members.schedules[members.group[m]],
+            )
             run = NativeRun(self.native, *start, self.options)
             try:
                 is_left = m in first.ends

@@ -28,7 +28,7 @@ from ..engine.codegen.directional_derivatives import (
     value_at,
 )
 from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
-from ..engine.diagram.wiring import read_anew, state_units, units_of, wiring_of
+from ..engine.diagram.wiring import Params, read_anew, state_units, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread
@@ -144,7 +144,7 @@ class VariedDiagram:
         timepts: Any,
         inputs: Any = None,
         initial_state: Any = None,
-        params: Mapping[str, Any] | None = None,
+        params: Params = None,
         trajectories: bool = False,
         summary: Mapping[str, Callable] | None = None,
         **solver: Any,
@@ -283,12 +283,12 @@ class VariedDiagram:
                     )
 
     def arguments(self, path: Any) -> dict[str, Any]:
-        """Return the arguments that identify the diagram in a store at a path."""
-        return {"diagram": self.name if path is None else self.identity}
+        """Return the arguments that identify the diagram in a store at a path.
 
-    @property
-    def identity(self) -> str:
-        """A hash of everything that determines the numbers, without the sampled parameters."""
+        They have a hash of all that determines the numbers, but the sampled parameters.
+        """
+        if path is None:
+            return {"diagram": self.name}
         arrays = self.start, self.state_times, self.times, *self.inputs.samples
         try:
             digest = hash_of(
@@ -299,7 +299,7 @@ class VariedDiagram:
                 f"out: {error}, so a folder cannot identify the diagram. Leave out out= "
                 "and save the result"
             ) from None
-        return f"{self.name} {digest}"
+        return {"diagram": f"{self.name} {digest}"}
 
     # --- members --------------------------------------------------------------------------
 

@@ -20,7 +20,6 @@ from ..paper.scenario.file import scenario_to_text
 from ..paper.scenario.quantities import QUANTITIES, STARTS, keys_of, keys_of_law
 from ..paper.scenario.tables import Quantity
 from ..simulation.dataset import unit_of
-from ..simulation.dataset_template import Series
 from ..simulation.initial_states import state_columns, state_of
 from ..simulation.loop_blocks import changed_blocks
 from ..simulation.user_components import LAW, UNCHANGED, Changes, functions_of
@@ -71,6 +70,7 @@ class VariedScenario:
         self.wiring = wiring_of_blocks(self.blocks)
         self.columns = state_columns(self.blocks)
         self.start = state_of(scenario, self.blocks, self.changes.law)
+        self.summaries = summaries_of(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the arguments, with the absolute folder of the field."""
@@ -120,21 +120,20 @@ class VariedScenario:
         self.scenario.with_values({key: value})
 
     def arguments(self, path: Path | None) -> dict[str, Any]:
-        """Return the arguments that identify the scenario in a store at a path."""
-        folder = None if path is None else path.parent
+        """Return the arguments that identify the scenario in a store at a path.
+
+        Those of a changed loop have the names of the user's blocks, and a hash of the loop.
+        """
+        folder, law = None if path is None else path.parent, None
+        if self.changes != UNCHANGED:
+            parameters = [block.parameters for block in self.blocks]
+            names = ", ".join(self.changes.names)
+            law = f"{names} {hash_of(self.wiring, parameters)}"
         return {
             "scenario": scenario_to_text(self.scenario, folder),
             "times": list(self.marks),
-            "law": self.changed_loop,
+            "law": law,
         }
-
-    @property
-    def changed_loop(self) -> str | None:
-        """The names of the user's blocks and a hash of the changed loop; None if unchanged."""
-        if self.changes == UNCHANGED:
-            return None
-        parameters = [block.parameters for block in self.blocks]
-        return f"{', '.join(self.changes.names)} {hash_of(self.wiring, parameters)}"
 
     # --- loop -----------------------------------------------------------------------------
 
@@ -172,11 +171,6 @@ class VariedScenario:
     # --- summaries ------------------------------------------------------------------------
 
     batch = LoopBatch
-
-    @cached_property
-    def summaries(self) -> list[tuple[str, Series]]:
-        """The names and series of summaries, functions of a `LoopBatch`."""
-        return summaries_of(self)
 
     def key_layout(self, key: str, ndim: int) -> tuple[list[str], dict[str, str]]:
         """Return dimensions and attributes of the values of a key."""
