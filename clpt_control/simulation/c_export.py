@@ -109,6 +109,7 @@ class CFile:
             "y": bare_labels(run.output_labels),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
+        self.interval_index = {k: j for j, k in enumerate(self.layout.intervals)}
         self.rate, self.turns = self._counted()
 
     @property
@@ -284,7 +285,6 @@ class CFile:
 
     def jump_tests(self) -> list[str]:
         """Return assignments that test if a block jumps: its interval has changed."""
-        interval_index = {k: j for j, k in enumerate(self.layout.intervals)}
         levels = [*self.record.levels]
         lines = []
         if levels:
@@ -292,8 +292,7 @@ class CFile:
             lines.append("levels_(t + dt, x, u, p, after, level);")
         for k in self.layout.jumps:
             tests = []
-            if k in interval_index:
-                j = interval_index[k]
+            if (j := self.interval_index.get(k)) is not None:
                 tests.append(f"after[{j}] != kept[{j}]")
             if k in levels:
                 tests.append(f"level[{levels.index(k)}] < 0.0")
@@ -310,13 +309,12 @@ class CFile:
 
     def _initial_samples(self) -> Iterator[str]:
         """Yield tests if a sampled block samples at the start of a run."""
-        intervals = list(self.layout.intervals)
         for k in self.layout.jumps:
             block = self.wiring.nodes[k].system
             if block.first_held is not None:
                 turns = f"t / {c_number(block.period)}"
                 test = f"fabs({turns} - floor({turns} + 0.5)) < {ROUNDING}"
-                if turn_count := self.turns.get(intervals.index(k)):
+                if turn_count := self.turns.get(self.interval_index[k]):
                     count = f"floor(t * {self.rate} + 0.5)"
                     test = f"fabs(t * {self.rate} - {count}) <= {self._near}"
                     test = f"{test} && fmod({count}, {turn_count}) == 0.0"

@@ -25,6 +25,7 @@ from ..base.run_attributes import (
 )
 from ..engine.diagram.interconnection import with_stop
 from ..engine.diagram.wiring import (
+    Params,
     Sizes,
     Wiring,
     call_names,
@@ -155,7 +156,7 @@ class DiagramRun(SystemRun):
     def __init__(
         self,
         diagram: control.NonlinearIOSystem,
-        params: Mapping[str, Any] | None,
+        params: Params,
         sizes: Sizes = (None, None),
         engine: str | None = None,
         stop: Callable | None = None,

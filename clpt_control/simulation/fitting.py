@@ -29,7 +29,7 @@ from ..base.labelled import (
     rounding,
     unlabelled,
 )
-from ..engine.diagram.wiring import check_unit
+from ..engine.diagram.wiring import Params, check_unit
 from ..engine.model.ports import indices_by_name, ports_of
 from ..engine.solver.inputs import checked_times
 from ..paper.scenario.experiment import Scenario
@@ -176,8 +176,7 @@ class FitProblem:
     ):
         self.run = run
         self.names = [*run.locations]
-        by_label = {label: [k] for k, label in enumerate(run.output_labels)}
-        self.ports = by_label | ports_of(run.output_labels)
+        self.ports = indices_by_name(run.output_labels)
         self._read(measured)
         self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
@@ -414,7 +413,7 @@ def fit_parameters(
     timepts: Any = None,
     inputs: Any = None,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,

@@ -187,16 +187,16 @@ def closed_loop(
 def error_loop(scenario: Scenario) -> Diagram:
     """Wire the error and parameter systems, Eqs. (27)-(28), with inputs phi_x, z and zc."""
     N = scenario.basis.N
-    KD = np.array(scenario.vehicle.feedback)
     gains = scenario.learning.used_gains
     if scenario.learning.row is not LAWS["learned-flow"] or not gains.shared:
         raise DiagramError(
             'closed_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
             f'the scenario has law = "{scenario.learning.law}"'
         )
-    error_system = clpe.error_system(N, KD)
-    parameter_system = clpe.parameter_system(N, gains.parameters)
-    systems = error_system, parameter_system
+    systems = (
+        clpe.error_system(N, scenario.vehicle.feedback),
+        clpe.parameter_system(N, gains.parameters),
+    )
     return connect(systems, external=("phi_x", "z", "zc"), name="error_loop")
 
 

@@ -133,11 +133,10 @@ class LearnerFile(CFile):
 
     def _first_jumps(self, sampled: list[int]) -> Iterator[str]:
         """Yield tests for the start of a run: a sampled block takes its inputs, none jumps."""
-        intervals = list(self.layout.intervals)
         for k in sampled:
             samples = self.wiring.nodes[k].system.first_held is not None
             statement = f"after[{self._jump_index(k)}] = {-1.0 * samples};"
-            yield f"if (kept[{intervals.index(k)}] < 0.0) {statement}"
+            yield f"if (kept[{self.interval_index[k]}] < 0.0) {statement}"
 
 
 def comment_lines(lines: Iterable[str]) -> str:

@@ -16,6 +16,7 @@ from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.wiring import Params
 from ..engine.model.system import System
 from .diagram_runs import DiagramRun, fields_of
 from .requests import Request, request_of
@@ -83,10 +84,7 @@ class PreparedRun:
 
     @public
     def __call__(
-        self,
-        initial_state: Any = None,
-        inputs: Any = None,
-        params: Mapping[str, Any] | None = None,
+        self, initial_state: Any = None, inputs: Any = None, params: Params = None
     ) -> Samples:
         """Run from an initial state, with inputs and parameters; return states and outputs."""
         request = self._request
@@ -151,7 +149,7 @@ def prepare(
     timepts: Any,
     inputs: Any = None,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,

@@ -7,7 +7,7 @@ the regions of their forecasts.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -19,6 +19,7 @@ from ..base.errors import ClptError, DataError
 from ..base.files import check_writable, write_file
 from ..base.map_files import BLUE, GREEN, ORANGE, PURPLE, Feature, geojson, kml, ring
 from ..base.units import SECONDS, iso, seconds_since_1970
+from ..engine.diagram.wiring import Params
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import (
     kind_of,
@@ -50,7 +51,7 @@ def export(
     system: "Scenario | control.InputOutputSystem",
     path: None = None,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     part: str | None = None,
     *,
     single: bool = False,
@@ -61,7 +62,7 @@ def export(
     system: "Scenario | control.InputOutputSystem | xarray.Dataset",
     path: str | Path,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     part: str | None = None,
     *,
     single: bool = False,
@@ -72,7 +73,7 @@ def export(
     system: "Scenario | control.InputOutputSystem | xarray.Dataset",
     path: str | Path | None = None,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     part: str | None = None,
     *,
     single: bool = False,

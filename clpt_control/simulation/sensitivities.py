@@ -8,7 +8,7 @@ for the time of crossing, which S does not have.  Therefore central differences 
 a function may jump; otherwise an error is raised.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,6 +20,7 @@ from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.diagram_record import Form
 from ..engine.codegen.directional_derivatives import may_jump, put, value_at
 from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.wiring import Params
 from ..engine.record.unread import Unread
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import RunOptions
@@ -65,7 +66,7 @@ class SensitivityRun(DiagramRun):
         to: str | Iterable[str],
         inputs: Any,
         initial_state: Any,
-        params: Mapping[str, Any] | None,
+        params: Params,
         **solver: Any,
     ):
         request = request_of(system, timepts, inputs, initial_state, **solver)
@@ -218,7 +219,7 @@ def sensitivity(
     to: str | Sequence[str] = START,
     inputs: Any = None,
     initial_state: Any = None,
-    params: Mapping[str, Any] | None = None,
+    params: Params = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,
