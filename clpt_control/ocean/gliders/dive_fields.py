@@ -286,16 +286,15 @@ MOMENT = (  # columns of a log, beside the displacement
 )
 
 
-def in_files(*row: Any, **others: Any) -> dict[str, Column]:
-    """Return the metadata of a field with its row."""
-    return {"row": Column(*row, **others)}
-
-
-def optional(
-    *row: Any, default: Any = None, compare: bool = True, **others: Any
+def required(
+    *row: Any, default: Any = MISSING, compare: bool = True, **others: Any
 ) -> Any:
-    """Return a field with a default and its row."""
-    return field(default=default, compare=compare, metadata=in_files(*row, **others))
+    """Return a field with its row."""
+    row_of = {"row": Column(*row, **others)}
+    return field(default=default, compare=compare, metadata=row_of)
+
+
+optional = partial(required, default=None)
 
 
 def rows_of(kind: type) -> tuple[Column, ...]:

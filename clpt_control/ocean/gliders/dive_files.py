@@ -31,7 +31,7 @@ from .dive_fields import name_of
 from .dive_table import table_dives
 from .dives import Dive, DivesAndSkipped, Skipped
 from .log_rows import STAYS
-from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
+from .mission_files import SEAEXPLORER, SLOCUM, SLOCUM_FILES, in_order
 from .text_table import SUFFIXES
 from .usable_dives import LEAST_DURATION
 from .vehicle_log import NO_MOTION, is_log
@@ -65,9 +65,15 @@ def sample_dives() -> list[Dive]:
 
 
 def may_hold_dives(path: Path) -> bool:
-    """Return whether a name in a folder is that of a file of dives, not hidden and no result."""
-    named = path.suffix.lower() in (".nc", ".csv") or is_segment(path)
-    return named and not path.name.startswith(".") and path.name != RESULTS
+    """Return whether a name in a folder is that of a file of dives, not hidden and no result.
+
+    >>> names = "00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc", "p1.txt"
+    >>> [may_hold_dives(Path(name)) for name in names]
+    [True, True, True, False]
+    """
+    endings = ".nc", ".csv", *SLOCUM_FILES
+    named = path.suffix.lower() in endings or SEAEXPLORER.fullmatch(path.name)
+    return bool(named) and not path.name.startswith(".") and path.name != RESULTS
 
 
 def dive_paths(paths: Iterable[AnyPath]) -> list[Path]:

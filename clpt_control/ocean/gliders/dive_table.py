@@ -56,7 +56,7 @@ OTHERWISE = (
 )
 
 
-def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
+def table_dives(text: str, path: Path) -> list[Dive | Skipped]:
     r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
 
     >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
@@ -82,7 +82,7 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     return rows
 
 
-def _check_current(dives: list[Dive], path: str | Path) -> None:
+def _check_current(dives: list[Dive], path: Path) -> None:
     """Refuse dives whose own current contradicts their dead reckoning in most of them."""
     dives_with_current = [dive for dive in dives if isfinite(dive.dac_difference)]
     if not dives_with_current:
@@ -112,7 +112,7 @@ def _check_current(dives: list[Dive], path: str | Path) -> None:
     )
 
 
-def _check_header(header: list[str], name: str | Path) -> None:
+def _check_header(header: list[str], name: Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]

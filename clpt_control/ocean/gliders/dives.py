@@ -55,8 +55,8 @@ from .dive_fields import (
     TIME,
     VARIATIONS,
     WHOLE,
-    in_files,
     optional,
+    required,
     rows_of,
 )
 
@@ -142,17 +142,17 @@ class Dive:
     <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
     """
 
-    number: int = field(metadata=in_files("1", WHOLE, header="dive", result="dive"))
-    t_gps2: OrNaN = field(metadata=in_files(EPOCH, TIME, result="start_time"))
-    lat_gps2: OrNaN = field(metadata=in_files(NORTH, result="start_latitude"))
-    lon_gps2: OrNaN = field(metadata=in_files(EAST, result="start_longitude"))
-    t_gpse: OrNaN = field(metadata=in_files(EPOCH, TIME, result="end_time"))
-    lat_gpse: OrNaN = field(metadata=in_files(NORTH, result="end_latitude"))
-    lon_gpse: OrNaN = field(metadata=in_files(EAST, result="end_longitude"))
-    gps_east: OrNaN = field(metadata=in_files("m", None, header="gps_east_m"))
-    gps_north: OrNaN = field(metadata=in_files("m", None, header="gps_north_m"))
-    dr_east: OrNaN = field(metadata=in_files("m", header="dr_east_m"))
-    dr_north: OrNaN = field(metadata=in_files("m", header="dr_north_m"))
+    number: int = required("1", WHOLE, header="dive", result="dive")
+    t_gps2: OrNaN = required(EPOCH, TIME, result="start_time")
+    lat_gps2: OrNaN = required(NORTH, result="start_latitude")
+    lon_gps2: OrNaN = required(EAST, result="start_longitude")
+    t_gpse: OrNaN = required(EPOCH, TIME, result="end_time")
+    lat_gpse: OrNaN = required(NORTH, result="end_latitude")
+    lon_gpse: OrNaN = required(EAST, result="end_longitude")
+    gps_east: OrNaN = required("m", None, header="gps_east_m")
+    gps_north: OrNaN = required("m", None, header="gps_north_m")
+    dr_east: OrNaN = required("m", header="dr_east_m")
+    dr_north: OrNaN = required("m", header="dr_north_m")
     t_gps1: OrNaN | None = optional(EPOCH, TIME, result="first_fix_time")
     lat_gps1: OrNaN | None = optional(NORTH, result="first_fix_latitude")
     lon_gps1: OrNaN | None = optional(EAST, result="first_fix_longitude")

@@ -37,15 +37,6 @@ SEAEXPLORER = re.compile(
 )
 
 
-def is_segment(path: Path) -> bool:
-    """Return whether a name is that of a segment.
-
-    >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
-    [True, True, False]
-    """
-    return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
-
-
 def in_order(path: Path) -> tuple[list[str | int], str]:
     """Return the key that sorts files as a vehicle numbers them.
 

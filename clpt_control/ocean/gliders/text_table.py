@@ -29,7 +29,7 @@ def header_of(text: str) -> tuple[list[str], str]:
     return header.split(mark), mark
 
 
-def table_of(text: str, name: str | Path, must_be: str) -> pandas.DataFrame:
+def table_of(text: str, name: Path, must_be: str) -> pandas.DataFrame:
     r"""Return the cells of a table, without spaces around them, with points in numbers.
 
     The index is the line in the file, from 1; the columns are the header.  `attrs` has in

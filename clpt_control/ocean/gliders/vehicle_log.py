@@ -105,7 +105,7 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
     return "_".join(name.lower().split()), unit.strip().lower()
 
 
-def _columns(header: list[str], path: str | Path) -> dict[str, tuple[int, float]]:
+def _columns(header: list[str], path: Path) -> dict[str, tuple[int, float]]:
     """Return the number of each column that is read, and the size of its unit."""
     columns = {}
     for column, cell in enumerate(header):
@@ -141,7 +141,7 @@ def _dated(cells: DataFrame) -> DataFrame:
     )
 
 
-def log_legs(text: str, path: str | Path) -> DivesOrSkipped:
+def log_legs(text: str, path: Path) -> DivesOrSkipped:
     """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
     cells = _dated(table_of(text, path, f"a log with {GIVE}"))
     cells = cells[~(cells == cells.shift()).all(axis=1)]
@@ -219,7 +219,7 @@ def _moment(
     return (numbers["time"], fix, steering, stretch), fault
 
 
-def _check_legs(legs: list[Dive], has_motion: bool, path: str | Path) -> None:
+def _check_legs(legs: list[Dive], has_motion: bool, path: Path) -> None:
     """Refuse legs whose flow is impossible, or is much the same with the motion of other rows."""
     if not legs:
         return
@@ -320,9 +320,7 @@ def _leg(
     return make_dive(number, start, end, (east[-1], north[-1]), track=track)
 
 
-def _legs_of(
-    moments: dict[int, tuple[Moment, str]], path: str | Path
-) -> DivesOrSkipped:
+def _legs_of(moments: dict[int, tuple[Moment, str]], path: Path) -> DivesOrSkipped:
     """Return legs and what is left out of rows by line, each with its fault."""
     legs: DivesOrSkipped = []
     rows = LogRows()
