@@ -184,10 +184,10 @@ def fit_current(
     with naming(path):
         currents = with_all_steps(currents)
     hours = currents.time[currents.measured.any(axis=(1, 2))]
-    check_separable(constituents, float(np.ptp(hours)), str(path))
+    check_separable(constituents, float(np.ptp(hours)), path)
     tidal = [name for name in constituents if name != "steady"]
     cycles = np.array([tidal_periods.speed(name) for name in tidal]) / 360.0
-    check_nyquist(hours, cycles, tidal, str(path))
+    check_nyquist(hours, cycles, tidal, path)
     measured, N = (
         currents.measured,
         rows * columns * (2 * len(tidal) + ("steady" in constituents)),
@@ -210,13 +210,13 @@ def fit_current(
         np.all(gap, axis=0),
     )
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
-    radius_km = float(f"{RADIUS * room:.2g}") if radius_km is None else radius_km
+    radius_km = float(f"{RADIUS * room:.2g}" if radius_km is None else radius_km)
     if not radius_km < room:
         raise DataError(
             f"{path}: a circle of {radius_km:g} km leaves the field, of {room:.3g} km"
         )
     centers, spacing = _middles(plane, currents.box, rows, columns)
-    width_km = float(f"{WIDTH * spacing:.2g}") if width_km is None else width_km
+    width_km = float(f"{WIDTH * spacing:.2g}" if width_km is None else width_km)
     # of places from the track
     away = np.abs(np.hypot(*np.transpose(centers)) - radius_km)
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
@@ -238,13 +238,13 @@ def fit_current(
     report = {
         "source": currents.source,
         "box": list(currents.box),
-        "origin": [plane.lat, plane.lon],
+        "origin": list(origin),
         "start": currents.start,
         "functions": N,
         "functions_felt_on_the_track": int(N * felt.mean()),
-        "track_radius": float(radius_km),
+        "track_radius": radius_km,
         "places": [rows, columns],
-        "width": float(width_km),
+        "width": width_km,
         "width_units": "km",
         "constituents": list(constituents),
         "samples": len(t),
@@ -298,11 +298,7 @@ def _scenario(
     phased = [
         (c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))
     ]
-    car = {
-        "feedback": [1.0, 1.0],
-        "feedforward": [1.0, 1.0],
-        "position": [float(radius), 0.0],
-    }
+    car = {"feedback": [1.0, 1.0], "feedforward": [1.0, 1.0], "position": [radius, 0.0]}
     return Scenario.model_validate(
         {
             "title": f"Measured current of {currents.source} from {currents.start}",
@@ -311,7 +307,7 @@ def _scenario(
             "basis": {
                 "kernel": "gaussian",
                 "centers": [center for _ in phased for center in centers],
-                "widths": [float(width)] * len(phased) * len(centers),
+                "widths": [width] * len(phased) * len(centers),
                 "constituents": [name for name, _ in phased for _ in centers],
                 "phases": [phase for _, phase in phased for _ in centers],
             },
@@ -319,7 +315,7 @@ def _scenario(
             "vehicle": car,
             "reference": {
                 "kind": "circle",
-                "radius": float(radius),
+                "radius": radius,
                 "count": 12,
                 "dwell": 2.0,
             },

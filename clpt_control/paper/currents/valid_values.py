@@ -87,11 +87,11 @@ def in_valid_range(
 ) -> np.ndarray:
     """Return numbers, NaN outside the valid range of their variable."""
     attributes, packing = values.attrs, values.encoding
-    bounds = {"low": -np.inf, "high": np.inf}
+    bounds = np.array([-np.inf, np.inf])
     for key, limits in (
-        ("valid_range", ("low", "high")),
-        ("valid_min", ("low",)),
-        ("valid_max", ("high",)),
+        ("valid_range", [0, 1]),
+        ("valid_min", [0]),
+        ("valid_max", [1]),
     ):
         if key not in attributes:
             continue
@@ -104,8 +104,8 @@ def in_valid_range(
         if packed and stated.dtype.kind in "iu":
             stated = stated * float(packing.get("scale_factor", 1.0))
             stated = stated + float(packing.get("add_offset", 0.0))
-        bounds |= zip(limits, stated.tolist(), strict=True)
-    low, high = bounds.values()
+        bounds[limits] = stated
+    low, high = bounds
     with np.errstate(invalid="ignore"):
         outside = (numbers < low) | (numbers > high)
     if 2 * outside.sum() > np.isfinite(numbers).sum():
