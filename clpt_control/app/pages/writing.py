@@ -86,34 +86,25 @@ def report(
     >>> made["kind"], made["title"]
     ('Run of a scenario', 'A first minute')
     """
-    path, kinds = Path(path), checked_formats(formats)
-    check_writable(path, "a page", (".html", ".htm"))
-    with ONE_DRAWING:
-        return _written(run, path, title, figures, kinds)
-
-
-def _written(
-    run: Any, path: Path, title: str | None, figures: Any, kinds: Sequence[str]
-) -> dict[str, Any]:
-    """Write the page; return what `report` returns."""
     from ...base.page import page_html
 
-    source = run
-    name = "the replay"
-    if isinstance(run, str | Path):
-        source = read(Path(run))
-        name = str(run)
-    folder = None if figures is None else make_folder(figures)
-    page = page_of(source, title, name)
-    text = page_html(page)
-    results = {}
-    if folder is not None:
-        results = {
-            folder / f"{item.name}.{end}": item.figure
-            for item in page.figures
-            for end in kinds
-        }
-    write_together({path: text, **results})
+    path, kinds = Path(path), checked_formats(formats)
+    check_writable(path, "a page", (".html", ".htm"))
+    source, name = run, "the replay"
+    with ONE_DRAWING:
+        if isinstance(run, str | Path):
+            source, name = read(Path(run)), str(run)
+        folder = None if figures is None else make_folder(figures)
+        page = page_of(source, title, name)
+        text = page_html(page)
+        results = {}
+        if folder is not None:
+            results = {
+                folder / f"{item.name}.{end}": item.figure
+                for item in page.figures
+                for end in kinds
+            }
+        write_together({path: text, **results})
     return {
         "file": str(path),
         "bytes": len(text.encode()),
