@@ -360,8 +360,8 @@ def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
     assert list(printed("laws")["laws"]) == list(LAWS)
     assert all(name in clpt("laws").out for name in LAWS)
     assert (
-        refused("laws", "no-law")
-        == "clpt: no-law: is not a law. List the laws with: clpt laws\n"
+        refused("laws", "sgma")
+        == "clpt: laws: there is no sgma. Did you mean 'sigma'?\n"
     )
 
 

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arguments import attribute_of, finite, has, known, numbers
+from .arguments import attribute_of, check_known, finite, has, numbers
 from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
@@ -41,11 +41,7 @@ class Labelled(NamedTuple):
         """Return the values in the order of labels; refuse other names."""
         if self.names is None:
             return self.values
-        for name in self.names:
-            if name not in labels:
-                raise ArgumentError(
-                    f"{argument}: '{name}' is none of its signals. {known(name, labels)}"
-                )
+        check_known(argument, self.names, labels)
         check_complete(argument, labels, self.names, self.names)
         return self.values[[self.names.index(label) for label in labels]]
 

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..base.arguments import Seed, public
+from ..base.arguments import Count, Seed, public
 from ..base.errors import (
     ClptError,
     DataError,
@@ -68,7 +68,7 @@ Report = Callable[
 def run_ensemble(
     system: Scenario | control.InputOutputSystem,
     vary: str | Iterable[str] | Mapping[str, Any],
-    members: int | None = None,
+    members: Count | None = None,
     design: str | None = None,
     seed: Seed = 0,
     out: str | Path | None = None,
@@ -80,9 +80,9 @@ def run_ensemble(
     rtol: float | None = None,
     atol: float | None = None,
     method: str | None = None,
-    threads: int | None = None,
+    threads: Count | None = None,
     trajectories: bool = False,
-    chunk: int | None = None,
+    chunk: Count | None = None,
     times: Sequence[float] | None = None,
     summary: Mapping[str, Callable] | None = None,
     progress: bool | Callable[[int], None] | None = None,
@@ -167,8 +167,6 @@ def run_ensemble(
     array([0.865, 0.632, 0.393])
     """
     # 1. check arguments
-    if threads is not None and threads < 1:
-        raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ["zarr"] * (out is not None) + ["distributed"] * (dask is not None):
@@ -443,6 +441,4 @@ def _chunk(chunk: int | None, arrays: "Mapping[str, xarray.Variable]") -> int:
         trajectories = (array for array in arrays.values() if "time" in array.dims)
         size = sum(8 * int(np.prod(array.shape[1:])) for array in trajectories)
         chunk = max(1, min(CHUNK, CHUNK_BYTES // size)) if size else CHUNK
-    if chunk < 1:
-        raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk

@@ -193,8 +193,6 @@ def draw_members(
     """Sample the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
         raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")
-    if members < 1:
-        raise ScenarioError(f"members = {members}: must be a whole number, at least 1")
     base = varied.values
     sizes = [1 if item.kind == "levels" else base[item.key].size for item in varies]
     count = members * sum(sizes)

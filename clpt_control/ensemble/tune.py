@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..base.arguments import public
+from ..base.arguments import check_known, public
 from ..base.errors import ClptError, ScenarioError
 from ..base.units import finite_or_none
 from ..paper.laws.law import Law
@@ -128,11 +128,7 @@ def tune_law(
             "nothing is to choose, and its settings vary in an ensemble"
         )
     names = tuple(laws)
-    for name in names:
-        if name not in LAWS:
-            raise ScenarioError(
-                f"laws: '{name}' is not a law. List the laws with: clpt laws"
-            )
+    check_known("laws", names, LAWS)
     for word, value, least, most in (
         ("members", members, 3, 10**5),
         ("seed", seed, 0, 2**31),

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from ..base.arguments import brief
+from ..base.arguments import brief, finite
 from ..base.errors import DiagramError, ScenarioError, SimulationError
 from ..engine.codegen.directional_derivatives import (
     Place,
@@ -257,8 +257,7 @@ class VariedDiagram:
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that is not finite."""
-        if not np.isfinite(value).all():
-            raise ScenarioError(f"{key} = {value}: must be finite")
+        finite(key, value)
 
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input, a state or a parameter as an attribute, if known."""

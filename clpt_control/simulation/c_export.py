@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.arguments import finite
 from ..base.errors import DiagramError, Uncompiled
 from ..base.html import asset
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
@@ -70,7 +71,7 @@ def refuse_levels(run: DiagramRun) -> None:
 def _check_finite(
     run: DiagramRun, start: np.ndarray, params: Mapping[str, Any]
 ) -> None:
-    """Raise `DiagramError` for a number that is not finite; a limit may be infinite."""
+    """Refuse a number that is not finite; a limit may be infinite."""
     values = {f"params: {name}": value for name, value in params.items()}
     for block, parameters in run.parameters.items():
         for name, value in parameters._asdict().items():
@@ -78,8 +79,8 @@ def _check_finite(
     values["initial_state"] = start
     for name, value in values.items():
         array = np.asarray(value)
-        if array.dtype.kind == "f" and not np.isfinite(array).all():
-            raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
+        if array.dtype.kind == "f":
+            finite(name, array)
 
 
 class CFile:

@@ -108,7 +108,7 @@ MISTAKES = [
         {"members": 4, **GRID},
         "member 2: learning.gain = -3.0: mu",
     ),
-    (GAIN, {"members": 0}, "members = 0: must be a whole number, at least 1"),
+    (GAIN, {"members": 0}, "members = 0: must be a whole number, 1 or more"),
     (GAIN, {"members": 2.5}, "members = 2.5: must be a whole number"),
     (GAIN, {"members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
     (GAIN, {"members": 10**20, **GRID}, "would draw 1e+20 numbers"),

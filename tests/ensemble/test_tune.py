@@ -175,7 +175,7 @@ def test_a_measured_current_is_taken_out(facts, tmp_path):
         ({"seed": -1}, "seed = -1"),
         ({"prior": 0.0}, "prior = 0: must be a positive speed"),
         ({"unmodelled": float("inf")}, "unmodelled = inf"),
-        ({"laws": ["magic"]}, "'magic' is not a law"),
+        ({"laws": ["magic"]}, "laws: there is no magic"),
         ({"laws": ["known-flow"]}, "none of known-flow learns the flow"),
     ],
 )

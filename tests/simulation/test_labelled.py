@@ -92,7 +92,7 @@ def test_inputs_are_read_at_their_own_times_and_by_name(inputs):
         (TABLE.astype(str), "must be an array of numbers"),
         ({"a": "4"}, "must be an array of numbers"),
         ([NAMED, 0.0], "Give a dict by name"),
-        ({"a": NAMED}, "'b' is none of its signals. Did you mean 'a'|It has a"),
+        ({"a": NAMED}, "there is no b. Did you mean 'a'|It has a"),
         ({"a": DATA.a.expand_dims(i=2, k=2)}, "several dimensions of signals"),
         ({"a": 1.0, "m.a": 2.0}, "has no input 'm.a'"),
     ],

@@ -5,6 +5,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from ...base.arguments import check_known
 from ...base.errors import ClptError, SimulationError
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
@@ -34,7 +35,7 @@ def laws(
     from ...paper.laws.table import LAWS
     from ...theory.laws.promises import promises_in_words, what_it_promises
 
-    _refuse_unknown(name)
+    check_known("laws", filter(None, [name]), LAWS)
     laws_listed = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: Report = {}
     rows = []
@@ -110,7 +111,9 @@ def prove(
         clpt prove --theorem 3.2
         clpt prove --coq coq
     """
-    _refuse_unknown(law)
+    from ...paper.laws.table import LAWS
+
+    check_known("--law", filter(None, [law]), LAWS)
     if coq is not None:
         if theorem is not None:
             raise ClptError("--coq DIR: writes all theorems. Leave --theorem out")
@@ -129,14 +132,6 @@ def prove(
             outcomes[statement] = statement.prove()
             report(len(outcomes))
     _print_outcomes(outcomes, as_json)
-
-
-def _refuse_unknown(law: str | None) -> None:
-    """Reject what is no law of the table, if one is named."""
-    from ...paper.laws.table import LAWS
-
-    if law not in {None, *LAWS}:
-        raise ClptError(f"{law}: is not a law. List the laws with: clpt laws")
 
 
 def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:

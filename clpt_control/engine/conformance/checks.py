@@ -124,8 +124,8 @@ def _compiles(block: Block, samples: list[Sample]) -> Iterator[str]:
     except Uncompiled as error:
         yield f"{block.name}: runs in Python, not as machine code: {error}"
         return
-    inputs = read_inputs(np.array(u).T, np.array(times), block.ninputs or 0)
-    for t, states in zip(times, x, strict=True):
+    for t, states, values in zip(times, x, u, strict=True):
+        inputs = read_inputs(values, np.array([t]), block.ninputs or 0)
         at_sample = Solution(np.array([t]), states[None])
         if why := difference_at([0], runner, at_sample, inputs):
             yield f"{block.name}: differs as machine code at t = {t:.6g}: {why}"

@@ -5,7 +5,7 @@ systems whose params share a name the value of the last system, and ignores an u
 Here all four are errors that name the block and the port.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -124,11 +124,7 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     ``"a.adaptation.gain"`` changes one block of a nested diagram, ``"adaptation.gain"`` all blocks
     of this name.  For python-control's systems ``"m"`` changes all, ``"plant.m"`` one.
     """
-    params = {} if params is None else params
-    if not isinstance(params, Mapping):
-        raise BlockError(
-            f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}"
-        )
+    params = params or {}
     for key, value in params.items():
         if has_nan(value):
             raise BlockError(

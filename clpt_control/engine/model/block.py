@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base.arguments import brief, has, known, numbers, public
+from ...base.arguments import brief, check_known, has, known, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..record.graph import Record, evaluated
 from ..record.unread import advice_on_math, located
@@ -312,12 +312,8 @@ class Block(ReadBlock):
     @public
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some fields changed."""
+        check_known(self.name, changes, self.parameters._fields)
         for field, value in changes.items():
-            if field not in self.parameters._fields:
-                raise BlockError(
-                    f"{self.name}: unknown parameter {field!r}. "
-                    f"{known(field, self.parameters._fields)}"
-                )
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
                 raise BlockError(

@@ -373,16 +373,16 @@ def where(condition, a, b):
         return a if condition else b
     if is_truth(a) and is_truth(b):
         condition = as_condition(condition)
-        terms: Any = [_and(condition, a), _and(elementwise("not", condition), b)]
+        terms: Any = [_and(condition, a), _and(np.logical_not(condition), b)]
         terms_left = [term for term in terms if term is not None]
         return reduce(np.logical_or, terms_left) if terms_left else False
     return elementwise("where", condition, a, b)
 
 
-def _and(condition: Array, truth: Any) -> Array | None:
+def _and(condition: Any, truth: Any) -> Array | None:
     """Return whether both hold; None for never."""
     if isinstance(truth, Array) or np.ndim(truth):
-        return elementwise("and", condition, truth)
+        return np.logical_and(condition, truth)
     return condition if truth else None
 
 

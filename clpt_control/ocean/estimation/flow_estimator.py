@@ -33,7 +33,7 @@ from zlib import crc32
 
 import numpy as np
 
-from ...base.arguments import OrNaN, Positive, public
+from ...base.arguments import OrNaN, Positive, finite, public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...base.files.reading import read_text
@@ -268,10 +268,7 @@ class FlowEstimator:
         """
         check_place(time)
         self._check_order(time)
-        if not np.isfinite(east) or not np.isfinite(north):
-            raise DataError(
-                f"displacement {east}, {north}: must be finite numbers of metres"
-            )
+        finite("displacement (m)", [east, north])
         move_through(self, np.array([[time, east, north]]))
 
     @public

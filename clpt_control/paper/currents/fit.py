@@ -27,7 +27,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base.arguments import Count, public
+from ...base.arguments import Count, Positive, public
 from ...base.errors import DataError, naming
 from ...base.files import check_writable, write_together
 from ...base.geodesy import LocalPlane
@@ -105,10 +105,10 @@ def fit_current(
     *,
     rows: Count = 3,
     columns: Count = 3,
-    width_km: float | None = None,
+    width_km: Positive | None = None,
     constituents: Sequence[str] = ("steady", "M2"),
-    radius_km: float | None = None,
-    depth: float | None = None,
+    radius_km: Positive | None = None,
+    depth: Positive | None = None,
     units: str | None = None,
     names: dict[str, str] | None = None,
 ) -> Fit:
@@ -176,9 +176,6 @@ def fit_current(
         raise DataError(
             f"constituents = {','.join(constituents)}: must be names, each once"
         )
-    for option, value in (("width (--width-km)", width_km), ("radius", radius_km)):
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise DataError(f"{option} = {value} km: must be positive and finite")
     currents = read_currents(source, box, depth=depth, units=units, names=names)
     path = source_name(source)
     with naming(path):

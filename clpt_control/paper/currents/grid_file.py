@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import xarray
 
-from ...base.arguments import public
+from ...base.arguments import Positive, public
 from ...base.errors import ClptError, DataError, naming
 from ...base.files.reading import AnyPath, open_netcdf, shown_name, zarr_store
 from . import cf
@@ -70,7 +70,7 @@ def read_currents(
     box: Box | None = None,
     *,
     column: bool = False,
-    depth: float | None = None,
+    depth: Positive | None = None,
     units: str | None = None,
     names: dict[str, str] | None = None,
 ) -> Currents:
@@ -130,8 +130,6 @@ def read_currents(
             f"names: has {', '.join(names) or 'nothing'}; must have u and v"
         )
     span = None if box is None else checked_box(box)
-    if depth is not None and not (np.isfinite(depth) and depth > 0):
-        raise DataError(f"depth (--depth) = {depth:g} m: must be positive and finite")
     deepest = DEEPEST if column else depth
     files = _files_of(source)
     if files is None:

@@ -12,7 +12,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ...base.arguments import Count, Seed, public
+from ...base.arguments import Count, Seed, check_known, public
 from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.wiring import read_anew
@@ -106,8 +106,7 @@ def prove(
     'proved'
     """
     if isinstance(law_block, str):
-        if law_block not in LAWS:
-            raise DiagramError(f"{law_block}: is not a law. clpt.laws() lists them")
+        check_known("prove", [law_block], LAWS)
         row = LAWS[law_block]
         return verdict_on_row(row, points, law_and_V(row, MIDDLE)[0], seed)
     if isinstance(law_block, Diagram) and law_block.origin is not None:

@@ -166,6 +166,8 @@ def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
             return None
         tops = [_maximum(sympy.Poly(side, size), True) for side in sides]
         return None if None in tops else sympy.Max(*tops)
+    if states[1:] and not e.is_polynomial(*states):
+        return None
     H = -sympy.hessian(e, states)
     if states[1:] or H[0].is_Rational:
         if not (all(n.is_Rational for n in H) and H.is_positive_definite):

@@ -55,7 +55,7 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
     ({"reference.kind": "square"}, "reference.kind", "waypoints"),
     ({"run.output_step": 1e-9}, "run.output_step", "1e8"),
     ({"flow.outside": "clip"}, "flow.outside", "only with flow.field"),
-    ({"flow.field": "field.nc"}, "flow.parameters", "one of the two"),
+    ({"flow.field": "field.nc"}, "flow.parameters", "give one of"),
     ({"flow.parameters": None, "flow.field": "f" * 5000}, "flow.field", "no such file"),
     ({"localization": {"noise": 0.1}}, "localization.noise_period"),
     (

@@ -1,0 +1,160 @@
+"""Mistakes in Python: one sentence names the argument, the value and a remedy that works."""
+
+import re
+
+import control
+import numpy as np
+import pytest
+from error_sentences import says
+
+import clpt_control as clpt
+
+parts = clpt.parts
+NAN, INF = float("nan"), float("inf")
+TIMES = np.linspace(0.0, 2.0, 21)
+PEN = control.nlsys(
+    lambda t, x, u, p: [x[1], -p["g"] * np.sin(x[0]) - p["d"] * x[1] + u[0]],
+    states=["angle", "rate"],
+    inputs=["torque"],
+    outputs=["angle", "rate"],
+    params={"g": 9.81, "d": 0.5},
+    name="pen",
+)
+PLANT = control.ss([[0, 1], [-1, -1]], [[0], [1]], [[1, 0]], 0, inputs="f", outputs="q")
+SHORT = clpt.paper_scenario().with_values({"run.duration": 20})
+OF_FIXES = clpt.Scenario(
+    basis={
+        "kernel": "gaussian",
+        "centers": [[0, 0]],
+        "widths": [1e5],
+        "constituents": ["steady"],
+    },
+    learning={"law": "fix-regression"},
+)
+
+
+def runs():
+    """Return two runs by name."""
+    run = clpt.simulate(SHORT)
+    return {"a": run, "b": run}
+
+
+def prepared(*given, **named):
+    return clpt.prepare(PEN, TIMES, 0.0, [1, 0], {"d": 0.5})(*given, **named)
+
+
+def estimator():
+    """Return an estimator at its first fix."""
+    found = clpt.currents.FlowEstimator(OF_FIXES)
+    found.fix(1777593600.0, 36.7, -122.1)
+    return found
+
+
+def vary(**named):
+    return clpt.run_ensemble(PEN, {"d": [0.1, 0.2]}, timepts=TIMES, **named)
+
+
+MISTAKES = """
+parts.lag(INF) -> lag: lag = inf: must be finite
+parts.lag(1, gain=NAN) -> lag: gain = nan: must be finite
+parts.lag(1, gian=2) -> lag: gian= is not an argument. Did you mean 'gain'?
+parts.pid(INF) -> pid: kp = inf: must be finite
+parts.pid(1, INF) -> pid: ki = inf: must be finite
+parts.pid(1, kd=1, filter=INF) -> pid: filter = inf: must be finite
+parts.pid(1, low=NAN) -> pid: low = nan: must be a number
+parts.pid(1, Ki=2) -> pid: Ki= is not an argument. Did you mean 'ki'?
+parts.pid(1, fliter=2) -> pid: fliter= is not an argument. Did you mean 'filter'?
+parts.pid(1, umax=2) -> pid: umax= is not an argument. Give the limits as low=, high=
+parts.pid(1, Y="level") -> pid: has no port or argument 'Y'. Did you mean 'y'?
+parts.pid(1, y=3) -> pid: y = 3: must be a name, a text
+parts.delay(INF) -> delay: delay = inf: must be finite
+parts.delay(1, dt=INF) -> delay: dt = inf: must be finite
+parts.delay(1, ordr=3) -> delay: ordr= is not an argument. Did you mean 'order'?
+parts.hold(INF) -> hold: dt = inf: must be finite
+parts.noise(INF, 0.1) -> noise: std = inf: must be finite
+parts.noise(1, INF) -> noise: period = inf: must be finite
+parts.noise(1, 0.1, sed=3) -> noise: sed= is not an argument. Did you mean 'seed'?
+parts.backlash(INF, lag=0.1) -> backlash: width = inf: must be finite
+parts.rate_limit(1, lag=INF) -> rate_limit: lag = inf: must be finite
+parts.relay(INF, -1, lag=0.1) -> relay: on = inf: must be finite
+parts.relay(1, -1, 0, INF, lag=0.1) -> low, high = [0.0, inf]: must be finite; number 1 is inf
+parts.lookup_table([0, 1], [0, NAN]) -> lookup_table: values = [0.0, nan]: must be finite; number 1
+parts.point_vehicle(INF, 1) -> point_vehicle: mass = inf: must be finite
+parts.planar_vehicle(np.diag([1, INF, 1]), np.eye(3)) -> planar_vehicle: M = [[1.0, 0.0, 0.0],
+parts.thrusters([[0, INF]], [0], -1, 1, 0.1) -> thrusters: places = [[0.0, inf]]: must be finite
+parts.thrusters([[0, 1]], [0], -1, 1, INF) -> thrusters: lag = inf: must be finite
+parts.observer(PLANT, [[INF], [1]]) -> observer: L = [[inf], [1.0]]: must be finite
+parts.saturation(1, -1) -> saturation: low = 1: must be below high = -1
+clpt.compare(runs(), lables=["x", "y"]) -> compare: lables= is not an argument. Did you mean 'labels'?
+clpt.compare(runs(), colour="r") -> compare: colour= is not an argument. It has runs, plot, labels
+clpt.compare(runs(), "track", axis=2) -> axis: is of the plot 'learning'. Leave it out
+runs()["a"].clpt.plot(["track"]) -> Give 'track' alone, not in a list
+runs()["a"].clpt.plot(colour="r") -> colour= is not an argument. Did you mean 'color'?
+clpt.gramian(SHORT, windows=9) -> gramian: windows= is not an argument. Did you mean 'window'?
+clpt.gramian(SHORT, rtoll=1) -> gramian: rtoll= is not an argument. Did you mean 'rtol'?
+clpt.gramian(SHORT, x0=1) -> gramian: x0= is not an argument. Give the initial state as initial_state
+clpt.Team(members=[SHORT, SHORT], coupling=0.1) -> must be a dict by name, such as {'west': scenario}
+clpt.export(PEN, file="a.c") -> export: file= is not an argument. Give the file as path
+clpt.export(PEN, params={"g": NAN}) -> params: g = nan: must be
+clpt.connect(PEN) -> must be Sequence[Any], such as [plant, controller]
+clpt.flow_map(runs()["a"], lat=[0]) -> flow_map: lat= is not an argument. Did you mean 'latitude'?
+clpt.flow_map(runs()["a"], [0, NAN]) -> latitude = [0.0, nan]: must be finite; number 1 is nan
+vary(out="a.nc") -> out = a.nc: is a folder, a Zarr store. Give a name such as a.zarr
+vary(members=0) -> run_ensemble: members = 0: must be a whole number, 1 or more
+vary(threads=0) -> run_ensemble: threads = 0: must be a whole number, 1 or more
+vary(params={"g": NAN}) -> params: g = nan: must be a number, without NaN
+prepared(parms={"d": 1}) -> parms= is not an argument. Did you mean 'params'?
+prepared(params={"d": INF}) -> params['d'] = inf: must be finite
+prepared([NAN, 0]) -> initial_state = [nan, 0.0]: must be finite; number 0 is nan
+prepared(inputs=NAN) -> inputs: must be finite, not nan. Fill the gaps
+estimator().flow(1777593600e3, 36.7, -122) -> time 1777593600000: must be finite, s since 1970. Divide
+estimator().flow(1777593600, NAN, -122) -> place (nan, -122): must be latitude and longitude
+estimator().guaranteed(1777593600e3, 36.7, -122) -> Divide milliseconds by 1000
+clpt.simulate(PEN, [0, NAN, 1]) -> timepts = [0.0, nan, 1.0]: must be finite; number 1 is nan
+clpt.simulate(PEN, [0, 2, 1]) -> timepts = [0.0, 2.0, 1.0]: must be at least two increasing times
+clpt.simulate(PEN, TIMES, params={"g": NAN}) -> params: g = nan: must be a number, without NaN
+clpt.simulate(PEN, TIMES, params={"g": INF}) -> derivative of rate of block pen is not finite
+clpt.linearize(PEN, [0, INF], [0]) -> x = [0.0, inf]: must be finite; number 1 is inf
+clpt.linearize(PEN, [0, 0], [0], params={"g": NAN}) -> params: g = nan: must be a number
+clpt.lyapunov(PEN, at={"angle": NAN}) -> at = {'angle': nan}: must be Mapping[str, float] or None, without NaN
+clpt.lyapunov(PEN, at={"angle": INF}) -> at: angle = inf: must be finite
+clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be tuple[float, float, float, float] or None, without NaN
+clpt.currents.fit_current("x.nc", width_km=-1) -> width_km = -1: must be a number, positive
+clpt.currents.FlowEstimator.load() -> Its arguments are path
+clpt.prove("sgma") -> prove: there is no sgma. Did you mean 'sigma'?
+clpt.tune_law(SHORT, laws=["sgma"]) -> laws: there is no sgma. Did you mean 'sigma'?
+"""  # noqa: E501
+
+
+@pytest.mark.parametrize("mistake", MISTAKES.strip().splitlines())
+def test_a_mistake_is_one_sentence(mistake, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    call, said = mistake.split(" -> ")
+    says(clpt.ClptError, re.escape(said), eval, call, globals())
+    assert not [*tmp_path.iterdir()]
+
+
+REMEDIES = """
+parts.pid(1, ki=2)
+parts.pid(1, low=-INF, high=INF)
+parts.pid(1, ki=1, tracking=INF)
+parts.pid(1, y="level")
+parts.saturation(-INF, 1)
+parts.rate_limit(INF, 1, lag=0.1)
+clpt.compare(runs(), labels=["x", "y"])
+clpt.compare(runs(), "learning", axis=2)
+runs()["a"].clpt.plot("track")
+runs()["a"].clpt.plot("clpe", color="r")
+clpt.gramian(SHORT, window=9)
+clpt.export(PEN, path="a.c")
+clpt.connect([PEN], external="torque")
+prepared(params={"d": 1})
+estimator().flow(1777593600, 36.7, -122)
+vary(seed=np.int64(3))
+"""
+
+
+@pytest.mark.parametrize("call", REMEDIES.strip().splitlines())
+def test_the_remedy_works(call, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    eval(call, globals())
