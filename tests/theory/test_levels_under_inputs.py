@@ -233,6 +233,77 @@ def test_V_and_its_loss_have_different_degrees(rates, V, level):
     assert level <= verdict.level <= 1.05 * level
 
 
+SATURATED = {  # rates, |d|, the largest |x| that is reached, or None
+    "tanh": (lambda x, u, p: -np.tanh(x) + u.d, 0.5, np.arctanh(0.5)),
+    "tanh, as strong": (lambda x, u, p: -np.tanh(x) + u.d, 1.0, None),
+    "clip": (lambda x, u, p: -2 * np.clip(10 * x, -1, 1) + u.d, 1.0, 0.05),
+    "a layer": (lambda x, u, p: -2 * x / (np.abs(x) + 0.1) + u.d, 1.0, 0.1),
+    "a dead zone": (lambda x, u, p: np.clip(x, -1, 1) - x + u.d, 0.5, 1.5),
+    "fades far off": (lambda x, u, p: -2 * x / (1 + x**2) + u.d, 0.5, None),
+}
+
+
+@pytest.mark.parametrize(("rates", "d", "most"), SATURATED.values(), ids=SATURATED)
+def test_saturated_control_against_a_disturbance(rates, d, most):
+    """|x| comes down to where the rate at the largest input is 0."""
+    verdict = clpt.lyapunov(loop(rates), half, where={"d": (-d, d)})
+    if most is None:
+        assert verdict.status == "open"
+    else:
+        assert verdict.conclusion == "ultimately bounded"
+        assert most**2 / 2 <= verdict.level <= 1.02 * most**2 / 2
+        with pytest.raises(clpt.ClptError, match=r"no push less|has pieces"):
+            verdict.coq()
+
+
+TWO_STATES = {  # rates of x and v, V, a level that is reached at d = 1
+    "cascade": (
+        lambda x, v, d: (-(x**3) + v, -v + d),
+        lambda s: s.x**4 / 4 + s.v**2 / 2,
+        0.75,
+    ),
+    "Duffing": (
+        lambda x, v, d: (v, -v - x - x**3 + d),
+        lambda s: s.v**2 / 2 + 0.75 * s.x**2 + s.x**4 / 4 + s.x * s.v / 2,
+        0.75 * 0.6823**2 + 0.6823**4 / 4,
+    ),
+}
+
+
+@pytest.mark.parametrize(("rates", "V", "least"), TWO_STATES.values(), ids=TWO_STATES)
+def test_a_cascade_and_a_hard_spring_have_levels(rates, V, least):
+    """The rest at d = 1 is x = v = 1, and x + x^3 = 1, v = 0."""
+    block = clpt.Block(
+        "loop",
+        update=lambda t, x, u, p: dict(zip("xv", rates(x.x, x.v, u.d), strict=True)),
+        states={"x": 1, "v": 1},
+        inputs={"d": 1},
+    )
+    verdict = clpt.lyapunov(block, V, where={"d": (-1, 1)})
+    assert verdict.conclusion == "ultimately bounded"
+    assert least <= verdict.level <= 8 * least
+    assert "Theorem verdict" in verdict.coq()
+
+
+def test_an_e_modification_with_a_disturbance_has_a_level():
+    """V' <= -|e| (|e| + sg z^2/(2 g) - 1 - sg th^2/(2 g)), z = h - th."""
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {
+            "e": -x.e + (p.th - x.h) * u.r + u.d,
+            "h": p.g * x.e * u.r - p.sg * np.abs(x.e) * x.h,
+        },
+        states={"e": 1, "h": 1},
+        inputs={"r": 1, "d": 1},
+        parameters={"th": 1.0, "g": 2.0, "sg": 0.5},
+    )
+    V = lambda s: s.e**2 / 2 + (s.h - s.th) ** 2 / (2 * s.g)  # noqa: E731
+    verdict = clpt.lyapunov(law, V, where={"d": (-1, 1)})
+    assert verdict.conclusion == "bounded"
+    # the corner e = 0: z^2/(2 g) = (1 + sg th^2/(2 g))/sg
+    assert float(verdict.level) == pytest.approx(2.25)
+
+
 def test_sliding_control_overcomes_its_disturbance():
     sliding = loop(lambda x, u, p: -2 * np.sign(x) + u.d)
     conclusions = [

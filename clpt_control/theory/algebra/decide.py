@@ -60,6 +60,7 @@ def never_positive(expression: Expr, parameters: set) -> bool:
         or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
         or without_choices(expression, variables) is not None
+        or _by_pieces(expression, variables)
     )
 
 
@@ -134,8 +135,7 @@ def _is_nonnegative(factor: Expr) -> bool:
     if interval(factor)[0].is_nonnegative:
         return True
     base, _ = factor.as_base_exp()
-    completed = squares(base, set()) if base.is_Add else None
-    return completed is not None and bool(completed.constant.is_nonnegative)
+    return bool(base.is_Add) and _is_sum_of_squares(base, set())
 
 
 def _inputs_in(expression: Expr) -> set:
@@ -216,18 +216,16 @@ def _without_nonnegative_factors(group: Expr) -> Expr:
     return expand(_signed(factored(group, MOST_IN_GROUP)))
 
 
-def _by_form(group: Expr, variables: set) -> bool:
-    """Test a quadratic form -s^T M s, M >= 0 a matrix of numbers."""
-    symbols = sorted(group.free_symbols & variables, key=str)
-    if functions_in(group) or not symbols or not group.is_polynomial(*symbols):
-        return False
-    if {sum(powers) for powers in sympy.Poly(group, *symbols).monoms()} != {2}:
-        return False
-    hessian = sympy.hessian(group, symbols)
-    return bool(
-        all(entry.is_number for entry in hessian)
-        and (-hessian).is_positive_semidefinite
-    )
+def _by_squares(group: Expr, variables: set) -> bool:
+    """Complete the squares of what is to be negative."""
+    is_smooth = not functions_in(group)
+    return is_smooth and _is_sum_of_squares(-group, group.free_symbols - variables)
+
+
+def _is_sum_of_squares(e: Expr, parameters: set) -> bool:
+    """Return whether squares are completed, and what is left is not negative."""
+    completed = squares(e, parameters)
+    return completed is not None and bool(completed.constant.is_nonnegative)
 
 
 # --- functions at the ends of their sectors -------------------------------------------------
@@ -439,4 +437,4 @@ def _is_negative(condition: Expr) -> bool:
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
 
 
-GROUP_TESTS = (_by_factors, _by_form, _by_sectors, _by_pieces)
+GROUP_TESTS = (_by_factors, _by_squares, _by_sectors, _by_pieces)

@@ -139,8 +139,8 @@ SMOOTH = "erfc cosh acosh atanh asin acos tan"
 FACTS: dict[str, Fact] = {
     "sin": Fact("smooth", "bounded", range=UNIT),
     "cos": Fact("smooth", "bounded", range=UNIT),
-    "tanh": Fact("smooth", "bounded", sector=(0, 1), range=UNIT),
-    "atan": Fact("smooth", "bounded", sector=(0, 1)),
+    "tanh": Fact("smooth", "bounded", sector=(0, 1), range=_monotone(sympy.tanh)),
+    "atan": Fact("smooth", "bounded", sector=(0, 1), range=_monotone(sympy.atan)),
     "atan2": Fact("choice", "bounded"),
     "erf": Fact("smooth", "bounded", sector=(0, 2)),
     "asinh": Fact("smooth", "as all", sector=(0, 1)),

@@ -103,6 +103,11 @@ def jumps_nowhere(e: Expr) -> bool:
 
 def meets_smoothly(V: Expr, order: int = 2) -> bool:
     """Return whether V and its slopes agree where pieces meet; V alone if the order is 1."""
+    for power in V.atoms(sympy.Pow):
+        (s, *_), p = power.base.args or (0,), power.exp
+        is_size = isinstance(power.base, sympy.Abs) and not functions_in(s)
+        if is_size and (p - order + 1).is_positive:  # at 0 as level as s^order
+            V = V.xreplace({power: sympy.Dummy() * s**order})
     if not all(base.is_positive for base in roots_in(V)):
         return False
     return all(_call_meets_smoothly(V, call, order) for call in functions_in(V))

@@ -147,10 +147,14 @@ def _completed(p: Expr, variables: list) -> Squares | None:
     if any(polynomial.degree(s) % 2 for s in symbols):  # no least value
         return None
     for s in symbols:
-        a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
-        if polynomial.degree(s) != 2 or a.has(*symbols) or not _is_positive(a):
+        n = polynomial.degree(s) // 2  # 2: a s^4 + b s^2 + c, b < 0
+        a, b, c = (p.coeff(s, power) for power in (2 * n, n, 0))
+        has_others = n == 2 and (
+            not b.is_negative or expand(p - a * s**4 - b * s**2 - c) != 0
+        )
+        if n not in (1, 2) or has_others or a.has(*symbols) or not _is_positive(a):
             continue
-        form = s + expand(b / (2 * a))
+        form = s**n + expand(b / (2 * a))
         remainder = c - b**2 / (4 * a)
         remainder = remainder if a.is_number else sympy.cancel(remainder)
         square = Squares(S.Zero, [a * form**2], [form])

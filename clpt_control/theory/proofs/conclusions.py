@@ -8,6 +8,7 @@ requirements are all shown by steps that hold.
     all rates go to zero    where q = 0 for good all rates are zero (LaSalle)
     comes to rest           and the points at which they are zero stand alone
     ultimately bounded      V' <= -rate V + push             =>  V <= push/rate in the end
+                            or V' < 0 above a level
 """
 
 from collections.abc import Iterable
@@ -44,7 +45,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "rest": "V' < 0 but at the rest, or nothing else stays where V' = 0 (LaSalle)",
     "still": "where V' = 0 for good nothing moves (LaSalle)",
     "isolated": "rests stand alone, or each run comes to one",
-    "pulled": "V' <= -r V + c",
+    "pulled": "V' < 0 above a level",
     "ceiling": "V' <= 0 where V >= level",
     "mean": "V' <= -q^2/2 + c",
     "zone": "V' <= 0, and < 0 where e is outside a zone",

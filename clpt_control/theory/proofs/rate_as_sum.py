@@ -282,10 +282,10 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
 
     def pulls() -> Case:
         terms, written = in_forms(case, definite), system()
-        if fall.level is None or terms is None:
-            raise NotASum("V' does not pull V back")
-        pull = Bounding(case, terms).pull()
-        if pull is None or not (case.where.box or all(n.is_Rational for n in pull)):
+        pull = terms and Bounding(case, terms).pull()
+        if terms is None or pull is None:
+            raise NotASum("V' is no push less a rate times V")
+        if not (case.where.box or all(n.is_Rational for n in pull)):
             return pulled(written, *terms._replace(rate=without_calls(terms.rate)))
         losses = within(pull.push - pull.rate * case.V, True)
         return replace(written, losses=losses, push=pull.push, decay=pull.rate)

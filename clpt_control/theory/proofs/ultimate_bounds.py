@@ -21,17 +21,21 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
+from scipy.optimize import minimize, minimize_scalar
 from sympy.core.function import AppliedUndef
 
 from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
+from ..algebra.decide import never_positive
 from ..algebra.exact import groups_of
 from ..algebra.facts import interval
+from ..algebra.numeric_values import NumericValues
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import bound_text, listed
 from .answers import Definite, Fall
@@ -40,8 +44,9 @@ from .leaks import Leak, leaks_of, radial_of, stays_within
 from .relations import errors_of
 from .steps import exact
 
-# of V that V' may lose
-SHARES = [sympy.S(2) ** k for k in range(-6, 7)]
+SAMPLES = 50_000  # random points at which V and V' are computed
+ABOVE = "where V is above a level"
+FAR = 1e9  # larger maxima are none
 
 
 class Pull(NamedTuple):
@@ -94,43 +99,6 @@ def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
     return Pull(slowest, push) if push != 0 else None
 
 
-def _pull_of_polynomial(term: sympy.Expr, s: sympy.Symbol) -> Pull | None:
-    """Return a and c of p(s) <= -a s^2/2 + c, p in numbers with a negative even leading term.
-
-    c is the maximum of p + a s^2/2, rounded up.  Of a = -p'(r)/r, r the root of p farthest from
-    zero, c/a is r^2/2, which is the least.
-    """
-    if term.free_symbols != {s} or not term.is_polynomial(s):
-        return None
-    p = sympy.Poly(term, s)
-    numbers = np.poly1d([float(c) for c in p.all_coeffs()])
-    root = max(numbers.roots.real, key=abs)
-    steepness = -numbers.deriv()(root) / root if root else 0.0
-    a = rational(float(f"{steepness:.2g}")) if steepness > 0 else sympy.S.One
-    top = _maximum(p + sympy.Poly(a * s**2 / 2, s))
-    return None if top is None else Pull(a, top)
-
-
-def _maximum(p: sympy.Poly, half: bool = False) -> sympy.Expr | None:
-    """Return the maximum of a polynomial of a number, or one >= 0 (`half`), rounded up."""
-    is_known = p.domain.is_ZZ or p.domain.is_QQ
-    if not is_known or p.LC() >= 0 or (p.degree() % 2 and not half):
-        return None
-    numbers = np.poly1d([float(c) for c in p.all_coeffs()])
-    most = max(
-        map(numbers, [0.0, *numbers.deriv().roots.real.clip(0 if half else -np.inf)])
-    )
-    for text in (f"{most:.4g}", at_most(1.001 * most)):
-        c = rational(float(text))
-        # c - p changes its sign at roots of odd multiplicity, which Sturm's theorem counts
-        _, factors = (c - p).sqf_list()
-        odd = [factor for factor, n in factors if n % 2]
-        ends = sum(f.eval(0) == 0 for f in odd) if half else 0
-        if sum(f.count_roots(0 if half else None) for f in odd) == ends:
-            return c
-    return None
-
-
 def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
@@ -143,39 +111,65 @@ def shared(V: sympy.Expr, rates: Sequence[sympy.Expr], pulls: Sequence[Pull]) ->
 
 
 def lowest(
-    V: sympy.Expr, rates: Sequence[sympy.Expr], shares: Iterable[sympy.Expr]
+    V: sympy.Expr,
+    rates: Sequence[sympy.Expr],
+    shares: Iterable[sympy.Expr] | None = None,
 ) -> Pull | None:
-    """Return the pull of the lowest level by the maxima of all rates and a share of V."""
+    """Return the pull of the lowest level by the maxima of all rates and a share of V.
+
+    If no share is given it is that of the lowest max(V + V'/k), convex in 1/k, at random points.
+    """
+    if shares is None:
+        _, size, change = sampled(V, rates)
+        found = minimize_scalar(
+            lambda k: np.max(size + change / 10**k), bounds=(-2, 9), method="bounded"
+        )
+        shares = [rational(float(f"{10**found.x:.2g}"))]
     found = []
     for k in shares:
-        tops = [maximum_of(sympy.expand(e + k * V)) for e in rates]
-        if None not in tops:
+        maxima = (maximum_of(sympy.expand(e + k * V)) for e in rates)
+        tops = [*takewhile(lambda top: top is not None, maxima)]
+        if len(tops) == len(rates):
             found.append(Pull(k, sympy.Max(*tops)))
     return min(found, key=lambda pull: pull.push / pull.rate, default=None)
 
 
+def sampled(V: sympy.Expr, rates: Sequence[sympy.Expr]) -> tuple:
+    """Return random points of all sizes, V and the largest rate there."""
+    numbers = NumericValues(V, *rates)
+    random = np.random.default_rng(0)
+    points = random.standard_normal((len(numbers.symbols), SAMPLES))
+    points *= 10 ** random.uniform(-3, 3, SAMPLES)
+    size, *changes = numbers.at(
+        dict(zip(numbers.symbols, points, strict=True)), SAMPLES
+    )
+    return points, size, np.max(changes, axis=0)
+
+
 def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
-    """Return the maximum of concave squares, or of a polynomial in s or |s|, rounded up."""
+    """Return the maximum of concave squares, or one found by numbers, rounded up."""
     states = sorted(e.free_symbols, key=str)
     if not states:
         return e if e.is_Rational else None
-    if e.has(sympy.Abs) and not states[1:]:
-        size = sympy.Dummy(positive=True)
-        sides = [sympy.expand(e.xreplace({states[0]: s})) for s in (size, -size)]
-        if not all(side.is_polynomial(size) for side in sides):
-            return None
-        tops = [_maximum(sympy.Poly(side, size), True) for side in sides]
-        return None if None in tops else sympy.Max(*tops)
-    if states[1:] and not e.is_polynomial(*states):
-        return None
-    H = -sympy.hessian(e, states)
-    if states[1:] or H[0].is_Rational:
-        if not (all(n.is_Rational for n in H) and H.is_positive_definite):
+    if e.is_polynomial(*states) and sympy.Poly(e, states).total_degree() < 3:
+        H = -sympy.hessian(e, states)
+        if not H.is_positive_definite:
             return None
         at_zero = dict.fromkeys(states, sympy.S.Zero)
         b = sympy.Matrix([e]).jacobian(states).xreplace(at_zero)
         return e.xreplace(at_zero) + (b * H.inv() * b.T)[0] / 2
-    return _maximum(sympy.Poly(e, *states)) if e.is_polynomial(*states) else None
+    numbers = NumericValues(-e)
+    points, size, _ = sampled(e, [e])
+    found = minimize(
+        lambda x: numbers.at(dict(zip(numbers.symbols, x, strict=True)), 1)[0, 0],
+        points[:, np.nanargmax(size)],
+    )
+    most = -found.fun
+    for text in (f"{most:.4g}", at_most(1.001 * most)) if abs(most) < FAR else ():
+        c = rational(float(text))
+        if never_positive(e - c, set()):
+            return c
+    return None
 
 
 class InForms(NamedTuple):
@@ -259,18 +253,21 @@ class Bounding:
         # in discrete time a step may lead from below a level to above it
         if discrete:
             return None
-        fall = self.by_error()
+        fall = self.by_error() or self.far_off()
         if fall is None and self.leaks:
             return self.rising() or self.within_balls()
         return fall
 
+    @np.errstate(all="ignore")
     def pull(self) -> Pull | None:
         """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
         pulls = [*map(self.pulled, rates)]
         found = [pull for pull in pulls if pull is not None]
         if len(found) < len(rates):
-            return None if self.pushes else lowest(self.V, rates, SHARES)
+            if self.pushes or sympy.Tuple(*rates).free_symbols - self.truth.keys():
+                return None
+            return lowest(self.V, rates)
         return shared(self.V, rates, found) if found[1:] else next(iter(found), None)
 
     def has_decay(self) -> bool:
@@ -301,8 +298,8 @@ class Bounding:
         for s, weight in self.weights.items():
             term = terms.get((s,), sympy.S.Zero)
             pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
-            if pull is None and s not in self.pushes:
-                pull = _pull_of_polynomial(term, s)
+            if pull is None and s not in self.pushes and term.free_symbols == {s}:
+                pull = lowest(s**2 / 2, [term])
             if pull is None:
                 return None
             if s in self.pushes:  # w u s <= a s^2/2 + (w u)^2/(2 a)
@@ -321,9 +318,21 @@ class Bounding:
         shift = {s: s + true for s, true in self.truth.items()}
         return sympy.expand(rate.xreplace(shift))
 
+    def corners(self) -> list[sympy.Expr]:
+        """Return V' in the errors of the states at each corner of the box of inputs."""
+        corners = self.case.where.corners(self.rate)
+        return [self.about_the_rest(rate) for _, rate in corners]
+
     def by_error(self) -> Fall | None:
-        """Return the bound where V' = -e^T K e - |e| (z^T A z - b^T z - push), K, A diagonal."""
-        rate, states, weights = self.about_the_rest(self.rate), self.truth, self.weights
+        """Return the bound where V' has |e| in it, the largest of all corners."""
+        levels = [*map(self.level_by_error, self.corners())]
+        if not levels or None in levels:
+            return None
+        return bounded(f"V' <= 0 {ABOVE}", "ceiling", sympy.Max(*levels))
+
+    def level_by_error(self, rate: sympy.Expr) -> sympy.Expr | None:
+        """Return V above which V' = -e^T K e + p^T e - |e| (z^T A z - b^T z - push) falls."""
+        states, weights = self.truth, self.weights
         sizes = [f for f in rate.atoms(sympy.Abs, sympy.Pow) if (f**2).is_polynomial()]
         sizes = [f for f in sizes if not f.is_polynomial() and f.has(*states)]
         if len(sizes) != 1 or not self.is_diagonal:
@@ -334,23 +343,50 @@ class Bounding:
         K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
         A = {s: -share.coeff(s, 2) for s in states if s not in K}
         b = {s: share.coeff(s, 1) for s in A}
-        unexplained = [size**2, decay, share]
-        unexplained[0] -= sympy.Add(*(e**2 for e in K))
-        unexplained[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
-        unexplained[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
-        numbers = sympy.Tuple(*K.values(), *A.values(), *b.values(), *weights.values())
-        if any(map(sympy.expand, unexplained)) or _moves(
-            numbers, {*states, *self.moving}
-        ):
+        p = {e: decay.coeff(e, 1) for e in K}
+
+        def total(of: dict, power: int) -> sympy.Expr:
+            return sympy.Add(*(factor * s**power for s, factor in of.items()))
+
+        known = total(p, 1) - total(K, 2) + size * (total(b, 1) - total(A, 2))
+        excess = rate - known, size**2 - total(dict.fromkeys(K, 1), 2)
+        numbers = sympy.Tuple(*(n for of in (K, A, b, p, weights) for n in of.values()))
+        if any(map(sympy.expand, excess)) or _moves(numbers, {*states, *self.moving}):
             return None
         if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
             return None
         c = self.push + sympy.Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
+        c += sympy.sqrt(sympy.Add(*(of_e**2 for of_e in p.values())))
         corners = [weights[s] * c / a for s, a in A.items()]
         heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
-        level = sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
-        claim = f"V' <= 0 where V >= {bound_text(level)}"
-        return bounded(claim, "ceiling", level)
+        return sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
+
+    def far_off(self) -> Fall | None:
+        """Return the level above which V of one state falls, V' < 0 at each corner there."""
+        V, rates = self.about_the_rest(self.V), self.corners()
+        states = sympy.Tuple(V, *rates).free_symbols
+        if not (self.case.where.box and rates) or len(states) != 1:
+            return None
+        # Step 1: by numbers, the distance beyond which V' < 0
+        points, _, change = sampled(V, rates)
+        farthest = np.abs(points[0][change >= 0]).max(initial=0.0)
+        start = rational(float(at_most(1.005 * farthest)))
+        # Step 2: V rises, and V' <= -margin dV/d|s|, from there on
+        (s,), more, level = states, sympy.Dummy(positive=True), sympy.S.Zero
+        for side in (1, -1):
+            rise = sympy.factor(side * V.diff(s).xreplace({s: side * more}))
+            beyond = {s: side * (start + more)}
+            for e in rates:
+                share = e.xreplace(beyond) / rise.xreplace({more: start + more})
+                share = sympy.cancel(share)
+                (least,) = -NumericValues(share).at({more: 0.0}, 1)[0]
+                if not (rise.is_positive and least > 0):
+                    return None
+                margin = rational(float(f"{least / 2:.1g}"))
+                if not never_positive(share + margin, set()):
+                    return None
+            level = sympy.Max(level, V.xreplace({s: side * start}))
+        return bounded(f"V' < 0 {ABOVE}", "pulled", level)
 
     def pulled_to(self, pull: Pull, more: str = "") -> Fall | None:
         """Return what V comes to, or the mean of the errors that V' loses."""
