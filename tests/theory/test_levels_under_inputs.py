@@ -378,6 +378,51 @@ def test_bounds_are_used_for_values(rates, bounds, conclusion):
     assert verdict.conclusion == conclusion, verdict
 
 
+def test_an_input_of_one_value_stands_as_its_value():
+    verdict = clpt.lyapunov(loop(lambda x, u, p: -x * u.d), half, where={"d": (2, 2)})
+    assert verdict.sentence.startswith("V' = -2*x**2 <= 0, so the rest is")
+    assert verdict.sentence.endswith("; where d = 2")
+    rising = clpt.lyapunov(loop(lambda x, u, p: x * u.d), half, where={"d": (2, 2)})
+    assert (rising.status, rising.point.u[0]) == ("refuted", 2)
+
+
+REGIONS = {  # x' = -d x + x^3 falls where x^2 < d
+    "a value": (lambda x, u, p: -x * u.d + x**3, (0.25, 0.25), 0.125),
+    "bounds": (lambda x, u, p: -x * u.d + x**3, (0.25, 4), 0.125),
+    "bounds with 0": (lambda x, u, p: -x * u.d + x**3, (0, 4), None),
+    "a push": (lambda x, u, p: -x + x**3 + u.d, (-0.01, 0.01), None),
+    "a push of one value": (lambda x, u, p: -x + x**3 + u.d - 1, (1, 1), 0.405),
+}
+
+
+@pytest.mark.parametrize(("rates", "bounds", "level"), REGIONS.values(), ids=REGIONS)
+def test_a_region_for_inputs_between_bounds(rates, bounds, level):
+    box = {"x": (-0.9, 0.9)}
+    verdict = clpt.lyapunov(loop(rates), half, within=box, where={"d": bounds})
+    assert (verdict.status == "proved") == (level is not None)
+    if level is not None:
+        assert 0.995 * level < verdict.level <= level
+
+
+def test_a_region_takes_no_sets_of_states():
+    with pytest.raises(clpt.ClptError, match="bounds of inputs alone"):
+        clpt.lyapunov(
+            loop(lambda x, u, p: -x),
+            half,
+            within={"x": (-1, 1)},
+            where={"x": (0, None)},
+        )
+
+
+@pytest.mark.parametrize("gain", [1.5, 4.0, 1e3])
+def test_the_status_under_a_push_does_not_depend_on_the_seed(gain):
+    plant = loop(lambda x, u, p: x * (u.d - gain))
+    verdicts = [
+        clpt.lyapunov(plant, half, seed=seed, points=1 + seed) for seed in range(4)
+    ]
+    assert len({(verdict.status, verdict.conclusion) for verdict in verdicts}) == 1
+
+
 @pytest.mark.parametrize(
     ("low", "status"), [(0, "proved"), (-1, "open")], ids=["kept", "not kept"]
 )

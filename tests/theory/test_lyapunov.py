@@ -205,7 +205,7 @@ MISTAKES = {
     "at = {'x': nan}: must be": (PLANT, half, {"at": {"x": np.nan}}),
     "points = 0: must be a whole number, 1 or": (PLANT, half, {"points": 0}),
     "as they are x' has no value": written("x' = -x/k; k = 0"),
-    "leave the claim out": (PLANT, half, {"claim": 0, "within": {"x": (-1, 1)}}),
+    "leave `claim` out": (PLANT, half, {"claim": 0, "within": {"x": (-1, 1)}}),
     **{
         f"has a {name}, as time, V or a function is called": (
             DRIVEN(inputs=[name]),

@@ -112,6 +112,31 @@ def test_two_parameters_by_two_filters():
 
 
 @pytest.mark.long
+def test_two_parameters_by_filters_in_a_row():
+    """V' = -((a - A) v + (b - B) w)^2; rates of its forms grow long, and are left out."""
+    law = control.nlsys(
+        lambda t, x, u, p: [
+            -x[0] + np.sin(t),
+            -x[1] + x[0],
+            -x[2] + p["a"] * np.sin(t) + p["b"] * x[0],
+            x[0] * (x[2] - x[3] * x[0] - x[4] * x[1]),
+            x[1] * (x[2] - x[3] * x[0] - x[4] * x[1]),
+        ],
+        inputs=0,
+        states=["v", "w", "y", "A", "B"],
+        params={"a": 1.0, "b": 2.0},
+        name="law",
+    )
+    verdict = lyapunov(
+        law,
+        lambda s: ((s.a - s.A) ** 2 + (s.b - s.B) ** 2) / 2,
+        keeps=lambda s: s.y - s.a * s.v - s.b * s.w,
+    )
+    assert verdict.conclusion == "goes to zero"
+    assert verdict.of.startswith("-A*v - B*w + a*v + b*w")
+
+
+@pytest.mark.long
 def test_information_of_a_filter_is_a_second_relation():
     """Y' = w y and R' = w^2 keep Y = th R where y = th w; w, that may grow, drives distances."""
     rates = FILTER | {
@@ -186,6 +211,7 @@ BESIDE = {  # r' of the distance r from the line
     "-sign r": lambda r, x, u: -np.sign(r),
     "where r > 0": lambda r, x, u: np.where(r > 0, 1.0, 0.0),
     "max(r, 0)": lambda r, x, u: np.maximum(r, 0.0),
+    "-max(r, 0) + min(r, 0)": lambda r, x, u: -np.maximum(r, 0.0) + np.minimum(r, 0.0),
     "-r + 2 |r|": lambda r, x, u: -r + 2 * np.abs(r),
     "u^2 r": lambda r, x, u: u.r**2 * r,
     "w^2 r": lambda r, x, u: x.w**2 * r,
@@ -215,6 +241,7 @@ def test_a_line_that_a_run_leaves_is_not_kept(name):
         lambda r, x, u: -(r**3),
         lambda r, x, u: -(x.w**2) * r,
         lambda r, x, u: -np.tanh(r),
+        lambda r, x, u: -np.maximum(r, 0.0) - 2 * np.minimum(r, 0.0),
     ],
 )
 def test_a_line_that_distances_do_not_leave_is_kept(change):

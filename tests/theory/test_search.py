@@ -228,11 +228,7 @@ MANY = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
 NO_SEARCH = [
     ("x' = 1 - x", {}, r"x' = 1 at the rest"),
     ("x' = -1/x", {}, r"x' has no value at the rest"),
-    (
-        "x' = -x",
-        {"claim": lambda s: -s.x},
-        "leave the claim out: it is of a V that is given",
-    ),
+    ("x' = -x", {"claim": lambda s: -s.x}, "leave `claim` out, or give a V and no box"),
     (MANY, {}, "has 17 states; a V is searched for of at most 16"),
 ]
 

@@ -72,6 +72,14 @@ SAMPLE = {
         "x' = -x/(1 + abs(x)); V = x**2/2", "asymptotically stable", "",
     ),
     "a logarithm": ("x' = -x; V = log(1 + x**2)", "asymptotically stable", "all"),
+    "a logarithm of cosh": (
+        "x' = v; v' = -tanh(x) - v; V = v**2/2 + log(cosh(x))",
+        "asymptotically stable",
+        "all",
+    ),
+    "a sine that stays off zero": (
+        "x' = -x/(2 + sin(y)); y' = 1 + 0*x; V = x**2/2", "goes to zero", "",
+    ),
     "a root in V": (
         "x' = -x; V = sqrt(1 + x**2) - 1", "asymptotically stable", "",
     ),

@@ -146,7 +146,7 @@ def normal_form(expression: Expr) -> Expr:
         original = {symbol: e for e, symbol in symbols.items()}
         plain = normal_form(expression.xreplace(symbols)).xreplace(original)
         return expand(plain, deep=False, power_exp=False)
-    expression = _with_tanh(expression)
+    expression = with_tanh(expression)
     unchanged = {power.base for power in high_powers(expression)}
     expression = _with_expanded_angles(expression, unchanged)
     for inside in expression.atoms(INSIDE):
@@ -154,7 +154,7 @@ def normal_form(expression: Expr) -> Expr:
     return _with_odd_functions(expression, unchanged)
 
 
-def _with_tanh(expression: Expr) -> Expr:
+def with_tanh(expression: Expr) -> Expr:
     """Write sinh as tanh cosh where cosh has a power, as in derivatives of log(cosh)."""
     bases = {power.base for power in expression.atoms(Pow)}
     angles = [base.args[0] for base in bases if isinstance(base, sympy.cosh)]

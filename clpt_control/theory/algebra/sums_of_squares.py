@@ -182,10 +182,13 @@ def _sizes(e: Expr) -> list[Expr]:
 def _of_gram(p: Expr, variables: list) -> Squares | None:
     """Write a polynomial without symbols of parameters as a sum of squares by a Gram matrix."""
     constant = p.xreplace(dict.fromkeys(variables, S.Zero))
-    total = sum_of_squares(p - constant) if constant.is_number else None
-    if total is None or not total.forms:
-        return None
-    return Squares(constant, [w * form**2 for w, _, form in total.terms], total.forms)
+    for low in dict.fromkeys((constant, S.Zero)) if constant.is_number else ():
+        if (total := sum_of_squares(p - low)) and (total.forms or low != constant):
+            terms = [w * form**2 for w, _, form in total.terms]
+            return Squares(
+                low, terms, total.forms or [form for *_, form in total.terms]
+            )
+    return None
 
 
 def _added(total: Squares, remainder: Expr, variables: list) -> Squares | None:
@@ -269,7 +272,10 @@ def rising_in(E: Expr, s: Symbol) -> bool:
         if not low.is_extended_nonnegative or power % 2:
             return False
         if power and is_strict:
-            rises |= bool(low.is_positive) or _has_positive_limits(term, factor, s)
+            is_positive = low.is_positive or (
+                _is_positive(factor) and not factor.has(s)
+            )
+            rises |= is_positive or _has_positive_limits(term, factor, s)
     return rises
 
 
@@ -310,6 +316,9 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     for call in functions_in(loss):
         if (s := side_of(call)) is not None:
             loss = expand(loss).subs(s * call, call**2)
+    p, q = sympy.fraction(sympy.together(loss))
+    if q.has(*bounded) and _has_ends(q, fixed | bounded):
+        loss = expand(p)
     total, product = squares(loss, fixed), factored(loss)
     forms = total.forms if total and total.constant.is_nonnegative else []
     for e in (product, loss):
@@ -370,10 +379,15 @@ def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
         odd.remove(s)
         form *= s
     low = interval(weight)[0]
-    is_known = weight.free_symbols <= fixed | bounded and not weight.atoms(AppliedUndef)
-    if low.is_positive or (is_known and weight.is_positive):
+    if low.is_positive or _has_ends(weight, fixed | bounded):
         return form
     return S.Zero if low.is_extended_nonnegative else None
+
+
+def _has_ends(weight: Expr, bounded: set) -> bool:
+    """Return whether a weight of what is bounded, and of nothing else, is positive."""
+    is_known = weight.free_symbols <= bounded and not weight.atoms(AppliedUndef)
+    return bool(is_known and weight.is_positive)
 
 
 def split_dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:

@@ -1044,7 +1044,8 @@ Ltac exponentials := rewrite ?exp_plus; repeat match goal with
       change (exp (IZR (Zneg p) * a)) with (exp (- IZR (Z.of_nat n) * a)); rewrite (exp_times_less n a)
   end; repeat match goal with
   | |- context [exp ?a] => match goal with |- context [exp ?b] => rewrite (exp_inverse a b) by lra end end.
-Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with].
+Ltac equal := tidy; first [ring | field_with | square_of; first [ring_of | square_of; ring_of] | exponentials; field_with
+  | unfold tanh; field_with].
 
 (* --- proofs of files --- *)
 Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | exact shape_cosh | exact shape_root

@@ -71,7 +71,8 @@ def assume(case: Any, margin: Expr) -> None:
 
 
 def as_relation(margin: Expr) -> str:
-    """Return margin > 0 as text, each term on the side where it is positive: b > a."""
+    """Return margin > 0 as text, each term on the side where it is positive: b > a, r < 1."""
     terms = Add.make_args(sympy.expand(margin))
     below = Add(*(t for t in terms if t.could_extract_minus_sign()))
-    return f"{short(Add(*terms) - below)} > {short(-below)}"
+    above, less = short(Add(*terms) - below), short(-below)
+    return f"{less} < {above}" if above.isdigit() else f"{above} > {less}"

@@ -159,7 +159,8 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
     for q in case.zero:  # grows
         rate, moved = motion.rate_of(q), {s: sympy.Dummy() for s in case.solved}
         slopes = [along(e, moved) for e in (rate, *case.solved.values())]
-        is_known = len(case.zero) < MOST_ROUNDS and jumps_nowhere(rate)
+        is_short = rate.count_ops() <= MOST_OPERATIONS
+        is_known = is_short and len(case.zero) < MOST_ROUNDS and jumps_nowhere(rate)
         if not is_known or any(map(motion.not_bounded, slopes)):
             continue
         form = case.in_free_states(rate)

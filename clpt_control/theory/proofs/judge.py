@@ -223,10 +223,11 @@ class LyapunovCandidate(ABC):
         bends = not meets_smoothly(self.V) and not all(map(is_continuous, expressions))
         if bends or self.V.free_symbols & self.intervals:
             return Definite(exact(claim, False, "V may jump or bend"))
-        rest_state = self.rest or {}
-        at_start = one_way(self)
+        at_start, rest_state = one_way(self), self.rest or {}
+        # a state above 0 is not above its rest
+        off = {s: sympy.Dummy(f"{s}", real=True) for s in rest_state}
         moved = self.V.xreplace(at_start)
-        moved = moved.xreplace({s: s + v for s, v in rest_state.items()})
+        moved = moved.xreplace({s: d + rest_state[s] for s, d in off.items()})
         fixed = self.fixed | {*at_start.values()}
         total = squares(moved, fixed) or squares(moved, fixed, False)
         if not total and self.where.roots and self.rest is None:
@@ -235,11 +236,11 @@ class LyapunovCandidate(ABC):
             total = total and total._replace(forms=forms)
         states = [*self.motion]
         if total and self.rest is not None:
-            zero = dict.fromkeys(states, 0)
+            zero = dict.fromkeys(off.values(), 0)
             total = total if all(vanishes(f.subs(zero)) for f in total.forms) else None
         if not total or not total.forms:
             return Definite(exact(claim, False, "not shown"))
-        back = {s: s - v for s, v in rest_state.items()}
+        back = {d: s - rest_state[s] for s, d in off.items()}
         forms = [form.xreplace(back) for form in total.forms]
         contained = [s for s in states if any(form.has(s) for form in forms)]
         names = ", ".join(dict.fromkeys(map(self.text, forms)))

@@ -37,7 +37,8 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
             loss = least
             break
     losses: Sequence[Expr] = lost_forms(loss, case.fixed, bounded)
-    if not losses and case.claim is not None:  # squares as they are written
+    # squares as they are written
+    if not losses and (case.claim is not None or not bound.has(TIME)):
         losses = lost_forms(-bound, case.fixed, bounded)
     losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss)
     if losses or not case.where.kept:
@@ -71,11 +72,6 @@ def _has_no_integral(f: Expr) -> bool:
     return is_fraction and sympy.limit(TIME * f, TIME, sympy.oo) != 0
 
 
-def _lost(case: Any, loss: Expr, bounded: set) -> Sequence[Expr]:
-    """Return the forms of which an expression that is never negative has squares."""
-    return lost_forms(loss, case.fixed, bounded) or _rising(case, loss)
-
-
 def _rising(case: Any, loss: Expr) -> list[Expr]:
     """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
     return [
@@ -95,6 +91,9 @@ def _lost_by_groups(case: Any, loss: Expr, bounded: set) -> list[Expr]:
         zero = case.origin | dict.fromkeys(forms, S.Zero)
         if not (found or e.has(*case.where.kept)):
             groups, known = alone_in_groups(e, zero), {*bounded, *forms}
-            lost = (q for group in groups for q in _lost(case, group, known))
-            found = [form.xreplace(forms) for form in lost]
+            lost = (
+                lost_forms(group, case.fixed, known) or _rising(case, group)
+                for group in groups
+            )
+            found = [q.xreplace(forms) for of_group in lost for q in of_group]
     return found

@@ -134,9 +134,9 @@ def _zeroed(answers: Answers) -> bool:
 
 
 def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
-    """Return in which part of a box V' < 0, with inputs of 0."""
-    region = Region(candidate, within)
-    inputs = [str(f.func) for f in candidate.inputs]
+    """Return in which part of a box V' < 0, with inputs of 0 or between their bounds."""
+    region, where_ends = Region(candidate, within), candidate.where.ends
+    inputs = [str(f.func) for f in candidate.inputs if f not in where_ends]
     how: How = "enclosed"
     level, where = region.level(), "V' < 0"
     if not level and (rests := candidate.ends_at(region.low, region.high)):
@@ -149,8 +149,8 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
 
     def in_box(points: tuple) -> tuple:
         t, x, u = points
-        random = candidate.search.random
-        return t, random.uniform(region.low, region.high, x.T.shape).T, 0.0 * u
+        x = candidate.search.random.uniform(region.low, region.high, x.T.shape).T
+        return t, *candidate.search.both_inside(x, 0.0 * u)
 
     steps = (
         candidate.has_values(),
@@ -233,7 +233,8 @@ def lyapunov(
         Of the random points.
     within : mapping, optional
         The ends of each state, ``{"theta": (-1, 1), "omega": (-2, 2)}``: where V' < 0 in this box,
-        and from where every run comes to rest, inputs 0. For few states, some four.
+        and from where every run comes to rest, inputs 0 or as `where` has them. For few states,
+        some four.
     where : mapping, optional
         The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0, or q > 0 if V
         divides by q: V' is judged there. Its rate, or next value, is asked for at each end: it
@@ -290,6 +291,11 @@ def lyapunov(
         if candidate.undefined and above:  # they may be any numbers but 0
             read = partial(read, above=above)
             candidate = read()
+        if within and candidate.where.kept:
+            raise DiagramError(
+                f"{system.name}: give bounds of inputs alone in `where`: the box `within` has "
+                "those of states"
+            )
         if within:
             return _in_region(candidate, within)
         answers = asked(candidate)
@@ -318,13 +324,11 @@ def lyapunov(
             return _with_signs(verdict, answers.candidate, read)
         return with_refutation(candidate, answers)
 
-    if within and where:
-        raise DiagramError(f"{system.name}: leave `where` out: the box `within` is one")
-    if keeps and (V is None or within):
-        raise DiagramError(f"{system.name}: leave `keeps` out, or give a V and no box")
-    if claim is not None and (V is None or within):
-        why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
-        raise DiagramError(f"{system.name}: leave the claim out: {why}")
+    for name, given in ("keeps", keeps), ("claim", claim):
+        if given is not None and (V is None or within):
+            raise DiagramError(
+                f"{system.name}: leave `{name}` out, or give a V and no box"
+            )
     with worked_out(system.name):
         is_given = V is not None
         V = function_of_signals(system, V)

@@ -285,6 +285,7 @@ class PointSearch:
     def highest(self, expression: Expr, still: bool) -> Iterator[Point]:
         """Yield points at which an expression is positive, relative to the size of its terms."""
         terms = sympy.Add.make_args(sympy.expand(expression))
+        self.random = np.random.default_rng(0)  # a status does not depend on `seed`
         try:
             numbers = self.numbers(expression, *terms)
         except DiagramError:  # no numbers, as of a source of time

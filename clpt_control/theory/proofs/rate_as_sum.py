@@ -21,7 +21,7 @@ from sympy import Add, Expr, Mul, S
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
-from ..algebra.exact import factored, vanishes
+from ..algebra.exact import factored, vanishes, with_tanh
 from ..algebra.exact import terms_of as count_terms
 from ..algebra.facts import facts_of, functions_in, has_time, interval
 from ..algebra.gram import sum_of_squares
@@ -177,9 +177,9 @@ def is_nonnegative(term: Expr) -> bool:
         if powers[call] % 2 and powers[call.args[0]] % 2:
             term = term / (call * call.args[0])
     factors = Mul.make_args(term)
-    return all(f.is_nonnegative or least(f) >= 0 for f in factors) or bool(
-        term.is_nonnegative
-    )
+    return all(
+        f.is_nonnegative or least(f.as_base_exp()[0]) >= 0 for f in factors
+    ) or bool(term.is_nonnegative)
 
 
 def apart(term: Expr, fixed: set) -> Iterable[Expr]:
@@ -253,7 +253,11 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
     def system() -> Case:
         refuse(case)
         motion = {s: read(rate) for s, rate in case.motion.items()}
-        V, rate, lost = read(case.V), read(case.rate), [*map(read, fall.losses)]
+        V, rate, lost = (
+            read(case.V),
+            with_tanh(read(case.rate)),
+            [*map(read, fall.losses)],
+        )
         moves = sympy.Tuple(*(definite.least or {}).values()).has(TIME)
         terms = terms_of(V, case.fixed)
         box = {read(d): case.where.box[d] for d in case.where.bounded}
@@ -298,8 +302,8 @@ def in_region(region: Any, case: Any, level: float) -> Ways:
 
     def below() -> Case:
         refuse(case)
-        if region.V_at_rest != 0:
-            raise NotASum("V is not zero at the rest")
+        if region.V_at_rest != 0 or region.held:
+            raise NotASum("V is not zero at the rest, or inputs are between bounds")
         motion = dict(zip(region.states, region.motion, strict=True))
         V, rate = sympy.expand(region.V), sympy.expand(along(region.V, motion))
         offs = [s - region.rest[s] for s in region.states]

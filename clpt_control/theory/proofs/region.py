@@ -37,7 +37,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import ON_NUMBERS
 from ..algebra.decided import decided
 from ..algebra.exact import normal_form, vanishes
-from ..algebra.facts import COMPARISONS, ODD, is_continuous, is_smooth
+from ..algebra.facts import COMPARISONS, GT, ODD, is_continuous, is_smooth
 from ..algebra.numeric_values import numpy_function
 from ..algebra.slopes import along, in_known_pieces, meets_smoothly
 from ..algebra.texts import short
@@ -104,10 +104,8 @@ def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
         )
         return 1.0 * compare(a[0], b[1]), 1.0 * compare(a[1], b[0])
     if name == "inside":
-        u, a, b = of
-        return 1.0 * ((a[1] < u[0]) & (u[1] < b[0])), 1.0 * (
-            (a[0] < u[1]) & (u[0] < b[1])
-        )
+        u, a, b = e.args
+        return _enclosed(sympy.Function("and_")(GT(u, a), GT(b, u)), ranges)
     if name == "not_":
         return 1.0 - of[0][1], 1.0 - of[0][0]
     if name == "where":
@@ -195,11 +193,19 @@ class Region:
         self.low, self.high = _box(self.rest, within)
         zero = dict.fromkeys(case.inputs, sympy.S.Zero)
         zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
+        symbols = {d: sympy.Dummy(f"{d.func}", real=True) for d in case.where.box}
+        zero |= symbols | case.where.values
+        # inputs between bounds, which may have any values there
+        self.held: dict[Any, Interval] = {
+            symbols[d]: (np.array([float(low)]), np.array([float(high)]))
+            for d, (low, high) in case.where.box.items()
+        }
         V, rate, *self.motion = (
             decided(e.xreplace(zero))
             for e in (case.V, case.rate, *case.eq.motion.values())
         )
-        moving = sympy.Tuple(V, *self.motion).free_symbols - {*self.states}
+        of_what = sympy.Tuple(V, *self.motion).free_symbols
+        moving = of_what - {*self.states, *self.held}
         if moving or case.eq.jumps:
             moves = f"moves with {', '.join(map(str, moving))}"
             why = f"it {'jumps' if case.eq.jumps else moves}"
@@ -223,7 +229,8 @@ class Region:
 
     def boxes(self, low: np.ndarray, high: np.ndarray) -> dict[Any, Interval]:
         """Return what is known of each state in boxes."""
-        return dict(zip(self.states, zip(low.T, high.T, strict=True), strict=True))
+        of_states = zip(self.states, zip(low.T, high.T, strict=True), strict=True)
+        return self.held | dict(of_states)
 
     def range(self, e: sympy.Expr, low: np.ndarray, high: np.ndarray) -> Interval:
         """Return the range of V or V' as it stands, or of e(m) + slopes (x - m), if narrower."""

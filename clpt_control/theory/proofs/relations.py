@@ -108,7 +108,7 @@ class Relations:
 
     def of(self, expression: Any) -> Expr:
         """Return an expression where the relations hold."""
-        return self.masked(sympy.sympify(expression)).xreplace(self.solved)
+        return decided(self.masked(sympy.sympify(expression)).xreplace(self.solved))
 
     @property
     def text(self) -> str:

@@ -131,8 +131,7 @@ class SystemCandidate(LyapunovCandidate):
         if where and self.eq.undefined:
             limited = self._equations(Names, self.where.undefined)
             self.undefined = [*limited.undefined, *undefined]
-        values = {d: low for d, (low, high) in self.where.box.items() if low == high}
-        self.motion = {s: rate.xreplace(values) for s, rate in self.motion.items()}
+        self.write(lambda e: e.xreplace(self.where.values))
         self.margins = list[sympy.Expr]()  # conditions between parameters
         for margin in margins:
             assume(self, margin)

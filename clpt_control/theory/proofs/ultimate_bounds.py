@@ -151,7 +151,9 @@ def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
     states = sorted(e.free_symbols, key=str)
     if not states:
         return e if e.is_Rational else None
-    if e.is_polynomial(*states) and sympy.Poly(e, states).total_degree() < 3:
+    terms = e.as_poly(*states)
+    square = terms and terms.total_degree() < 3
+    if square and all(number.is_Rational for number in terms.coeffs()):
         H = -sympy.hessian(e, states)
         if not H.is_positive_definite:
             return None

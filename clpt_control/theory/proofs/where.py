@@ -60,6 +60,7 @@ class Where:
             Any, Expr
         ]()  # root -> the distance from an end, never negative
         self.box = dict[Any, tuple]()  # input -> its bounds
+        self.values = dict[Any, Expr]()  # input -> its one value
         names = {f"{s}": s for s in states} | {f"{f.func}": f for f in inputs}
         check_known("where", given, names)
         for name, numbers in given.items():
@@ -83,7 +84,9 @@ class Where:
                     "lower first, or None for one; of an input 0 or between 1e-100 and 1e100"
                 )
             low, high = ends
-            if is_input:
+            if is_input and low == high:
+                self.values[s] = low
+            elif is_input:
                 self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
             else:
                 self.kept[s] = low, high
@@ -107,13 +110,13 @@ class Where:
     @property
     def ends(self) -> dict[Any, tuple]:
         """States and inputs with their ends, at points with a number above 0."""
-        return self.kept | dict.fromkeys(self.above, (ABOVE, None)) | self.box
+        values = {d: (value, value) for d, value in self.values.items()}
+        return self.kept | dict.fromkeys(self.above, (ABOVE, None)) | self.box | values
 
     @property
     def bounded(self) -> list:
         """Inputs that have two bounds."""
-        box = self.box.items()
-        return [d for d, (low, high) in box if low < high and high - low < oo]
+        return [d for d, (low, high) in self.box.items() if high - low < oo]
 
     def in_states(self, forms: Sequence[Expr]) -> list[Expr]:
         """Return forms without roots, and squares of products with them; [] for other forms."""
@@ -138,12 +141,14 @@ class Where:
     @property
     def bounds(self) -> str:
         """The bounds of inputs, as text."""
-        return ", ".join(
+        texts = [f"{d.func} = {float(value):.15g}" for d, value in self.values.items()]
+        texts += [
             f"{float(low):.15g} <= " * (low != -oo)
             + f"{d.func}"
             + f" <= {float(high):.15g}" * (high != oo)
             for d, (low, high) in self.box.items()
-        )
+        ]
+        return ", ".join(texts)
 
     def corners(self, rate: Expr, waves: bool = False) -> list[tuple]:
         """Return factors of the share of each corner of the box of inputs, and the rate there.
