@@ -264,6 +264,11 @@ def linearize(
     UserWarning
         If a signal or a rate has a kink at the point; the first is named.
 
+    Notes
+    -----
+    ``control.margin`` forms polynomials of a state-space system. Leading numbers of a numerator
+    that are zero may come out as 1e-14 there, and an infinite gain margin as 1e15.
+
     Examples
     --------
     >>> import control
