@@ -244,7 +244,7 @@ def lyapunov(
     keeps : callable, optional
         Relations of states that hold where a run begins: a function of signals that returns what
         is then 0, ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. Rates and jumps
-        must keep them, and a small distance must not grow. V' is judged there.
+        must keep them, and a small distance and its factors must not grow. V' is judged there.
 
     Returns
     -------

@@ -4,8 +4,8 @@
 
 If r' is Lipschitz in r, r stays 0: a run that begins there is one of fewer equations, those of the
 other states, and V is judged on these.  Rounding leaves r by a little: where a distance r is not
-known to shrink, or to stay, the relation is not kept in a run.  What a factor that grows makes of
-such a distance elsewhere is not asked.
+known to shrink, or to stay, or a factor of it in other rates may grow, the relation is not kept in
+a run.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set

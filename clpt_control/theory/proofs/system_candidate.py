@@ -146,6 +146,8 @@ class SystemCandidate(LyapunovCandidate):
         without_value = self.relations.read(keeps) if keeps else []
         solved = self.relations.solved
         self.motion = {s: r for s, r in self.motion.items() if s not in solved}
+        slopes = (sympy.diff(r, s) for r in self.motion.values() for s in solved)
+        self.weights = [*map(self.relations.of, slopes)]  # of distances from relations
         self.write(self.relations.of)
         self.is_whole = not solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]
@@ -426,6 +428,10 @@ class SystemCandidate(LyapunovCandidate):
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
         motion = self.moving(definite, zeroed)
         motion.outside()
+        if loose := {s for e in self.weights for s in motion.not_bounded(e)}:
+            text = f"{', '.join(sorted(loose))} may grow, and multiplies what rounding leaves"
+            step = exact(f"{self.relations.text} is kept in a run", False, text)
+            return Fall([*steps, step], claim)
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
         losses = forms_lost(self, bound, bounded)
