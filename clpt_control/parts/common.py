@@ -12,7 +12,7 @@ import numpy as np
 from ..base.arguments import brief, finite, known, numbers
 from ..base.errors import BlockError
 from ..engine.model.block import Block
-from ..engine.model.ports import renamed
+from ..engine.model.ports import check_count, renamed
 
 Ports = Mapping[str, str]  # name of a port -> the user's name
 UNBOUNDED = {"low", "high", "rise", "fall", "tracking"}  # what may be infinite
@@ -79,6 +79,7 @@ def with_constants(function: Any, **constants: Any) -> Any:
 
 def checked_sizes(name: str, signals: int, **values: Any) -> dict[str, Any]:
     """Return values; each is one number, or a number for each signal."""
+    check_count(f"{name}: signals = {signals}", signals)
     for key, value in values.items():
         if numbers(f"{name}: {key}", value).shape not in ((), (signals,)):
             raise BlockError(

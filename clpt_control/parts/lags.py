@@ -23,7 +23,10 @@ from numpy.typing import ArrayLike
 from ..base.arguments import Count, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
+from ..engine.model.ports import check_count
 from .common import check_positive, checked_sizes, following_block, signal_block
+
+MOST_ORDER = 500  # of a Pade approximant: its matrix is full
 
 
 def lagging(t, x, u, p):
@@ -138,6 +141,8 @@ def delay(
     check_positive(name, delay=delay, order=order)
     if dt is not None:
         check_positive(name, dt=dt)
+        given = f"{name}: delay = {delay}, dt = {dt}, signals = {signals}"
+        check_count(given, delay / dt * signals, "Give a longer dt")
         count = round(delay / dt)
         if count < 1 or abs(count * dt - delay) > 1e-9 * delay:
             raise BlockError(
@@ -153,6 +158,10 @@ def delay(
             output=last_of_line,
             states=line,
             dt=dt,
+        )
+    if order > MOST_ORDER:
+        raise BlockError(
+            f"{name}: order = {order}: must be at most {MOST_ORDER}. Give dt for a longer delay"
         )
     i = np.arange(order)
     weight, sign = 2.0 * i + 1, (-1.0) ** i

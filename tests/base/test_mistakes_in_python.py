@@ -70,6 +70,13 @@ parts.pid(1, y=3) -> pid: y = 3: must be a name, a text
 parts.delay(INF) -> delay: delay = inf: must be finite
 parts.delay(1, dt=INF) -> delay: dt = inf: must be finite
 parts.delay(1, ordr=3) -> delay: ordr= is not an argument. Did you mean 'order'?
+parts.delay(1e9, dt=1e-12) -> delay: delay = 1000000000.0, dt = 1e-12, signals = 1: 1e+21 signals; at most 1,000,000 are allowed. Give a longer dt
+parts.delay(1e9, dt=1e-312) -> inf signals; at most
+parts.delay(1, order=10**6) -> delay: order = 1000000: must be at most 500. Give dt
+parts.lag(1, signals=10**9) -> lag: signals = 1000000000: 1e+09 signals; at most 1,000,000
+parts.noise(1, 0.1, signals=10**10) -> noise: signals = 10000000000: 1e+10 signals; at most
+parts.hold(1, 10**9) -> hold.u = (1000000000,): 1e+09 signals; at most
+clpt.Block("b", update=print, states={"x": (10**6, 10**6)}) -> b.x = (1000000, 1000000): 1e+12 signals
 parts.hold(INF) -> hold: dt = inf: must be finite
 parts.noise(INF, 0.1) -> noise: std = inf: must be finite
 parts.noise(1, INF) -> noise: period = inf: must be finite

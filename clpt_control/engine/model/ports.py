@@ -21,6 +21,7 @@ from ..record.graph import Shape, bound, is_known
 Size = int | str  # a number, or its name
 Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> shape
 Slices = dict[str, tuple[slice, Shape]]  # port -> its slice of a vector, and its shape
+MOST_SIGNALS = 10**6  # of a port
 
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:
@@ -44,7 +45,16 @@ def sized(
                     "array of the parameters that has it by `shapes`"
                 )
         numbers[port] = tuple(map(int, bound(shape, sizes)))
+        check_count(f"{name}.{port} = {brief(shape)}", prod(numbers[port]))
     return numbers
+
+
+def check_count(where: str, count: float, cure: str = "Give fewer signals") -> None:
+    """Refuse more signals than a port may have."""
+    if not count <= MOST_SIGNALS:
+        raise BlockError(
+            f"{where}: {count:.3g} signals; at most {MOST_SIGNALS:,} are allowed. {cure}"
+        )
 
 
 def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
