@@ -31,7 +31,7 @@ from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
 from ..engine.diagram.wiring import Params, read_anew, state_units, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
-from ..engine.record.unread import Unread
+from ..engine.record.unread import Unread, line_of
 from ..engine.solver.solver_layout import Status
 from ..simulation.dataset_template import Axes, DatasetTemplate, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
@@ -121,7 +121,12 @@ class OutputBatch(MemberBatch):
         numbers = np.full(len(self.y), np.nan)
         for m in np.flatnonzero(np.isin(self.run.status, COMPLETED)).tolist():
             times, y = self.stops.get(m, (self.varied.times, self.y[m]))
-            value = user(template.dataset(times, y.T))
+            try:
+                value = user(template.dataset(times, y.T))
+            except Exception as error:
+                raise ScenarioError(
+                    f"summary: {name}: {line_of(user, error)}"
+                ) from error
             try:
                 numbers[m] = float(value)
             except (TypeError, ValueError):
@@ -256,8 +261,9 @@ class VariedDiagram:
         return cannot_vary(key, self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
-        """Refuse a value that is not finite."""
-        finite(key, value)
+        """Refuse a value that is not finite; a parameter may be an infinite limit."""
+        if not self.locations[key].fields:
+            finite(key, value)
 
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input, a state or a parameter as an attribute, if known."""

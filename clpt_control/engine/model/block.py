@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from ...base.arguments import brief, check_known, has, known, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..record.graph import Record, evaluated
-from ..record.unread import advice_on_math, located
+from ..record.unread import line_of
 from ..trace.tracing import RAISED
 from .declaration import (
     POLICIES,
@@ -403,10 +403,7 @@ class Block(ReadBlock):
         if isinstance(error, BlockError):
             return str(error)
         function, _ = self._plan[role]
-        message = " ".join(str(error).splitlines())  # an assertion may have none
-        text = ": ".join(filter(None, [type(error).__name__, message]))
-        where = f"{self.name}.{role}: {located(function, error)}"
-        return where + text + advice_on_math(error)
+        return f"{self.name}.{role}: {line_of(function, error)}"
 
     def _evaluate(
         self, role: str, size: int, t: float, x: Any, u: Any, p: Any

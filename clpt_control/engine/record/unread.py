@@ -44,7 +44,7 @@ def reading_on(tape: Any) -> Iterator[None]:
 
 # --- functions and lines of the user's code, for sentences --------------------------------------
 
-LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+LIBRARIES = ("numpy", "scipy", "matplotlib", "pandas", "xarray")  # run as they are
 STATEMENT = "__statement__"  # name of a function that is a statement of the user's
 ENGINE = __package__.rpartition(".")[0]
 
@@ -82,7 +82,14 @@ def located(function: Any, *errors: BaseException) -> str:
     return f"{attribute_of(function, '__name__', 'it')}: "
 
 
-def advice_on_math(error: BaseException) -> str:
+def line_of(function: Any, error: BaseException) -> str:
+    """Return the function, its line and its error, for a sentence."""
+    message = " ".join(str(error).splitlines())  # an assertion may have none
+    text = ": ".join(filter(None, [type(error).__name__, message]))
+    return located(function, error) + text + _advice_on_math(error)
+
+
+def _advice_on_math(error: BaseException) -> str:
     """Return advice on a function of `math` that was given several numbers, or ""."""
     line = extract_tb(error.__traceback__)[-1].line or ""
     name = isinstance(error, TypeError) and re.search(r"\bmath\.(\w+)", line)
