@@ -21,7 +21,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ...base.arguments import public
+from ...base.arguments import nearest, public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
@@ -327,15 +327,21 @@ def gramian(
     run: Any = source
     recorded = hasattr(run, "data_vars")
     w = signals if of is None else error_system_of(of, signals or ())
+    for name in options if recorded else ():
+        close = nearest(name, ("window", "start", "signals", "of"))
+        cure = f"Did you mean '{close}'?" if close else "Leave it out"
+        raise ArgumentError(
+            f"gramian: {name}: a run has its own times and inputs. {cure}"
+        )
+    if options or not (recorded or w is None):
+        run = simulate(run, **options)
     if w is None and (
-        is_response(run) if recorded else isinstance(run, control.InputOutputSystem)
+        isinstance(source, control.InputOutputSystem) or (recorded and is_response(run))
     ):
         raise ArgumentError(
             "gramian: signals: is required for a diagram. Name signals of the diagram, such as "
             "signals=['y'], or give of=verdict"
         )
-    if options or not (recorded or w is None):
-        run = simulate(run, **options)
     regressors = joint_regressors(run, window, start, signals=w)
     if "" not in regressors:
         return _team_excitation(regressors, run)
