@@ -186,7 +186,7 @@ class Runner(ABC):
 
 # --- options of a run -------------------------------------------------------------------------
 
-# the least that an option may be
+# the least that an option may be; it is finite, and `rtol` below 1
 LEAST = {"rtol": 0.0, "atol": 0.0, "max_step": 5e-324, "first_step": 5e-324}
 
 
@@ -224,12 +224,14 @@ class RunOptions:
                     f"{', '.join(sorted(refused))}: a diagram of discrete time has none. Leave it "
                     "out"
                 )
-        for name in [name for name in LEAST if name in options]:
+        for name in LEAST.keys() & options:
             size = numbers(name, options[name])
-            if size.ndim or not size >= LEAST[name]:
+            end = 1.0 if name == "rtol" else np.inf
+            if size.ndim or not LEAST[name] <= size < end:
                 allowed = "above 0" if LEAST[name] else "0 or more"
+                end_in_words = "finite" if end == np.inf else "below 1"
                 raise SimulationError(
-                    f"{name} = {options[name]}: must be a number, {allowed}"
+                    f"{name} = {options[name]}: must be a number, {allowed} and {end_in_words}"
                 )
             options[name] = float(size)
         checked = cls(**options)
