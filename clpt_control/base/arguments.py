@@ -59,7 +59,7 @@ EXAMPLES = {  # argument -> example for its message
     "blocks": "[plant, controller]",
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
-    "params": "{'adaptation.gain': 2.0}",
+    "params": "{'k': 2.0} for a parameter k",
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",
     "watch": "clpt.gramian(scenario, 40).watch",

@@ -221,7 +221,7 @@ def velocity_values(
     `units` are those of a variable that says none.  The level and the flags add to the notes.
     """
     values, levels = data[name], dict[Any, int]()
-    cure = "Give --units, such as m/s, or write the attribute"
+    cure = "Give units (--units), such as m/s, or write the attribute"
     size = speed_unit(said(values), units, name, cure)
     for dim in set(values.dims) - set(index):
         levels[dim] = 0

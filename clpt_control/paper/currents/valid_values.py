@@ -75,7 +75,11 @@ def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> f
     if not (stated_or_given := stated or units):
         raise DataError(f"{name} has no units. {cure}")
     size = speed_in_metres_per_second(stated_or_given, name)
-    if stated and units and speed_in_metres_per_second(units, "--units") != size:
+    if (
+        stated
+        and units
+        and speed_in_metres_per_second(units, "units=, --units") != size
+    ):
         raise DataError(
             f"{name} is in '{stated}'; units = '{units}' is for a file without"
         )

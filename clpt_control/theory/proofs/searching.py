@@ -53,9 +53,9 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
         value = number.xreplace(rest_state).xreplace(zero)
         if value.is_number and not vanishes(value - kept):
             text = f"= {short(value)}" if value.is_finite else "has no value"
-            raise DiagramError(
-                f"{case.system.name}: {s}{mark} {text} at the rest: give it (at=)"
-            )
+            of_user = "this at=, which is no rest. Give another"
+            where = of_user if case.rest else "the rest: give it (at=)"
+            raise DiagramError(f"{case.system.name}: {s}{mark} {text} at {where}")
         shifted = number.xreplace({q: q + rest_state[q] for q in rest_state})
         rates[s] = sympy.expand(shifted - kept)
     if len(rates) > MOST:

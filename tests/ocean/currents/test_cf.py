@@ -206,7 +206,7 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
         "no eastward velocity: .*'eastward_sea_water_velocity'.*p, v",
     ),
     (lambda data: data.drop_vars("lat"), "no latitude: .*standard_name 'latitude'"),
-    (saying("u", units=None), "u has no units. Give --units"),
+    (saying("u", units=None), "u has no units. Give units"),
     (saying("u", units="kelvin"), "u: units = 'kelvin' is not a speed"),
     (
         lambda data: data.assign_coords(lat=data.lat.astype(str)),
