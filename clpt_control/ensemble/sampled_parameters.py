@@ -164,10 +164,9 @@ def _check_levels(item: Vary, base: np.ndarray) -> None:
     except (TypeError, ValueError, OverflowError):
         levels = np.array(math.nan)
     has_integers = not item.key.endswith(".seed") or np.all(levels % 1 == 0)
-    finite = is_text or bool(np.all(np.isfinite(levels)))
-    if bool in map(type, item.numbers):
-        finite = False
-    if levels.shape[1:] != shape or not finite or not has_integers:
+    is_truth = bool in map(type, item.numbers)
+    has_gaps = is_truth or not (is_text or np.all(levels == levels))
+    if levels.shape[1:] != shape or has_gaps or not has_integers:
         allowed = "a number" if shape == () else f"an array of shape {shape}"
         allowed = allowed if has_integers else "a whole number"
         allowed = "a text" if is_text else allowed

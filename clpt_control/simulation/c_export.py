@@ -6,7 +6,7 @@ blocks between two steps.  The code allocates nothing and needs only math.h of t
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from string import Template
 from typing import Any
 
@@ -54,7 +54,11 @@ def c_file(
         if kind is not None:
             refuse_levels(run)
         start = start_of(system, initial_state, default_state, run.runner.nstates)
-        _check_finite(run, start, params or {})
+        finite("initial_state", start)
+        for name, value in (params or {}).items():
+            # "block.high" may be infinite
+            if "." not in name and np.asarray(value).dtype.kind == "f":
+                finite(f"params: {name}", value)
         return (kind or CFile)(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: cannot be written as C: {error}") from None
@@ -66,21 +70,6 @@ def refuse_levels(run: DiagramRun) -> None:
         raise DiagramError(
             f"{name}: jumps at a level, which this file has not. Write the diagram as C"
         )
-
-
-def _check_finite(
-    run: DiagramRun, start: np.ndarray, params: Mapping[str, Any]
-) -> None:
-    """Refuse a number that is not finite; a limit may be infinite."""
-    values = {f"params: {name}": value for name, value in params.items()}
-    for block, parameters in run.parameters.items():
-        for name, value in parameters._asdict().items():
-            values[f"{block}.{name}"] = np.where(np.isinf(value), 0.0, value)
-    values["initial_state"] = start
-    for name, value in values.items():
-        array = np.asarray(value)
-        if array.dtype.kind == "f":
-            finite(name, array)
 
 
 class CFile:

@@ -70,7 +70,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
     (lag(), {"tau": []}, {}, "must be a list of values"),
     (lag(), {"tau": ["a", "b"]}, {}, "each value must be a number"),
     (lag(), {"tau": [[1.0, 2.0]]}, {}, "each value must be a number"),
-    (lag(), {"tau": [np.inf]}, {}, r"tau = \[Infinity\]: each value must be a number"),
+    (lag(), {"tau": [np.nan]}, {}, r"tau = \[NaN\]: each value must be a number"),
     (lag(), {"tau": stats.uniform(0.5, 1)}, {}, "members: is required for ranges and"),
     (lag(), {"tau": stats.norm([0, 1], 1)}, {"members": 3}, "must be a list of values"),
     (lag(), {"tau": [1.0, 2.0]}, {"members": 3}, "this grid must have 2 members"),

@@ -135,7 +135,7 @@ def test_refusals():
     run = clpt.prepare(system(k=1.0), TIMES, 0.0, [1.0], {"k": 1.0})
     refused("kk was not given to prepare", run, params={"kk": 2.0})
     refuses(
-        "= nan: must be finite", run, params={"k": np.nan}, error=clpt.ArgumentError
+        "k = nan: must be a number", run, params={"k": np.nan}, error=clpt.BlockError
     )
     refused("must have the shape", run, params={"k": [1.0, 2.0]})
     refuses(r"initial_state = \[inf\]", run, [np.inf], error=clpt.ArgumentError)
