@@ -138,7 +138,7 @@ def delay(
     >>> clpt.simulate(clpt.parts.delay(2.0, dt=1.0), range(5), [[1, 2, 3, 4, 5]]).y.values.tolist()
     [0.0, 0.0, 1.0, 2.0, 3.0]
     """
-    check_positive(name, delay=delay, order=order)
+    check_positive(name, delay=delay)
     if dt is not None:
         check_positive(name, dt=dt)
         given = f"{name}: delay = {delay}, dt = {dt}, signals = {signals}"

@@ -79,7 +79,7 @@ def observer(
     >>> clpt.parts.observer(plant, L).linearize([0, 0], [0, 0]).poles().real.round(6).tolist()
     [-3.0, -2.0]
     """
-    matrices = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
+    matrices = {**_matrices(name, system), "L": np.atleast_2d(numbers(f"{name}: L", L))}
     return _of_plant(
         system, name, ports, matrices, update=observed, states={"x_hat": "n"}
     )
@@ -169,7 +169,7 @@ def kalman_filter(
     n, q = len(matrices["A"]), len(matrices["C"])
     P0 = np.zeros((n, n)) if P0 is None else P0
     for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
-        M = matrices[key] = numbers(f"{name}: {key}", value)
+        M = matrices[key] = np.atleast_2d(numbers(f"{name}: {key}", value))
         is_symmetric = M.shape == (size, size) and np.allclose(M, M.T, atol=0)
         least = np.linalg.eigvalsh(M)[0] if is_symmetric else -np.inf
         if not least >= -1e-12 * np.max(np.abs(M), initial=0) or (

@@ -22,6 +22,10 @@ PEN = control.nlsys(
 )
 PLANT = control.ss([[0, 1], [-1, -1]], [[0], [1]], [[1, 0]], 0, inputs="f", outputs="q")
 SHORT = clpt.paper_scenario().with_values({"run.duration": 20})
+LIMITED = clpt.connect(
+    [parts.saturation(-1, 1, y="u", u="c"), parts.lag(1)], external="c"
+)
+RUN = clpt.simulate(PEN, TIMES, 0.0, [1, 0])
 OF_FIXES = clpt.Scenario(
     basis={
         "kernel": "gaussian",
@@ -97,6 +101,11 @@ clpt.compare(runs(), colour="r") -> compare: colour= is not an argument. It has 
 clpt.compare(runs(), "track", axis=2) -> axis: is of the plot 'learning'. Leave it out
 runs()["a"].clpt.plot(["track"]) -> Give 'track' alone, not in a list
 runs()["a"].clpt.plot(colour="r") -> colour= is not an argument. Did you mean 'color'?
+clpt.gramian(PEN, signal=["angle"], timepts=TIMES) -> signal= is not an argument. Did you mean 'signals'?
+clpt.gramian(PEN, timepts=TIMES) -> gramian: signals: is required for a diagram
+clpt.gramian(RUN, signal=["angle"]) -> gramian: signal: a run has its own times and inputs. Did you mean 'signals'?
+clpt.gramian(RUN, signals=["angle"], timepts=TIMES) -> gramian: timepts: a run has its own times and inputs. Leave it out
+clpt.gramian(RUN) -> gramian: signals: is required for a diagram
 clpt.gramian(SHORT, windows=9) -> gramian: windows= is not an argument. Did you mean 'window'?
 clpt.gramian(SHORT, rtoll=1) -> gramian: rtoll= is not an argument. Did you mean 'rtol'?
 clpt.gramian(SHORT, x0=1) -> gramian: x0= is not an argument. Give the initial state as initial_state
@@ -109,14 +118,28 @@ clpt.flow_map(runs()["a"], [0, NAN]) -> latitude = [0.0, nan]: must be finite; n
 vary(out="a.nc") -> out = a.nc: is a folder, a Zarr store. Give a name such as a.zarr
 vary(members=0) -> run_ensemble: members = 0: must be a whole number, 1 or more
 vary(threads=0) -> run_ensemble: threads = 0: must be a whole number, 1 or more
+vary(summary={"a": lambda run: run.angel.max()}) -> summary: a: <lambda>, line 1: AttributeError: 'Dataset' object has no attribute 'angel'
+vary(summary={"a": lambda run: 1 / 0}) -> summary: a: <lambda>, line 1: ZeroDivisionError: division by zero
 vary(params={"g": NAN}) -> params: g = nan: must be a number, without NaN
 prepared(parms={"d": 1}) -> parms= is not an argument. Did you mean 'params'?
-prepared(params={"d": INF}) -> params['d'] = inf: must be finite
+prepared(params={"d": INF}) -> derivative of rate of block pen is not finite
+prepared(params={"d": NAN}) -> params: d = nan: must be a number, without NaN
+prepared(params={"d": [1, 2]}) -> must have the shape ()
+clpt.export(LIMITED, initial_state=[INF]) -> initial_state = [inf]: must be finite
+clpt.run_ensemble(LIMITED, {"c": [1, INF]}, timepts=TIMES) -> c = inf: must be finite
+clpt.run_ensemble(LIMITED, {"saturation.high": [1, NAN]}, timepts=TIMES) -> each value must be a number
 prepared([NAN, 0]) -> initial_state = [nan, 0.0]: must be finite; number 0 is nan
 prepared(inputs=NAN) -> inputs: must be finite, not nan. Fill the gaps
 estimator().flow(1777593600e3, 36.7, -122) -> time 1777593600000: must be finite, s since 1970. Divide
 estimator().flow(1777593600, NAN, -122) -> place (nan, -122): must be latitude and longitude
 estimator().guaranteed(1777593600e3, 36.7, -122) -> Divide milliseconds by 1000
+clpt.simulate(PEN, TIMES, rtol=INF) -> rtol = inf: must be a number, 0 or more and below 1
+clpt.simulate(PEN, TIMES, rtol=1e9) -> rtol = 1000000000.0: must be a number, 0 or more and below 1
+clpt.simulate(PEN, TIMES, atol=INF) -> atol = inf: must be a number, 0 or more and finite
+clpt.prepare(PEN, TIMES, atol=INF) -> atol = inf: must be a number
+clpt.fit_parameters(PEN, {"angle": TIMES}, {"g": 5.0}, TIMES, rtol=INF) -> rtol = inf: must be
+vary(rtol=1.0) -> rtol = 1.0: must be a number
+clpt.simulate(PEN, TIMES, params=[9.81]) -> such as {'k': 2.0} for a parameter k
 clpt.simulate(PEN, [0, NAN, 1]) -> timepts = [0.0, nan, 1.0]: must be finite; number 1 is nan
 clpt.simulate(PEN, [0, 2, 1]) -> timepts = [0.0, 2.0, 1.0]: must be at least two increasing times
 clpt.simulate(PEN, TIMES, params={"g": NAN}) -> params: g = nan: must be a number, without NaN
@@ -124,6 +147,8 @@ clpt.simulate(PEN, TIMES, params={"g": INF}) -> derivative of rate of block pen 
 clpt.linearize(PEN, [0, INF], [0]) -> x = [0.0, inf]: must be finite; number 1 is inf
 clpt.linearize(PEN, [0, 0], [0], params={"g": NAN}) -> params: g = nan: must be a number
 clpt.lyapunov(PEN, at={"angle": NAN}) -> at = {'angle': nan}: must be Mapping[str, float] or None, without NaN
+clpt.lyapunov(PEN, at={"angle": 1.0}) -> at this at=, which is no rest. Give another
+clpt.currents.read_currents(clpt.currents.sample_currents(), units="furlong") -> units=, --units: units = 'furlong' is not a speed
 clpt.lyapunov(PEN, at={"angle": INF}) -> at: angle = inf: must be finite
 clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be tuple[float, float, float, float] or None, without NaN
 clpt.currents.fit_current("x.nc", width_km=-1) -> width_km = -1: must be a number, positive
@@ -165,3 +190,23 @@ vary(seed=np.int64(3))
 def test_the_remedy_works(call, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     eval(call, globals())
+
+
+def test_a_limit_may_be_infinite_in_each_call():
+    of = {"saturation.high": INF}
+    free = 5 * (1 - np.exp(-1))  # y' = 5 - y from 0
+    run = clpt.prepare(LIMITED, [0, 1], 5.0, params={"saturation.high": 1})
+    assert run(params=of).states[-1, 0] == pytest.approx(free, rel=1e-6)
+    assert "INFINITY" in clpt.export(LIMITED, params=of)
+    varied = {"saturation.high": [1, INF]}
+    members = clpt.run_ensemble(LIMITED, varied, timepts=[0, 1], inputs=5.0)
+    assert members.y_final.values == pytest.approx([free / 5, free], rel=1e-6)
+
+
+def test_a_number_is_a_matrix_of_one_signal():
+    plant = control.ss(-1, 1, 1, 0)
+    still = clpt.parts.kalman_filter(plant, 3, 1, P0=0)
+    P = clpt.simulate(still, [0, 9], [[0, 0], [0, 0]]).P.values[-1]
+    assert P.item() == pytest.approx(control.lqe([[-1]], [[1]], [[1]], 3, 1)[1].item())
+    observer = clpt.parts.observer(plant, 2.0).linearize([0], [0, 0])
+    assert observer.poles() == pytest.approx([-3.0])
