@@ -30,6 +30,7 @@ from .paper.scenario.team import load_scenario as load_scenario
 from .plots.drawing.figure import draw as draw
 from .simulation.animation import animate as animate
 from .simulation.comparison import compare as compare
+from .simulation.enclosures import enclose as enclose
 from .simulation.fitting import fit_parameters as fit_parameters
 from .simulation.flow_map import flow_map as flow_map
 from .simulation.initial_states import initial_state as initial_state

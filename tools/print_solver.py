@@ -12,6 +12,7 @@ import re
 import sys
 from importlib import import_module
 from pathlib import Path
+from runpy import run_path
 from sys import version_info
 from types import FunctionType, ModuleType
 from typing import Any
@@ -34,6 +35,9 @@ PAGES = (
 )
 SOURCES = (*(SOLVER / f"{name}.py" for name in PAGES), Path(__file__))
 TEXT = SOLVER / "solver.ll"
+# coefficients of series on balls, with a text of their own
+BALLS = ROOT / "clpt_control" / "engine" / "enclosure" / "ball_series.py"
+TEXTS = {TEXT: SOURCES, BALLS.with_suffix(".ll"): (BALLS, Path(__file__))}
 OPTIONS: dict[str, Any] = {
     "nogil": True,
     "error_model": "numpy",
@@ -58,9 +62,10 @@ VALUE = r'%(?:[-\w$.]+|"[^"]+")'
 LABEL = r'^([-\w$.]+|"[^"]+"):'
 
 
-def digest() -> str:
-    """Return the hash of what the text is made of."""
-    return hashlib.sha256(b"".join(one.read_bytes() for one in SOURCES)).hexdigest()
+def digest(text: Path) -> str:
+    """Return the hash of what a text is made of."""
+    sources = b"".join(one.read_bytes() for one in TEXTS[text])
+    return hashlib.sha256(sources).hexdigest()
 
 
 @intrinsic
@@ -204,34 +209,49 @@ def _renamed_function(function: re.Match) -> str:
     return re.sub(r"^%(\w+):", r"\1:", text, flags=re.M)
 
 
-def solver_text() -> str:
-    """Return the text of all functions, with its hashes."""
+def solver_functions() -> dict[str, tuple]:
+    """Return the solver's functions for Numba, with arguments."""
     module = for_numba()
+    return {name: (getattr(module, name), own) for name, own in arguments().items()}
+
+
+def series_functions() -> dict[str, tuple]:
+    """Return the function of coefficients on balls for Numba, with arguments."""
+    page = run_path(str(BALLS))
+    array, wholes = np.zeros((1, 1, 1)), np.zeros((1, 1), np.int64)
+    given = array, array, wholes, array[0], wholes, wholes[0], *(1,) * 6
+    return {"coefficients": (njit(page["coefficients"], **OPTIONS), given)}
+
+
+def text_of(path: Path) -> str:
+    """Return the text of all functions, with its hashes."""
+    functions = solver_functions() if path == TEXT else series_functions()
     first, *others = (
-        printed(getattr(module, name), own, name) for name, own in arguments().items()
+        printed(function, own, name) for name, (function, own) in functions.items()
     )
     for one in others:
         first.link_in(one)
     own = r"^(target|source_filename|; ModuleID|attributes).*\n"
     text = re.sub(NEWER, "", re.sub(own, "", str(first), flags=re.M))
-    text += "\n" + "\n".join(of_one_array(name, text) for name in arguments())
+    text += "\n" + "\n".join(of_one_array(name, text) for name in functions)
     text = renamed(text)
     printer = (
         f"Python {version_info.major}.{version_info.minor}, numba {numba.__version__}"
     )
-    hashes = f"{digest()} {hashlib.sha256(text.encode()).hexdigest()}"
+    hashes = f"{digest(path)} {hashlib.sha256(text.encode()).hexdigest()}"
     return f"; sha256 {hashes}, {printer}\n{text}"
 
 
 def main(arguments: list[str]) -> None:
-    """Write the text, or with `--check` compare it with the one that is there."""
-    text = solver_text()
-    name = TEXT.relative_to(ROOT)
-    if "--check" not in arguments:
-        TEXT.write_text(text, encoding="utf-8")
-    elif text.encode() != TEXT.read_bytes():
-        sys.exit(f"{name}: is not what `make solver` prints. Run `make solver`")
-    print(f"{name}: {len(text):,} bytes")
+    """Write the texts, or with `--check` compare them with those that are there."""
+    for path in TEXTS:
+        text = text_of(path)
+        name = path.relative_to(ROOT)
+        if "--check" not in arguments:
+            path.write_text(text, encoding="utf-8")
+        elif text.encode() != path.read_bytes():
+            sys.exit(f"{name}: is not what `make solver` prints. Run `make solver`")
+        print(f"{name}: {len(text):,} bytes")
 
 
 if __name__ == "__main__":

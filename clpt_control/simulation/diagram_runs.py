@@ -174,7 +174,7 @@ class DiagramRun(SystemRun):
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
         self.output_labels = whole_labels(outputs)
-        self.input_labels = _distinct_inputs(whole_labels(inputs), self.output_labels)
+        self.input_labels = distinct_labels(inputs, self.output_labels)
 
     def solve(
         self, request: "Request", runner: Runner | None = None, is_compared: bool = True
@@ -273,15 +273,12 @@ def fields_of(
     return fields
 
 
-def _distinct_inputs(inputs: list[str], outputs: list[str]) -> list[str]:
-    """Return labels of inputs; a port with the name of an output port gets the suffix _input."""
-    output_ports = ports_of(outputs)
-    labels = []
-    for label in inputs:
-        port, bracket, index = label.rpartition("[")
-        suffix = "_input" if port in output_ports else ""
-        labels.append(f"{port}{suffix}{bracket}{index}")
-    return labels
+def distinct_labels(
+    labels: list[str], outputs: list[str], suffix: str = "_input"
+) -> list[str]:
+    """Return labels; a port with the name of an output port gets a suffix."""
+    ports = (output.rpartition("[")[0] for output in outputs)
+    return whole_labels(labels, {port: port + suffix for port in ports})
 
 
 def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:

@@ -62,6 +62,7 @@ PLOTS: dict[str, dict[str, str]] = {
         "current": "ocean.forecast.plots:current_plot",
     },
     "diagram": {"": "simulation.comparison:response_plot"},
+    "tube": {"": "simulation.enclosures:tube_plot"},
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
 
@@ -156,7 +157,7 @@ class ClptAccessor:
 
     @property
     def kind(self) -> str:
-        """Kind of dataset: "run", "team", "diagram", "ensemble", "fixes" or "replay"."""
+        """Kind of dataset: "run", "team", "diagram", "tube", "ensemble", "fixes", "replay"."""
         if kind := kind_of(self._data):
             return kind
         raise DataError(
@@ -175,7 +176,7 @@ class ClptAccessor:
     def plot(
         self, name: str | Sequence[str] = "", *, ax: Any = None, **options: Any
     ) -> Any:
-        """Draw a run, team, diagram, ensemble, estimate or replay.
+        """Draw a run, team, diagram, tube, ensemble, estimate or replay.
 
         `name` chooses one plot: "track", "map", "clpe", "learning" or "signals" of a run, "map" of
         an estimate, "map", "clpe" or "current" of a replay; or ports, signals and states of a run,

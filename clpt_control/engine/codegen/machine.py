@@ -5,9 +5,9 @@ stale.  A file begins with the hash of its content, so one that was cut short is
 thread at a time uses LLVM.
 
 The solver's text, `solver.ll`, is `solver.py` and its pages as Numba compiles them for no processor
-in particular (`tools/print_solver.py`).  Its functions take one array: the numbers of their
-arguments, as Numba has them.  Those of an array are two references that it does not own, count,
-size of an item, address, shape and strides.
+in particular (`tools/print_solver.py`); so is that of `enclosure.ball_series`.  Functions take one
+array: the numbers of their arguments, as Numba has them.  Those of an array are two references that
+it does not own, count, size of an item, address, shape and strides.
 """
 
 import hashlib
@@ -39,6 +39,7 @@ LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE.parent / "solver" / "solver.ll"
 ROWS = HERE / "rows.ll"  # functions of rows of numbers
+BALLS = HERE.parent / "enclosure" / "ball_series.ll"
 # or calls of its own functions
 BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')
 
@@ -245,3 +246,12 @@ def compiled_solver() -> SimpleNamespace:
         for name in ("advance", "evaluate")
     }
     return SimpleNamespace(engine=engine, **entries)
+
+
+@once()
+def compiled_series() -> SimpleNamespace:
+    """Return the function `coefficients` of `enclosure.ball_series` as machine code."""
+    text = BALLS.read_text("utf-8")
+    engine = _load(f"solver-{code_name(text)}", lambda: text)
+    entry = ENTRY(engine.get_function_address("coefficients"))
+    return SimpleNamespace(engine=engine, coefficients=entry)

@@ -1,4 +1,4 @@
-; sha256 a0daf7ff5edb1d334392eff5fc1eecdce872f2bcbfc654f585a122b338008621 3232fbe2c1afaf0a6b6b834b0a56c177d6f00812a873511ce8e0d03354321bfa, Python 3.11, numba 0.68.1
+; sha256 a2a9818827965791a4ffe6d1819648261765dc4bb7f656559d0382a5a6b3dc77 3232fbe2c1afaf0a6b6b834b0a56c177d6f00812a873511ce8e0d03354321bfa, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("

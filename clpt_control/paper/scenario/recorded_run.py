@@ -53,6 +53,7 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "team": TEAM,
     "ensemble": "ensemble",
     "fixes": "fix_law",
+    "tube": "steps_without_series",
     "run": "scenario",
     "replay": "estimator",
     "diagram": "engine",

@@ -140,16 +140,20 @@ def test_the_name_changes_with_what_is_compiled(monkeypatch):
     assert len(names) == 4
 
 
-def test_the_text_of_the_solver_is_of_its_source():
-    """`make solver` prints it anew."""
-    root, wanted = ROOT, hashlib.sha256()
-    pages = ("solver_layout", "event_checks", "event_location", "implicit", "segments")
-    for page in (*pages, "time_stepper"):
-        wanted.update(
-            (root / "clpt_control" / "engine" / "solver" / f"{page}.py").read_bytes()
-        )
-    wanted.update((root / "tools" / "print_solver.py").read_bytes())
-    first, text = machine.TEXT.read_text("utf-8").split("\n", 1)
+PAGES = ("solver_layout", "event_checks", "event_location", "implicit", "segments")
+
+
+@pytest.mark.parametrize(
+    ("text", "pages"),
+    [(machine.TEXT, (*PAGES, "time_stepper")), (machine.BALLS, ("ball_series",))],
+)
+def test_a_text_of_machine_code_is_of_its_source(text, pages):
+    """`make solver` prints both."""
+    wanted = hashlib.sha256()
+    for page in pages:
+        wanted.update((text.parent / f"{page}.py").read_bytes())
+    wanted.update((ROOT / "tools" / "print_solver.py").read_bytes())
+    first, text = text.read_text("utf-8").split("\n", 1)
     of_text = hashlib.sha256(text.encode()).hexdigest()
     assert first.startswith(f"; sha256 {wanted.hexdigest()} {of_text}, Python 3")
     assert not re.search(r"target|\bx86|/home|/work|/root", text)

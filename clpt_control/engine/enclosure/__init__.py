@@ -1,0 +1,1 @@
+"""Guaranteed runs: the record of a diagram, computed on sets of numbers."""

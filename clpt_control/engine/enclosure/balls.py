@@ -1,0 +1,139 @@
+"""Balls: sets of real numbers |x - c| <= r, as two arrays of doubles.
+
+Results contain every result of exact arithmetic on members.  Nothing depends on the rounding mode:
+each radius takes in a bound of the rounding errors of its centre, and is itself rounded up by a
+factor (Rump 1999, Fast and parallel interval arithmetic; Higham 2002, section 3.1).  Functions such
+as sin are computed by mpmath with 30 more bits and rounded outwards, never by the C library.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import inf, isfinite, nextafter
+from typing import Any
+
+import numpy as np
+from mpmath import libmp
+from numpy import ndarray
+
+UNIT = 2.0**-52  # twice the relative error of one operation
+GROWTH = 1.0 + 2.0**-44  # of a radius, for the rounding of up to 200 operations
+TINY = 2.0**-500  # more than the errors of results that underflow
+BITS = 83
+# functions of mpmath on its raw intervals: interval, bits
+FUNCTIONS: dict[str, Any] = {
+    "exp": libmp.mpi_exp,
+    "log": libmp.mpi_log,
+    "atan": libmp.mpi_atan,
+    "sin": libmp.mpi_sin,
+    "cos": libmp.mpi_cos,
+    "sqrt": libmp.mpi_sqrt,
+}
+Interval = tuple[float, float]
+
+
+class Undecided(ArithmeticError):
+    """A set that reaches where an operation has no single smooth form."""
+
+
+class Switching(Undecided):
+    """A set that reaches a switch, or the root of 0, where rates have bounds but no series."""
+
+
+@dataclass(slots=True)
+class Ball:
+    """Centres and radii, of one shape."""
+
+    c: ndarray
+    r: ndarray
+
+    def __iter__(self) -> Iterator[ndarray]:
+        yield self.c
+        yield self.r
+
+    def __getitem__(self, index: Any) -> "Ball":
+        return Ball(self.c[index], self.r[index])
+
+    @property
+    def size(self) -> ndarray:
+        """Return upper bounds of the absolute values."""
+        return (np.abs(self.c) + self.r) * GROWTH
+
+    @property
+    def lower(self) -> ndarray:
+        """Return lower bounds; the number itself of a point."""
+        return np.where(self.r == 0, self.c, np.nextafter(self.c - self.r, -np.inf))
+
+    @property
+    def upper(self) -> ndarray:
+        """Return upper bounds; the number itself of a point."""
+        return np.where(self.r == 0, self.c, np.nextafter(self.c + self.r, np.inf))
+
+
+def exact(numbers: Any) -> Ball:
+    """Return doubles as balls."""
+    c = np.asarray(numbers, dtype=float)
+    return Ball(c, np.zeros(c.shape))
+
+
+def around(radii: Any) -> Ball:
+    """Return balls around 0."""
+    r = np.asarray(radii, dtype=float)
+    return Ball(np.zeros(r.shape), r)
+
+
+def between(lower: Any, upper: Any) -> Ball:
+    """Return balls that contain intervals; numbers that agree are points."""
+    lower, upper = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
+    c = 0.5 * lower + 0.5 * upper
+    r = np.maximum(upper - c, c - lower)
+    r = np.where(lower == upper, 0.0, np.nextafter(r, np.inf))
+    return Ball(np.where(lower == upper, lower, c), r)
+
+
+def rounded(c: ndarray, r: ndarray, count: int = 1) -> Ball:
+    """Return a ball whose centre is a sum of `count` numbers of sizes that `r` has."""
+    return Ball(c, r * (GROWTH + 2 * count * UNIT) + TINY)
+
+
+def add(a: Ball, b: Ball) -> Ball:
+    """Return the sum."""
+    c = a.c + b.c
+    return rounded(c, a.r + b.r + UNIT * np.abs(c))
+
+
+def mul(a: Ball, b: Ball) -> Ball:
+    """Return the product."""
+    c, size = a.c * b.c, np.abs(b.c)
+    return rounded(c, np.abs(a.c) * (b.r + UNIT * size) + a.r * (size + b.r))
+
+
+def matrix(a: Ball, b: Ball) -> Ball:
+    """Return the product of matrices, or of a matrix and a vector."""
+    n, size = a.c.shape[-1], np.abs(b.c)
+    r = np.abs(a.c) @ (b.r + (n + 1) * UNIT * size) + a.r @ (size + b.r)
+    return rounded(a.c @ b.c, r, n)
+
+
+def total(terms: Ball) -> Ball:
+    """Return sums of rows, from the last term on."""
+    partial = np.cumsum(terms.c[:, ::-1], axis=1)
+    r = np.sum(terms.r, axis=1) + UNIT * np.sum(np.abs(partial), axis=1)
+    return rounded(partial[:, -1], r, terms.c.shape[1])
+
+
+@lru_cache(10_000)
+def function(name: str, low: float, high: float, loose: bool) -> Interval:
+    """Return bounds of a function's values; those of mpmath have 30 more bits."""
+    if name in ("sqrt", "log") and not low > 0.0:
+        why = "the argument of a root or a logarithm may be 0 or less"
+        if name == "sqrt" and not loose:
+            raise Switching(why)
+        if name == "log" or low < 0.0:
+            raise Undecided(why)
+    interval = libmp.from_float(low), libmp.from_float(high)
+    raw = FUNCTIONS[name](interval, BITS)
+    below, above = (libmp.to_float(end, strict=False) for end in raw)
+    if not isfinite(above):
+        raise Undecided(f"{name} of {high:.6g} is not finite")
+    return nextafter(below, -inf), nextafter(above, inf)

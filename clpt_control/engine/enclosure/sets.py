@@ -1,0 +1,319 @@
+"""Guaranteed runs: Taylor series on sets, which are zonotopes.
+
+    z = (x, parameters)  in  m + G r,      |r_i| at most 1 times given radii
+
+A step of length h has three evaluations of the record on balls:
+
+1. coefficients F_i and their Jacobian J_i on the box of the set, i = 0 ... p + 1;
+2. a box B that holds all runs during the step: where
+   sum [0, h]^i F_i + [0, h]^(p + 1) F_(p + 1)(B) lies inside B, no run leaves B (Corliss and Rihm
+   1996); the remainder is h^(p + 1) F_(p + 1)(B);
+3. coefficients at the middle, for the mean value form.
+
+J maps G.  The errors of a step are new columns, and when these are many the shortest become a box
+(Kuehn 1998).  Where there is no series, at a switch or at the root of 0, a short step has the rates
+of Picard's box alone, with those of both sides of the switch.
+"""
+
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from . import balls
+from .balls import Ball, Switching, Undecided, around, between, exact, matrix
+from .set_program import SetProgram, SetSeries
+
+ORDER = 26  # at most 60, for the radii of `ball_series`
+TERMS = 100  # of a set, for each state
+LEAST = 2.0**-30  # of a run: the shortest step
+SHORTEST = 2.0**-38  # of a run: the shortest step without series
+LONGEST = 2.0**-8  # of a run: the longest of these
+LARGER = 1.1  # the longest step after another one
+MOST_STEPS = 20_000
+SHORTER = 2.0**-5  # least step by series after one without
+TRUNCATION = 2.0**-53  # wished remainder, of the size of a state
+SHARE = 1e-4  # and of the radius of its box
+REACH = 1e-300  # least width of a box that holds runs
+
+
+def moved(t: float, new: float) -> Ball:
+    """Return the difference of two times."""
+    length = new - t
+    return between(np.nextafter(length, 0), np.nextafter(length, np.inf))
+
+
+class Enclosure:
+    """Boxes of all runs of a program from a box of states, with parameters in a box.
+
+    Entries of P with a noise may change at any time by as much from their centres.  `bounds` has
+    lower and upper numbers of states and signals, at samples and over the intervals before them.
+    """
+
+    def __init__(
+        self,
+        rates: SetProgram,
+        signals: SetProgram,
+        start: Ball,
+        P: Ball,
+        noise: np.ndarray,
+        times: np.ndarray,
+    ):
+        # 1. the set, with columns for what has a radius
+        self.n = n = len(start.c)
+        varied, disturbed = np.flatnonzero(P.r), np.flatnonzero(noise)
+        radii = np.concatenate([start.r, P.r[varied]])
+        given = np.flatnonzero(radii)
+        self.given, self.N = len(given), len(radii)
+        self.m = np.concatenate([start.c, P.c[varied]])
+        self.G, self.r = np.eye(self.N)[:, given], radii[given]
+        # 2. series
+        along = [("X", k) for k in range(n)]
+        along += [("P", k) for k in (*varied, *disturbed)]
+        self.wide = SetSeries(rates, ORDER + 1, along)
+        self.narrow = SetSeries(rates, ORDER + 1)
+        self.rates = SetSeries(rates, 0, along)
+        self.signals = SetSeries(signals, 0)
+        self.P, self.noise = P, noise[disturbed]
+        self.disturbed_P = Ball(P.c, (P.r + noise) * balls.GROWTH)
+        # 3. results
+        self.times, self.t, self.why = times, float(times[0]), ""
+        self.span = float(times[-1] - times[0])
+        self.place = times.searchsorted
+        self.h, self.short = np.inf, SHORTEST * self.span
+        self.steps = self.crude = 0  # all steps, and those without series
+        shape = 2, 2, len(times), n + len(signals.results)
+        self.bounds = np.full(shape, np.nan)
+
+    # --- runs ---------------------------------------------------------------------------------
+
+    @np.errstate(all="ignore")
+    def run(self, schedule: Any) -> None:
+        """Fill the boxes up to the last sample, or to where they end."""
+        for edge, values in zip(schedule.edges, schedule.values, strict=True):
+            self.P.c[schedule.indices] = values
+            now = slice(self.place(self.t), self.place(self.t, "right"))
+            self._write(slice(None), now, exact(self.t), self._box()[: self.n])
+            end = min(float(edge), float(self.times[-1]))
+            while self.t < end and not self.why:
+                try:
+                    self._advance(end)
+                except Undecided as error:
+                    self.why = str(error)
+                if self.steps >= MOST_STEPS:
+                    self.why = f"the run takes more than {MOST_STEPS} steps"
+        # an interval is covered whole or not at all
+        self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
+        self.bounds[np.isinf(self.bounds)] = np.nan
+
+    def _write(self, which: Any, rows: slice, t: Ball, x: Ball) -> None:
+        """Widen boxes by one of states, and those of signals."""
+        lower, upper = self.bounds[:, which, rows]
+        low, high = np.full((2, len(self.signals.results)), [[-np.inf], [np.inf]])
+        with suppress(Undecided):
+            found = self.signals.evaluate(t, x, self.disturbed_P, loose=True)[:, 0, 0]
+            low, high = found.lower, found.upper
+        np.fmin(lower, np.append(x.lower, low), out=lower)
+        np.fmax(upper, np.append(x.upper, high), out=upper)
+
+    def _advance(self, end: float) -> None:
+        """Take a step, without series if there is none."""
+        try:
+            self._step(end)
+            self.short = SHORTEST * self.span
+        except Undecided as error:
+            # beside a switch coefficients may be too large
+            if not (self._is_beside or isinstance(error, Switching)):
+                raise
+            try:
+                self._crude(end)
+            except Undecided:
+                raise error from None
+            self.short = min(LARGER * self.short, LONGEST * self.span)
+
+    @property
+    def _is_beside(self) -> bool:
+        """True after a step without series, while these may still grow."""
+        return SHORTEST * self.span < self.short < LONGEST * self.span
+
+    # --- a step -------------------------------------------------------------------------------
+
+    def _step(self, end: float) -> None:
+        """Take a step by series."""
+        p, n, N, t = ORDER, self.n, self.N, self.t
+        least, shortest = LEAST * self.span, SHORTER * self.short * self._is_beside
+        # 1. coefficients on the box
+        box = self._box()
+        wide = self.wide.evaluate(exact(t), box[:n], self.P)
+        F = wide[:, :, 0]
+        h, allowed = self._length(F, box[:n], min(LARGER * self.h, end - t))
+        # 2. a box that holds all runs
+        while True:
+            if h < shortest:
+                raise Undecided("steps by series are too short")
+            new = end if end - t - h < 1e-3 * h else t + h
+            step = moved(t, new)
+            try:
+                remainder, hull, more = self._remainder(step, F, box[:n])
+                error = remainder.size * float(step.upper) ** (p + 1)
+                worst = float(np.max(error / allowed))
+                if worst <= 1.0 or h < 4.0 * least:
+                    break
+                h *= max(0.5, 0.9 * worst ** (-1.0 / (p + 1)))
+            except Undecided:
+                h *= 0.6
+                if h < least or t + h <= t:
+                    raise
+        # 3. mean value form
+        F_m = self.narrow.evaluate(
+            exact(t), exact(self.m[:n]), Ball(self.P.c, 0 * self.P.r)
+        )
+        terms = F_m[:, :, 0]
+        terms.c[:, p + 1], terms.r[:, p + 1] = remainder
+        J = wide[:, : p + 1, 1 : N + 1]
+
+        def flow(h: Ball) -> tuple[Ball, Ball]:
+            powers = self._powers(h)
+            jacobian = matrix(powers[None, : p + 1], J)[:, 0]
+            centre = balls.total(balls.mul(terms, powers))
+            return balls.add(centre, around(more)), matrix(jacobian, exact(self.G))
+
+        # errors of the Jacobian grow as h, more is of dependent terms
+        while len(self.r) and 0.5 * (new - t) > least:
+            half = t + 0.5 * (new - t)
+            errors = [flow(moved(t, one))[1].r @ self.r for one in (new, half)]
+            if np.all(errors[0] <= 2.3 * errors[1] + allowed):
+                break
+            new = half
+        self._accept(new, hull, flow)
+
+    def _length(self, F: Ball, box: Ball, h: float) -> tuple[float, np.ndarray]:
+        """Return a length by the last coefficients, and errors allowed to the states."""
+        p, sizes = ORDER, F.size
+        while True:
+            terms = sizes * h ** np.arange(p + 2)
+            allowed = TRUNCATION * np.sum(terms[:, : p + 1], axis=1)
+            allowed += SHARE * box.r + REACH
+            worst = float(np.max(terms[:, p:].T / allowed))
+            if worst <= 1.0 or h < LEAST * self.span:
+                return h, allowed
+            h *= max(0.2, 0.95 * worst ** (-1.0 / (p + 1))) if worst < np.inf else 0.2
+
+    def _powers(self, h: Ball) -> Ball:
+        """Return h^i up to the last coefficient; no h is below 0."""
+        i = np.arange(ORDER + 2)
+        low, high = (
+            np.cumprod(np.append(1.0, np.full(ORDER + 1, max(float(end), 0.0))))
+            for end in (h.lower, h.upper)
+        )
+        share, tiny = i * balls.UNIT, np.where(i > 1, balls.TINY, 0.0)
+        return between(low * (1.0 - share) - tiny, high * (1.0 + share) + tiny)
+
+    def _box(self) -> Ball:
+        """Return the box of the set."""
+        return balls.add(exact(self.m), matrix(exact(self.G), around(self.r)))
+
+    def _accept(self, new: float, hull: Ball, flow: Any) -> None:
+        """Go to a new time, and write the boxes up to it.
+
+        `flow` returns centre and generators of x after a time in a ball.
+        """
+        n, N, t = self.n, self.N, self.t
+        # 1. boxes over intervals, as far as these are in the step, and at samples
+        for k in range(self.place(t, "right"), self.place(new) + 1):
+            end = min(new, self.times[k])
+            spans = [(1, max(t, self.times[k - 1])), (0, end)]
+            for which, begin in spans[: 1 + (end == self.times[k])]:
+                h = between(moved(t, begin).lower, moved(t, end).upper)
+                centre, G = flow(h)
+                box = balls.add(centre, matrix(G, around(self.r)))
+                low, high = (
+                    np.fmax(box.lower, hull.lower),
+                    np.fmin(box.upper, hull.upper),
+                )
+                rows, time = slice(k, k + 1), between(begin, end)
+                self._write(which, rows, time, between(low, high))
+        # 2. the set, with its errors as new columns; the shortest become a box
+        centre, G = flow(moved(t, new))
+        errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
+        self.m[:n] = centre.c
+        self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
+        self.r = np.concatenate([self.r, errors])
+        if (count := len(self.r) - self.given) > TERMS * n:
+            lengths = np.max(np.abs(self.G), axis=0) * self.r
+            shortest = np.argsort(lengths[self.given :])[: count - TERMS // 2 * n]
+            shortest += self.given
+            rest = matrix(exact(np.abs(self.G[:n, shortest])), exact(self.r[shortest]))
+            self.G = np.hstack([np.delete(self.G, shortest, axis=1), np.eye(N, n)])
+            self.r = np.concatenate([np.delete(self.r, shortest), rest.size])
+        self.h, self.t = new - t, new
+        self.steps += 1
+
+    # --- boxes that hold runs -----------------------------------------------------------------
+
+    def _remainder(self, step: Ball, F: Ball, box: Ball) -> tuple[Ball, Ball, Any]:
+        """Return coefficient p + 1 on a box that holds all runs, the box, and what noise adds."""
+        p, h = ORDER, float(step.upper)
+        time = between(self.t, np.nextafter(self.t + h, np.inf))
+        if len(self.noise):
+            B, more = self._disturbed(time, h)
+            return self.narrow.evaluate(time, B, self.P)[:, p + 1, 0], B, more
+        powers = self._powers(between(0.0, h))
+        base = matrix(F[:, : p + 1], powers[: p + 1])
+        last = float(powers.upper[p + 1])
+        reach = 2.0 * last * F[:, p + 1].size + balls.UNIT * base.size + REACH
+        for _ in range(3):
+            B = Ball(base.c, (base.r + reach) * balls.GROWTH)
+            found = self.narrow.evaluate(time, B, self.P)[:, p + 1, 0]
+            needed = last * found.size * balls.GROWTH
+            if np.all(needed < reach):
+                return found, Ball(base.c, (base.r + needed) * balls.GROWTH), 0 * needed
+            reach = np.maximum(reach, 4.0 * needed)
+        raise Undecided("no box holds the runs of a step")
+
+    def _picard(self, time: Ball, h: float) -> tuple[Ball, Ball]:
+        """Return a box that no run leaves during a step, and the rates in it."""
+        box, during = self._box()[: self.n], between(0.0, h)
+        B = box
+        for _ in range(8):
+            found = self.rates.evaluate(time, B, self.disturbed_P, loose=True)[:, 0, 0]
+            needed = balls.add(box, balls.mul(during, found))
+            if np.all((needed.lower > B.lower) & (needed.upper < B.upper)):
+                return B, found
+            low = np.minimum(needed.lower, box.lower)
+            B = between(low, np.maximum(needed.upper, box.upper))
+            B = Ball(B.c, 1.2 * B.r + balls.UNIT * np.abs(B.c) + 1e-6 * h * h)
+        raise Undecided("no box holds the runs of a step")
+
+    def _crude(self, end: float) -> None:
+        """Take a step x + h f(B), where there is no series: at a switch, or at a root of 0."""
+        new = min(self.t + self.short, end)
+        if not new > self.t:
+            raise Undecided("no room for a step")
+        h = float(moved(self.t, new).upper)
+        B, rates = self._picard(between(self.t, np.nextafter(self.t + h, np.inf)), h)
+        x, G = exact(self.m[: self.n].copy()), exact(self.G[: self.n])
+        self._accept(new, B, lambda h: (balls.add(x, balls.mul(rates, h)), G))
+        self.crude += 1
+
+    def _disturbed(self, time: Ball, h: float) -> tuple[Ball, np.ndarray]:
+        """Return Picard's box, and how far noise moves a run in a step.
+
+        Two runs from one state with and without noise differ by at most the integral of
+        exp(J (h - s)) d, J a bound of the Jacobian and d of what the noise adds to the rates
+        (Kapela and Zgliczynski 2009).
+        """
+        n = self.n
+        B, _ = self._picard(time, h)
+        slopes = self.rates.evaluate(time, B, self.disturbed_P)[:, 0, 1:]
+        d = matrix(slopes[:, self.N :], around(self.noise)).size
+        J = slopes[:, :n].size
+        J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
+        if not h * np.max(np.sum(np.abs(J), axis=1)) < 2.0:
+            raise Undecided("a step is too long for its noise")
+        term = total = balls.mul(exact(d), exact(h))
+        for k in range(2, 40):
+            scale = between(np.nextafter(h / k, 0.0), np.nextafter(h / k, np.inf))
+            term = balls.mul(matrix(exact(J), term), scale)
+            total = balls.add(total, term)
+        return B, (total.upper + 2.0 * np.max(term.size)) * balls.GROWTH + REACH

@@ -1,0 +1,525 @@
+"""Guaranteed runs: boxes contain every run, and end with a sentence where they cannot."""
+
+import itertools
+import math
+
+import control
+import mpmath
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+
+
+def block(function, n=2, **more):
+    return clpt.Block("model", update=function, states={"x": n}, **more)
+
+
+def oscillator(t, x, u, p):
+    return [x[1], -x[0]]
+
+
+def pendulum(t, x, u, p):
+    return [x[1], -np.sin(x[0])]
+
+
+def decay(t, x, u, p):
+    return -p.k * x.x + u.d
+
+
+def of_decay(**more):
+    return block(decay, 1, inputs={"d": 1}, parameters={"k": 1.0}, **more)
+
+
+def inside(tube, k, exact):
+    """Return whether numbers of 40 digits lie in the boxes of states at a sample."""
+    bounds = zip(tube.lower[k].values, exact, tube.upper[k].values, strict=False)
+    return all(mpmath.mpf(low) <= x <= mpmath.mpf(high) for low, x, high in bounds)
+
+
+# --- closed forms, without margin --------------------------------------------------------------
+
+
+def test_a_turned_box_is_found_to_the_last_digits():
+    start, times = [(0.9, 1.1), (-0.1, 0.1)], np.linspace(0, 20, 5)
+    tube = clpt.enclose(block(oscillator), times, initial_state=start)
+    for k, t in enumerate(times):
+        with mpmath.workdps(40):
+            c, s = mpmath.cos(mpmath.mpf(t)), mpmath.sin(mpmath.mpf(t))
+            half = abs(c) * (mpmath.mpf(1.1) - mpmath.mpf(0.9)) / 2 + abs(s) / 10
+            middle = (mpmath.mpf(0.9) + mpmath.mpf(1.1)) / 2 * c
+            assert inside(tube, k, [middle - half])
+            assert inside(tube, k, [middle + half])
+        width = float(tube.upper[k, 0] - tube.lower[k, 0])
+        assert width < 2 * float(half) * (1 + 1e-4)
+
+
+def test_boxes_that_are_too_narrow_by_one_part_in_1e12_are_found():
+    times = np.linspace(0, 3, 4)
+    tube = clpt.enclose(block(oscillator), times, initial_state=[1.0, 0.0])
+    for k, t in enumerate(times[1:], 1):
+        with mpmath.workdps(40):
+            state = [mpmath.cos(mpmath.mpf(t)), -mpmath.sin(mpmath.mpf(t))]
+        assert inside(tube, k, state)
+        for bound, sign in (("lower", 1), ("upper", -1)):
+            narrow = tube.copy(deep=True)
+            narrow[bound][k] += sign * 1e-12 * abs(narrow[bound][k])
+            assert not inside(narrow, k, state)
+
+
+@pytest.mark.parametrize("inputs", [{"d": (0.4, 0.6)}, [(0.4, 0.6)]])
+def test_an_input_may_be_any_function_of_time_in_its_bounds(inputs):
+    tube = clpt.enclose(of_decay(), [0, 5], inputs, [0.0])
+    with mpmath.workdps(40):
+        rise = 1 - mpmath.exp(-5)
+        low, high = mpmath.mpf(0.4) * rise, mpmath.mpf(0.6) * rise
+    assert inside(tube, 1, [low])
+    assert inside(tube, 1, [high])
+    assert float(tube.upper[-1, 0] - tube.lower[-1, 0]) < 0.2 * (1 + 1e-9)
+
+
+def test_a_parameter_and_a_state_are_intervals():
+    tube = clpt.enclose(of_decay(), [0, 1], 0.0, [(1, 2)], {"model.k": (0.9, 1.1)})
+    with mpmath.workdps(40):
+        assert inside(tube, 1, [mpmath.exp(-mpmath.mpf(1.1))])
+        assert inside(tube, 1, [2 * mpmath.exp(-mpmath.mpf(0.9))])
+
+
+# --- against series of 30 digits ---------------------------------------------------------------
+
+
+class Series:
+    """Coefficients of a Taylor series in numbers of mpmath."""
+
+    def __init__(self, *a):
+        self.a = [mpmath.mpf(x) for x in a]
+
+    def at(self, k):
+        return self.a[k] if k < len(self.a) else mpmath.mpf(0)
+
+    def each(self, other, operation):
+        other = other if isinstance(other, Series) else Series(other)
+        count = max(len(self.a), len(other.a))
+        return Series(*(operation(self, other, k) for k in range(count)))
+
+    def __add__(self, other):
+        return self.each(other, lambda a, b, k: a.at(k) + b.at(k))
+
+    def __mul__(self, other):
+        return self.each(
+            other,
+            lambda a, b, k: mpmath.fsum(a.at(j) * b.at(k - j) for j in range(k + 1)),
+        )
+
+    def power(self, exponent):
+        f = [self.a[0] ** exponent]
+        for k in range(1, len(self.a)):
+            terms = ((exponent * (k - j) - j) * self.a[k - j] * f[j] for j in range(k))
+            f.append(mpmath.fsum(terms) / (k * self.a[0]))
+        return Series(*f)
+
+    def sin(self):
+        s, c = [mpmath.sin(self.a[0])], [mpmath.cos(self.a[0])]
+        for k in range(1, len(self.a)):
+            slopes = [j * self.a[j] / k for j in range(1, k + 1)]
+            s, c = (
+                [*s, mpmath.fsum(m * c[k - j] for j, m in enumerate(slopes, 1))],
+                [*c, -mpmath.fsum(m * s[k - j] for j, m in enumerate(slopes, 1))],
+            )
+        return Series(*s)
+
+
+def final_state(rates, start, end, steps, order=24):
+    """Return the state at the end of a run of rates of series, to some 25 digits."""
+    state = [mpmath.mpf(x) for x in start]
+    h = mpmath.mpf(end) / steps
+    for _ in range(steps):
+        series = [Series(x) for x in state]
+        for k in range(order):
+            rows = rates(series)
+            for x, rate in zip(series, rows, strict=True):
+                x.a.append(rate.at(k) / (k + 1))
+        state = [mpmath.polyval(x.a[::-1], h) for x in series]
+    return state
+
+
+MODELS = [
+    (
+        lambda t, x, u, p: [
+            10.0 * (x[1] - x[0]),
+            x[0] * (28.0 - x[2]) - x[1],
+            x[0] * x[1] - 2.5 * x[2],
+        ],
+        lambda x: [
+            (x[1] + x[0] * -1) * 10,
+            x[0] * (x[2] * -1 + 28) + x[1] * -1,
+            x[0] * x[1] + x[2] * -2.5,
+        ],
+        [1.0, 1.0, 1.0],
+        0.5,
+        25,
+    ),
+    (pendulum, lambda x: [x[1], x[0].sin() * -1], [1.0, 0.5], 2.0, 8),
+    (
+        lambda t, x, u, p: [
+            x[2],
+            x[3],
+            -x[0] / np.hypot(x[0], x[1]) ** 3,
+            -x[1] * (x[0] ** 2 + x[1] ** 2) ** -1.5,
+        ],
+        lambda x: [
+            x[2],
+            x[3],
+            x[0] * (x[0] * x[0] + x[1] * x[1]).power(-1.5) * -1,
+            x[1] * (x[0] * x[0] + x[1] * x[1]).power(-1.5) * -1,
+        ],
+        [0.75, 0.0, 0.0, 1.25],
+        1.0,
+        8,
+    ),
+]
+
+
+@pytest.mark.parametrize(("model", "rates", "start", "end", "steps"), MODELS)
+def test_orbits_lie_within_boxes(model, rates, start, end, steps):
+    tube = clpt.enclose(block(model, len(start)), [0, end], initial_state=start)
+    with mpmath.workdps(32):
+        state = final_state(rates, start, end, steps)
+    assert inside(tube, 1, state)
+    assert float((tube.upper - tube.lower)[-1].max()) < 1e-11
+    # so does every orbit of a small set
+    near = [(x - 1e-3, x + 1e-3) for x in start]
+    tube = clpt.enclose(block(model, len(start)), [0, end], initial_state=near)
+    with mpmath.workdps(32):
+        corner = final_state(rates, [x for x, _ in near], end, steps)
+    assert inside(tube, 1, state)
+    assert inside(tube, 1, corner)
+
+
+SMOOTH = (
+    *("exp", "sin", "cos", "tan", "tanh", "atan", "log", "sqrt", "sinh", "cosh"),
+    *("expm1", "log1p", "log2", "log10", "asin", "acos"),
+)
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_functions_along_time(name):
+    """x' = f'(t) by a quotient of differences is not known; x' = f(x) with x = t is."""
+    function = getattr(np, name)
+    exact = (lambda a: mpmath.log(a, 2)) if name == "log2" else getattr(mpmath, name)
+    model = block(lambda t, x, u, p: [1.0 + 0.0 * x[1], function(x[0])])
+    tube = clpt.enclose(model, [0, 0.5], initial_state=[0.25, 0.0])
+    with mpmath.workdps(40):
+        integral = mpmath.quad(exact, [mpmath.mpf(0.25), mpmath.mpf(0.75)])
+        assert inside(tube, 1, [mpmath.mpf(0.75), integral])
+    assert float((tube.upper - tube.lower)[-1].max()) < 1e-13
+
+
+# --- known times, switches, traps ---------------------------------------------------------------
+
+
+def test_samples_of_inputs_are_known_times():
+    times = [0.0, 1.0, 1.0, 2.0]
+    tube = clpt.enclose(of_decay(), times, [0.0, 1.0, -1.0, 0.5], [1.0])
+    with mpmath.workdps(40):
+        e = mpmath.exp(-1)
+        first = e + e
+        # x' = -x - 1 + 3/2 s from `first`, s after 1
+        last = (first + mpmath.mpf(5) / 2) * e - mpmath.mpf(5) / 2 + mpmath.mpf(3) / 2
+    assert inside(tube, 1, [first])
+    assert inside(tube, 2, [last])
+    assert float((tube.upper - tube.lower)[-1].max()) < 1e-13
+
+
+def test_a_switch_of_a_point_costs_little():
+    def saturated(t, x, u, p):
+        return [x[1], -np.clip(x[0] + x[1], -0.3, 0.3)]
+
+    times = np.linspace(0, 8, 9)
+    tube = clpt.enclose(block(saturated), times, initial_state=[1.0, 0.0])
+    run = clpt.simulate(block(saturated), times, initial_state=[1.0, 0.0], rtol=1e-12)
+    states = run.states.values
+    assert np.all(tube.lower <= states + 1e-9)
+    assert np.all(tube.upper >= states - 1e-9)
+    assert float((tube.upper - tube.lower).max()) < 1e-7
+
+
+TRAPS = {
+    "escapes": (lambda t, x, u, p: x.x * x.x, [1.0], 0.9, 1.0),
+    "a divisor reaches 0": (lambda t, x, u, p: -1.0 / x.x, [1.0], 0.4, 0.5),
+    "begins at a divisor of 0": (lambda t, x, u, p: 1.0 / x.x, [0.0], 0.0, 0.0),
+    "a set with a divisor of 0": (lambda t, x, u, p: 1.0 / x.x, [(-1, 1)], 0.0, 0.0),
+    "a root reaches 0": (lambda t, x, u, p: -np.sqrt(x.x), [0.25], 0.9, 1.0),
+    "a root of less than 0": (lambda t, x, u, p: np.sqrt(x.x), [-1.0], 0.0, 0.0),
+    "a logarithm of 0": (lambda t, x, u, p: np.log(x.x), [0.5], 0.3, 1.0),
+    "an arc sine beyond 1": (lambda t, x, u, p: 1.0 + np.asin(x.x), [0.0], 0.3, 1.0),
+    "a power of 0": (lambda t, x, u, p: -(x.x**0.3), [1.0], 1.3, 1.43),
+    "huge": (lambda t, x, u, p: np.exp(x.x), [(0.0, 1e9)], 0.0, 0.0),
+    "too large to be squared": (lambda t, x, u, p: x.x * x.x, [1e200], 0.0, 1e-199),
+    "an infinite number": (lambda t, x, u, p: 1e308 * x.x * 10.0, [1.0], 0.0, 0.1),
+    "no number": (lambda t, x, u, p: x.x * np.nan, [1.0], 0.0, 0.0),
+    "a set at a jump": (lambda t, x, u, p: 1e3 * np.sign(x.x), [(-1, 1)], 0.0, 2.0),
+}
+
+
+@pytest.mark.parametrize("trap", TRAPS)
+def test_a_trap_ends_with_a_time_and_a_sentence(trap):
+    rate, start, after, before = TRAPS[trap]
+    tube = clpt.enclose(block(rate, 1), [0, 2], initial_state=start)
+    if tube.status == "finished":
+        assert trap == "a set at a jump"
+        assert tube.lower[-1] < -2000 < 2000 < tube.upper[-1]
+        return
+    assert tube.status == "stopped"
+    assert np.isnan(tube.lower[-1]).all()
+    assert np.isnan(tube.over_upper[-1]).all()
+    end, why = tube.message.split(" to t = ")[1].split("; ")[:2]
+    assert after <= float(end) <= before
+    assert why.startswith("the boxes end there, as ")
+
+
+def test_what_has_no_series_is_refused():
+    delay = clpt.parts.delay(0.1, dt=0.1)
+    with pytest.raises(clpt.SimulationError, match="discrete time"):
+        clpt.enclose(delay, [0, 0.1, 0.2], 0.0)
+    with pytest.raises(clpt.SimulationError, match="discrete time"):
+        clpt.enclose(delay, [0, 0.15], 0.0)
+
+
+def test_a_function_without_a_series_is_refused():
+    model = block(lambda t, x, u, p: -math.erf(x.x[0]), 1)
+    with pytest.raises(clpt.SimulationError, match="operation erf"):
+        clpt.enclose(model, [0, 1], initial_state=[1.0])
+
+
+def test_pairs_in_the_wrong_order_and_of_names_are_refused():
+    with pytest.raises(clpt.ArgumentError, match="lower, upper"):
+        clpt.enclose(block(pendulum), [0, 1], initial_state=[(2, 1), 0])
+    with pytest.raises(clpt.ArgumentError, match="finite width"):
+        clpt.enclose(block(pendulum), [0, 1], initial_state=[(-1.7e308, 1.7e308), 0])
+    with pytest.raises(clpt.BlockError, match="unknown parameter"):
+        clpt.enclose(
+            block(pendulum), [0, 1], initial_state=[0, 0], params={"k": (1, 2)}
+        )
+
+
+def test_names_and_ports_of_states():
+    model = block(lambda t, x, u, p: [x[1], u.d[0] - x[0]], inputs={"d": 1})
+    by_name = [
+        [(0.0, 0.1), 1.0],
+        {"x": [(0.0, 0.1), 1.0]},
+        {"x[0]": (0.0, 0.1), "x[1]": 1.0},
+        {"x": ([0.0, 1.0], [0.1, 1.0])},
+    ]
+    tubes = [clpt.enclose(model, [0, 1], {"d": (0.0, 0.1)}, start) for start in by_name]
+    assert all(tube.identical(tubes[0]) for tube in tubes)
+
+
+def test_the_tube_is_drawn():
+    tube = clpt.enclose(of_decay(), [0, 1, 2], {"d": (-0.1, 0.1)}, [1.0])
+    assert tube.clpt.kind == "tube"
+    (axes,) = np.ravel(tube.clpt.plot())
+    assert axes.get_ylabel() == "x[0]"
+    assert np.all(tube.over_lower[1:] <= np.minimum(tube.lower[1:], tube.lower[:-1]))
+
+
+def if_of_a_parameter(t, x, u, p):
+    return -x.x if p.k > 0.7 else x.x
+
+
+@pytest.mark.parametrize("k", [0.5, (0.5, 1.0)])
+def test_a_parameter_that_an_if_reads_is_refused(k):
+    model = block(if_of_a_parameter, 1, parameters={"k": 1.0})
+    with pytest.raises(clpt.SimulationError, match=r"asks for the value|is misread"):
+        clpt.enclose(model, [0, 1], initial_state=[1.0], params={"model.k": k})
+
+
+def test_a_condition_of_an_interval_takes_in_both_sides():
+    def switched(t, x, u, p):
+        return np.where(p.k > 0.7, -x.x, x.x)
+
+    model = block(switched, 1, parameters={"k": 1.0})
+    params = {"model.k": (0.5, 1.0)}
+    tube = clpt.enclose(model, [0, 0.1], initial_state=[1.0], params=params)
+    assert tube.lower[-1, 0] <= np.exp(-0.1)
+    assert tube.upper[-1, 0] >= np.exp(0.1)
+
+
+def test_pairs_of_inputs_beside_samples():
+    model = block(lambda t, x, u, p: u.a + u.d - x.x, 1, inputs={"a": 1, "d": 1})
+    inputs = {"a": [0.0, 1.0, 0.0], "d": (-0.1, 0.1)}
+    tube = clpt.enclose(model, [0, 1, 2], inputs, [0.0])
+    for d in (-0.1, 0.1):
+        run = clpt.simulate(
+            model,
+            [0, 1, 2],
+            {**inputs, "d": d},
+            initial_state=[0.0],
+            rtol=1e-13,
+            atol=1e-14,
+        )
+        assert np.all(tube.lower[:, 0] <= run.states[:, 0].values + 1e-12)
+        assert np.all(tube.upper[:, 0] >= run.states[:, 0].values - 1e-12)
+    with pytest.raises(clpt.ArgumentError, match="samples at the same times"):
+        clpt.enclose(model, [0, 1, 2], {"a": 0.0, "d": (0.0, [0.1, 0.2, 0.3])}, [0.0])
+
+
+@pytest.mark.long
+def test_the_loop_of_the_paper_from_its_own_start_through_two_waypoints():
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    times, start = [0.0, 5.0, 45.0], [0.0] * 14
+    tube = clpt.enclose(loop, times, None, start)
+    states = clpt.simulate(loop, times, None, start, rtol=1e-12, atol=1e-13).states
+    n = states.shape[1]
+    assert np.all(np.abs(tube.lower[:, :n] - states.values) < 1e-10)
+    assert np.all(np.abs(tube.upper[:, :n] - states.values) < 1e-10)
+
+
+def test_logarithms_of_constants_are_enclosed():
+    """x' = -2^x has 2^-x = 1/2 + t log 2."""
+    model = block(lambda t, x, u, p: -(2.0**x.x), 1)
+    tube = clpt.enclose(model, [0, 1], initial_state=[1.0])
+    with mpmath.workdps(40):
+        log2 = mpmath.log(2)
+        assert inside(tube, 1, [-mpmath.log(mpmath.mpf(0.5) + log2) / log2])
+    assert float((tube.upper - tube.lower)[-1].max()) < 1e-13
+
+
+@pytest.mark.parametrize(
+    ("rate", "start", "end", "exact", "jumps"),
+    [
+        (lambda t, x, u, p: 1.0 + np.floor(x.x), 0.5, 1.5, 11 / 3, True),
+        (
+            lambda t, x, u, p: np.where(t < 0.5, 1.0, -1.0) + 0.0 * x.x,
+            0.0,
+            2.0,
+            -1.0,
+            True,
+        ),
+        (lambda t, x, u, p: np.maximum(t - 1.0, 0.0) + 0.0 * x.x, 0.0, 2.0, 0.5, False),
+        (lambda t, x, u, p: np.abs(x.x), 0.0, 1.0, 0.0, False),
+        (lambda t, x, u, p: -np.sign(x.x), 1.0, 2.0, 0.0, True),
+        (lambda t, x, u, p: np.sqrt(np.abs(x.x)), 0.0, 1.0, 0.25, False),
+        (lambda t, x, u, p: np.sqrt(np.abs(x.x)), 0.0, 1.0, 0.0, False),
+    ],
+)
+def test_runs_over_switches_lie_within_boxes(rate, start, end, exact, jumps):
+    tube = clpt.enclose(block(rate, 1), [0, end], initial_state=[start])
+    assert tube.status == "finished"
+    assert ("Filippov" in tube.message) == jumps
+    assert tube.steps >= tube.steps_without_series > 0
+    assert tube.lower[-1, 0] <= exact + 1e-15
+    assert tube.upper[-1, 0] >= exact - 1e-15
+
+
+def test_a_name_means_what_it_means_in_a_run():
+    double = control.nlsys(
+        *(lambda t, x, u, p: [-x[0]], lambda t, x, u, p: [2 * x[0]]),
+        **{"states": ["x"], "outputs": ["x"], "inputs": 0, "name": "double"},
+    )
+    swapped = control.nlsys(
+        *(lambda t, x, u, p: [-x[0], -2 * x[1]], lambda t, x, u, p: [x[1], x[0]]),
+        **{"states": ["x", "z"], "outputs": ["x", "z"], "inputs": 0, "name": "swapped"},
+    )
+    shifted = block(
+        *(lambda t, x, u, p: [-x[1], -x[0]],),
+        outputs={"x": 2, "x_state": 1},
+        output=lambda t, x, u, p: {"x": x.x * [1.0, 2.0], "x_state": x.x[:1] + 5.0},
+    )
+    for system in (double, swapped, shifted):
+        start = [1.0] if system.nstates == 1 else [1.0, 2.0]
+        tube = clpt.enclose(system, [0, 1], initial_state=start)
+        run = clpt.simulate(system, [0, 1], initial_state=start, rtol=1e-12)
+        assert len({*tube.name.values}) == len(tube.name)
+        for port in {*run.data_vars} - {"states"}:
+            for k, value in enumerate(np.ravel(run[port][-1])):
+                row = tube.sel(name=f"{port}[{k}]")
+                assert np.allclose([row.lower[-1], row.upper[-1]], value, 1e-9)
+
+
+def test_outputs_of_a_diagram_are_sums_of_signals():
+    first, second = (
+        control.nlsys(
+            *(lambda t, x, u, p: [u[0] - x[0]], lambda t, x, u, p: [2 * x[0]]),
+            **{"states": 1, "inputs": ["u"], "outputs": ["y"], "name": name},
+        )
+        for name in ("first", "second")
+    )
+    loop = control.interconnect(
+        [first, second],
+        [["second.u", "first.y"]],
+        inplist=["first.u"],
+        inputs=["r"],
+        outlist=[["-first.y", "second.u"], ["second.y"]],
+        outputs=["y", "w"],
+    )
+    tube = clpt.enclose(loop, [0, 1], {"r": (0.9, 1.1)}, [1.0, 0.0])
+    assert [*tube.name.values[-2:]] == ["y[0]", "w[0]"]
+    run = clpt.simulate(loop, [0, 1], {"r": 1.1}, [1.0, 0.0], rtol=1e-12)
+    for name in ("y", "w"):
+        row, value = tube.sel(name=f"{name}[0]"), run[name][-1] + 1e-9
+        assert row.lower[-1] <= value <= row.upper[-1] + 2e-9
+
+
+@pytest.mark.parametrize(
+    ("rate", "start", "why"),
+    [
+        (
+            lambda t, x, u, p: np.exp(x.x),
+            (-3000.0, 3000.0),
+            "exp of 3000 is not finite",
+        ),
+        (lambda t, x, u, p: np.log(x.x), (0.0, 1.0), "logarithm may be 0 or less"),
+        (lambda t, x, u, p: 1 / np.abs(x.x), (-1.0, 1.0), "a kink"),
+    ],
+)
+def test_a_sentence_names_the_cause(rate, start, why):
+    tube = clpt.enclose(block(rate, 1), [0, 1], initial_state=[start])
+    assert why in tube.message
+
+
+@pytest.mark.parametrize("name", ["a", "unread"])
+def test_a_parameter_with_the_name_of_a_state_and_one_that_nothing_reads(name):
+    model = control.nlsys(
+        lambda t, x, u, p: [-p["a"] * x[0]],
+        **{"states": ["a"], "inputs": 0, "outputs": 1, "name": "model"},
+        params={"a": 1.0, "unread": 1.0},
+    )
+    tube = clpt.enclose(model, [0, 1], None, [1.0], {name: (1.0, 1.1)})
+    slow, fast = math.exp(-1.0), math.exp(-1.1 if name == "a" else -1.0)
+    assert fast - 1e-2 < tube.lower[-1, 0] <= fast + 1e-15
+    assert slow - 1e-15 <= tube.upper[-1, 0] < slow + 1e-2
+
+
+def test_pairs_within_arrays_of_parameters():
+    model = block(lambda t, x, u, p: -p.k * x.x, parameters={"k": np.ones(2)})
+    tube = clpt.enclose(model, [0, 1], None, [1.0, 1.0], {"model.k": [1.0, (1.0, 1.1)]})
+    assert np.all(tube.lower[-1] <= np.exp([-1.0, -1.1]) + 1e-15)
+    assert np.allclose(tube.upper[-1] - tube.lower[-1], [0, 0.035], atol=3e-3)
+
+
+def test_boxes_over_intervals_are_those_of_the_intervals():
+    """x = r cos t, r in (0.9, 1.1); a step of the series is longer than 10 intervals."""
+    times = np.linspace(0, 20, 201)
+    start = [(0.9, 1.1), 0.0]
+    tube = clpt.enclose(block(oscillator), times, initial_state=start)
+    for k, (begin, end) in enumerate(itertools.pairwise(times), 1):
+        x = np.cos(np.linspace(begin, end, 11))
+        low, high = np.min([0.9 * x, 1.1 * x]), np.max([0.9 * x, 1.1 * x])
+        assert tube.over_lower[k, 0] <= low + 1e-15
+        assert tube.over_upper[k, 0] >= high - 1e-15
+    assert float((tube.over_upper - tube.over_lower)[1:].max()) < 1.5
+
+
+@pytest.mark.parametrize(
+    ("rate", "start", "end"),
+    [
+        (lambda t, x, u, p: np.round(t) + 0.0 * x.x, 0.0, 2.0),
+        (lambda t, x, u, p: np.where(x.x == 1.0, 5.0, 1.0), 1.0, 3.0),
+        (lambda t, x, u, p: np.where(np.logical_not(t < 1), 1, 0) + 0 * x.x, 0.0, 1.0),
+    ],
+)
+def test_conditions_of_conditions_may_be_true_or_false(rate, start, end):
+    tube = clpt.enclose(block(rate, 1), [0, 2], initial_state=[start])
+    assert tube.lower[-1, 0] <= end <= tube.upper[-1, 0]
+    assert float((tube.upper - tube.lower)[-1].max()) < 1e-9
