@@ -176,7 +176,8 @@ class FitProblem:
     ):
         self.run = run
         self.names = [*run.locations]
-        self.ports = indices_by_name(run.output_labels)
+        by_label = {label: [k] for k, label in enumerate(run.output_labels)}
+        self.ports = by_label | ports_of(run.output_labels)
         self._read(measured)
         self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None

@@ -5,7 +5,6 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from ...base.arguments import check_known
 from ...base.errors import ClptError, SimulationError
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
@@ -32,6 +31,7 @@ def laws(
     Example:
         clpt laws concurrent
     """
+    from ...base.arguments import check_known
     from ...paper.laws.table import LAWS
     from ...theory.laws.promises import promises_in_words, what_it_promises
 
@@ -111,6 +111,7 @@ def prove(
         clpt prove --theorem 3.2
         clpt prove --coq coq
     """
+    from ...base.arguments import check_known
     from ...paper.laws.table import LAWS
 
     check_known("--law", filter(None, [law]), LAWS)

@@ -226,12 +226,10 @@ class RunOptions:
                 )
         for name in LEAST.keys() & options:
             size = numbers(name, options[name])
-            end = 1.0 if name == "rtol" else np.inf
-            if size.ndim or not LEAST[name] <= size < end:
+            if size.ndim or not LEAST[name] <= size < np.inf:
                 allowed = "above 0" if LEAST[name] else "0 or more"
-                end_in_words = "finite" if end == np.inf else "below 1"
                 raise SimulationError(
-                    f"{name} = {options[name]}: must be a number, {allowed} and {end_in_words}"
+                    f"{name} = {options[name]}: must be a number, {allowed} and finite"
                 )
             options[name] = float(size)
         checked = cls(**options)
