@@ -180,7 +180,7 @@ def test_a_measured_current_is_taken_out(facts, tmp_path):
     ],
 )
 def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
-    says(ScenarioError, said, tune_law, paper, **arguments)
+    says(clpt_control.ClptError, said, tune_law, paper, **arguments)
 
 
 @pytest.mark.long
