@@ -270,7 +270,7 @@ TOKENS = {
     "parts": 5701,
     "plots": 14,
     "plots.drawing": 6370,
-    "simulation": 44457,
+    "simulation": 44654,
     "theory.algebra": 19487,
     "theory.coq": 2316,
     "theory.design": 5660,

@@ -14,7 +14,7 @@ from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.set_program import SetProgram
 from ..engine.enclosure.sets import Enclosure
-from ..engine.model.ports import whole_labels
+from ..engine.model.ports import ports_of, whole_labels
 from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import difference
 from ..engine.solver.inputs import Inputs
@@ -65,6 +65,28 @@ def end_of(name: str, value: Any, is_upper: bool, is_entry: bool = False) -> Any
     return value
 
 
+def holds_pair(entry: Any) -> bool:
+    """Return whether a list has an interval among its entries."""
+    return isinstance(entry, list | tuple) and any(
+        is_pair(one) or holds_pair(one) for one in entry
+    )
+
+
+def check_pairs(inputs: Any, params: Mapping[str, Any]) -> None:
+    """Refuse pairs that may be read in two ways."""
+    if is_pair(inputs):
+        raise ArgumentError(
+            f"inputs = {inputs!r:.60}: may be one pair or two numbers. Give [(lower, upper)] or "
+            "a mapping"
+        )
+    for name, entry in params.items():
+        if not is_pair(entry) and holds_pair(entry):
+            raise ArgumentError(
+                f"params: {name} = {entry!r:.60}: has pairs within an array. Give a pair of "
+                "arrays, (lower, upper)"
+            )
+
+
 @public
 def enclose(
     system: Any,
@@ -81,7 +103,8 @@ def enclose(
     Parameters
     ----------
     system, timepts, inputs, initial_state, params
-        As of `simulate`; each number in a list or mapping may be a pair.
+        As of `simulate`; each number in a list or mapping may be a pair, of an array of parameters
+        a pair of arrays.
 
     Returns
     -------
@@ -108,6 +131,7 @@ def enclose(
     >>> tube.lower.values.round(3)[-1].item(), tube.upper.values.round(3)[-1].item()
     (0.357, 0.747)
     """
+    check_pairs(inputs, params or {})
     ends = [
         [
             end_of("inputs", inputs, is_upper),
@@ -163,7 +187,19 @@ def names_of(made: DiagramRun, signals: SetProgram) -> list[str]:
         known = dict(zip(states, signals.x, strict=True))
     others = [name for name in outputs if name not in known]
     signals.results = [values[name] for name in others]
-    return [*states, *others]
+    names = [*states, *others]
+    # a row x[0] stands for x alone
+    ports = [name.rpartition("[")[0] for name in names]
+    reserved = {*names, "time", "state", "states"}
+    twice = {name for name in names if names.count(name) > 1}
+    twice |= reserved.intersection(ports)
+    twice |= {*ports[: len(states)]}.intersection(ports_of(made.input_labels))
+    if twice:
+        raise ArgumentError(
+            f"enclose: {', '.join(sorted(twice))}: is the name of two signals, or of a coordinate. "
+            "Give states, inputs and outputs names of their own"
+        )
+    return names
 
 
 def natives_of(

@@ -491,11 +491,41 @@ def test_a_parameter_with_the_name_of_a_state_and_one_that_nothing_reads(name):
     assert slow - 1e-15 <= tube.upper[-1, 0] < slow + 1e-2
 
 
-def test_pairs_within_arrays_of_parameters():
+def test_arrays_of_parameters_take_a_pair_of_arrays():
     model = block(lambda t, x, u, p: -p.k * x.x, parameters={"k": np.ones(2)})
-    tube = clpt.enclose(model, [0, 1], None, [1.0, 1.0], {"model.k": [1.0, (1.0, 1.1)]})
+    pair = np.array([1.0, 1.0]), np.array([1.0, 1.1])
+    tube = clpt.enclose(model, [0, 1], None, [1.0, 1.0], {"model.k": pair})
     assert np.all(tube.lower[-1] <= np.exp([-1.0, -1.1]) + 1e-15)
     assert np.allclose(tube.upper[-1] - tube.lower[-1], [0, 0.035], atol=3e-3)
+    with pytest.raises(clpt.ArgumentError, match="Give a pair of arrays"):
+        clpt.enclose(model, [0, 1], None, [1, 1], {"model.k": [1.0, (1.0, 1.1)]})
+
+
+def test_a_pair_alone_is_no_argument_of_inputs():
+    tank = clpt.parts.lag(1.0)
+    for pair in ((0, 1), ((0, 1), (2, 3))):
+        with pytest.raises(clpt.ArgumentError, match="may be one pair or two numbers"):
+            clpt.enclose(tank, [0, 1], pair)
+
+
+@pytest.mark.parametrize(
+    ("states", "inputs", "outputs"),
+    [
+        (["x[0]", "x[1]"], "u", ["x[1]"]),
+        (["x", "x_state"], "u", ["x_state", "x"]),
+        (["x[0]", "x"], "u", ["y"]),
+        (["a", "b"], "u", ["states"]),
+        (["x", "b"], "x", ["y"]),
+    ],
+)
+def test_names_of_two_signals_are_refused(states, inputs, outputs):
+    model = control.nlsys(
+        lambda t, x, u, p: [-x[0], -2 * x[1]],
+        lambda t, x, u, p: [x[1] + 10, x[0] + 20][: len(outputs)],
+        **{"states": states, "inputs": inputs, "outputs": outputs, "name": "m"},
+    )
+    with pytest.raises(clpt.ArgumentError, match="is the name of two signals, or of"):
+        clpt.enclose(model, [0, 1], 0, [1, 2])
 
 
 def test_boxes_over_intervals_are_those_of_the_intervals():
