@@ -242,6 +242,7 @@ def right(tmp_path_factory):
             **{name: {"self": replay} for name in ("summary", "dataset")},
             "lyapunov": {**LINEAR, "where": None},
             "observer": LINEAR,
+            "enclose": {**LINEAR, "timepts": [0.0, 1.0]},
             "kalman_filter": LINEAR,
         },
         "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},

@@ -9,6 +9,7 @@ import xarray
 from gridded_currents import gridded_current
 from refusals import refuses
 
+from clpt_control import ClptError
 from clpt_control.currents import fit_current, read_currents
 
 HOURS, LAT, LON = np.arange(25.0), np.linspace(41, 41.6, 7), np.linspace(-70, -69.1, 10)
@@ -157,7 +158,7 @@ def test_the_command_notes_the_level_and_takes_a_depth(tmp_path, printed, clpt):
         field.u, 0.4 * 3.6, rtol=1e-2
     )  # km/h, turned to the plane
     refuses("has one level", fit_current, current(), depth=50.0)
-    refuses("must be positive", fit_current, current(), depth=-1.0)
+    refuses("a number, positive", fit_current, current(), error=ClptError, depth=-1.0)
 
 
 def on(dims, shape, **more):
