@@ -6,6 +6,7 @@ import control
 import numpy as np
 import pytest
 from error_sentences import says
+from test_arguments import OF_FIXES
 
 import clpt_control as clpt
 
@@ -26,15 +27,6 @@ LIMITED = clpt.connect(
     [parts.saturation(-1, 1, y="u", u="c"), parts.lag(1)], external="c"
 )
 RUN = clpt.simulate(PEN, TIMES, 0.0, [1, 0])
-OF_FIXES = clpt.Scenario(
-    basis={
-        "kernel": "gaussian",
-        "centers": [[0, 0]],
-        "widths": [1e5],
-        "constituents": ["steady"],
-    },
-    learning={"law": "fix-regression"},
-)
 
 
 def runs():
