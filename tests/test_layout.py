@@ -276,7 +276,7 @@ TOKENS = {
     "theory.design": 5660,
     "theory.excitation": 17417,
     "theory.laws": 16268,
-    "theory.proofs": 54554,
+    "theory.proofs": 55021,
     "theory.theorems": 7725,
 }
 LAID_OUT = {

@@ -304,6 +304,45 @@ def test_an_e_modification_with_a_disturbance_has_a_level():
     assert float(verdict.level) == pytest.approx(2.25)
 
 
+def root(x):
+    return np.sign(x) * np.sqrt(np.abs(x))
+
+
+FINITE = {  # rates, |d|, start, the time at which x is 0 at the worst d, or None
+    "a root": (lambda x, u, p: -2 * root(x), 0, 4.0, 2.0),
+    "a root and a lag": (lambda x, u, p: -x - root(x), 0, 1.0, 2.0),
+    "sliding": (lambda x, u, p: -3 * np.sign(x) + u.d, 1, 5.0, 2.5),
+    "a lag": (lambda x, u, p: -x, 0, 1.0, None),
+    "a cube": (lambda x, u, p: -(x**3), 0, 1.0, None),
+    "sliding, as strong": (lambda x, u, p: -np.sign(x) + u.d, 1, 1.0, None),
+}
+
+
+@pytest.mark.parametrize(("rates", "d", "x", "time"), FINITE.values(), ids=FINITE)
+def test_the_time_after_which_v_is_zero(rates, d, x, time):
+    where = {"d": (-d, d)} if d else None
+    found = clpt.lyapunov(loop(rates), half, where=where).sentence
+    text = re.search(r"V is 0 after the time ([^,]*)", found)
+    assert bool(text) == (time is not None)
+    if text:
+        of_start = sympy.sympify(text[1].replace("V(0)", f"({x**2 / 2})"))
+        assert float(of_start) == pytest.approx(time)
+
+
+@pytest.mark.parametrize(
+    "V",
+    [
+        lambda s: s.x**2 / 2 + s.x**4 / 4,
+        lambda s: s.x**2 / 2 + 1,
+        lambda s: np.maximum(s.x, 0) ** 2 / 2,
+    ],
+    ids=["two powers", "not zero at the rest", "zero on one side"],
+)
+def test_no_time_is_said_of_another_v(V):
+    found = clpt.lyapunov(loop(lambda x, u, p: -root(x), inputs={}), V)
+    assert "after the time" not in found.sentence
+
+
 def test_sliding_control_overcomes_its_disturbance():
     sliding = loop(lambda x, u, p: -2 * np.sign(x) + u.d)
     conclusions = [

@@ -9,12 +9,13 @@ from itertools import islice, product
 from typing import Any
 
 import sympy
-from sympy import Expr, Mul, S
+from sympy import Dummy, Expr, Mul, S, Symbol, expand
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
-from ..algebra.exact import factored, normal_form, whole_coefficients
+from ..algebra.exact import factored, groups_of, normal_form, whole_coefficients
 from ..algebra.facts import functions_in, inputs_in, sector_of
+from ..algebra.slopes import in_known_pieces
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms
 from .outside import ANGLES
 from .relations import in_errors
@@ -25,14 +26,10 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
     """Return forms of whose squares V', at most a bound, loses multiples."""
     loss = -whole_coefficients(normal_form(bound), (*case.states, *case.inputs))
     ends = {d: [e for e in case.where.box[d] if e.is_finite] for d in case.where.box}
-    fading = (
-        e for e in sympy.expand(loss).atoms(sympy.exp) if e.free_symbols == {TIME}
-    )
+    fading = (e for e in expand(loss).atoms(sympy.exp) if e.free_symbols == {TIME})
     ends |= {e: [S.Zero] for e in fading}
     for corner in islice(product(*ends.values()), MOST_CORNERS):
-        least = decided(
-            sympy.expand(loss).xreplace(dict(zip(ends, corner, strict=True)))
-        )
+        least = decided(expand(loss).xreplace(dict(zip(ends, corner, strict=True))))
         if case.never_positive(least - loss):
             loss = least
             break
@@ -58,6 +55,39 @@ def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
     f = Mul(*(e for e in factors if e.free_symbols <= {TIME} and not inputs_in(e)))
     is_slow = not case.eq.discrete and _has_no_integral(f)
     return lost_forms(Mul(*factors) / f, case.fixed, set()) if is_slow else []
+
+
+def time_to_zero(case: Any, bound: Expr) -> Expr | None:
+    """Return when V is 0: V' <= -k V^q, 0 < q < 1, as V = sum a |s|^p loses b |s|^(p q).
+
+    V^q is at most the sum of the powers q of its terms.
+    """
+    corners = (-rate for _, rate in case.where.corners(bound))
+    V, *losses = (normal_form(e.xreplace(case.errors[0])) for e in (case.V, *corners))
+    states, size = V.free_symbols - case.fixed, Dummy(positive=True)
+    if V.has(TIME) or decided(V.xreplace(dict.fromkeys(states, S.Zero))) != 0:
+        return None
+    shares = list[dict[Expr, Expr]]()  # q -> k
+    for s, loss, side in product(states, losses, (size, -size)):
+        of_s = [g for e in (V, loss) for g in groups_of(e, states) if g.has(s)]
+        sized = (e.xreplace({s: side}) for e in of_s)
+        known = (in_known_pieces(e, lambda margin: margin.is_positive) for e in sized)
+        found = [sympy.collect(expand(e), size, evaluate=False) for e in known]
+        parts = [
+            (n.as_coeff_exponent(size)[1], b) for of in found for n, b in of.items()
+        ]
+        is_known = all(
+            b.is_nonnegative and not b.free_symbols - case.fixed for _, b in parts
+        )
+        if len(found[0]) != 1 or not is_known:
+            return None
+        (p, a), *lost = parts
+        shares.append({n / p: b / a ** (n / p) for n, b in lost})
+    for q in set[Expr].intersection(*map(set, shares)) if shares else ():
+        if q.is_positive and q < 1:
+            k = sympy.Min(*(share[q] for share in shares))
+            return Symbol("V(0)", positive=True) ** (1 - q) / (k * (1 - q))
+    return None
 
 
 def _has_no_integral(f: Expr) -> bool:

@@ -45,7 +45,7 @@ from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
-from .losses import forms_lost, lost_slowly
+from .losses import forms_lost, lost_slowly, time_to_zero
 from .point_search import Failure, PointSearch
 from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
@@ -436,6 +436,8 @@ class SystemCandidate(LyapunovCandidate):
         bounded -= {*self.where.above}  # which may come near 0
         losses = forms_lost(self, bound, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
+        if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
+            claim += f", V is 0 after the time {self.text(t)}"
         shows = "falls loses" if losses else "falls"
         steps.append(exact(f"{claim}{where}", True, "", shows))
         return Fall(
