@@ -21,17 +21,20 @@ gc.disable()  # a seventh of the time is taken by looking for garbage, of which 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Leave two of three cases of some tests to others than `make test`.
+    """Leave cases of some tests to others than `make test`.
 
-    Those of damaged files are `slow`, those of tests that are marked `thirds` are `long`.
+    Two of three of damaged files are `slow`; eight of nine of tests that are marked `sampled`,
+    two of three of those in Coq, are `long`.
     """
     for item in items:
         case = getattr(item, "callspec", None)
-        if not case or sum(case.indices.values()) % 3 == 0:
-            continue
+        place = sum(case.indices.values()) if case else 0
         if item.path.name.startswith("test_damaged_"):
-            item.add_marker(pytest.mark.slow)
-        elif item.get_closest_marker("thirds"):
+            if place % 3:
+                item.add_marker(pytest.mark.slow)
+            continue
+        every = 3 if item.get_closest_marker("coq") else 9
+        if item.get_closest_marker("sampled") and place % every:
             item.add_marker(pytest.mark.long)
 
 

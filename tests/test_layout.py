@@ -162,6 +162,7 @@ print(clpt_control.__file__, *modules)
 """
 
 
+@pytest.mark.long
 def test_the_engine_runs_without_the_paper(tmp_path):
     above = {room.partition(".")[0] for row in ROWS[:-2] for room in row}
     copy = tmp_path / PACKAGE.name
@@ -226,6 +227,7 @@ def inner_names(path):
     return modules, private
 
 
+@pytest.mark.long
 def test_tests_use_public_names():
     found = {path.name: inner_names(path) for path in TESTS.rglob("test_*.py")}
     assert {name: private for name, (_, private) in found.items() if private} == {}

@@ -197,6 +197,7 @@ def test_the_ten_lines_a_proof_a_law_a_page_and_commands_need_no_extra(said):
     assert said["init mine.toml"][0] == said["laws"][0] == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("words", COMMANDS)
 def test_what_is_missing_is_said_by_name_with_the_command(said, words):
     package, (status, complaint) = COMMANDS[words], said[words]

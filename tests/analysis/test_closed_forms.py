@@ -281,6 +281,7 @@ def run(tmp_path, capsys):
     return made
 
 
+@pytest.mark.long
 def test_mrac_is_proved_and_learns(run):
     said, table = run(mrac)
     assert "V' = -2*e**2: proved" in said
@@ -323,6 +324,7 @@ def test_panels_of_the_shelf_are_near_closed_forms(tmp_path):
     assert inked(tmp_path / "parts.png") > 0.01
 
 
+@pytest.mark.long
 def test_each_study_leaves_a_table_and_a_figure(tmp_path):
     mean_square.main(tmp_path)
     worst.main(tmp_path, end=30.0)

@@ -230,7 +230,7 @@ FINALS = [  # a diagram, what varies, the initial state, outputs at the end by t
 ]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.usefixtures("engine")
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 @pytest.mark.parametrize(("diagram", "vary", "start", "wanted"), FINALS)

@@ -454,5 +454,6 @@ print([name for name in ("zarr", "dask", "distributed") if name in sys.modules])
 """
 
 
+@pytest.mark.long
 def test_results_in_memory_import_no_store():
     assert ran(sys.executable, "-c", IN_MEMORY).stdout == "[]\n"

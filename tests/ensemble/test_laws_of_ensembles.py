@@ -50,7 +50,7 @@ NOISY = {  # noise of the flow and of the position begin with one seed, and chan
 SEEDS = ["flow.disturbance.seed", "localization.seed"]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("values", "keys", "range_"),
     [
@@ -75,7 +75,7 @@ BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient
 BESIDE |= {"least-squares", "composite-least-squares"}
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name",
     [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS],
@@ -132,7 +132,7 @@ def slow(tau):
     return {"insert": {("v_x", "vehicle"): control.tf(1, [tau, 1], name="lag")}}
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("changes", "values", "vary"),
     [

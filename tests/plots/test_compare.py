@@ -345,6 +345,7 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
     assert len(clpt.compare({"a": a, "b": a[["h"]]}, ["h"]).lines) == 4
 
 
+@pytest.mark.long
 def test_names_of_a_refused_plot_are_plots_when_followed(of_tanks, of_scenarios):
     tanks, scenarios = of_tanks["0.5"], of_scenarios["0.8"]
     for draw, names in (
@@ -365,6 +366,7 @@ def test_names_of_a_refused_plot_are_plots_when_followed(of_tanks, of_scenarios)
         says(clpt.ArgumentError, f"{name}': the run has no such", tanks.clpt.plot, name)
 
 
+@pytest.mark.long
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
     outside, times = (

@@ -180,6 +180,7 @@ MODELS = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("model", "rates", "start", "end", "steps"), MODELS)
 def test_orbits_lie_within_boxes(model, rates, start, end, steps):
     tube = clpt.enclose(block(model, len(start)), [0, end], initial_state=start)
@@ -262,6 +263,7 @@ TRAPS = {
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("trap", TRAPS)
 def test_a_trap_ends_with_a_time_and_a_sentence(trap):
     rate, start, after, before = TRAPS[trap]
@@ -385,6 +387,7 @@ def test_logarithms_of_constants_are_enclosed():
     assert float((tube.upper - tube.lower)[-1].max()) < 1e-13
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rate", "start", "end", "exact", "jumps"),
     [

@@ -310,7 +310,7 @@ def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
 
 
 @pytest.mark.parametrize("method", ["kalman", "tomography"])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
     values = {"run.duration": 20.0, "run.output_step": 0.1, "origin": ORIGIN}
     scenario = PAPER.with_values(values)
@@ -335,6 +335,7 @@ def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
     np.testing.assert_allclose(again.u, flow.u)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("suffix", ["geojson", "kml"])
 @pytest.mark.parametrize("legs", [16, 1])
 def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(

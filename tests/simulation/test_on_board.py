@@ -104,7 +104,7 @@ def compared(scenario, folder, duration, h, **export):
     return np.abs(in_c - in_python).max() / max(1.0, np.abs(in_python).max())
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @needs_cc
 @pytest.mark.parametrize(
     "name", [n for n in clpt.laws() if n not in ("fix-regression", "concurrent")]
@@ -123,7 +123,7 @@ def test_a_limited_speed_gives_the_commanded_velocity_as_an_input(tmp_path):
 
 @needs_cc
 @pytest.mark.parametrize("end", [250.0, pytest.param(2000.0, marks=pytest.mark.slow)])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_the_papers_run_has_the_numbers_of_its_blocks(tmp_path, end):
     assert compared(PAPER, tmp_path, end, 0.5) <= 1e-12
 
@@ -277,6 +277,7 @@ def watched():
     return scenario, clpt.gramian(scenario, 200.0, 0.0).watch
 
 
+@pytest.mark.long
 @needs_cc
 def test_the_flags_of_the_certificate(watched, tmp_path):
     scenario, watch = watched
@@ -385,6 +386,7 @@ def test_an_own_law_and_an_own_part_are_on_board():
     assert "flow_x" not in text
 
 
+@pytest.mark.long
 @needs_cc
 def test_single_precision_errs_by_1e_4_after_the_papers_run(tmp_path):
     run = clpt.simulate(PAPER.with_values({"run.output_step": 0.1}))

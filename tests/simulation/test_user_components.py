@@ -230,7 +230,7 @@ TOLD = {  # what a page and a film's last picture say of a run: its true flow an
 }
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("part", TOLD)
 def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     part, tmp_path, undrawn
@@ -305,7 +305,7 @@ def test_the_state_is_in_the_order_of_the_diagram():
     says(DataError, "has no states.", run.drop_vars("states").clpt.state, 7)
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("name", "key", "value"),
     [

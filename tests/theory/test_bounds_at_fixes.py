@@ -81,6 +81,7 @@ def test_the_sentence_names_each_assumption(surveyed):
     assert excess[0] < 0 < excess[1]
 
 
+@pytest.mark.long
 def test_a_uniform_current_has_a_closed_form():
     """P = 1/(1/p^2 + k T^2/r^2); |eta| <= P (1/p + (2 n T + k d T^2)/r^2), to L T."""
     T, k, p, r, n, d = 3600.0, 12, 0.4, 300.0, 30.0, 0.02
@@ -165,7 +166,7 @@ def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path)
 
 
 @pytest.mark.parametrize("duration", [16.0, 24.0])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_whole_cycle_of_the_track_is_judged(duration):
     """A constant current beside the functions, no noise; the cycle is longer than a quarter."""
     center, width, unmodelled = np.array([-1.4, -8.2]), 13.0, 0.03

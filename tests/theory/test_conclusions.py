@@ -219,7 +219,7 @@ def marks_of(name):
     return [*marks, *[missing(reason)] * (name == "composite-least-squares")]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=marks_of(name)) for name in clpt.laws()]
 )
@@ -338,6 +338,7 @@ def test_time_is_said_to_be_positive():
     assert "for t >= 0" in found.sentence
 
 
+@pytest.mark.long
 def test_a_V_that_a_state_leaves_is_not_refuted():
     """From 0 to 1 V' = -2 x^2 - (1 - t^2) y^2; after t = 1 V is x^2 alone, and y grows."""
     plant, _ = written("x' = -x; y' = y/2")
@@ -395,7 +396,7 @@ WEAKER = {
 }
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", STRONGER)
 def test_a_right_V_is_proved(name):
     text, strongest, least = STRONGER[name]
@@ -538,6 +539,7 @@ def test_a_claim_that_rises_is_all_that_is_said():
     assert (found.status, found.conclusion) == ("proved", "V' is at most the claim")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("m", [3.0, 1.0])
 def test_a_ceiling_of_numbers_is_of_the_values_of_parameters(m):
     """V = (e^2 + w^2)/2 of e' = -2 e + w, w' = -e - |e| (w - m)/2 comes down to m^2/2."""
@@ -594,6 +596,7 @@ POSITIVE = {  # rates of states that stay at 0 or above, V: the conclusion, and 
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", POSITIVE)
 def test_V_is_linear_in_states_that_stay_positive(name):
     rates, level, conclusion, most = POSITIVE[name]

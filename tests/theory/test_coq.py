@@ -105,6 +105,7 @@ def test_law_without_file_is_refused(refused):
     assert "jump" in refused("prove", "concurrent", "--coq", "out")
 
 
+@pytest.mark.long
 def test_every_law_has_a_file_or_a_reason(written):
     found, _ = written
     assert found["not_written"].keys() == WITHOUT_FILE

@@ -247,7 +247,7 @@ KNOWN = {
 ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("change", [{}, HELD, ONE_EACH, KNOWN], ids=str)
 def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     """Against the transition of the error system, piece by piece, with a gain each."""
@@ -325,6 +325,7 @@ def test_the_learning_time_is_the_last_crossing(third, level, time):
     )
 
 
+@pytest.mark.long
 def test_a_picture_shows_both_tracks(short, tmp_path):
     write_file(tmp_path / "both.png", figure_of(short.plot))
     assert inked(tmp_path / "both.png") > 0.01

@@ -275,7 +275,7 @@ def judged(text):
     return plant, clpt.lyapunov(plant, V, points=20, **dict(*rest))
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(("text", "strongest", "rest"), [*rows(BROKEN)])
 def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
     plant, found = judged(text)
@@ -286,7 +286,7 @@ def test_a_broken_premise_says_no_more_than_is_true(text, strongest, rest):
         assert np.abs(plant.dynamics(t, np.array(rest, float), u)).max() == 0.0
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(("text", "conclusion"), [*rows(HELD)])
 def test_a_premise_that_holds_is_used(text, conclusion):
     _, found = judged(text)
@@ -431,6 +431,7 @@ def test_in_a_region_a_loss_that_steps_shows_no_rest():
     assert plant.dynamics(0, [1.0, 1.0], [])[0] == 0.0
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("text", [row[0] for row in BROKEN["zero at the numbers"]])
 def test_a_V_that_is_searched_for_says_no_more(text):
     plant, V, *_ = written(text)

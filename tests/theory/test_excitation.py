@@ -62,7 +62,7 @@ def test_equal_functions_are_learnable_only_together(true_paper):
 
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
     exact = gramian(true_paper, 200.0, 200.0).report
     run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
@@ -78,7 +78,7 @@ def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
 
 
 @pytest.mark.parametrize("step", [7.0, 20.0, 500.0])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     """An eigenvalue is 25 % off or more, and of two samples none can be left out to find it."""
     scenario = paper.with_values({"run.output_step": step})
@@ -108,6 +108,7 @@ def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
     assert not gramian(paper, 200.0, 0.0).report["disturbed"]
 
 
+@pytest.mark.long
 def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
     known = {"learning.law": "known-flow", "learning.parameters": None}
     estimate = {"learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]]}

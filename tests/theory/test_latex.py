@@ -187,6 +187,7 @@ ARTICLE = r"""\documentclass{article}
 \end{document}"""
 
 
+@pytest.mark.long
 def test_latex_of_each_kind_compiles(tmp_path):
     verdicts = [verdict_of(text, **more) for text, more in OF_EACH_KIND]
     texts = [*map(well_formed, verdicts)]

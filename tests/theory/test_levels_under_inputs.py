@@ -216,6 +216,7 @@ def test_no_level_in_discrete_time(rates, bounds):
     assert verdict.status == "open"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rates", "V", "level"),
     [
@@ -243,6 +244,7 @@ SATURATED = {  # rates, |d|, the largest |x| that is reached, or None
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("rates", "d", "most"), SATURATED.values(), ids=SATURATED)
 def test_saturated_control_against_a_disturbance(rates, d, most):
     """|x| comes down to where the rate at the largest input is 0."""
@@ -270,6 +272,7 @@ TWO_STATES = {  # rates of x and v, V, a level that is reached at d = 1
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("rates", "V", "least"), TWO_STATES.values(), ids=TWO_STATES)
 def test_a_cascade_and_a_hard_spring_have_levels(rates, V, least):
     """The rest at d = 1 is x = v = 1, and x + x^3 = 1, v = 0."""
@@ -285,6 +288,7 @@ def test_a_cascade_and_a_hard_spring_have_levels(rates, V, least):
     assert "Theorem verdict" in verdict.coq()
 
 
+@pytest.mark.long
 def test_an_e_modification_with_a_disturbance_has_a_level():
     """V' <= -|e| (|e| + sg z^2/(2 g) - 1 - sg th^2/(2 g)), z = h - th."""
     law = clpt.Block(
@@ -376,7 +380,7 @@ SLIDING = {  # rates of x and v, where |d| <= 1: conclusion
 
 
 @pytest.mark.parametrize("name", SLIDING)
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_sliding_and_linear_terms_together(name):
     """x or v sticks off the rest, or is pushed away, where no conclusion is a rest."""
     rates, conclusion = SLIDING[name]
@@ -409,6 +413,7 @@ IN_BOUNDS = {  # rates, bounds of d, conclusion
 }  # fmt: skip
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rates", "bounds", "conclusion"), IN_BOUNDS.values(), ids=IN_BOUNDS
 )
@@ -542,7 +547,7 @@ def test_file_assumes_the_bounds_and_states_the_level(name):
         assert float(sympy.Rational(level)) <= verdict.level
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.coq
 @pytest.mark.parametrize("name", FILES)
 def test_file_compiles(name, tmp_path):
@@ -551,7 +556,7 @@ def test_file_compiles(name, tmp_path):
     assert axioms <= REALS
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.coq
 @pytest.mark.parametrize(("name", "text", "other"), ALTERED)
 def test_altered_file_is_refused(name, text, other, tmp_path):

@@ -35,6 +35,7 @@ def test_a_law_keeps_its_promises_along_runs(name):
     assert asked == {promise.claim for promise in LAWS[name].promises}
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", LEVELS)
 @pytest.mark.parametrize("delta", [(0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0)])
 def test_the_level_that_is_proved_is_not_above_the_closed_form(name, delta):
@@ -83,6 +84,7 @@ def test_a_promise_holds_only_under_its_conditions(name, claim, condition):
     assert [*ratios] == [claim]
 
 
+@pytest.mark.long
 def test_a_promise_without_conditions_is_checked_in_every_run():
     def count():
         return sum(bool(ratios) for _, ratios in drawn_ratios("fix-regression", 5))

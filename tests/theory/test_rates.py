@@ -119,7 +119,7 @@ def exact(constants):
     return E * Z - max((D * (p - a + b) - 1) ** 2 for b in (b0, b1)), Z
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("name", "least"), [("a circle", 0.9), ("constant, slow", 0.85), ("a pulse", 0.5)]
 )
@@ -206,7 +206,7 @@ def test_contraction_of_a_constant_regressor_in_closed_form():
     assert found.half_life == pytest.approx(-40 / np.log2(norms[8]), rel=1e-6)
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["a circle", "a pulse", "other gains", "three"])
 def test_V_is_below_its_tube_in_many_starts(name):
     a, gains, w, period = LOOPS[name]
@@ -348,6 +348,7 @@ def of_time(w, samples, start=1.0, **params):
     return clpt.gramian(run, of=verdict)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "w",
     [
@@ -453,6 +454,7 @@ def test_w_that_is_zero_is_not_excited():
     assert found.report["half_life"] is None
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("V", "said"),
     [
@@ -495,7 +497,7 @@ def test_the_paper_halves_within_the_time_of_several_windows():
         assert f"while R >= 0 and {b0:.4g} <= f'w <= {b1:.4g}: both hold" in said
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("kind", ["scenario", "run", "verdict"])
 def test_the_drawn_tubes_are_above_the_run(kind):
     paper, unit = clpt.paper_scenario(), " (m)"

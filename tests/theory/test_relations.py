@@ -153,6 +153,7 @@ def test_information_of_a_filter_is_a_second_relation():
     assert lyapunov(block(rates), squared, keeps=on_line).status != "proved"
 
 
+@pytest.mark.long
 def test_filters_in_discrete_time():
     law = clpt.Block(
         "law",
@@ -178,6 +179,7 @@ def jumping(rates, jump):
     )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("jump", "status"),
     [
@@ -228,12 +230,14 @@ BESIDE = {  # r' of the distance r from the line
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", BESIDE)
 def test_a_line_that_a_run_leaves_is_not_kept(name):
     verdict = lyapunov(gradient(BESIDE[name]), squared, keeps=on_line)
     assert verdict.status == "open"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "change",
     [
@@ -409,6 +413,7 @@ NOT_KEPT = {
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", NOT_KEPT)
 def test_P_that_may_reach_zero_is_not_kept_above(name):
     verdict = lyapunov(

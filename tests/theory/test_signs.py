@@ -116,6 +116,7 @@ CASES = {
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("system", "V", "signs"), CASES.values(), ids=CASES)
 def test_the_signs_that_a_proof_needs_are_its_conditions(system, V, signs):
     verdict = clpt.lyapunov(system, V)
@@ -152,7 +153,7 @@ def V_of_adaptive(s):
 
 
 @pytest.mark.parametrize("b", [3.0, -2.0])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_model_reference_control_assumes_the_sign_of_b_but_not_of_a(b):
     verdict = clpt.lyapunov(adaptive(b, np.sign(b)), V_of_adaptive)
     signs = "a_m, b, gamma > 0" if b > 0 else "a_m, gamma > 0 and b < 0"
@@ -230,7 +231,7 @@ def test_values_are_fixed_only_of_parameters_that_need_them():
         ("x' = a*x - b*x**3; y' = -m*y; a = 1; b = 1; m = 3", "m > 0", "a = 1, b = 1"),
     ],
 )  # fmt: skip
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_number_in_V_fixes_no_other_parameter(text, signs, values):
     plant, V = written(text)
     found = clpt.lyapunov(plant, V)
@@ -291,7 +292,7 @@ BETWEEN = [  # text -> the textbook's conditions
 
 
 @pytest.mark.parametrize(("text", "between", "signs"), BETWEEN)
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_condition_between_parameters_stands_for_their_values(text, between, signs):
     """V' <= 0 at random states and parameters that meet the conditions."""
     plant, V, *_ = written(text)

@@ -118,7 +118,7 @@ def test_prove_prints_json(printed):
         assert laws[name]["for_every_N"]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["learned-flow", "sigma", "dead-zone", "known-flow"])
 def test_prove_one_law(printed, name):
     """By the command as by the function."""

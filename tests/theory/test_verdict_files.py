@@ -183,7 +183,7 @@ def missing(verdict):
     return {name for name, text in REQUIREMENTS.items() if text in words}
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", SAMPLE)
 def test_file_says_what_the_sentence_says(name):
     verdict = judged(name)
@@ -199,7 +199,7 @@ def test_file_says_what_the_sentence_says(name):
     assert not re.search(r"\b(Admitted|Axiom|Parameter|Abort)\b", text)
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", REGIONS)
 def test_file_of_a_region_says_what_is_not_left(name):
     verdict = judged_in_region(name)
@@ -322,7 +322,7 @@ def test_law_of_the_paper():
 # --- coqc ---------------------------------------------------------------------------------------
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.coq
 @pytest.mark.parametrize("name", SAMPLE)
 def test_file_compiles_with_the_axioms_of_the_reals_alone(name, tmp_path):
@@ -388,7 +388,7 @@ def test_limits_that_are_not_in_the_file_are_named(loop, left_out):
     assert left_out in text[text.rindex("(* The verdict: ") :]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.coq
 @pytest.mark.parametrize(("name", "text", "other"), ALTERED)
 def test_altered_file_is_refused(name, text, other, tmp_path):

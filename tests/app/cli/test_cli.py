@@ -114,6 +114,7 @@ def test_a_run_and_an_ensemble_are_exported_as_tables(printed, clpt):
         assert len(lines) == rows
 
 
+@pytest.mark.long
 def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     write({}, "p.toml")
     before = Path("p.toml").read_text()
@@ -260,6 +261,7 @@ def steers(text):
     }
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch):
     seconds = SimpleNamespace(monotonic=count(step=20.0).__next__)  # all work is slow
@@ -471,7 +473,7 @@ OFFERED += [(["prove", "sig"], ["sigma"]), (["tune", "--law", "sig"], ["sigma"])
 OFFERED += [(["ensemble", "none.toml", "--vary", "basis.wi"], ["basis.widths="])]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
 @pytest.mark.parametrize(("words", "offered"), OFFERED)
 def test_bash_completes(tmp_path, words, offered):

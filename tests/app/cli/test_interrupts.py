@@ -68,6 +68,7 @@ IMPORTS = {  # what is imported when the interrupt comes -> the command
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("module", seldom(IMPORTS, 2))
 def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
     before, words = names(files), IMPORTS[module]

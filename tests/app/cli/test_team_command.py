@@ -13,6 +13,7 @@ import clpt_control
 from examples import team as example
 
 
+@pytest.mark.long
 def test_a_team_runs_and_runs_again(clpt, printed):
     file = Path("team.toml")
     write_team(file, team(a=vehicle(), b=vehicle(reference_radius=2.0)))
@@ -132,6 +133,7 @@ def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
     assert clpt("run", "known.toml", "--out", "again.nc").status == 0
 
 
+@pytest.mark.long
 def test_the_table_is_printed(clpt, run):
     words = "--every", 20, "--results", "learned.nc"
     out = " ".join(clpt("estimate", run, *words).out.split())
@@ -216,6 +218,7 @@ feedforward = [1, 1]
 """
 
 
+@pytest.mark.long
 def test_a_straight_track_prints_no_zero_parts_and_no_equal_rows(clpt):
     """On the line x2 = 0 the gain Gamma of x2 shows nothing, and no bound falls."""
     Path("line.toml").write_text(LINE)

@@ -29,6 +29,7 @@ def test_it_is_there_whichever_was_imported_first(order):
     ran(sys.executable, "-W", "error", "-c", code)
 
 
+@pytest.mark.long
 def test_a_run_and_its_file_as_xarray_opens_it(made, scenario, tmp_path):
     run = made["run"]
     clpt.save_run(run, tmp_path / "run.nc")

@@ -56,7 +56,7 @@ def plot_of(made, kind, name):
     return partial(data.clpt.plot, name)
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(("kind", "name", "count"), [*PLOTS, *METHODS])
 def test_on_given_axes(kind, name, count, made):
     """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""
@@ -189,6 +189,7 @@ def run(made):
     return made["run"]
 
 
+@pytest.mark.long
 def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
     file, words = tmp_path / "run.gif", ("report", tmp_path / "run.nc", "--film", "-o")
     save_run(run, tmp_path / "run.nc")

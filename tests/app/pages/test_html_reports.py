@@ -90,6 +90,7 @@ def test_a_run_has_its_page(run, page_of):
     assert len(page) < 1_000_000
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_each_figure_of_a_run_has_words_of_its_own(run, page_of):
     figures = [
@@ -100,6 +101,7 @@ def test_each_figure_of_a_run_has_words_of_its_own(run, page_of):
     assert len(captions) == len(set(captions))
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_nothing_of_a_run_is_markup(run, page_of):
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
@@ -109,6 +111,7 @@ def test_nothing_of_a_run_is_markup(run, page_of):
     assert sum(EVIL in text for text in checked(page_of(bad)).texts) >= 4
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_a_number_that_is_none_is_refused(run, page_of):
     for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
@@ -145,6 +148,7 @@ def test_many_samples_stay_small(run, page_of):
     assert len(text) < 2_000_000
 
 
+@pytest.mark.long
 def test_what_the_scenario_does_not_hold_is_said(run, words):
     steered = clpt.closed_loop(SHORT, external=("zc",))
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
@@ -168,6 +172,7 @@ def test_what_the_scenario_does_not_hold_is_said(run, words):
         assert said in words(data)
 
 
+@pytest.mark.long
 def test_a_truth_that_is_not_known_is_left_out(run, words):
     last = run.flow_parameters_estimate.values[-1, 0, 0]
     named = f"|theta_1[1] (m/s)|{last:.4g}|"
@@ -176,6 +181,7 @@ def test_a_truth_that_is_not_known_is_left_out(run, words):
     assert f"{named}theta_1[2]" in words(run.drop_vars("flow_parameters"))
 
 
+@pytest.mark.long
 def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
     scenario = clpt.paper_scenario().with_values({"run.duration": 40})
     lag = control.tf(1, [0.5, 1], name="lag")
@@ -215,6 +221,7 @@ def found(printed, tmp_path):
     return summary, clpt.load_run(tmp_path / "run.nc")
 
 
+@pytest.mark.long
 def test_figures_of_clpt_run_are_those_of_the_page(found, words):
     summary, run = found
     text = words(run)
@@ -231,6 +238,7 @@ def with_figures(run, **changed):
     return run.assign_attrs(summary=json.dumps(figures))
 
 
+@pytest.mark.long
 def test_a_share_of_a_current_near_all_of_it_is_not_all(found, words):
     """0.9996 of it is 99.96 %."""
     shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
@@ -239,6 +247,7 @@ def test_a_share_of_a_current_near_all_of_it_is_not_all(found, words):
     assert "|-50 %; negative: worse than the mean current|" in text
 
 
+@pytest.mark.long
 def test_part_of_a_run_has_no_first_round(words):
     """From t = 150 of rounds of 200 on: the first, which was the worst, is not among them."""
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 600}))

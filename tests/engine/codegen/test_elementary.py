@@ -151,6 +151,7 @@ EXACT = {
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ACCURACY)
 def test_accuracy(name):
     tolerance, arguments = ACCURACY[name]

@@ -148,6 +148,7 @@ def test_two_values_of_one_parameter_are_refused():
     np.testing.assert_allclose(run.v, 1 - np.exp(-TIMES), atol=1e-7)
 
 
+@pytest.mark.long
 def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
     own = clpt.closed_loop(PAPER)
     a, b = own.copy(name="a"), own.copy(name="b")

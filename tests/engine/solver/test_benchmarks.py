@@ -67,6 +67,7 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
     assert inked(tmp_path / "performance.png") > 0.01
 
 
+@pytest.mark.long
 def test_small_models_end_where_scipy_does(monkeypatch):
     few = models.SMALL[:2]
     monkeypatch.setattr(models, "SMALL", few)

@@ -52,6 +52,7 @@ def test_a_limiter_is_as_exact_as_a_tight_run_of_scipy():
     assert np.abs(run.states.values - exact.y.T).max() < 1e-6
 
 
+@pytest.mark.long
 def test_it_runs_again_to_the_last_bit():
     runs = [clpt.simulate(system(cells, CELLS), TIMES, None, WAVE) for _ in range(3)]
     assert len({run.states.values.tobytes() for run in runs}) == 1

@@ -253,6 +253,7 @@ def test_a_pulse_between_two_events_of_one_step_is_met(width):
     assert abs(final(rates, [0.0, 0.0], 1.0)[1] - 1.0) < 1e-6
 
 
+@pytest.mark.long
 def test_pulses_of_any_width_and_place_are_met():
     random = np.random.default_rng(5)
     for k in range(60):
@@ -555,6 +556,7 @@ def test_gains_scheduled_by_two_variables_run_as_machine_code():
     assert np.abs(run.states.values.T - wanted.y).max() < 1e-6
 
 
+@pytest.mark.long
 def test_a_burst_that_is_followed_by_rest_is_not_refused():
     """The burst needs 1.2 million steps in 1 s; at that pace the rest would need 1e14."""
 

@@ -92,7 +92,7 @@ LOOPS = {  # the parts of a loop, call-time parameters, and the one controller t
 }
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @every_engine
 @pytest.mark.parametrize("case", LOOPS)
 def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine):

@@ -47,7 +47,7 @@ FUNCTIONS = [
 ]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_each_function_has_its_series(function):
     def rates(t, x, u, p):
@@ -85,6 +85,7 @@ RUNS = {  # rate, start, end, value there, error
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", RUNS)
 def test_traps(name):
     diagram, start, last, expected, error = RUNS[name]
@@ -354,7 +355,7 @@ def test_sensitivities_of_roots_by_series(name):
     )
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "norm", [np.linalg.norm, lambda x: np.hypot(x[0], x[1]), lambda x: (x @ x) ** 0.5]
 )

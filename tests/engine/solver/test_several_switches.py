@@ -165,6 +165,7 @@ def test_dry_friction_in_several_joints_sticks_and_slips(case):
     np.testing.assert_allclose(run.states.values, wanted, atol=2e-7)
 
 
+@pytest.mark.long
 def test_loads_from_rest_move_some_joints_and_leave_others():
     """Accelerations of three coupled joints are constant, as combinations of modes say."""
     rng = np.random.default_rng(1)

@@ -56,7 +56,7 @@ MANY = [
 ]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "seeds", [*PARTS, *(pytest.param(seeds, marks=pytest.mark.slow) for seeds in MANY)]
 )

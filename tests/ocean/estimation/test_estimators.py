@@ -48,6 +48,7 @@ SEAS = [
 ]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("count", [3, pytest.param(6, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("case", "most"), SEAS)
 def test_against_the_previous_dives_current(case, most, count):

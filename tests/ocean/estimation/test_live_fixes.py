@@ -107,7 +107,7 @@ def scenario_of(law, count):
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("count", [1, 13])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_a_loaded_learner_has_the_same_numbers(tmp_path, law, count):
     """Saved and loaded between any two calls, a wild fix among them: equal to the last bit."""
     made, path = calls(20), tmp_path / "learned.state"
@@ -381,7 +381,7 @@ def test_a_speed_that_cannot_be_makes_the_motion_unknown(nmea):
     assert "begins a leg" not in answers[2]["note"]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("body", "count"),
     [

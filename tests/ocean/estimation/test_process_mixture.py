@@ -137,7 +137,7 @@ def test_the_oldest_dives_are_dropped_exactly():
 
 
 @pytest.mark.parametrize("count", [200, pytest.param(1000, marks=pytest.mark.slow)])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_covariances_stay_positive_over_many_dives(count):
     mixture = taught(FixModel(), vehicle(1, count, walk=0.03, noise=0.01))
     size = np.sqrt(np.diagonal(mixture.covariance, axis1=1, axis2=2)) + 1e-12

@@ -104,7 +104,7 @@ def learned(path, scenario=SCENARIO, **values):
     return clpt.currents.flow_estimate(legs, scenario)
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("units", [("km", "h", 1.0), ("m", "s", 1e3)])
 def test_straight_legs_teach_the_flow(tmp_path, law, units):
@@ -442,6 +442,7 @@ CONSTANT = {  # one more function
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("values", [{}, CONSTANT])
 @pytest.mark.parametrize("shear", [0.0, 8e-6])
 def test_errors_of_a_map_hold_the_flow_beside_the_functions(tmp_path, shear, values):
@@ -496,6 +497,7 @@ def test_the_first_region_far_from_all_functions_is_that_of_the_prior(tmp_path):
     assert radius == pytest.approx(np.sqrt(18 * variance), rel=1e-3)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("factor", "said"), [(3.6, "km/h"), (3600 / 1852, "knots"), (1.0, "")]
 )

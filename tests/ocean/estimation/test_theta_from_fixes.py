@@ -49,6 +49,7 @@ def test_the_parameters_of_a_run_are_found(lap, method, every, most):
     assert found.sizes["leg"] == 200 / every
 
 
+@pytest.mark.long
 def test_the_filter_is_causal(lap):
     early = estimate(lap.isel(time=slice(0, 501)))  # to t = 100
     whole = estimate(lap).flow_parameters_estimate.values
@@ -56,6 +57,7 @@ def test_the_filter_is_causal(lap):
     np.testing.assert_allclose(whole[: len(steps)], steps, atol=1e-6)
 
 
+@pytest.mark.long
 def test_the_true_parameters_are_not_read(lap):
     text, other = lap.attrs["scenario"], lap.copy()
     true = "[[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]"
@@ -158,7 +160,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
 
 
 @pytest.mark.parametrize("every", [2.0, 10.0])
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_the_motion_of_a_run_is_never_called_wrong(lap, every):
     notes = estimate(lap, every=every).attrs["notes"]
     assert not [note for note in notes if "look" in note or "contradict" in note]

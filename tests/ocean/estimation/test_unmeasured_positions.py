@@ -101,7 +101,7 @@ LOGS = [
 
 
 @pytest.mark.parametrize(("digits", "every", "kinds", "changes"), LOGS)
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_positions_without_a_measurement_are_left_out(
     tmp_path, digits, every, kinds, changes
 ):
@@ -138,7 +138,7 @@ def test_positions_without_a_measurement_are_left_out(
         ("interpolated", 0.0, 4),
     ],
 )
-@pytest.mark.thirds
+@pytest.mark.sampled
 def test_positions_with_jitter_are_left_out(tmp_path, kind, jitter, digits):
     """The interpolated ones follow no turn of the vehicle."""
     fixes = mission(12, scatter=0.02, fix=3.0, seed=3)
@@ -228,6 +228,7 @@ def heading(angle):
     return np.array([sin(angle), cos(angle)])
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", VEHICLES)
 @pytest.mark.parametrize(
     ("noise", "digits", "every"), [(2.0, 5, 3600.0), (2.0, 4, 300.0), (20.0, 6, 1.0)]
@@ -260,6 +261,7 @@ def test_a_moored_vehicle_has_no_wrong_unit():
     assert "contradict" not in " ".join(estimator.warnings)
 
 
+@pytest.mark.long
 def test_a_moored_vehicle_without_noise_is_in_no_flow(tmp_path):
     """Positions of one decimal, which repeat more often than a power of a chance can say."""
     rows = [(1.7e9 + 600.0 * k, 36.7, -122.1, 0.0, 0.0) for k in range(100)]
@@ -301,6 +303,7 @@ def test_positions_held_between_the_fixes_of_a_drifter(
     np.testing.assert_allclose(estimator.flow_parameters, flow_of(legs), rtol=1e-9)
 
 
+@pytest.mark.long
 def test_a_buoy_that_swings_or_drags_keeps_its_fixes(tmp_path):
     """It swings by 200 m with each tide, or drags its anchor twice."""
     random = np.random.default_rng(9)

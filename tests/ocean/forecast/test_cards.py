@@ -215,7 +215,7 @@ def wild_fix():
     return dives
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "dives", [sample_dives(), recent(8, 9.0), wild_fix(), fixes_of(1)]
 )

@@ -39,6 +39,7 @@ def looks(told):
     return [int(line.split()[0]) for line in told.splitlines() if "dives used" in line]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [0, *LONG, *SLOW])
 def test_any_history_of_a_folder(tmp_path, seed, watch):
     """Files are written, cut short, copied, renamed and removed: the numbers of the last files."""

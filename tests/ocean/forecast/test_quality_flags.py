@@ -153,7 +153,7 @@ def later_rms(replay, dive):
     return np.sqrt(np.mean(np.square(misses)))
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("size", [700.0, 1200.0, 2000.0])
 @pytest.mark.parametrize("dive", [3, 5, 9])
 def test_an_end_that_a_drift_cannot_explain_leaves_the_next_dives(dive, size):

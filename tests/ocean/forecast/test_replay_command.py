@@ -141,6 +141,7 @@ def forecast(tmp_path):
     return tmp_path / "forecast.nc"
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     out, why = tmp_path / "out", "outside the forecast's steps, or in a gap of them"
@@ -329,6 +330,7 @@ PROCESSES = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["replay.png", *PROCESSES])
 def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sample, name):
     """A limit on files stands in for the disk; a file is one half too large."""

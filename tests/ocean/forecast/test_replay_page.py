@@ -173,7 +173,7 @@ def ring_of(found, shapes):
     return shapes[f"{100 * found['level']:g} % ellipse"][0]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 @pytest.mark.usefixtures("undrawn")
 def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
@@ -189,7 +189,7 @@ def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
     assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
 @pytest.mark.usefixtures("undrawn")
 def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(replayed, lon):

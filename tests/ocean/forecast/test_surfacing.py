@@ -62,6 +62,7 @@ def test_a_plan_tells_the_course():
 STILL = {"flow": ("steady",)}  # the fastest
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("wild", [False, True])
 def test_in_the_long_run_forecasts_hold_at_their_level(wild):
     """Whatever a vehicle does and whatever the level is, the width follows its record."""
@@ -139,6 +140,7 @@ def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
     return read_dives(path)[0][0]
 
 
+@pytest.mark.long
 def test_a_hopeless_plan_is_not_followed():
     """Always wrong by far, whatever the length of the record."""
     dives = [

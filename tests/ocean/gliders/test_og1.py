@@ -219,7 +219,7 @@ FILLS = [
 FILLS += [9.96921e36, 1e20, -1e34, 1e35, np.inf, -np.inf]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize("fill", FILLS)
 def test_headings_that_are_no_angles_are_gaps(fill, tmp_path):
     columns = og1_rows()
@@ -549,7 +549,7 @@ DAMAGED = [  # each: the damage, what is said, which dives are used; None: the f
 ]
 
 
-@pytest.mark.thirds
+@pytest.mark.sampled
 @pytest.mark.parametrize(("name", "damage", "said", "expected"), DAMAGED)
 def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
     facts, tmp_path, name, damage, said, expected

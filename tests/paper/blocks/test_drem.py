@@ -134,6 +134,7 @@ def of_many(N):
     )
 
 
+@pytest.mark.long
 def test_six_functions_are_mixed_and_seven_refused():
     off, read = errors(clpt.simulate(of_many(6)))
     assert np.all(np.diff(off, axis=0) <= 1e-10)
