@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..base.arguments import numbers, public
+from ..base.arguments import attribute_of, numbers, public
 from ..base.errors import ArgumentError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
 from ..engine.codegen.diagram_record import DiagramRecord, Form
@@ -98,7 +98,8 @@ def enclose(
     """Return boxes that contain every run from a set.
 
     A pair ``(lower, upper)`` in place of a number is an interval: of an initial state and of a
-    parameter any constant, of an input any function of time in it.
+    parameter any constant, of an input any function of time in it. Systems may have discrete time,
+    sampled parts and jumps at known times.
 
     Parameters
     ----------
@@ -109,18 +110,19 @@ def enclose(
     Returns
     -------
     xarray.Dataset
-        ``lower`` and ``upper`` of each state and output at each time; ``over_lower`` and
-        ``over_upper`` from the time before to it, narrower the closer the times are. NaN is no
-        statement. Names are those of `simulate`: ``x[0]`` is the output if a state and another
-        output have the name x, and ``x_state[0]`` is the state. The attribute ``message`` says what
-        is guaranteed, to which time, and why not longer. ``clpt.plot()`` draws the boxes.
+        ``lower`` and ``upper`` of each state and output at each time, after its jumps;
+        ``over_lower`` and ``over_upper`` from the time before to it, narrower the closer the times
+        are. NaN is no statement. Names are those of `simulate`: ``x[0]`` is the output if a state
+        and another output have the name x, and ``x_state[0]`` is the state. The attribute
+        ``message`` says what is guaranteed, to which time, and why not longer. ``clpt.plot()``
+        draws the boxes.
 
         A point takes 30 to 250 times the CPU of `simulate`; stiff systems and roots at 0 more.
 
     Raises
     ------
     SimulationError
-        If the system is in discrete time, or has jumps, guards or operations without series.
+        If the system has guards, jumps at a level, or operations without series.
 
     Examples
     --------
@@ -141,9 +143,9 @@ def enclose(
         for is_upper in (False, True)
     ]
     try:
-        if getattr(system, "dt", None):
-            raise Uncompiled("is in discrete time")
-        requests = [request_of(system, timepts, *end[:2]) for end in ends]
+        requests = [
+            request_of(system, timepts, u, x, multiples=True) for u, x, _ in ends
+        ]
         request = requests[0]
         with request.drawn_around():
             made = DiagramRun(request.diagram, ends[0][2], request.sizes, "python")
@@ -151,10 +153,12 @@ def enclose(
         layout = natives[0].layout
         record = DiagramRecord(made.wiring, layout, Form(exact=True))
         start = between(*(one.start for one in requests))
-        rates, signals = (
+        leaps = record.rates if made.wiring.dt else record.leaps
+        programs = [
             SetProgram(record, ports, len(start.c))
-            for ports in (record.rates, record.signals)
-        )
+            for ports in (record.rates, record.signals, leaps)
+        ]
+        rates, signals, _ = programs
         if len(rates.still) * (1 + len(start.c)) > MOST_NUMBERS:
             raise Uncompiled(f"has {len(rates.still)} values, too many for its states")
     except (Uncompiled, Unread) as error:
@@ -169,7 +173,9 @@ def enclose(
     read, noise = middle_inputs(requests)
     disturbed = np.zeros_like(P.c)
     disturbed[len(layout.P) + 1 :][: len(noise)] = noise
-    enclosure = Enclosure(rates, signals, start, P, disturbed, request.times)
+    jumps = None if made.wiring.dt else [*layout.jumps.values()]
+    times = request.times if request.steps is None else request.times[request.steps]
+    enclosure = Enclosure(programs, start, P, disturbed, times, jumps)
     enclosure.run(natives[0].schedule(request.times, read))
     return dataset_of(enclosure, names)
 
@@ -213,10 +219,15 @@ def natives_of(
     natives = [NativeDiagram(wiring, end, apart=fields) for end in ends]
     for k, field in fields:
         block = wiring.nodes[k].system
-        if block.breakpoints_function or read_as_number(block, field):
+        at_known_times = block.first_held is not None or not block.breakpoints_function
+        if not at_known_times or read_as_number(block, field):
             raise Uncompiled(f"asks for the value of {field} of {block.name}")
-    if natives[0].layout.jumps or natives[0].sweep.guarded:
-        raise Uncompiled("has jumps, samples or guards")
+    if natives[0].sweep.guarded:
+        raise Uncompiled("has guards, or jumps at a level")
+    low, high = (one.inputs.samples[1] for one in requests)
+    for node in () if np.array_equal(low, high) else wiring.nodes:
+        if attribute_of(node.system.breakpoints_function, "trigger"):
+            raise Uncompiled(f"has jumps of {node.name} where an input may rise")
     if not len(requests[0].start):
         raise Uncompiled("has no states")
     # 2. what was read is compared with its functions along runs from both ends

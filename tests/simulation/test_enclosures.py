@@ -280,12 +280,21 @@ def test_a_trap_ends_with_a_time_and_a_sentence(trap):
     assert why.startswith("the boxes end there, as ")
 
 
-def test_what_has_no_series_is_refused():
-    delay = clpt.parts.delay(0.1, dt=0.1)
-    with pytest.raises(clpt.SimulationError, match="discrete time"):
-        clpt.enclose(delay, [0, 0.1, 0.2], 0.0)
-    with pytest.raises(clpt.SimulationError, match="discrete time"):
-        clpt.enclose(delay, [0, 0.15], 0.0)
+def test_guards_jumps_at_a_level_and_systems_without_states_are_refused():
+    def margin(t, x, u, p):
+        return x[0] + 2.0
+
+    stops = block(oscillator, guard=clpt.Guard(margin, "stop"))
+    jumps = block(
+        oscillator,
+        guard=clpt.Guard(margin, "jump"),
+        jump=lambda t, x, u, p: {"x": -x.x},
+    )
+    for model in (stops, jumps):
+        with pytest.raises(clpt.SimulationError, match="guards, or jumps at a level"):
+            clpt.enclose(model, [0, 1], initial_state=[1.0, 0.0])
+    with pytest.raises(clpt.SimulationError, match="has no states"):
+        clpt.enclose(control.ss([], [], [], 1.0, 1.0), [0, 1], [(0, 1)])
 
 
 def test_a_function_without_a_series_is_refused():
@@ -556,3 +565,177 @@ def test_conditions_of_conditions_may_be_true_or_false(rate, start, end):
     tube = clpt.enclose(block(rate, 1), [0, 2], initial_state=[start])
     assert tube.lower[-1, 0] <= end <= tube.upper[-1, 0]
     assert float((tube.upper - tube.lower)[-1].max()) < 1e-9
+
+
+# --- discrete time, samples and jumps at known times ---------------------------------------------
+
+
+def map_of(function, n=1, dt=0.5, **more):
+    return block(function, n, dt=dt, **more)
+
+
+def contains(row, *exact):
+    """Return whether numbers lie in a row of bounds: lower, then upper."""
+    low, high = (mpmath.mpf(float(end)) for end in row)
+    return all(low <= x <= high for x in exact)
+
+
+def test_a_discrete_system_with_sets_of_states_inputs_and_parameters():
+    model = map_of(decay_map, inputs={"d": 1}, parameters={"k": 0.9})
+    tube = clpt.enclose(
+        *(model, 0.5 * np.arange(6), {"d": (-0.1, 0.2)}, [(1.0, 2.0)]),
+        {"model.k": (0.9, 0.9)},
+    )
+    assert tube.attrs["status"] == "finished"
+    low, high = mpmath.mpf(1), mpmath.mpf(2)
+    with mpmath.workdps(40):
+        for lower, upper in zip(tube.lower[:, 0], tube.upper[:, 0], strict=True):
+            assert contains([lower, upper], low, high)
+            assert float(upper - lower) < float(high - low) * (1 + 1e-12)
+            low = low * mpmath.mpf(0.9) + mpmath.mpf(-0.1)
+            high = high * mpmath.mpf(0.9) + mpmath.mpf(0.2)
+
+
+def decay_map(t, x, u, p):
+    return p.k * x.x + u.d
+
+
+def test_the_logistic_map_of_points_and_of_multiples_of_dt():
+    model = map_of(lambda t, x, u, p: 3.75 * x.x * (1.0 - x.x), dt=1.0)
+    tube = clpt.enclose(model, [2.0, 4.0, 9.0], initial_state=[0.3])
+    x, orbit = mpmath.mpf(0.3), []
+    with mpmath.workdps(300):
+        for _ in range(8):
+            orbit.append(x)
+            x = mpmath.mpf(3.75) * x * (1 - x)
+        for k, step in enumerate((0, 2, 7)):
+            bounds = [tube.lower[k, 0], tube.upper[k, 0]]
+            assert contains(bounds, orbit[step])
+            assert float(bounds[1] - bounds[0]) < 1e-12
+        between = [tube.over_lower[2, 0], tube.over_upper[2, 0]]
+        assert contains(between, *orbit[2:8])
+    set_of = clpt.enclose(model, [0.0, 3.0], initial_state=[(0.3, 0.31)])
+    assert set_of.lower[1, 0] <= float(orbit[3]) <= set_of.upper[1, 0]
+
+
+MAPS = {
+    "grows": (lambda t, x, u, p: x.x * x.x, [10.0], 8),
+    "a divisor of 0": (lambda t, x, u, p: 1.0 / (x.x - 3.0), [3.0], 0),
+    "a set with a divisor of 0": (lambda t, x, u, p: 1.0 / x.x, [(-1, 2)], 0),
+    "no number": (lambda t, x, u, p: x.x * np.nan, [1.0], 0),
+    "a root below 0": (lambda t, x, u, p: np.sqrt(x.x) - 2.0, [1.0], 1),
+    "a logarithm of 0": (lambda t, x, u, p: np.log(x.x), [1.0], 1),
+}
+
+
+@pytest.mark.parametrize("trap", MAPS)
+def test_a_map_ends_with_a_time_and_a_sentence(trap):
+    function, start, last = MAPS[trap]
+    tube = clpt.enclose(map_of(function), 0.5 * np.arange(12), initial_state=start)
+    assert tube.attrs["status"] == "stopped"
+    assert f"to t = {0.5 * last:g}; the boxes end there, as" in tube.message
+    assert np.isfinite(tube.upper[: last + 1]).all()
+    assert np.isnan(tube.upper[last + 1 :]).all()
+    assert np.isnan(tube.over_upper[last + 1 :]).all()
+
+
+def test_a_map_that_switches_takes_in_both_sides():
+    model = map_of(lambda t, x, u, p: 0.5 * x.x - np.sign(x.x))
+    tube = clpt.enclose(model, [0, 0.5], initial_state=[(-1.0, 2.0)])
+    assert tube.lower[1, 0] <= -1.0
+    assert tube.upper[1, 0] >= 0.5
+    assert "Filippov" not in tube.message
+
+
+@pytest.mark.parametrize("times", [[0, 0.5, 1.0], [0, 0.25, 1.75], [0, 0.1, 0.6, 0.9]])
+def test_a_sampled_controller_in_a_continuous_loop(times):
+    """x' = v - x/4, w+ = w + e, v = 1.5 e + w/2, e = r - x at each multiple of 0.5."""
+    error = control.summing_junction(["r", "-y"], "e", name="error")
+    pi = control.ss(1, 1, 0.5, 1.5, 0.5, inputs="e", outputs="v", name="pi")
+    tank = control.ss(-0.25, 1, 1, 0, inputs="v", outputs="y", name="tank")
+    loop = clpt.connect([error, pi, tank], external="r")
+    tube = clpt.enclose(loop, times, 1.0, {"tank_x[0]": 0.25})
+    bounds = {name: tube.sel(name=name) for name in ("tank_x[0]", "v[0]")}
+    with mpmath.workdps(40):
+        x, w, t, v = mpmath.mpf(0.25), mpmath.mpf(0), mpmath.mpf(0), None
+        row = 0
+        for k in range(5):
+            v = (1 - x) * 3 / 2 + w / 2
+            while row < len(times) and times[row] < 0.5 * (k + 1):
+                decay = mpmath.exp(-(mpmath.mpf(times[row]) - t) / 4)
+                exact = {"tank_x[0]": x * decay + 4 * v * (1 - decay), "v[0]": v}
+                for name, value in exact.items():
+                    both = bounds[name].lower[row], bounds[name].upper[row]
+                    assert contains(both, value)
+                    assert float(both[1] - both[0]) < 1e-13
+                row += 1
+            w, t = w + 1 - x, t + mpmath.mpf(0.5)
+            decay = mpmath.exp(-mpmath.mpf(1) / 8)
+            x = x * decay + 4 * v * (1 - decay)
+    # both the output before the sample and that after it are in the interval
+    assert np.all(tube.over_lower[1:] <= np.minimum(tube.lower[1:], tube.lower[:-1]))
+
+
+def test_a_parameter_of_a_sampled_controller_is_an_interval():
+    controller = clpt.Block(
+        "c",
+        update=lambda t, x, u, p: x.v * 0.0 - p.k * u.e,
+        inputs={"e": 1},
+        outputs={"v": 1},
+        output=lambda t, x, u, p: x.v,
+        states={"v": 1},
+        parameters={"k": 1.0},
+        dt=1.0,
+    )
+    plant = clpt.Block(
+        "p",
+        update=lambda t, x, u, p: u.v,
+        inputs={"v": 1},
+        outputs={"e": 1},
+        output=lambda t, x, u, p: x.e,
+        states={"e": 1},
+    )
+    loop = clpt.connect([controller, plant])
+    tube = clpt.enclose(loop, [0, 1, 2, 2.5], None, {"p_e": 1.0}, {"c.k": (0.25, 0.5)})
+    final = tube.sel(name="p_e[0]")
+    # 0 until 1, then -k e(0): e(2) = 1 - k, e(2.5) = 1 - k - k/2
+    assert np.all(final.lower[1:] <= [1.0, 0.5, 0.25])
+    assert np.all(final.upper[1:] >= [1.0, 0.75, 0.625])
+    assert float(final.upper[-1] - final.lower[-1]) < 0.376
+
+
+def kicked(jump):
+    """Return x' = -x with a jump of x at each multiple of 0.5."""
+    return block(
+        lambda t, x, u, p: -x.x,
+        1,
+        jump=jump,
+        breakpoints=lambda p, t0, t1: (
+            np.arange(1, 9)[
+                (0.5 * np.arange(1, 9) > t0) & (0.5 * np.arange(1, 9) <= t1)
+            ]
+            * 0.5
+        ),
+        parameters={"interval": -1.0},
+    )
+
+
+def test_jumps_at_known_times_also_at_the_end():
+    model = kicked(lambda t, x, u, p: {"x": x.x * x.x + 1.0})
+    tube = clpt.enclose(model, [0, 0.5, 1.0], initial_state=[1.0])
+    with mpmath.workdps(40):
+        half = mpmath.exp(-mpmath.mpf(0.5))
+        first = half * half + 1
+        last = (first * half) ** 2 + 1
+        assert inside(tube, 1, [first])
+        assert inside(tube, 2, [last])
+        assert contains([tube.over_lower[1, 0], tube.over_upper[1, 0]], half, 1, first)
+    assert float((tube.upper - tube.lower).max()) < 1e-13
+
+
+def test_a_jump_without_bounds_ends_the_boxes_before_it():
+    model = kicked(lambda t, x, u, p: {"x": 1.0 / (x.x - np.exp(-0.5))})
+    tube = clpt.enclose(model, [0, 0.25, 0.5, 0.75], initial_state=[1.0])
+    assert "to t = 0.5; the boxes end there, as" in tube.message
+    assert np.isnan([*tube.upper[2:, 0], *tube.over_upper[2:, 0]]).all()
+    assert np.isfinite(tube.over_upper[:2]).all()

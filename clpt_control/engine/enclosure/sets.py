@@ -12,7 +12,8 @@ A step of length h has three evaluations of the record on balls:
 
 J maps G.  The errors of a step are new columns, and when these are many the shortest become a box
 (Kuehn 1998).  Where there is no series, at a switch or at the root of 0, a short step has the rates
-of Picard's box alone, with those of both sides of the switch.
+of Picard's box alone, with those of both sides of the switch.  Discrete time and jumps at known
+times, such as those of sampled blocks, map the set by the mean value form.
 """
 
 from contextlib import suppress
@@ -52,13 +53,14 @@ class Enclosure:
 
     def __init__(
         self,
-        rates: SetProgram,
-        signals: SetProgram,
+        programs: list[SetProgram],
         start: Ball,
         P: Ball,
         noise: np.ndarray,
         times: np.ndarray,
+        jumps: list[int] | None,
     ):
+        rates, signals, leaps = programs
         # 1. the set, with columns for what has a radius
         self.n = n = len(start.c)
         varied, disturbed = np.flatnonzero(P.r), np.flatnonzero(noise)
@@ -73,6 +75,8 @@ class Enclosure:
         self.wide = SetSeries(rates, ORDER + 1, along)
         self.narrow = SetSeries(rates, ORDER + 1)
         self.rates = SetSeries(rates, 0, along)
+        self.leaps = SetSeries(leaps, 0, along)
+        self.jumps = jumps  # places of their requests in P; None in discrete time
         self.signals = SetSeries(signals, 0)
         self.P, self.noise = P, noise[disturbed]
         self.disturbed_P = Ball(P.c, (P.r + noise) * balls.GROWTH)
@@ -90,21 +94,49 @@ class Enclosure:
     @np.errstate(all="ignore")
     def run(self, schedule: Any) -> None:
         """Fill the boxes up to the last sample, or to where they end."""
-        for edge, values in zip(schedule.edges, schedule.values, strict=True):
-            self.P.c[schedule.indices] = values
-            now = slice(self.place(self.t), self.place(self.t, "right"))
-            self._write(slice(None), now, exact(self.t), self._box()[: self.n])
-            end = min(float(edge), float(self.times[-1]))
-            while self.t < end and not self.why:
-                try:
+        try:
+            for edge, values in zip(schedule.edges, schedule.values, strict=True):
+                self.P.c[schedule.indices] = values
+                self._begin()
+                end = min(float(edge), float(self.times[-1]))
+                while self.t < end:
                     self._advance(end)
-                except Undecided as error:
-                    self.why = str(error)
-                if self.steps >= MOST_STEPS:
-                    self.why = f"the run takes more than {MOST_STEPS} steps"
+                    if self.steps >= MOST_STEPS:
+                        raise Undecided(f"the run takes more than {MOST_STEPS} steps")
+        except Undecided as error:
+            self.why = str(error)
         # an interval is covered whole or not at all
         self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
         self.bounds[np.isinf(self.bounds)] = np.nan
+
+    def _begin(self) -> None:
+        """Begin a segment with its jumps; a sample there is after them."""
+        now = slice(self.place(self.t), self.place(self.t, "right"))
+        self.bounds[:, 0, now] = np.nan
+        if self.jumps and np.any(self.P.c[self.jumps]):
+            try:
+                self._leap()
+            except Undecided:
+                self.bounds[:, 1, now] = np.nan
+                raise
+        # the next interval begins with this box, too
+        for which, stop in enumerate((now.stop, now.stop + 1)):
+            rows = slice(now.start, stop)
+            self._write(which, rows, exact(self.t), self._box()[: self.n])
+
+    def _leap(self) -> None:
+        """Map the set by a jump or a step of discrete time, where it switches by its box."""
+        n, N, t, box = self.n, self.N, exact(self.t), self._box()[: self.n]
+        P = Ball(self.P.c, 0 * self.P.r)
+        try:
+            J = self.leaps.evaluate(t, box, self.disturbed_P)[:, 0, 1:]
+            x = self.leaps.evaluate(t, exact(self.m[:n]), P)[:, 0, 0]
+            x = balls.add(x, matrix(J[:, N:], around(self.noise)))
+            G = matrix(J[:, :N], exact(self.G))
+        except Switching:
+            x = self.leaps.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
+            G = exact(0 * self.G[:n])
+        self._put(x, G)
 
     def _write(self, which: Any, rows: slice, t: Ball, x: Ball) -> None:
         """Widen boxes by one of states, and those of signals."""
@@ -118,6 +150,10 @@ class Enclosure:
 
     def _advance(self, end: float) -> None:
         """Take a step, without series if there is none."""
+        if self.jumps is None:
+            self._leap()
+            self.t, self.steps = end, self.steps + 1
+            return
         try:
             self._step(end)
             self.short = SHORTEST * self.span
@@ -218,7 +254,7 @@ class Enclosure:
 
         `flow` returns centre and generators of x after a time in a ball.
         """
-        n, N, t = self.n, self.N, self.t
+        t = self.t
         # 1. boxes over intervals, as far as these are in the step, and at samples
         for k in range(self.place(t, "right"), self.place(new) + 1):
             end = min(new, self.times[k])
@@ -233,8 +269,14 @@ class Enclosure:
                 )
                 rows, time = slice(k, k + 1), between(begin, end)
                 self._write(which, rows, time, between(low, high))
-        # 2. the set, with its errors as new columns; the shortest become a box
-        centre, G = flow(moved(t, new))
+        # 2. the set
+        self._put(*flow(moved(t, new)))
+        self.h, self.t = new - t, new
+        self.steps += 1
+
+    def _put(self, centre: Ball, G: Ball) -> None:
+        """Replace the set; its errors are new columns, the shortest of which become a box."""
+        n, N = self.n, self.N
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
         self.m[:n] = centre.c
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
@@ -246,8 +288,6 @@ class Enclosure:
             rest = matrix(exact(np.abs(self.G[:n, shortest])), exact(self.r[shortest]))
             self.G = np.hstack([np.delete(self.G, shortest, axis=1), np.eye(N, n)])
             self.r = np.concatenate([np.delete(self.r, shortest), rest.size])
-        self.h, self.t = new - t, new
-        self.steps += 1
 
     # --- boxes that hold runs -----------------------------------------------------------------
 
