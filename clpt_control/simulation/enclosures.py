@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..base.arguments import attribute_of, numbers, public
+from ..base.arguments import attribute_of, brief, numbers, public
 from ..base.errors import ArgumentError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
 from ..engine.codegen.diagram_record import DiagramRecord, Form
@@ -49,14 +49,21 @@ def end_of(name: str, value: Any, is_upper: bool, is_entry: bool = False) -> Any
             key: end_of(f"{name}[{key!r}]", entry, is_upper, True)
             for key, entry in value.items()
         }
+    if is_pair(value) and holds_pair(value):
+        raise ArgumentError(
+            f"{name} = {value!r:.60}: may be two pairs or the ends of one. Give a list of pairs, "
+            "or ends that are lists"
+        )
     if is_entry and is_pair(value):
-        lower, upper = (numbers(name, end) for end in value)
-        if not np.all((lower <= upper) & np.isfinite(upper - lower)):
+        ends = lower, upper = [numbers(name, end) for end in value]
+        is_ordered = lower.shape == upper.shape and lower.size
+        if not is_ordered or not np.all((lower <= upper) & np.isfinite(upper - lower)):
             raise ArgumentError(
-                f"{name} = {value!r:.60}: must be a pair (lower, upper) with lower <= upper and "
-                "a finite width"
+                f"{name} = {brief(value)}: must be a pair (lower, upper) with lower <= upper, a "
+                "finite width and one shape. Several numbers are a list"
             )
-        return value[is_upper]
+        # whole numbers and lists are no places of a record
+        return ends[is_upper] if lower.ndim else float(ends[is_upper])
     if isinstance(value, list | tuple):
         return [
             end_of(f"{name}[{k}]", entry, is_upper, True)
@@ -97,7 +104,7 @@ def enclose(
 ) -> "xarray.Dataset":
     """Return boxes that contain every run from a set.
 
-    A pair ``(lower, upper)`` in place of a number is an interval: of an initial state and of a
+    A tuple ``(lower, upper)`` in place of a number is an interval: of an initial state and of a
     parameter any constant, of an input any function of time in it. Systems may have discrete time,
     sampled parts and jumps at known times.
 

@@ -371,7 +371,7 @@ def test_pairs_of_inputs_beside_samples():
         )
         assert np.all(tube.lower[:, 0] <= run.states[:, 0].values + 1e-12)
         assert np.all(tube.upper[:, 0] >= run.states[:, 0].values - 1e-12)
-    with pytest.raises(clpt.ArgumentError, match="samples at the same times"):
+    with pytest.raises(clpt.ArgumentError, match="one shape"):
         clpt.enclose(model, [0, 1, 2], {"a": 0.0, "d": (0.0, [0.1, 0.2, 0.3])}, [0.0])
 
 
@@ -511,6 +511,40 @@ def test_arrays_of_parameters_take_a_pair_of_arrays():
     assert np.allclose(tube.upper[-1] - tube.lower[-1], [0, 0.035], atol=3e-3)
     with pytest.raises(clpt.ArgumentError, match="Give a pair of arrays"):
         clpt.enclose(model, [0, 1], None, [1, 1], {"model.k": [1.0, (1.0, 1.1)]})
+
+
+@pytest.mark.parametrize("read", [list, np.array, np.float32])
+@pytest.mark.parametrize("other", [list, lambda a: np.array(a, float)])
+def test_ends_of_arrays_of_any_kind_are_read(read, other):
+    model = control.nlsys(
+        lambda t, x, u, p: [-p["w"][0] * x[0], -p["w"][1] * x[1]],
+        **{"states": ["a", "b"], "inputs": 0, "outputs": ["a", "b"], "name": "model"},
+        params={"w": np.array([1.0, 5.0])},
+    )
+    for pair in ((read([1, 5]), other([2, 6])), (other([1, 5]), read([2, 6]))):
+        tube = clpt.enclose(model, [0, 0.1], None, [1.0, 1.0], {"w": pair})
+        assert np.all(tube.lower[-1] <= np.exp([-0.2, -0.6]))
+        assert np.all(tube.upper[-1] >= np.exp([-0.1, -0.5]))
+        assert np.all(tube.upper[-1] - tube.lower[-1] < 0.3)
+
+
+@pytest.mark.parametrize("read", [np.array, lambda a: np.array(a, float), int, float])
+def test_ends_of_a_number_of_any_kind_are_read(read):
+    model = control.nlsys(
+        lambda t, x, u, p: -p["k"] * x, None, inputs=0, states=1, params={"k": 1.0}
+    )
+    tube = clpt.enclose(model, [0, 0.1], None, [1.0], {"k": (read(1), read(2))})
+    assert tube.lower[-1, 0] <= math.exp(-0.2) < math.exp(-0.1) <= tube.upper[-1, 0]
+
+
+def test_what_may_be_one_pair_or_two_is_refused():
+    model = block(lambda t, x, u, p: -x, inputs={})
+    for start in (((0, 1), (2, 3)), {"x": ((0, 1), (2, 3))}):
+        with pytest.raises(clpt.ArgumentError, match="may be two pairs or the ends"):
+            clpt.enclose(model, [0, 1], initial_state=start)
+    for shape in ((np.eye(2), np.eye(3)), (None, 1.0), ([], []), (4, 3)):
+        with pytest.raises(clpt.ArgumentError, match="a finite width and one shape"):
+            clpt.enclose(model, [0, 1], initial_state={"x": shape})
 
 
 def test_a_pair_alone_is_no_argument_of_inputs():
