@@ -295,3 +295,4 @@ def check_members(varied: Varied, varies: Sequence[Vary], values: Values) -> Non
                 raise ScenarioError(
                     f"member {m}: {sentence}; narrow {item.text}"
                 ) from None
+    varied.check_blocks(values)

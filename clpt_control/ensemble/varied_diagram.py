@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from ..base.arguments import brief, finite
-from ..base.errors import DiagramError, ScenarioError, SimulationError
+from ..base.errors import ClptError, DiagramError, ScenarioError, SimulationError
 from ..engine.codegen.directional_derivatives import (
     Place,
     place_of,
@@ -264,6 +264,20 @@ class VariedDiagram:
         """Refuse a value that is not finite; a parameter may be an infinite limit."""
         if not self.locations[key].fields:
             finite(key, value)
+
+    def check_blocks(self, values: Values) -> None:
+        """Refuse members with parameters that the rules of their blocks do not allow."""
+        varied = {k for key in values for k, _ in self.locations[key].fields}
+        ruled = [k for k in varied if self.wiring.nodes[k].system.rules]
+        for m in range(len(next(iter(values.values()))) if ruled else 0):
+            parameters, start = list(self.parameters), self.start.copy()
+            for key in values:
+                put(self.locations[key], values[key][m], parameters, start)
+            for k in ruled:
+                try:
+                    self.wiring.nodes[k].system.check_rules(parameters[k])
+                except ClptError as error:
+                    raise ScenarioError(f"vary: member {m}: {error}") from None
 
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input, a state or a parameter as an attribute, if known."""

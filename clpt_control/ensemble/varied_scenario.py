@@ -119,6 +119,9 @@ class VariedScenario:
         """Refuse a value that the scenario does not allow."""
         self.scenario.with_values({key: value})
 
+    def check_blocks(self, values: Values) -> None:
+        """Do nothing: a scenario's keys have their own limits."""
+
     def arguments(self, path: Path | None) -> dict[str, Any]:
         """Return the arguments that identify the scenario in a store at a path.
 

@@ -3,7 +3,7 @@
 Parameters are numbers, ports may have other names, and time is continuous or discrete.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial, update_wrapper
 from typing import Any
 
@@ -15,18 +15,29 @@ from ..engine.model.block import Block
 from ..engine.model.ports import check_count, renamed
 
 Ports = Mapping[str, str]  # name of a port -> the user's name
+Rule = Callable[[str, Mapping[str, Any]], None]  # refuses values of a named block
 UNBOUNDED = {"low", "high", "rise", "fall", "tracking"}  # what may be infinite
 
 
 def make_block(
-    name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any
+    name: str,
+    ports: Ports,
+    parameters: Mapping[str, Any],
+    rules: Sequence[Rule] = (),
+    **declared: Any,
 ) -> Block:
-    """Make a block; `ports` has other names of some ports, {"u": "v_c"}."""
+    """Make a block; `ports` has other names of some ports, {"u": "v_c"}.
+
+    Rules hold where the block is made and for values of a call.
+    """
+    rules = check_finite, *rules
+    for rule in rules:
+        rule(name, parameters)
     values = {
-        key: (numbers if key in UNBOUNDED else finite)(f"{name}: {key}", value)[()]
-        for key, value in parameters.items()
+        key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()
     }
     block = Block(name, parameters=values, **declared)
+    block.rules = rules
     names = {*block.input_ports, *block.output_ports}
     for port, new_name in ports.items():
         if port not in names:
@@ -55,6 +66,7 @@ def following_block(
     ports: Ports,
     values: dict,
     signals: int,
+    rules: Sequence[Rule],
     rate: Any,
     step: Any = None,
     dt: float | None = None,
@@ -62,10 +74,18 @@ def following_block(
     """Make a block with its output as state, or, sampled, with its last output as state."""
     if dt is None:
         u, y = {"u": signals}, {"y": signals}
-        return make_block(name, ports, values, update=rate, inputs=u, states=y)
+        return make_block(name, ports, values, rules, update=rate, inputs=u, states=y)
     last = {"last": signals}
     return signal_block(
-        name, ports, values, signals, update=step, output=step, states=last, dt=dt
+        name,
+        ports,
+        values,
+        signals,
+        rules=rules,
+        update=step,
+        output=step,
+        states=last,
+        dt=dt,
     )
 
 
@@ -82,25 +102,49 @@ def checked_sizes(name: str, signals: int, **values: Any) -> dict[str, Any]:
     check_count(f"{name}: signals = {signals}", signals)
     for key, value in values.items():
         if numbers(f"{name}: {key}", value).shape not in ((), (signals,)):
+            others = f", or {signals}" if signals > 1 else ""
             raise BlockError(
-                f"{name}: {key} = {brief(value)}: must be one number, or {signals}"
+                f"{name}: {key} = {brief(value)}: must be one number{others}"
             )
     return values
 
 
+def check_finite(name: str, values: Mapping[str, Any]) -> None:
+    """Refuse values that are not finite, but for limits."""
+    for key, value in values.items():
+        (numbers if key in UNBOUNDED else finite)(f"{name}: {key}", value)
+
+
 def check_positive(name: str, *, or_zero: bool = False, **values: Any) -> None:
     """Refuse values that are not positive numbers."""
+    check_finite(name, values)
     for key, value in values.items():
-        array = (numbers if key in UNBOUNDED else finite)(f"{name}: {key}", value)
+        array = np.asarray(value)
         if not np.all(array >= 0 if or_zero else array > 0):
             raise BlockError(
                 f"{name}: {key} = {brief(value)}: must be positive{' or 0' * or_zero}"
             )
 
 
-def check_order(name: str, **limits: Any) -> None:
-    """Refuse two limits of which the first is not below the second."""
-    (below, low), (above, high) = limits.items()
+def positive(*keys: str, or_zero: bool = False) -> Rule:
+    """Return a rule that refuses parameters that are not positive."""
+    return partial(_positive, keys, or_zero)
+
+
+def _positive(
+    keys: Sequence[str], or_zero: bool, name: str, values: Mapping[str, Any]
+) -> None:
+    given = {key: values[key] for key in keys if key in values}
+    check_positive(name, or_zero=or_zero, **given)
+
+
+def ordered(below: str, above: str) -> Rule:
+    """Return a rule that refuses a parameter that is not below another."""
+    return partial(_ordered, below, above)
+
+
+def _ordered(below: str, above: str, name: str, values: Mapping[str, Any]) -> None:
+    low, high = values[below], values[above]
     if not np.all(np.asarray(low) < np.asarray(high)):
         raise BlockError(
             f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}"
@@ -116,5 +160,4 @@ def lag_parameter(name: str, lag: float | None, dt: float | None) -> dict[str, f
     if lag is None:
         check_positive(name, dt=dt)
         return {}
-    check_positive(name, lag=lag)
     return {"lag": lag}

@@ -14,13 +14,15 @@ times time.
 Source: Astrom and Murray 2008, Feedback Systems, sections 10.4 and 10.5.
 """
 
+from functools import partial
+
 import numpy as np
 
-from ..base.arguments import Count, public
+from ..base.arguments import Count, brief, public
 from ..base.errors import BlockError
 from ..engine.diagram.interconnection import PARAMETER_HINTS
 from ..engine.model.block import Block
-from .common import check_order, check_positive, make_block, with_constants
+from .common import check_positive, make_block, ordered, positive, with_constants
 
 
 def derivative(x, u, p, dt):
@@ -75,6 +77,15 @@ def gain_hint(key: str, parameters: set[str]) -> str:
 
 
 PARAMETER_HINTS.append(gain_hint)
+
+
+def check_tracking(dt, name, values):
+    """Refuse a time in which the integral of a sampled controller would not settle."""
+    tracking = values.get("tracking", np.inf)
+    if not np.all(np.greater(tracking, dt / 2)):
+        raise BlockError(
+            f"{name}: tracking = {brief(tracking)}: must be above half of dt = {dt:g}"
+        )
 
 
 @public
@@ -151,11 +162,12 @@ def pid(
         )
         tracking = max(follows, dt or 0.0)
     check_positive(name, filter=filter, tracking=tracking, dt=1.0 if dt is None else dt)
-    if tracking <= (dt or 0.0) / 2:
-        raise BlockError(
-            f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}"
-        )
-    check_order(name, low=low, high=high)
+    rules = [
+        ordered("low", "high"),
+        positive("filter", "tracking"),
+        partial(check_tracking, dt or 0.0),
+    ]
+    check_tracking(dt or 0.0, name, {"tracking": tracking})
     values, states = {"kp": kp, "low": low, "high": high}, []
     if ki:
         values |= {"ki": ki, "tracking": tracking}
@@ -168,6 +180,7 @@ def pid(
         name,
         ports,
         values,
+        rules,
         update=update if states else None,
         output=with_constants(command, dt=dt),
         inputs={"r": signals, "y": signals},

@@ -24,7 +24,13 @@ from ..base.arguments import Count, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from ..engine.model.ports import check_count
-from .common import check_positive, checked_sizes, following_block, signal_block
+from .common import (
+    check_positive,
+    checked_sizes,
+    following_block,
+    positive,
+    signal_block,
+)
 
 MOST_ORDER = 500  # of a Pade approximant: its matrix is full
 
@@ -70,8 +76,8 @@ def lag(
     [0.0, 0.6321, 1.0]
     """
     values = checked_sizes(name, signals, lag=lag, gain=gain)
-    check_positive(name, lag=lag)
-    return following_block(name, ports, values, signals, lagging)
+    rules = [positive("lag")]
+    return following_block(name, ports, values, signals, rules, lagging)
 
 
 def legendre_rate(t, x, u, p):
@@ -169,7 +175,14 @@ def delay(
     values = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
     past = {"past": (order, signals)}
     block = signal_block(
-        name, ports, values, signals, update=legendre_rate, output=oldest, states=past
+        name,
+        ports,
+        values,
+        signals,
+        rules=[positive("delay")],
+        update=legendre_rate,
+        output=oldest,
+        states=past,
     )
     block.approximation = f"the Padé approximation of order {order} of {name}"
     return block

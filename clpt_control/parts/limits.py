@@ -34,14 +34,16 @@ from ..base.arguments import Count, brief, finite, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
 from .common import (
-    check_order,
-    check_positive,
     checked_sizes,
     following_block,
     lag_parameter,
+    ordered,
+    positive,
     signal_block,
     with_constants,
 )
+
+LIMITS = [ordered("low", "high")]
 
 
 def limited(t, x, u, p):
@@ -82,8 +84,7 @@ def saturation(
     array([-1. ,  0.5,  2. ])
     """
     limits = checked_sizes(name, signals, low=low, high=high)
-    check_order(name, **limits)
-    return signal_block(name, ports, limits, signals, output=limited)
+    return signal_block(name, ports, limits, signals, rules=LIMITS, output=limited)
 
 
 def beyond(t, x, u, p):
@@ -124,13 +125,26 @@ def dead_zone(
     array([-4. ,  0. ,  0.5])
     """
     limits = checked_sizes(name, signals, low=low, high=high)
-    check_order(name, **limits)
-    return signal_block(name, ports, limits, signals, output=beyond)
+    return signal_block(name, ports, limits, signals, rules=LIMITS, output=beyond)
 
 
 def looked_up(t, x, u, p):
     """y = Y_k + (u - X_k) (Y_{k+1} - Y_k)/(X_{k+1} - X_k), section "linear interpolation"."""
     return np.interp(u.u, p.at, p.values)
+
+
+def check_table(name, table):
+    """Refuse points that do not increase, or other numbers of points and values."""
+    at, values = table["at"], table["values"]
+    points = numbers(f"{name}: at", at)
+    if points.ndim != 1 or len(points) < 2 or not np.all(np.diff(points) > 0):
+        raise BlockError(
+            f"{name}: at = {brief(at)}: must be two or more increasing numbers"
+        )
+    if numbers(f"{name}: values", values).shape != points.shape:
+        raise BlockError(
+            f"{name}: values = {brief(values)}: must be {len(points)} numbers"
+        )
 
 
 @public
@@ -175,17 +189,10 @@ def lookup_table(
     >>> pump.output(0, [], [0.5, 2, 9])
     array([ 5., 15., 20.])
     """
-    points = numbers(f"{name}: at", at)
-    if points.ndim != 1 or len(points) < 2 or not np.all(np.diff(points) > 0):
-        raise BlockError(
-            f"{name}: at = {brief(at)}: must be two or more increasing numbers"
-        )
-    if numbers(f"{name}: values", values).shape != points.shape:
-        raise BlockError(
-            f"{name}: values = {brief(values)}: must be {len(points)} numbers"
-        )
     table = {"at": at, "values": values}
-    return signal_block(name, ports, table, signals, output=looked_up)
+    return signal_block(
+        name, ports, table, signals, rules=[check_table], output=looked_up
+    )
 
 
 def limited_rate(t, x, u, p):
@@ -244,10 +251,10 @@ def rate_limit(
     [0.0, 0.5, 1.0, 2.0]
     """
     rates = checked_sizes(name, signals, rise=rise, fall=rise if fall is None else fall)
-    check_positive(name, **rates)
     step = limited_step if dt is None else with_constants(limited_step, dt=dt)
     values = {**rates, **lag_parameter(name, lag, dt)}
-    return following_block(name, ports, values, signals, limited_rate, step, dt)
+    rules = [positive("rise", "fall", "lag")]
+    return following_block(name, ports, values, signals, rules, limited_rate, step, dt)
 
 
 # --- hysteresis ----------------------------------------------------------------------------------
@@ -308,9 +315,10 @@ def backlash(
     >>> clpt.simulate(gears, range(6), [[0, 1, 2, 1.5, 1, 0]]).y.values.tolist()
     [0.0, 0.5, 1.5, 1.5, 1.5, 0.5]
     """
-    check_positive(name, **checked_sizes(name, signals, width=width))
-    values = {"width": width, **lag_parameter(name, lag, dt)}
-    return following_block(name, ports, values, signals, gap_closed, play, dt)
+    width_of_gap = checked_sizes(name, signals, width=width)
+    values = {**width_of_gap, **lag_parameter(name, lag, dt)}
+    rules = [positive("width", "lag")]
+    return following_block(name, ports, values, signals, rules, gap_closed, play, dt)
 
 
 def closed_by(x, u, p):
@@ -331,6 +339,12 @@ def switched(t, x, u, p):
 def relayed(t, x, u, p):
     """y = high where m + v > 0, or low (Schmitt 1938, section "trigger")."""
     return np.where(closed_by(x, u, p) > 0, p.high, p.low)
+
+
+def check_outputs(name, values):
+    """Refuse outputs that are not finite, which are no limits here."""
+    for key in ("low", "high"):
+        finite(f"{name}: {key}", values[key])
 
 
 @public
@@ -387,13 +401,12 @@ def relay(
     [0.0, 0.0, 5.0, 5.0, 5.0, 0.0]
     """
     values = checked_sizes(name, signals, off=off, on=on, low=low, high=high)
-    check_order(name, off=off, on=on)
-    finite(f"{name}: low, high", [*np.ravel(low), *np.ravel(high)])
     return signal_block(
         name,
         ports,
         {**values, **lag_parameter(name, lag, dt)},
         signals,
+        rules=[check_outputs, ordered("off", "on"), positive("lag")],
         update=switched if lag is None else trigger,
         output=relayed,
         states={"closed": signals},

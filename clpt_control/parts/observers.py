@@ -29,7 +29,7 @@ from ..engine.model.block import Block
 from ..engine.model.declaration import Each
 from ..engine.model.ports import labels
 from ..engine.model.system import SHAPES
-from .common import Ports, check_positive, checked_sizes, make_block
+from .common import Ports, checked_sizes, make_block, positive
 
 SQUARE = ("n", "n")
 MATRIX_SHAPES = {**SHAPES, "L": ("n", "q"), "Q": SQUARE, "R": ("q", "q"), "P0": SQUARE}
@@ -264,13 +264,12 @@ def noise(
     >>> round(float(clpt.simulate(gusts, range(1000)).n.std()), 1)
     1.9
     """
-    check_positive(name, period=period)
-    check_positive(name, or_zero=True, std=std)
     values = {**checked_sizes(name, signals, std=std), "period": period, "seed": seed}
     return make_block(
         name,
         ports,
         {**values, "signal": np.arange(float(signals)), "interval": -1.0},
+        [positive("period"), positive("std", or_zero=True)],
         output=held_noise,
         outputs={"n": signals},
         opaque=True,

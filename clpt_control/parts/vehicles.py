@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from ..base.arguments import Count, brief, finite, numbers, public
 from ..base.errors import BlockError
 from ..engine.model.block import Block
-from .common import check_order, check_positive, checked_sizes, make_block
+from .common import checked_sizes, make_block, ordered, positive
 
 
 def point_rates(t, x, u, p):
@@ -70,13 +70,12 @@ def point_vehicle(
     [0.5, 0.0]
     """
     values = checked_sizes(name, axes, mass=mass, damping=damping, quadratic=quadratic)
-    check_positive(name, mass=mass)
-    check_positive(name, or_zero=True, damping=damping, quadratic=quadratic)
+    rules = positive("mass"), positive("damping", "quadratic", or_zero=True)
     inputs, states = (
         dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v"))
     )
     return make_block(
-        name, ports, values, update=point_rates, inputs=inputs, states=states
+        name, ports, values, rules, update=point_rates, inputs=inputs, states=states
     )
 
 
@@ -97,6 +96,24 @@ def planar_rates(t, x, u, p):
         yaw,
     ]
     return {"eta": over_ground, "nu": [X / m11, sway_rate, yaw_rate]}
+
+
+def check_masses(name, matrices):
+    """Refuse matrices that cannot be those of a vehicle."""
+    for key, value in matrices.items():
+        if np.shape(value) != (3, 3):
+            raise BlockError(
+                f"{name}: {key} = {brief(value)}: must have the shape (3, 3)"
+            )
+    M = np.asarray(matrices["M"], dtype=float)
+    if (
+        not np.allclose(M, M.T, atol=0)
+        or np.any(M[0, 1:])
+        or np.min(np.linalg.eigvalsh(M)) <= 0
+    ):
+        raise BlockError(
+            f"{name}: M = {brief(M)}: must be symmetric and positive definite, with m12 = m13 = 0"
+        )
 
 
 @public
@@ -141,26 +158,11 @@ def planar_vehicle(
     [0.469, -0.07, 0.149]
     """
     given = {"M": M, "D": D, "Q": np.zeros((3, 3)) if Q is None else Q}
-    matrices = {key: finite(f"{name}: {key}", value) for key, value in given.items()}
-    for key, value in matrices.items():
-        if value.shape != (3, 3):
-            raise BlockError(
-                f"{name}: {key} = {brief(given[key])}: must have the shape (3, 3)"
-            )
-    M = matrices["M"]
-    if (
-        not np.allclose(M, M.T, atol=0)
-        or np.any(M[0, 1:])
-        or np.min(np.linalg.eigvalsh(M)) <= 0
-    ):
-        raise BlockError(
-            f"{name}: M = {brief(given['M'])}: must be symmetric and positive definite, with "
-            "m12 = m13 = 0"
-        )
     return make_block(
         name,
         ports,
-        matrices,
+        given,
+        [check_masses],
         update=planar_rates,
         inputs={"tau": 3, "flow": 2},
         states={"eta": 3, "nu": 3},
@@ -220,17 +222,17 @@ def thrusters(
     a = finite(f"{name}: angles", angles)
     if a.ndim != 1 or points.shape != (a.size, 2) or not a.size:
         raise BlockError(
-            f"{name}: places = {brief(places)}: must be a pair for each angle"
+            f"{name}: places = {brief(places)}, angles = {brief(angles)}: must be a list of "
+            "pairs, and an angle for each"
         )
     values = checked_sizes(name, a.size, low=low, high=high, lag=lag)
-    check_positive(name, lag=lag)
-    check_order(name, low=low, high=high)
     forward, starboard = points.T
     B = np.array([np.cos(a), np.sin(a), forward * np.sin(a) - starboard * np.cos(a)])
     return make_block(
         name,
         ports,
         {"B": B, **values},
+        [positive("lag"), ordered("low", "high")],
         update=thruster_lag,
         output=allocated,
         inputs={"thrust": a.size},

@@ -111,7 +111,7 @@ class SystemRun:
             raise SimulationError(
                 f"timepts: {samples} samples of {numbers} states and signals would take "
                 f"{size / 1e9:.3g} GB of memory; at most {MOST_BYTES / 1e9:g} are allowed: give "
-                "fewer times"
+                "fewer times, or a smaller system"
             )
 
     def run(

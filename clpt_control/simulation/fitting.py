@@ -195,7 +195,11 @@ class FitProblem:
                 raise ArgumentError(
                     f"data: {name} is not an output; inputs= takes inputs. {advice}"
                 )
-            if not np.isfinite(signal.values).any():
+            if np.isinf(signal.values).any():
+                raise ArgumentError(
+                    f"data: {name}: must be finite; NaN is no measurement"
+                )
+            if np.isnan(signal.values).all():
                 continue
             columns = self.ports[name]
             if set(columns) & set(self.columns):

@@ -39,6 +39,12 @@ def prepared(*given, **named):
     return clpt.prepare(PEN, TIMES, 0.0, [1, 0], {"d": 0.5})(*given, **named)
 
 
+def called(block, **fields):
+    """Run a block with other values of its parameters."""
+    params = {f"{block.name}.{field}": value for field, value in fields.items()}
+    return clpt.simulate(block, [0, 1], 0.0, params=params)
+
+
 def estimator():
     """Return an estimator at its first fix."""
     found = clpt.currents.FlowEstimator(OF_FIXES)
@@ -80,7 +86,7 @@ parts.noise(1, 0.1, sed=3) -> noise: sed= is not an argument. Did you mean 'seed
 parts.backlash(INF, lag=0.1) -> backlash: width = inf: must be finite
 parts.rate_limit(1, lag=INF) -> rate_limit: lag = inf: must be finite
 parts.relay(INF, -1, lag=0.1) -> relay: on = inf: must be finite
-parts.relay(1, -1, 0, INF, lag=0.1) -> low, high = [0.0, inf]: must be finite; number 1 is inf
+parts.relay(1, -1, 0, INF, lag=0.1) -> relay: high = inf: must be finite
 parts.lookup_table([0, 1], [0, NAN]) -> lookup_table: values = [0.0, nan]: must be finite; number 1
 parts.point_vehicle(INF, 1) -> point_vehicle: mass = inf: must be finite
 parts.planar_vehicle(np.diag([1, INF, 1]), np.eye(3)) -> planar_vehicle: M = [[1.0, 0.0, 0.0],
@@ -142,6 +148,35 @@ clpt.currents.read_currents(clpt.currents.sample_currents(), units="furlong") ->
 clpt.lyapunov(PEN, at={"angle": INF}) -> at: angle = inf: must be finite
 clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be tuple[float, float, float, float] or None, without NaN
 clpt.currents.fit_current("x.nc", width_km=-1) -> width_km = -1: must be a number, positive
+called(parts.saturation(-1, 1), low=2) -> saturation: low = 2.0: must be below high = 1.0
+called(parts.saturation(-1, 1), low=INF) -> saturation: low = inf: must be below high = 1.0
+called(parts.dead_zone(-1, 1), low=2) -> dead_zone: low = 2.0: must be below high = 1.0
+called(parts.lag(2), lag=-2) -> lag: lag = -2.0: must be positive
+called(parts.lag(2), lag=0) -> lag: lag = 0.0: must be positive
+called(parts.lag(2), lag=INF) -> lag: lag = inf: must be finite
+called(parts.lag(2), gain=INF) -> lag: gain = inf: must be finite
+called(parts.delay(2), delay=-1) -> delay: delay = -1.0: must be positive
+called(parts.relay(1, -1, dt=1), off=2) -> relay: off = 2.0: must be below on = 1.0
+called(parts.relay(1, -1, dt=1), high=INF) -> relay: high = inf: must be finite
+called(parts.rate_limit(1, dt=1), rise=-1) -> rate_limit: rise = -1.0: must be positive
+called(parts.backlash(1, lag=1), width=-1) -> backlash: width = -1.0: must be positive
+called(parts.backlash(1, lag=1), lag=0) -> backlash: lag = 0.0: must be positive
+called(parts.noise(1, 1), std=-1) -> noise: std = -1.0: must be positive or 0
+called(parts.pid(1, 1, low=-1, high=1), low=2) -> pid: low = 2.0: must be below high = 1.0
+called(parts.pid(1, 1, dt=1), tracking=0.4) -> pid: tracking = 0.4: must be above half of dt
+called(parts.pid(1, 1), kp=INF) -> pid: kp = inf: must be finite
+called(parts.point_vehicle(1, 1), mass=0) -> point_vehicle: mass = 0.0: must be positive
+called(parts.planar_vehicle(np.eye(3), np.eye(3)), M=-np.eye(3)) -> must be symmetric and positive
+called(parts.lookup_table([0, 1], [0, 1]), at=[1.0, 0.0]) -> must be two or more increasing
+called(clpt.Sampled(parts.lag(2), 1), lag=-2) -> lag: lag = -2.0: must be positive
+clpt.prepare(parts.lag(2), [0, 1], 1, params={"lag.lag": 1})(params={"lag.lag": -2}) -> lag: lag = -2
+clpt.linearize(parts.lag(2), params={"lag.lag": -2}) -> lag: lag = -2.0: must be positive
+clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 2]}, timepts=[0, 1]) -> vary: member 1: saturation: low = 2.0: must be below high = 1.0
+clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 0.5], "saturation.high": [0.2, 1]}, timepts=[0, 1]) -> vary: member 2: saturation: low = 0.5: must be below high = 0.2
+clpt.enclose(LIMITED, [0, 1], params={"lag.lag": (-1, 2)}) -> lag: lag = -1.0: must be positive
+clpt.fit_parameters(parts.lag(2), {"y": [0, INF, 1]}, {"lag.lag": 1}, [0, 1, 2], 1.0) -> data: y: must be finite; NaN is no measurement
+parts.saturation([1, 2], 3) -> saturation: low = [1, 2]: must be one number
+parts.thrusters([(0, 1)], 0, 0, 1, 1) -> angles = 0: must be a list of pairs, and an angle for each
 clpt.currents.FlowEstimator.load() -> Its arguments are path
 clpt.prove("sgma") -> prove: there is no sgma. Did you mean 'sigma'?
 clpt.tune_law(SHORT, laws=["sgma"]) -> laws: there is no sgma. Did you mean 'sigma'?
@@ -173,6 +208,12 @@ clpt.connect([PEN], external="torque")
 prepared(params={"d": 1})
 estimator().flow(1777593600, 36.7, -122)
 vary(seed=np.int64(3))
+called(parts.saturation(-1, 1), low=0.5)
+called(parts.lag(2), lag=1e-9)
+called(parts.pid(1, 1, low=-1, high=1), low=-INF)
+called(parts.pid(1, 1), ki=0)
+called(parts.point_vehicle(1, 1), damping=0)
+clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 1.5], "saturation.high": [2, 3]}, timepts=[0, 1])
 """
 
 

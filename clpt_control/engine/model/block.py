@@ -11,7 +11,7 @@ shapes and labels, parameters, breakpoints, and the mark `opaque` for sources of
 which are undefined functions in SymPy.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from threading import local
 from types import MappingProxyType
 from typing import Any
@@ -122,6 +122,8 @@ class Block(ReadBlock):
 
     # of a sampled block: the first state that holds an input
     first_held: int | None = None
+    # each refuses values of parameters by name, of a call too
+    rules: Sequence[Callable[[str, Mapping[str, Any]], None]] = ()
     units: Mapping[str, str] = MappingProxyType({})
 
     def __init__(
@@ -322,9 +324,16 @@ class Block(ReadBlock):
                 )
         if not changes:
             return self.parameters
-        return checked_parameters(
+        changed = checked_parameters(
             self.name, self.parameters._replace(**changes), self.parameters
         )
+        self.check_rules(changed)
+        return changed
+
+    def check_rules(self, parameters: Any) -> None:
+        """Refuse parameters that the block's rules do not allow."""
+        for rule in self.rules:
+            rule(self.name, parameters._asdict())
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         self._call.parameters, self._call.start = self.with_params(params), None

@@ -90,7 +90,7 @@ class Sampled(Block):
             jump=other_equations if states else None,
         )
         self.first_held = inner.nstates if inner.ninputs else None
-        self.raised = inner.raised
+        self.raised, self.rules = inner.raised, inner.rules
         self.set_inputs(inner.input_labels)
         self.set_outputs(inner.output_labels)
         if states:
