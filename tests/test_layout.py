@@ -269,7 +269,7 @@ TOKENS = {
     "paper.currents": 12644,
     "paper.laws": 10573,
     "paper.scenario": 12643,
-    "parts": 6047,
+    "parts": 6044,
     "plots": 14,
     "plots.drawing": 6370,
     "simulation": 44830,

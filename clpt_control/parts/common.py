@@ -57,8 +57,8 @@ def signal_block(
     **declared: Any,
 ) -> Block:
     """Make a block with the input u and the output y, each of some signals."""
-    shapes = {"inputs": {"u": signals}, "outputs": {"y": signals}}
-    return make_block(name, ports, parameters, **shapes, **declared)
+    declared |= {"inputs": {"u": signals}, "outputs": {"y": signals}}
+    return make_block(name, ports, parameters, **declared)
 
 
 def following_block(

@@ -162,11 +162,11 @@ def pid(
         )
         tracking = max(follows, dt or 0.0)
     check_positive(name, filter=filter, tracking=tracking, dt=1.0 if dt is None else dt)
-    rules = [
+    rules = (
         ordered("low", "high"),
         positive("filter", "tracking"),
         partial(check_tracking, dt or 0.0),
-    ]
+    )
     check_tracking(dt or 0.0, name, {"tracking": tracking})
     values, states = {"kp": kp, "low": low, "high": high}, []
     if ki:
