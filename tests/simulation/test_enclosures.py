@@ -773,3 +773,86 @@ def test_a_jump_without_bounds_ends_the_boxes_before_it():
     assert "to t = 0.5; the boxes end there, as" in tube.message
     assert np.isnan([*tube.upper[2:, 0], *tube.over_upper[2:, 0]]).all()
     assert np.isfinite(tube.over_upper[:2]).all()
+
+
+# --- pieces, and sets that come back -------------------------------------------------------------
+
+
+def test_pieces_tighten_the_boxes_and_leave_nothing_out():
+    """x = x0 exp(-k t), from 1 exp(-1.1) to 2 exp(-0.9)."""
+    start, params, width = [(1.0, 2.0)], {"model.k": (0.9, 1.1)}, []
+    for pieces in (1, 4, 8):
+        tube = clpt.enclose(of_decay(), [0, 1], 0.0, start, params, pieces=pieces)
+        with mpmath.workdps(40):
+            assert inside(tube, 1, [mpmath.exp(-mpmath.mpf(1.1))])
+            assert inside(tube, 1, [2 * mpmath.exp(-mpmath.mpf(0.9))])
+        width.append(float(tube.upper[1, 0] - tube.lower[1, 0]))
+    assert width[0] > width[1] > width[2]
+    assert width[2] < 1.04 * (2 * math.exp(-0.9) - math.exp(-1.1))
+    assert tube.message.endswith("to t = 1, in 8 pieces")
+
+
+def test_the_earliest_end_of_a_piece_counts():
+    """x = x0/(1 - x0 t) leaves all bounds at 1/x0."""
+    model = block(lambda t, x, u, p: x.x * x.x, 1)
+    times = np.linspace(0, 1.5, 16)
+    tube = clpt.enclose(model, times, None, [(0.5, 1.0)], pieces=6)
+    end = float(tube.message.split("to t = ")[1].split(",")[0])
+    assert "in 6 pieces; the boxes end there, as" in tube.message
+    assert 0.8 < end <= 1.0
+    reached = times <= end
+    assert np.all(tube.lower[reached, 0] <= 0.5 / (1 - 0.5 * times[reached]))
+    assert np.all(tube.upper[reached, 0] >= 1.0 / (1 - times[reached]))
+    assert np.isnan(tube.upper[~reached]).all()
+
+
+def test_a_point_and_noise_have_no_pieces():
+    given = of_decay(), [0, 1], {"d": (0.4, 0.6)}, [1.0]
+    one, more = (clpt.enclose(*given, pieces=pieces) for pieces in (1, 4))
+    assert one.identical(more)
+    with pytest.raises(clpt.ArgumentError, match="pieces = 0: must be a whole number"):
+        clpt.enclose(*given, pieces=0)
+
+
+@pytest.mark.long
+def test_the_box_of_van_der_pol_reaches_7_in_pieces():
+    """ARCH competition 2018, mu = 1: y < 2.75."""
+    model = block(lambda t, x, u, p: [x[1], (1 - x[0] ** 2) * x[1] - x[0]])
+    start = [(1.25, 1.55), (2.25, 2.35)]
+    times = np.linspace(0, 7, 71)
+    tube = clpt.enclose(model, times, None, start, pieces=16)
+    assert tube.status == "finished"
+    assert float(tube.over_upper[:, 1].max()) < 2.75
+    for corner in itertools.product(*start):
+        run = clpt.simulate(model, times, None, corner, rtol=1e-12, atol=1e-13)
+        states = run.states.values
+        assert np.all(tube.lower.values <= states + 1e-9)
+        assert np.all(tube.upper.values >= states - 1e-9)
+
+
+def damped(t, x, u, p):
+    return {"a": x.w, "w": -np.sin(x.a) - x.w}
+
+
+def test_a_set_that_comes_back_into_the_region_of_a_verdict():
+    def V(s):
+        return 0.75 * s.a**2 + 0.5 * s.a * s.w + 0.5 * s.w**2
+
+    model = clpt.Block(
+        "pendulum",
+        update=damped,
+        output=lambda t, x, u, p: V(x),
+        states={"a": 1, "w": 1},
+        outputs={"V": 1},
+    )
+    box = {"a": (-0.8, 0.8), "w": (-0.8, 0.8)}
+    tube = clpt.enclose(model, [0, 1, 2, 3, 4], None, box)
+    assert "; at t = 3 all states are within the bounds that they began" in tube.message
+    within = {"a": (-1, 1), "w": (-1, 1)}
+    verdict = clpt.lyapunov(model, V, within=within)
+    V_of_box = tube.upper.sel(name="V[0]").values
+    assert V_of_box[0] > 1.0 > verdict.level > 0.4 > V_of_box[-1]
+    # a box that grows does not come back
+    grows = block(lambda t, x, u, p: x.x)
+    tube = clpt.enclose(grows, [0, 1], None, [(-1.0, 1.0), 0.0])
+    assert "all states are within" not in tube.message

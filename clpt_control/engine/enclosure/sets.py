@@ -16,11 +16,14 @@ of Picard's box alone, with those of both sides of the switch.  Discrete time an
 times, such as those of sampled blocks, map the set by the mean value form.
 """
 
+from collections.abc import Iterator
 from contextlib import suppress
+from copy import deepcopy
 from typing import Any
 
 import numpy as np
 
+from ...base.progress import interrupt
 from . import balls
 from .balls import Ball, Switching, Undecided, around, between, exact, matrix
 from .set_program import SetProgram, SetSeries
@@ -44,8 +47,24 @@ def moved(t: float, new: float) -> Ball:
     return between(np.nextafter(length, 0), np.nextafter(length, np.inf))
 
 
+def enclosed(
+    whole: Ball, schedule: Any, most: int, *arguments: Any
+) -> list["Enclosure"]:
+    """Return boxes of at most so many pieces of a box, the earliest to end first."""
+    pieces, boxes = list[Enclosure](), [whole]
+    while True:
+        for box in boxes:
+            interrupt.check()
+            pieces.append(Enclosure(box, *arguments))
+            pieces[-1].run(schedule)
+        pieces.sort(key=lambda piece: (piece.t, -np.sum(piece.bent)))
+        if len(pieces) >= most or not np.any(pieces[0].whole.r):
+            return pieces
+        boxes = [*pieces.pop(0).halves()]
+
+
 class Enclosure:
-    """Boxes of all runs of a program from a box of states, with parameters in a box.
+    """Boxes of all runs of a program from a `whole` box of states and P.
 
     Entries of P with a noise may change at any time by as much from their centres.  `bounds` has
     lower and upper numbers of states and signals, at samples and over the intervals before them.
@@ -53,22 +72,23 @@ class Enclosure:
 
     def __init__(
         self,
+        whole: Ball,
         programs: list[SetProgram],
-        start: Ball,
-        P: Ball,
         noise: np.ndarray,
         times: np.ndarray,
         jumps: list[int] | None,
     ):
         rates, signals, leaps = programs
         # 1. the set, with columns for what has a radius
-        self.n = n = len(start.c)
+        self.whole, self.n = whole, len(rates.x)
+        n, P = self.n, Ball(whole.c[self.n :].copy(), whole.r[self.n :])
         varied, disturbed = np.flatnonzero(P.r), np.flatnonzero(noise)
-        radii = np.concatenate([start.r, P.r[varied]])
+        self.m, radii = (np.append(a[:n], a[n:][varied]) for a in whole)
         given = np.flatnonzero(radii)
         self.given, self.N = len(given), len(radii)
-        self.m = np.concatenate([start.c, P.c[varied]])
         self.G, self.r = np.eye(self.N)[:, given], radii[given]
+        # by how much each column bends; at first its share
+        self.bent = 1e-9 * self.r / (np.abs(self.m[given]) + self.r)
         # 2. series
         along = [("X", k) for k in range(n)]
         along += [("P", k) for k in (*varied, *disturbed)]
@@ -89,6 +109,14 @@ class Enclosure:
         shape = 2, 2, len(times), n + len(signals.results)
         self.bounds = np.full(shape, np.nan)
 
+    def halves(self) -> Iterator[Ball]:
+        """Yield the two halves of the box along what bends runs most."""
+        k = np.flatnonzero(self.whole.r)[np.argmax(self.bent)]
+        for end in (self.whole.lower, self.whole.upper):
+            half = deepcopy(self.whole)
+            half.c[k], half.r[k] = between(*sorted([end[k], half.c[k]]))
+            yield half
+
     # --- runs ---------------------------------------------------------------------------------
 
     @np.errstate(all="ignore")
@@ -105,6 +133,7 @@ class Enclosure:
                         raise Undecided(f"the run takes more than {MOST_STEPS} steps")
         except Undecided as error:
             self.why = str(error)
+        del self.wide, self.narrow  # large
         # an interval is covered whole or not at all
         self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
         self.bounds[np.isinf(self.bounds)] = np.nan
@@ -278,6 +307,8 @@ class Enclosure:
         """Replace the set; its errors are new columns, the shortest of which become a box."""
         n, N = self.n, self.N
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
+        bent = G.r[:, : self.given] * self.r[: self.given]
+        self.bent += np.sum(bent.T / (self._box().r[:n] + REACH), axis=1)
         self.m[:n] = centre.c
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
