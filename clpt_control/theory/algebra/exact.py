@@ -207,20 +207,23 @@ def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
 def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     """Return a sum without the terms that are rounding errors of the products they are made of.
 
-    A coefficient is compared with the sum of the sizes of all that cancels in it; cos(3) and other
-    values of functions at numbers are as machines round them, and their arguments.  Parameters
-    with `values` are these numbers.
+    A coefficient is compared with the sum of the sizes of all that cancels in it, but for products
+    of numbers that doubles hold exactly, as 1/2 and 1e16; cos(3) and other values of functions at
+    numbers are as machines round them, and their arguments.  Parameters with `values` are these
+    numbers.
     """
     numbers = _numbers_in(e, values)
     if not numbers and all(n.q <= LARGEST for n in e.atoms(sympy.Rational)):
         return e
     numbers |= values
+    inexact = sympy.Dummy(positive=True)
 
     def size(e: Expr) -> Expr:
         if e.is_Rational:
-            return abs(e)
+            return abs(e) if e.q.bit_count() == 1 else inexact * abs(e)
         if e in numbers:
-            return abs(numbers[e]) + size_of_change(e)
+            own = size(numbers[e]) if e.is_Symbol else inexact * abs(numbers[e])
+            return own + size_of_change(e)
         if e.is_Add or e.is_Mul:
             return e.func(*map(size, e.args))
         return size(e.base) ** e.exp if _is_product(e) else e.xreplace(numbers)
@@ -242,8 +245,13 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     value = e.xreplace(numbers)
     if value.has(sympy.zoo, sympy.nan):
         return value
+    total = size(e)
+    size_of_inexact = total.xreplace({inexact: S.One}) - total.xreplace(
+        {inexact: S.Zero}
+    )
     terms, sizes, exact = (
-        expand(f).as_coefficients_dict() for f in (value, size(e), e.xreplace(symbols))
+        expand(f).as_coefficients_dict()
+        for f in (value, size_of_inexact, e.xreplace(symbols))
     )
     kept = {
         term: c

@@ -34,6 +34,7 @@ ROUNDS = 15  # of a search
 PER_ROUND = 500  # points
 BEST = 5  # points of a round that the next one starts from
 DISTANCES = (1.0, 10.0, 100.0)  # factors of the distance from the rest
+FAR_OFF = 1e8  # the same, of what may outgrow a large input
 ENLARGED = (1e4, 1e3, 100.0, 10.0, 1.0)  # so that a point is not near the rest
 LARGE_STATE = 10.0  # to which points are enlarged
 SIGNIFICANT = 1e-7  # of the size of its terms; smaller values may be rounding errors
@@ -349,8 +350,11 @@ class PointSearch:
         it raises V near the rest alone.  States that are `fixed` are not moved.
         """
         for point in self.highest(rate, still=False):
-            states = self.scaled(point.x, DISTANCES, fixed)
-            rises, size, V = self.rates_at(point, states)
+            states = self.scaled(point.x, (*DISTANCES, FAR_OFF), fixed)
+            rates = np.array(self.rates_at(point, states))
+            # at the farthest a power may overflow
+            is_known = np.isfinite(rates).all(axis=0) | (np.arange(4) < 3)
+            rises, size, V = rates[:, is_known]
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
                 return point, float(rises[0])

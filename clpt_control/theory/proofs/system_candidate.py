@@ -92,7 +92,8 @@ class SystemCandidate(LyapunovCandidate):
         self.system, self.points, self.seed = system, points, seed
         self.is_pushed = is_pushed  # whether inputs that raise V are judged, not zero
         self.chosen = {"unsigned": unsigned, "symbols": symbols, "above": above}
-        self.eq = self._equations(NamesWithNumbers if numbers else Names)
+        names = NamesWithNumbers if numbers else Names
+        self.eq = self._equations(names)
         self.fixed = {*self.eq.values}
         written = self._equations(Names) if numbers else self.eq
         self.parameters = {
@@ -129,7 +130,7 @@ class SystemCandidate(LyapunovCandidate):
                 )
         self.where = Where(where, self.states, self.inputs, self.V)
         if where and self.eq.undefined:
-            limited = self._equations(Names, self.where.undefined)
+            limited = self._equations(names, self.where.undefined)
             self.undefined = [*limited.undefined, *undefined]
         self.write(lambda e: e.xreplace(self.where.values))
         self.margins = list[sympy.Expr]()  # conditions between parameters
@@ -332,8 +333,9 @@ class SystemCandidate(LyapunovCandidate):
             if holds:
                 continue
             failure = find()
+            found = failure is not None
             claim = f"{fails} at a point"
-            step = Step(claim, failure is not None, "counterexample", "", False)
+            step = Step(claim, found, "counterexample", "", False, needed=found)
             if failure is not None:
                 claim = self.with_rate(f"{fails}: {failure[1]:.3g} at `point`")
                 return Refutation(claim, step, *failure), searches
