@@ -29,10 +29,12 @@ from .facts import (
     inputs_in,
     interval,
     pieces_of,
+    powers_of_exp,
     sector_of,
 )
 from .gram import sum_of_squares
 from .numeric_values import NO_VALUE, NumericValues
+from .slopes import of_same_sign
 from .sums_of_squares import squares
 
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
@@ -59,6 +61,7 @@ def never_positive(expression: Expr, parameters: set) -> bool:
         or without_fading(expression, variables) is not None
         or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
+        or by_gram(expression.xreplace(powers_of_exp(expression)))
         or without_choices(expression, variables) is not None
         or _by_pieces(expression, variables)
     )
@@ -214,6 +217,14 @@ def _by_factors(group: Expr, variables: set) -> bool:
 def _without_nonnegative_factors(group: Expr) -> Expr:
     """Return the product of the factors that may be negative, multiplied out."""
     return expand(_signed(factored(group, MOST_IN_GROUP)))
+
+
+def _by_slopes(group: Expr, variables: set) -> bool:
+    """Test the product of the symbols from whose zero the factors of a group rise or fall."""
+    fixed = group.free_symbols - variables
+    factors = Mul.make_args(factored(group)) if functions_in(group) else ()
+    product = Mul(*(of_same_sign(f, fixed) for f in factors))
+    return bool(factors and product.is_nonpositive)
 
 
 def _by_squares(group: Expr, variables: set) -> bool:
@@ -437,4 +448,4 @@ def _is_negative(condition: Expr) -> bool:
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
 
 
-GROUP_TESTS = (_by_factors, _by_squares, _by_sectors, _by_pieces)
+GROUP_TESTS = (_by_factors, _by_slopes, _by_squares, _by_sectors, _by_pieces)

@@ -13,6 +13,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Function, S, expand
 from sympy.core.function import AppliedUndef
+from sympy.simplify.fu import TR8
 
 from .decided import decided, is_truth
 from .every_n import SUM
@@ -27,6 +28,7 @@ from .facts import (
     inputs_in,
     interval,
     is_continuous,
+    is_smooth,
     pieces_of,
     roots_in,
 )
@@ -140,6 +142,24 @@ def in_known_pieces(e: Expr, is_positive: Callable[[Expr], Any]) -> Expr:
             if all(map(is_positive, margins)):
                 return in_known_pieces(decided(e.xreplace(values)), is_positive)
     return e
+
+
+def of_same_sign(h: Expr, fixed: set) -> Expr:
+    """Return s or -s of a smooth function of one symbol s that rises or falls from 0; others as is.
+
+    Its slope is bounded, so it has no pole, and keeps its sign, as 1 - sin(2 s) of s - sin(s)^2;
+    h is not 0 at 1, and so at no other s.
+    """
+    states = h.free_symbols - fixed
+    if not (h.is_Add and len(states) == 1 and functions_in(h) and is_smooth(h)):
+        return h
+    (s,), at_0, at_1 = states, *(h.subs(*states, number) for number in (0, 1))
+    low, high = interval(TR8(sympy.diff(h, s)))
+    if at_0 != 0 or not (high - low).is_finite:
+        return h
+    if low.is_nonnegative and at_1.is_positive:
+        return s
+    return -s if high.is_nonpositive and at_1.is_negative else h
 
 
 def _agrees(difference: Expr, border: Expr, order: int) -> bool:

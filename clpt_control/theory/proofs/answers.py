@@ -21,6 +21,7 @@ class Definite(NamedTuple):
         False  # V is between two functions of its states, zero at that point
     )
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
+    off_zero: Set[Any] = frozenset()  # states above 0 that V keeps away from it
 
 
 @dataclass

@@ -22,12 +22,13 @@ from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
 from ..algebra.facts import functions_in, side_of, stays_off_zero
-from ..algebra.slopes import along, jumps_nowhere
+from ..algebra.slopes import along, jumps_nowhere, of_same_sign
 from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_at, zero_of
 from .answers import Definite, Fall
 from .conclusions import go
 from .outside import ANGLES, Motion
 from .steps import Step, exact
+from .where import Where
 
 MOST_FORMS = 80  # that are factored, in all cases together
 MOST_ROUNDS = 12  # forms of one case that are differentiated
@@ -197,7 +198,8 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     def cases_with(number: Callable[[Expr], Expr]) -> list[Still]:
         """Return what V' = 0 leaves of equations with their numbers changed."""
         rates = {s: number(rate) for s, rate in motion.rates.items()}
-        start = Still(rates, motion.fixed, candidate.V, candidate.eq.discrete)
+        of_candidate = candidate.V, candidate.eq.discrete, candidate.where
+        start = Still(rates, motion.fixed, *of_candidate)
         return cases_of(start, [*map(number, fall.losses)], all(continuous))
 
     cases = cases_with(lambda e: e)
@@ -273,6 +275,7 @@ class Still:
     fixed: set
     V: Expr  # which does not rise, so it comes to a level
     discrete: bool = False
+    where: Where = field(default_factory=Where)  # sets of states
     zero: list[Expr] = field(default_factory=list)
     solved: dict[Any, Expr] = field(
         default_factory=dict
@@ -289,8 +292,12 @@ class Still:
 
     def squares_in(self, g: Expr) -> list[Expr]:
         """Return the forms of a sum of squares, which are zero where it is; [] for other sums."""
-        total = squares(g, self.fixed) if g.is_Add else None
-        return total.forms if total and total.forms[1:] and total.constant == 0 else []
+        positive = g.xreplace(self.where.squared)
+        for e in dict.fromkeys((g, positive, -positive)) if g.is_Add else ():
+            total = squares(e, self.fixed)
+            if total and total.forms[1:] and total.constant == 0:
+                return self.where.in_states(total.forms)
+        return []
 
     def rates_of(self, g: Expr) -> list[Expr]:
         """Return the rate of an expression, or its next value; [] if that is long."""
@@ -350,6 +357,7 @@ class Still:
         """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""
         if isinstance(h, sympy.Abs):
             return h.args[0]
+        h = of_same_sign(h, self.fixed)
         states = h.free_symbols - self.fixed
         if h.is_Add and functions_in(h) and len(states) == 1:
             (s,) = states

@@ -226,8 +226,13 @@ class LyapunovCandidate(ABC):
         at_start, rest_state = one_way(self), self.rest or {}
         # a state above 0 is not above its rest
         off = {s: sympy.Dummy(f"{s}", real=True) for s in rest_state}
-        moved = self.V.xreplace(at_start)
-        moved = moved.xreplace({s: d + rest_state[s] for s, d in off.items()})
+        moved = sympy.expand_log(self.V.xreplace(at_start))
+        shift = {s: d + rest_state[s] for s, d in off.items()}
+        # log(s) of a state above 0 is any number
+        at_rest = ((s, rest_state.get(s, 0)) for s in self.where.above)
+        held = {s: r for s, r in at_rest if r > 0 and moved.has(sympy.log(s))}
+        shift |= {s: r * sympy.exp(off[s]) for s, r in held.items()}
+        moved = sympy.expand_log(moved.xreplace(shift))
         fixed = self.fixed | {*at_start.values()}
         total = squares(moved, fixed) or squares(moved, fixed, False)
         if not total and self.where.roots and self.rest is None:
@@ -245,10 +250,13 @@ class LyapunovCandidate(ABC):
         contained = [s for s in states if any(form.has(s) for form in forms)]
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
-        if self.where.above:  # no closed set, so nothing is known of its end
+        off_zero = {s for s, r in held.items() if s - r in forms}
+        if {
+            *self.where.above
+        } - off_zero:  # no closed set, so nothing is known of its end
             return Definite(step, [*forms, *at_start])
         least = zero_of(total._replace(forms=forms), contained)
-        answer = Definite(step, forms, least)
+        answer = Definite(step, forms, least, off_zero=off_zero)
         motion, numbers = self.moving(answer, {}), (least or {}).values()
         motion.outside()
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
@@ -349,7 +357,8 @@ class LyapunovCandidate(ABC):
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
         given = fixed, self.intervals, forms, definite.exist
-        return Motion(self.eq, rates, *given, in_box={*self.where.bounded})
+        in_box, off_zero = {*self.where.bounded}, definite.off_zero
+        return Motion(self.eq, rates, *given, in_box=in_box, off_zero=off_zero)
 
 
 @dataclass

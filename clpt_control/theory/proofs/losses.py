@@ -14,16 +14,22 @@ from sympy import Dummy, Expr, Mul, S, Symbol, expand
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, whole_coefficients
-from ..algebra.facts import functions_in, inputs_in, sector_of
-from ..algebra.slopes import in_known_pieces
+from ..algebra.facts import functions_in, has_time, inputs_in, sector_of
+from ..algebra.slopes import along, in_known_pieces
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms
 from .outside import ANGLES
 from .relations import in_errors
 from .where import MOST_CORNERS
 
 
-def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
-    """Return forms of whose squares V', at most a bound, loses multiples."""
+def forms_lost(
+    case: Any, bound: Expr, bounded: set, of_V: Sequence[Expr] = ()
+) -> Sequence[Expr]:
+    """Return forms of whose squares V', at most a bound, loses multiples; or the loss itself.
+
+    `of_V` are forms of V.  Of a loss under an input, and in discrete time, the integral or the sum
+    is finite, though no form is known.
+    """
     loss = -whole_coefficients(normal_form(bound), (*case.states, *case.inputs))
     ends = {d: [e for e in case.where.box[d] if e.is_finite] for d in case.where.box}
     fading = (e for e in expand(loss).atoms(sympy.exp) if e.free_symbols == {TIME})
@@ -37,7 +43,11 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
     # squares as they are written
     if not losses and (case.claim is not None or not bound.has(TIME)):
         losses = lost_forms(-bound, case.fixed, bounded)
-    losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss)
+    losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss, of_V)
+    losses = losses or _lost_by_states(case, bound)
+    is_summed = bool(case.eq.discrete or inputs_in(loss)) and not has_time(loss)
+    if is_summed and not (losses or case.where.kept):
+        losses = [factored(loss)]
     if losses or not case.where.kept:
         return losses
     roots = case.where.roots.items()
@@ -102,16 +112,28 @@ def _has_no_integral(f: Expr) -> bool:
     return is_fraction and sympy.limit(TIME * f, TIME, sympy.oo) != 0
 
 
-def _rising(case: Any, loss: Expr) -> list[Expr]:
-    """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
-    return [
-        sector.factor
-        for call in sorted(functions_in(loss), key=str)
-        if (sector := sector_of(call))
-        and sector.rises
-        and sector.low >= 0
-        and case.never_positive(sector.factor * call / 2 - loss)
-    ]
+def _rising(case: Any, loss: Expr, of_V: Sequence[Expr] = ()) -> list[Expr]:
+    """Return s of odd rising functions h, V' <= -s h(s)/2, and q of V, V' <= -q^2/2.
+
+    So it is of 2 s clip(s) - clip(s)^2.
+    """
+    shares = {q: q**2 for q in of_V}
+    for call in sorted(functions_in(loss), key=str):
+        sector = sector_of(call)
+        if sector and sector.rises and sector.low >= 0:
+            shares[sector.factor] = sector.factor * call
+    return [q for q, of_q in shares.items() if case.never_positive(of_q / 2 - loss)]
+
+
+def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:
+    """Return the forms of -dV/dx_i x_i', each never negative: of a gradient flow dV/dx_i."""
+    found = list[Expr]()
+    for s, rate in case.motion.items() if bound == case.rate else ():
+        term = factored(normal_form(-along(case.V, {s: S.One}) * rate))
+        if not case.never_positive(-term):
+            return []
+        found += lost_forms(term, case.fixed, set())
+    return [] if case.eq.discrete or case.V.has(TIME) else found
 
 
 def _lost_by_groups(case: Any, loss: Expr, bounded: set) -> list[Expr]:

@@ -44,6 +44,7 @@ class Motion:
     conditions: list[Condition] = field(default_factory=list)  # without those on inputs
     driving: set = field(default_factory=set)  # inputs that have to be bounded
     in_box: Set[Any] = frozenset()  # inputs that have bounds
+    off_zero: Set[Any] = frozenset()  # states above 0 that V keeps away from it
     near: dict[Any, Expr] = field(
         default_factory=dict
     )  # bounded states that may come near 0
@@ -83,7 +84,9 @@ class Motion:
         self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
         # 1/s of a state s above 0 may grow without end
         self.near = {
-            s: sympy.Dummy(f"{s}", real=True) for s in self.bounded if s.is_positive
+            s: sympy.Dummy(f"{s}", real=True)
+            for s in self.bounded
+            if s.is_positive and s not in self.off_zero
         }
         self.bounded |= {s: CLIP(d, 0, 1) for s, d in self.near.items()}
         if not outside:
@@ -114,7 +117,7 @@ class Motion:
         if stable:
             names = are(_names(self.eq, stable))
             self.conditions.append(Condition("outside V, bounded", names))
-            claim = f"{names} linear and stable, driven by what is bounded{condition}"
+            claim = f"{names} stable, driven by what is bounded{condition}"
         # a rate as it is or expanded, which hides roots
         unbounded = [s for s in self.free if s not in self.exist]
         their_rates = [rates[s].xreplace(self.bounded) for s in unbounded]
@@ -149,10 +152,19 @@ class Motion:
         return are(names + sorted(str(f.func) for f in used - free_names))
 
     def _is_linear_and_stable(self, rates: list, states: list) -> bool:
-        """Return whether rates are linear in some states, stable, and driven by what is bounded."""
+        """Return whether rates are linear in some states, stable, and driven by what is bounded.
+
+        The rate of a single state may be a polynomial, with an odd power that leads: -s^3 + s.
+        """
         expanded = sympy.Matrix([sympy.expand(rate) for rate in rates])
         J = expanded.jacobian(states)
         remainder = expanded - J * sympy.Matrix(states)
+        powers = expanded[0].as_poly(*states) if not states[1:] else None
+        if powers and powers.degree() > 1 and powers.degree() % 2:
+            leading, *others = powers.all_coeffs()
+            is_far = leading.is_negative and not leading.free_symbols - self.fixed
+            loose = any(map(self.not_bounded, others))
+            return is_far and not (loose or self.eq.discrete)
         if J.free_symbols - self.fixed or remainder.has(*states):
             return False
         if any(self.not_bounded(e) for e in remainder):

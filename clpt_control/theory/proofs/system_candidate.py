@@ -416,8 +416,8 @@ class SystemCandidate(LyapunovCandidate):
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
-                falling, relation = still, "=" if self.claim is None else "<="
-                claim = f"V' {relation} {short(self.readable_rate(still))}"
+                falling, least = still, "V'" if self.claim is None else claim
+                claim = f"{least} = {short(self.readable_rate(still))}"
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
@@ -436,7 +436,7 @@ class SystemCandidate(LyapunovCandidate):
             return Fall([*steps, step], claim)
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
-        losses = forms_lost(self, bound, bounded)
+        losses = forms_lost(self, bound, bounded, definite.forms)
         claim += " <= 0" * (not claim.endswith("= 0"))
         if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
             claim += f", V is 0 after the time {self.text(t)}"
