@@ -57,6 +57,7 @@ NOUNS = {
 NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
 EXAMPLES = {  # argument -> example for its message
     "blocks": "[plant, controller]",
+    "box": "(41, 41.5, -69.9, -69.1): south, north, west, east",
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
     "params": "{'k': 2.0} for a parameter k",

@@ -138,14 +138,16 @@ def _positive(
     check_positive(name, or_zero=or_zero, **given)
 
 
-def ordered(below: str, above: str) -> Rule:
+def ordered(below: str, above: str, is_below: Any = np.less) -> Rule:
     """Return a rule that refuses a parameter that is not below another."""
-    return partial(_ordered, below, above)
+    return partial(_ordered, below, above, is_below)
 
 
-def _ordered(below: str, above: str, name: str, values: Mapping[str, Any]) -> None:
+def _ordered(
+    below: str, above: str, is_below: Any, name: str, values: Mapping[str, Any]
+) -> None:
     low, high = values[below], values[above]
-    if not np.all(np.asarray(low) < np.asarray(high)):
+    if not np.all(is_below(low, high)):
         raise BlockError(
             f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}"
         )

@@ -43,8 +43,6 @@ from .common import (
     with_constants,
 )
 
-LIMITS = [ordered("low", "high")]
-
 
 def limited(t, x, u, p):
     """y = min(max(u, low), high) (Astrom and Murray 2008, section 10.4)."""
@@ -84,7 +82,8 @@ def saturation(
     array([-1. ,  0.5,  2. ])
     """
     limits = checked_sizes(name, signals, low=low, high=high)
-    return signal_block(name, ports, limits, signals, rules=LIMITS, output=limited)
+    rules = [ordered("low", "high")]
+    return signal_block(name, ports, limits, signals, rules=rules, output=limited)
 
 
 def beyond(t, x, u, p):
@@ -125,7 +124,8 @@ def dead_zone(
     array([-4. ,  0. ,  0.5])
     """
     limits = checked_sizes(name, signals, low=low, high=high)
-    return signal_block(name, ports, limits, signals, rules=LIMITS, output=beyond)
+    rules = [ordered("low", "high", np.less_equal)]
+    return signal_block(name, ports, limits, signals, rules=rules, output=beyond)
 
 
 def looked_up(t, x, u, p):
@@ -370,7 +370,7 @@ def relay(
         Where it switches, `off` below `on`, in the unit of u. At first, in between, it is high
         above the middle.
     low, high : float or array_like
-        The two outputs.
+        The two outputs; `low` above `high` inverts.
     lag : float, optional
         In continuous time: how soon the comparator settles. It must be much shorter than the time
         between two switches.

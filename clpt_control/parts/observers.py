@@ -79,7 +79,10 @@ def observer(
     >>> clpt.parts.observer(plant, L).linearize([0, 0], [0, 0]).poles().real.round(6).tolist()
     [-3.0, -2.0]
     """
-    matrices = {**_matrices(name, system), "L": np.atleast_2d(numbers(f"{name}: L", L))}
+    gain = numbers(f"{name}: L", L)
+    if gain.shape == (system.nstates,):  # a row of numbers of one output
+        gain = gain[:, None]
+    matrices = {**_matrices(name, system), "L": np.atleast_2d(gain)}
     return _of_plant(
         system, name, ports, matrices, update=observed, states={"x_hat": "n"}
     )

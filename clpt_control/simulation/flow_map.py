@@ -46,20 +46,15 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 POINTS = 41  # on each side of the box by default
+AHEAD = 10  # latest time of a map, in lengths of the run
 BETWEEN = 4  # points of the map from arrow to arrow
 SHADES = {"standard_error", "error"}
 STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     False: ("sea_water_x_velocity", "sea_water_y_velocity"),
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
 }
-READ = {  # of an estimate: dimensions
-    **dict.fromkeys(("latitude", "longitude", "end_time"), "leg"),
-    **dict.fromkeys(("has_origin", "unspanned_flow", "time_origin"), ""),
-    "leg_flow": "leg axis",
-    "flow_parameters_estimate": "leg axis basis",
-    "covariance": "axis basis other_basis",
-    "origin": "axis",
-}
+READ = """latitude longitude end_time has_origin unspanned_flow walk time_origin leg_flow
+flow_parameters_estimate covariance origin"""
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -85,7 +80,8 @@ class _Learned:
     end: Any
     has_truth: bool
     field: GriddedField | None = None  # measured current
-    beside: Callable = lambda points, flow: 0.0  # variance of the flow beside theta phi
+    # variance beside that of theta phi at the end
+    beside: Callable = lambda *of: 0.0
 
     def times(self, time: Any) -> tuple[np.ndarray, Any]:
         """Return times since t = 0, and the coordinate of the map."""
@@ -128,7 +124,8 @@ def flow_map(
         Degrees; of a run without `origin`, x2 (north) and x1 (east) in units.length. By default
         41 of each over the box of the track.
     time : array_like, optional
-        Times since the start in units.time, or dates; by default the end.
+        Times since the start in units.time, or dates, within ten lengths of the run; by default
+        the end. With `kalman-flow` the standard error grows with the time from the last fix.
 
     Returns
     -------
@@ -170,6 +167,12 @@ def map_of(
     rows = rows if latitude is None else _row("latitude", latitude)
     columns = columns if longitude is None else _row("longitude", longitude)
     times, time_axis = learned.times(time)
+    latest, _ = learned.times(None)
+    if np.any(np.abs(times) > AHEAD * latest):
+        raise ArgumentError(
+            f"time: must lie within {AHEAD} times the length of the run, {latest[0]:g} "
+            f"{learned.scenario.units.time}. Give times since its start, or dates"
+        )
 
     grid = np.meshgrid(times, rows, columns, indexing="ij")
     t, north, east = (axis.ravel() for axis in grid)
@@ -208,7 +211,7 @@ def map_of(
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
-        variance += learned.beside(points, flow)
+        variance += learned.beside(points, flow, phi, t - latest)
         error = np.sqrt(np.maximum(variance, 0.0))
         data["standard_error"] = masked(error, "standard error of u and of v")
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
@@ -285,14 +288,17 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
     fixes = cKDTree(places)
     leg_flow = estimate.leg_flow.values
 
-    def beside(points: np.ndarray, flow: np.ndarray) -> np.ndarray:
+    def beside(
+        points: np.ndarray, flow: np.ndarray, phi: np.ndarray, elapsed: np.ndarray
+    ) -> np.ndarray:
         # the legs of the two nearest fixes, such as that before a fix and that behind it
         _, legs = fixes.query(points, [1, 2])
         near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
         off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
-        prior = estimate.attrs["unspanned_flow"]
+        prior, walk = (estimate.attrs[name] for name in ("unspanned_flow", "walk"))
         v, _, share = unspanned(scenario.basis, prior, points, places)
-        return v + share * off
+        walked = np.abs(elapsed) * SECONDS[scenario.units.time]
+        return v + share * off + walk**2 * walked * np.sum(phi**2, axis=1)
 
     return _Learned(
         scenario,

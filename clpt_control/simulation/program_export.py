@@ -36,13 +36,8 @@ if TYPE_CHECKING:
     import xarray
 
 SUFFIXES = (".kml", ".geojson")  # of tracks
-READ = {  # of the fixes of an estimate: dimensions
-    **dict.fromkeys(("latitude", "longitude", "end_time", "forecast_radius"), "leg"),
-    **dict.fromkeys(("predicted_latitude", "predicted_longitude"), "leg"),
-    "position_error": "leg axis",
-    "leg": "leg",
-    "has_origin": "",
-}
+READ = """latitude longitude end_time forecast_radius predicted_latitude predicted_longitude
+position_error leg has_origin"""
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 

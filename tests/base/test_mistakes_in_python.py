@@ -52,6 +52,11 @@ def estimator():
     return found
 
 
+def fitted(start):
+    data = {"angle": RUN.angle.values}
+    return clpt.fit_parameters(PEN, data, {"g": start}, TIMES, initial_state=[1, 0])
+
+
 def vary(**named):
     return clpt.run_ensemble(PEN, {"d": [0.1, 0.2]}, timepts=TIMES, **named)
 
@@ -87,6 +92,8 @@ parts.backlash(INF, lag=0.1) -> backlash: width = inf: must be finite
 parts.rate_limit(1, lag=INF) -> rate_limit: lag = inf: must be finite
 parts.relay(INF, -1, lag=0.1) -> relay: on = inf: must be finite
 parts.relay(1, -1, 0, INF, lag=0.1) -> relay: high = inf: must be finite
+parts.dead_zone(1, -1) -> dead_zone: low = 1: must be below high = -1
+parts.observer(PLANT, [1, 2, 3]) -> observer.L: has shape (1, 3); must be (2, 1)
 parts.lookup_table([0, 1], [0, NAN]) -> lookup_table: values = [0.0, nan]: must be finite; number 1
 parts.point_vehicle(INF, 1) -> point_vehicle: mass = inf: must be finite
 parts.planar_vehicle(np.diag([1, INF, 1]), np.eye(3)) -> planar_vehicle: M = [[1.0, 0.0, 0.0],
@@ -113,6 +120,8 @@ clpt.export(PEN, params={"g": NAN}) -> params: g = nan: must be
 clpt.connect(PEN) -> must be Sequence[Any], such as [plant, controller]
 clpt.flow_map(runs()["a"], lat=[0]) -> flow_map: lat= is not an argument. Did you mean 'latitude'?
 clpt.flow_map(runs()["a"], [0, NAN]) -> latitude = [0.0, nan]: must be finite; number 1 is nan
+clpt.flow_map(runs()["a"], time=NAN) -> time = [nan]: must be finite; number 0 is nan
+clpt.flow_map(runs()["a"], time=1e9) -> time: must lie within 10 times the length of the run, 20 s. Give
 vary(out="a.nc") -> out = a.nc: is a folder, a Zarr store. Give a name such as a.zarr
 vary(members=0) -> run_ensemble: members = 0: must be a whole number, 1 or more
 vary(threads=0) -> run_ensemble: threads = 0: must be a whole number, 1 or more
@@ -147,6 +156,12 @@ clpt.lyapunov(PEN, at={"angle": 1.0}) -> at this at=, which is no rest. Give ano
 clpt.currents.read_currents(clpt.currents.sample_currents(), units="furlong") -> units=, --units: units = 'furlong' is not a speed
 clpt.lyapunov(PEN, at={"angle": INF}) -> at: angle = inf: must be finite
 clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be tuple[float, float, float, float] or None, without NaN
+clpt.currents.fit_current("x.nc", ()) -> box = (): must be tuple[float, float, float, float] or None, such as (41, 41.5, -69.9, -69.1)
+clpt.currents.known_flow_scenario(SHORT, [[1, 2]]) -> known_flow_scenario: theta = [[1.0, 2.0]]: must be an array of numbers of shape (..., 2, 3)
+clpt.currents.known_flow_scenario(SHORT, [[1, 2, NAN]]) -> known_flow_scenario: theta = [[1.0, 2.0, nan]]: must be finite
+fitted([0, 20]) -> parameters: g = [0, 20]: must be a number to begin at, or (start, low, high)
+fitted([]) -> parameters: g = []: must be a number to begin at, or (start, low, high)
+fitted((20, 1, 2)) -> parameters: g = (20, 1, 2): must be a number to begin at, or (start, low, high)
 clpt.currents.fit_current("x.nc", width_km=-1) -> width_km = -1: must be a number, positive
 called(parts.saturation(-1, 1), low=2) -> saturation: low = 2.0: must be below high = 1.0
 called(parts.saturation(-1, 1), low=INF) -> saturation: low = inf: must be below high = 1.0
@@ -214,6 +229,10 @@ called(parts.pid(1, 1, low=-1, high=1), low=-INF)
 called(parts.pid(1, 1), ki=0)
 called(parts.point_vehicle(1, 1), damping=0)
 clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 1.5], "saturation.high": [2, 3]}, timepts=[0, 1])
+parts.relay(1, -1, low=2, high=1, lag=0.1)
+parts.dead_zone(0, 0)
+clpt.flow_map(runs()["a"], time=[-5, 200])
+clpt.currents.known_flow_scenario(SHORT, np.ones((2, 3)))
 """
 
 
@@ -241,3 +260,33 @@ def test_a_number_is_a_matrix_of_one_signal():
     assert P.item() == pytest.approx(control.lqe([[-1]], [[1]], [[1]], 3, 1)[1].item())
     observer = clpt.parts.observer(plant, 2.0).linearize([0], [0, 0])
     assert observer.poles() == pytest.approx([-3.0])
+    rows = [clpt.parts.observer(PLANT, L).parameters["L"] for L in ([2, 3], [[2], [3]])]
+    assert rows[0].tolist() == rows[1].tolist() == [[2.0], [3.0]]
+
+
+@pytest.mark.parametrize("start", [5, [5], (5, 0, 20), [5, 0, 20]])
+def test_a_list_of_one_number_is_its_row(start):
+    assert fitted(start).values["g"] == pytest.approx(9.81)
+
+
+OWN_PARAMS = {  # of any type, as python-control hands them on: x' = -p x, the default and another
+    "number": (lambda p: p.get("k", 2.0), {"k": 3.0}),
+    "array": (lambda p: p.get("K", np.array([2.0]))[0], {"K": [3.0]}),
+    "text": (
+        lambda p: 2.0 if p.get("mode", "slow") == "slow" else 3.0,
+        {"mode": "fast"},
+    ),
+    "dict": (lambda p: p.get("car", {"k": 2.0})["k"], {"car": {"k": 3.0}}),
+    "function": (lambda p: p.get("f", lambda: 2.0)(), {"f": lambda: 3.0}),
+}
+
+
+@pytest.mark.parametrize("kind", OWN_PARAMS)
+def test_a_model_has_params_of_its_own(kind):
+    rate, other = OWN_PARAMS[kind]
+    model = control.nlsys(
+        lambda t, x, u, p: -rate(p) * x, inputs=0, outputs=1, states=1, name="own"
+    )
+    for params, k in ((None, 2.0), (other, 3.0)):
+        run = clpt.simulate(model, TIMES, initial_state=[1.0], params=params)
+        assert run.states[-1].item() == pytest.approx(np.exp(-2 * k), rel=1e-6)

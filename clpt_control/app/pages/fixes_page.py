@@ -14,14 +14,20 @@ from ...base.html import Result
 from ...base.page import Page, Section, drawn, versions_section
 from ...base.units import at_most, finite_or_none
 from ...ocean.estimation.fix_model import LEVEL, PERCENT
+from ...paper.scenario.recorded_run import read_estimate
 
 Report = dict[str, Any]  # ready for JSON
 MANY = 40  # legs; beyond, marks are small
+DRAWN = """origin latitude longitude predicted_latitude predicted_longitude flow leg position_error
+forecast_radius"""
+REPORTED = """leg start_time end_time position_error forecast_radius inside flow guaranteed
+flow_parameters_estimate standard_error turn noise_scale origin time_origin fix_law fix_method
+guarantee"""
 
 
 def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
     """Return the page of a flow learned from fixes."""
-    report = report_of(xarray.decode_cf(data))
+    report = report_of(data)
     legs, parameters = results_of({**report, "notes": []})  # notes are warnings
     caption = (
         "Above, fixes, their forecasts and the learned flow; below, the error of each forecast "
@@ -43,6 +49,7 @@ def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
 
 def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report:
     """Return the results of legs by name, ready for JSON; `truth` is theta of a run, m/s."""
+    data, _ = read_estimate(data, REPORTED)
     error = np.hypot(*data.position_error.values.T)
     legs = [
         {
@@ -84,7 +91,7 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
         "largest_error_m_s": None if truth is None else np.abs(theta - truth).max(),
         "largest_turn_rad": float(data.turn.max()),
         "noise_scale": float(data.attrs["noise_scale"]),
-        "notes": [*np.atleast_1d(data.attrs["notes"]).tolist()],
+        "notes": [*np.atleast_1d(data.attrs.get("notes", [])).tolist()],
         "skipped": json.loads(data.attrs.get("skipped", "[]")),
     }
 
@@ -147,6 +154,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
 
     `data` is that of `flow_estimate` for legs.
     """
+    data, _ = read_estimate(data, DRAWN)
     chart, errors = axes_for(ax, 6.8, 8.0, nrows=2, height_ratios=(3, 1.3))
     latitude, longitude = data.attrs["origin"]
     plane = LocalPlane(latitude, longitude, "km")

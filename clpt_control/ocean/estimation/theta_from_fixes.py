@@ -27,6 +27,7 @@ from .fix_model import PERCENT
 from .fix_settings import LocalFrame, rotated
 from .flow_estimator import FlowEstimator, Learned, flow_by, move_through
 from .leg_chain import FlownLeg
+from .leg_guesses import WALKS
 from .leg_track import LONG, Leg
 from .run_legs import legs_of_run
 from .tomography import Tomography, tomography
@@ -255,6 +256,7 @@ def flow_of_legs(
         estimator.ways = []  # whose motion is its own
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
+    is_walk = scenario.learning.law == WALKS
     flow = [
         flow_by(estimator, theta / speed, r.time, r.latitude, r.longitude)
         for r in learned
@@ -322,6 +324,8 @@ def flow_of_legs(
             "noise_scale": scale,
             # standard deviation far from functions that die out, m/s
             "unspanned_flow": estimator.settings.beside * speed,
+            # standard deviation of the walk of each parameter after 1 s, m/s
+            "walk": is_walk * estimator.settings.p.walk * speed / frame.seconds**0.5,
             "guarantee": guarantee,
             "notes": notes
             + [

@@ -241,7 +241,8 @@ def _read(
             )
         flow = [cf.velocity_values(data, name, index, units, notes) for name in names]
         nothing = (
-            f"{' and '.join(names)} have no finite value in the box {edges_of(limits)}"
+            f"{' and '.join(names)} have no finite value in the box {edges_of(limits)}. "
+            "Give another box"
         )
         nothing = "; ".join(dict.fromkeys((nothing, *notes)))
         mark_gaps(flow[0], flow[-1], (names[0], names[-1]), nothing)

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ...base.arguments import public
+from ...base.arguments import finite, numbers, public
 from ...base.units import METRES, SECONDS
 from .experiment import Scenario
 
@@ -27,7 +27,7 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
 
     Raises
     ------
-    ScenarioError
+    ArgumentError
         If theta is not two rows of N numbers.
 
     Examples
@@ -38,7 +38,8 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     'known-flow'
     """
     learning = scenario.learning
-    theta = np.asarray(theta, dtype=float)
+    name = "known_flow_scenario: theta"
+    theta = numbers(name, finite(name, theta), 2, scenario.basis.N)
     values: dict[str, Any] = {
         "learning.law": "known-flow",
         "learning.theta_estimate": theta,

@@ -4,7 +4,6 @@ A run comes from a file, which may be damaged, or from a user, who may have chan
 """
 
 import re
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -58,8 +57,20 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "replay": "estimator",
     "diagram": "engine",
 }
-# kinds of NumPy in an estimate
-KINDS_READ = {"end_time": "M", "time_origin": "U"}
+# variables and attributes of an estimate that are read, by their kinds of NumPy and dimensions
+ESTIMATE = {
+    "iuf leg": """leg latitude longitude predicted_latitude predicted_longitude forecast_radius
+    turn guaranteed""",
+    "M leg": "start_time end_time",
+    "biu leg": "inside",
+    "iuf leg axis": "position_error flow leg_flow",
+    "iuf leg axis basis": "flow_parameters_estimate",
+    "iuf leg basis": "standard_error",
+    "iuf axis basis other_basis": "covariance",
+    "iuf axis": "origin",
+    "iuf": "has_origin unspanned_flow walk noise_scale",
+    "U": "time_origin fix_law fix_method guarantee",
+}
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario
 
 
@@ -201,11 +212,11 @@ def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
 
 
 def read_estimate(
-    data: "xarray.Dataset", read: Mapping[str, str]
+    data: "xarray.Dataset", read: str
 ) -> "tuple[xarray.Dataset, Scenario]":
     """Return an estimate with dates and its axes in order, and its scenario.
 
-    Refuse one without the variables and attributes of `read`, finite over their dimensions.
+    Refuse one without the variables and attributes `read`, finite over their dimensions.
     """
     import xarray
 
@@ -219,15 +230,16 @@ def read_estimate(
         raise DataError(
             "the estimate has no axis east and north, or no dates. Estimate again"
         ) from None
-    for name, names in read.items():
+    rows = {name: row for row, names in ESTIMATE.items() for name in names.split()}
+    for name in read.split():
         found = estimate.variables.get(name, estimate.attrs.get(name, ()))
-        dims, values = tuple(names.split()), np.asarray(found)
-        kind = KINDS_READ.get(name, "iuf")
-        fits = getattr(found, "dims", dims) == dims and values.dtype.kind in kind
-        fits &= values.size > 0 and values.shape == tuple(map(sizes.get, dims))
+        (kind, *dims), values = rows[name].split(), np.asarray(found)
+        fits = [*getattr(found, "dims", dims)] == dims and values.dtype.kind in kind
+        fits &= values.size > 0 and [*values.shape] == [*map(sizes.get, dims)]
         # before they became dates, too
         numbers = values, np.asarray(data.variables.get(name, 0.0))
-        if not fits or (kind != "U" and not all(np.isfinite(x).all() for x in numbers)):
+        valid = np.isfinite if name != "guaranteed" else lambda x: ~np.isnan(x)
+        if not fits or (kind != "U" and not all(valid(x).all() for x in numbers)):
             over = f" over {', '.join(dims)}" if dims else ""
             raise DataError(
                 f"the estimate has no finite {name}{over}, as its scenario has: it is damaged, or "

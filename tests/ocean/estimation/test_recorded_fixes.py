@@ -376,7 +376,7 @@ def unknown(data, name):
     return data
 
 
-ATTRIBUTES = ("origin", "has_origin", "unspanned_flow")
+ATTRIBUTES = ("origin", "has_origin", "unspanned_flow", "walk")
 PLACES_READ = ("latitude", "longitude", "end_time")
 READ = (*PLACES_READ, "leg_flow", "flow_parameters_estimate", "covariance", *ATTRIBUTES)
 TRACK_READ = (
@@ -384,6 +384,34 @@ TRACK_READ = (
     *("predicted_latitude", "predicted_longitude", "position_error"),
     *("forecast_radius", "has_origin"),
 )
+
+
+DRAWN = (*TRACK_READ[:2], *TRACK_READ[3:7], "flow", "origin")
+REPORTED = (
+    *("start_time", "end_time", "position_error", "forecast_radius", "flow"),
+    *("guaranteed", "flow_parameters_estimate", "standard_error", "turn"),
+    *("noise_scale", "origin"),
+)
+NO_NUMBERS = ("leg", "inside", "time_origin", "fix_method", "guarantee")
+
+
+def test_an_estimate_that_is_not_whole_has_no_page_and_no_drawing(tmp_path):
+    data = learned(write(tmp_path / "legs.csv", straight_mission(3)))
+    page = tmp_path / "page.html"
+    for name in DRAWN:
+        for damaged in (without(data, name), unknown(data, name)):
+            refuses(f"no finite {name}", damaged.clpt.plot)
+    for name in REPORTED:
+        refuses(f"no finite {name}", clpt.report, unknown(data, name), page)
+    for name in (*REPORTED, *NO_NUMBERS):
+        refuses(f"no finite {name}", clpt.report, without(data, name), page)
+    assert not page.exists()
+    turned = data.isel(axis=[1, 0])
+    drawn, again = (one.clpt.plot()[0].collections for one in (data, turned))
+    for name in "UV":  # arrows, by the labels of axes
+        assert [getattr(a, name).tolist() for a in drawn if hasattr(a, name)] == [
+            getattr(a, name).tolist() for a in again if hasattr(a, name)
+        ]
 
 
 def test_an_estimate_that_is_not_whole_has_no_map(tmp_path, refused_for):
@@ -408,6 +436,26 @@ def test_axes_of_an_estimate_are_read_by_their_labels(tmp_path):
     xarray.testing.assert_identical(
         clpt.flow_map(data.isel(axis=[1, 0])), clpt.flow_map(data)
     )
+
+
+@pytest.mark.parametrize("law", ["fix-regression", "kalman-flow"])
+def test_the_error_of_a_map_grows_with_the_walk_of_the_flow(tmp_path, law):
+    """By (walk |phi|)^2 in each unit of time before and behind the last fix."""
+    data = learned(
+        write(tmp_path / "legs.csv", straight_mission(6)), **{"learning.law": law}
+    )
+    hours, latitude, longitude = (
+        np.array([0.0, 6.0, -3.0]),
+        *place(np.array([6e3, 0.0])),
+    )
+    end = data.end_time.values[-1]
+    times = end + (hours * 3600e9).astype("m8[ns]")
+    flow = clpt.flow_map(data, [latitude], [longitude], times)
+    phi = np.exp(-np.sum((np.array([6e3, 0.0]) - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
+    walk = 0.02 * (law == "kalman-flow")  # m/s in a day
+    grown = np.diff(flow.standard_error.values.ravel()[[0, 1, 0, 2]] ** 2)[::2]
+    expected = walk**2 * np.abs(hours[1:]) / 24 * (phi @ phi)
+    np.testing.assert_allclose(grown, expected, rtol=1e-3, atol=1e-12)
 
 
 def test_a_map_is_at_finite_places_and_times(tmp_path):
