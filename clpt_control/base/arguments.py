@@ -144,7 +144,7 @@ def _checking(function: Any, name: str) -> Any:
         if Any in kinds or _fits_at_once(value, kinds):
             return value
         value = as_python_type(value, kinds)
-        if not (_fits_at_once(value, kinds) or fits(value, kinds)):
+        if not fits(value, kinds):
             allowed = words(kinds)
             raise ArgumentError(
                 f"{name}: {argument} = {brief(value)}: must be {allowed}"
@@ -249,6 +249,8 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
 
 def as_python_type(value: Any, kinds: Kinds) -> Any:
     """Return a value as one of the kinds: a number of Python, a list, a tuple or an array."""
+    if type(value) is dict:
+        return value
     if type(value) is list and np.ndarray in kinds and _are_numbers(value):
         return np.asarray(value)
     if (
@@ -292,8 +294,10 @@ def _classes(kinds: Kinds) -> tuple[type, ...]:
 
 def fits(value: Any, kinds: Kinds) -> bool:
     """Return True if a value has one of the kinds; NaN has only the kinds Any and `OrNaN`."""
+    if Any in kinds or _fits_at_once(value, kinds):
+        return True
     if isinstance(value, Real) and value != value:
-        return Any in kinds or OrNaN in kinds
+        return OrNaN in kinds
     return any(_has_kind(value, kind) for kind in kinds)
 
 
@@ -394,6 +398,8 @@ def _noun(kind: Any) -> str:
 
 def has_nan(value: Any) -> bool:
     """Return whether a number is NaN, or one of a list, a dict or an array."""
+    if type(value) in SIMPLE:
+        return value != value
     if isinstance(value, Mapping):
         value = [*value.values()]
     with suppress(Exception):  # no numbers

@@ -295,10 +295,11 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
         _, legs = fixes.query(points, [1, 2])
         near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
         off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
-        prior, walk = (estimate.attrs[name] for name in ("unspanned_flow", "walk"))
+        prior = estimate.attrs["unspanned_flow"]
         v, _, share = unspanned(scenario.basis, prior, points, places)
-        walked = np.abs(elapsed) * SECONDS[scenario.units.time]
-        return v + share * off + walk**2 * walked * np.sum(phi**2, axis=1)
+        seconds = np.abs(elapsed) * SECONDS[scenario.units.time]
+        walked = seconds * estimate.attrs["walk"] ** 2
+        return v + share * off + walked * np.sum(phi**2, axis=1)
 
     return _Learned(
         scenario,

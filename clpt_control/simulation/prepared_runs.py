@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import known, numbers, public
+from ..base.arguments import known, public
 from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
@@ -124,7 +124,7 @@ class PreparedRun:
                     f"params: {key} was not given to prepare. {known(key, self._params)}"
                 )
             shape = np.shape(self._params[key])
-            array = numbers(f"params['{key}']", unlabelled(f"params['{key}']", value))
+            array = unlabelled(f"params['{key}']", value)
             if array.shape != shape:
                 raise SimulationError(
                     f"params['{key}'] = {value}: must have the shape {shape}, as in prepare"

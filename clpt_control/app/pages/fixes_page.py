@@ -64,8 +64,8 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
         }
         for number, start, end, size, radius, inside, flow, bound in zip(
             data.leg.values,
-            data.start_time.values.astype("datetime64[s]"),
-            data.end_time.values.astype("datetime64[s]"),
+            data.start_time.values,
+            data.end_time.values,
             error,
             data.forecast_radius.values,
             data.inside.values,
@@ -91,7 +91,7 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
         "largest_error_m_s": None if truth is None else np.abs(theta - truth).max(),
         "largest_turn_rad": float(data.turn.max()),
         "noise_scale": float(data.attrs["noise_scale"]),
-        "notes": [*np.atleast_1d(data.attrs.get("notes", [])).tolist()],
+        "notes": np.atleast_1d(data.attrs.get("notes", [])).tolist(),
         "skipped": json.loads(data.attrs.get("skipped", "[]")),
     }
 

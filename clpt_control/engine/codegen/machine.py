@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from ctypes import CFUNCTYPE, addressof, c_char, c_int64, c_void_p
 from functools import cache, lru_cache
-from importlib.metadata import version
 from pathlib import Path
 from threading import RLock
 from types import SimpleNamespace
@@ -25,6 +24,7 @@ from typing import Any
 
 import llvmlite.binding as llvm
 import numpy as np
+from llvmlite import __version__ as llvm_version
 
 from ...base.files import cache_folder, read_cached, write_cached
 from ...base.progress import note
@@ -99,7 +99,7 @@ def target_machine(level: int = 3) -> Any:
 
 def code_name(*sources: str) -> str:
     """Return the name of the code that these texts become on this machine."""
-    texts = (*sources, *processor(), llvm.get_default_triple(), version("llvmlite"))
+    texts = (*sources, *processor(), llvm.get_default_triple(), llvm_version)
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:32]
 
 
@@ -184,7 +184,7 @@ def _printers() -> str:
     """Return a hash of what LLVM's text of a program depends on besides the program."""
     files = [*sorted(HERE.parent.rglob("*.py")), ROWS]
     texts = b"".join(file.read_bytes() for file in files)
-    return hashlib.sha256(texts).hexdigest() + version("numpy")
+    return hashlib.sha256(texts).hexdigest() + np.__version__
 
 
 # --- the solver -----------------------------------------------------------------------------

@@ -256,7 +256,6 @@ def flow_of_legs(
         estimator.ways = []  # whose motion is its own
     notes = [*estimator.warnings, *notes, *refused]
     frame, _ = estimator.under_way
-    is_walk = scenario.learning.law == WALKS
     flow = [
         flow_by(estimator, theta / speed, r.time, r.latitude, r.longitude)
         for r in learned
@@ -325,7 +324,10 @@ def flow_of_legs(
             # standard deviation far from functions that die out, m/s
             "unspanned_flow": estimator.settings.beside * speed,
             # standard deviation of the walk of each parameter after 1 s, m/s
-            "walk": is_walk * estimator.settings.p.walk * speed / frame.seconds**0.5,
+            "walk": (scenario.learning.law == WALKS)
+            * estimator.settings.p.walk
+            * speed
+            / frame.seconds**0.5,
             "guarantee": guarantee,
             "notes": notes
             + [
