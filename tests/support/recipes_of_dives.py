@@ -32,7 +32,7 @@ FIELD = Recipe(
     (
         Step(
             "field",
-            "unexpected keyword argument 'pressure'",
+            "Dive: pressure= is not an argument",
             (
                 (
                     DIVES_FILE,
