@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from text_systems import TICKS, written
 
 import clpt_control as clpt
@@ -369,6 +370,104 @@ def test_a_factor_of_the_distance_that_grows_is_told():
     assert "m may grow, and multiplies what rounding leaves" in grown.sentence
     rates["m"] = lambda x, u, p: -x.m
     assert lyapunov(block(rates), of_h, keeps=on_line).conclusion == "goes to zero"
+
+
+ACTS = {  # what a distance d = y - 3 x adds to x', g', bounds; d falls as exp(-t)
+    "d/g, g falls": (lambda d, x, u: d / x.g, -2, {"g": (0, None)}),
+    "d/g^2, g falls": (lambda d, x, u: d / x.g**2, -1, {"g": (0, None)}),
+    "d/sqrt(g), g falls": (lambda d, x, u: d / np.sqrt(x.g), -4, {"g": (0, None)}),
+    "d g, g rises": (lambda d, x, u: d * x.g, 2, {}),
+    "d^2 g, g rises": (lambda d, x, u: d**2 * x.g, 3, {}),
+    "d and a constant": (lambda d, x, u: 1 + d * x.g, 2, {}),
+    "sign d": (lambda d, x, u: np.sign(d), -1, {}),
+    "a root of d": (lambda d, x, u: np.cbrt(d), -1, {}),
+}
+
+
+def beside(act, g=-1, fall=1.0, r=True, **more):
+    """x' = -x + act where y = 3 x is kept, g' = g x.g."""
+
+    def rates(t, x, u, p):
+        d = x.y - 3 * x.x
+        added = act(d, x, u)
+        return {"x": -x.x + added, "y": -3 * x.x + 3 * added - fall * d, "g": g * x.g}
+
+    inputs = {"r": 1} if r else {}
+    states = dict.fromkeys("xyg", 1)
+    return clpt.Block("loop", update=rates, states=states, inputs=inputs, **more)
+
+
+def tripled(s):
+    return [s.y - 3 * s.x]
+
+
+def of_x(s):
+    return s.x**2 / 2
+
+
+@pytest.mark.parametrize(("act", "g", "where"), ACTS.values(), ids=ACTS)
+def test_a_distance_that_acts_more_and_more_is_not_kept_in_a_run(act, g, where):
+    """Of d/g the closed form is x = e^-t (x(0) - d(0)/2) + d(0) e^t/2."""
+    loop = beside(act, g, r=False)
+    verdict = lyapunov(loop, of_x, keeps=tripled, where=where)
+    assert verdict.status == "open"
+    assert "may grow, and multiplies what rounding leaves" in verdict.sentence
+
+
+def test_the_factor_of_a_distance_is_named():
+    act, g, where = ACTS["d/g, g falls"]
+    verdict = lyapunov(beside(act, g, r=False), of_x, keeps=tripled, where=where)
+    assert "(1/g may grow" in verdict.sentence
+    run = solve_ivp(
+        lambda t, s: [-s[0] + s[1] / s[2], -s[1], -2 * s[2]],
+        (0, 40),
+        [0.1, 1e-12, 1.0],
+        method="Radau",
+        rtol=1e-9,
+        atol=1e-60,
+    )
+    assert run.y[0, -1] == pytest.approx(1e-12 * np.exp(40) / 2, rel=1e-3)
+
+
+def test_a_distance_over_a_state_that_falls_in_discrete_time_is_not_kept():
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {
+            "x": x.x / 2 + (x.y - 3 * x.x) / x.g,
+            "y": 1.5 * x.x + (3 / x.g + 0.5) * (x.y - 3 * x.x),
+            "g": x.g / 8,
+        },
+        states={"x": 1, "y": 1, "g": 1},
+        dt=1.0,
+    )
+    verdict = lyapunov(law, of_x, keeps=tripled, where={"g": (0, None)})
+    assert "1/g may grow, and multiplies" in verdict.sentence
+
+
+@pytest.mark.parametrize(
+    ("where", "text"),
+    [
+        ({}, "where r is bounded"),
+        ({"r": (0, None)}, "where r is bounded"),
+        ({"r": (-9, 9)}, "where -9 <= r <= 9"),
+    ],
+)
+@pytest.mark.parametrize("power", [1, 2])
+def test_an_input_that_multiplies_a_distance_is_bounded(power, where, text):
+    loop = beside(lambda d, x, u: u.r**power * d)
+    verdict = lyapunov(loop, of_x, keeps=tripled, where=where)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert text in verdict.sentence
+
+
+def test_a_distance_that_stays_is_not_added_up():
+    """z' = y - 3 x is no rate on the relation; of a distance that falls z takes up little."""
+    for fall, status in ((0.0, "open"), (1.0, "proved")):
+        line = f"y' = -3*x - {fall}*(y - 3*x); z' = y - 3*x; V = (x**2 + z**2)/2"
+        plant, V, *_ = written(f"x' = -x; {line}")
+        verdict = lyapunov(plant, V, keeps=tripled)
+        assert verdict.status == status
+        assert ("z adds up what rounding leaves" in verdict.sentence) == (not fall)
 
 
 @pytest.mark.parametrize(

@@ -201,6 +201,9 @@ class LyapunovCandidate(ABC):
         {}
     )  # symbol of a margin -> what it stands for
     errors: Any = ({}, {})  # states in errors of V, and what these are
+    weights: Mapping[tuple, sympy.Expr] = MappingProxyType(
+        {}
+    )  # of distances from relations in what other states do
     is_whole = True  # whether V is judged at all states, and not on a relation
     undefined: list[str]  # sentences on where there may be no value
     search: Any  # points at which it may fail
@@ -212,7 +215,7 @@ class LyapunovCandidate(ABC):
         claim = "V and the equations have a value everywhere"
         return exact(claim, not self.undefined, "".join(self.undefined[:1]), "values")
 
-    def kept(self) -> list[Step]:
+    def kept(self, definite: Definite, fall: Fall) -> list[Step]:
         """Return the steps that relations and sets of states are kept."""
         return []
 
@@ -358,7 +361,10 @@ class LyapunovCandidate(ABC):
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
         given = fixed, self.intervals, forms, definite.exist
         in_box, off_zero = {*self.where.bounded}, definite.off_zero
-        return Motion(self.eq, rates, *given, in_box=in_box, off_zero=off_zero)
+        motion = Motion(self.eq, rates, *given, in_box=in_box, off_zero=off_zero)
+        weights = (e.xreplace(zeroed) for e in self.weights.values())
+        motion.driving |= motion.inputs_of(map(motion.quiet, weights))
+        return motion
 
 
 @dataclass
@@ -408,7 +414,7 @@ def asked(candidate: LyapunovCandidate) -> Answers:
     fall = candidate.falls(definite)
     if not fall.holds:
         fall = candidate.bounds(definite, fall)
-    steps = [values, *candidate.kept(), definite.step, *fall.steps]
+    steps = [values, *candidate.kept(definite, fall), definite.step, *fall.steps]
     if not first_failure(steps):
         steps.append(candidate.same_as_running())
     answers = Answers(candidate, definite, fall, steps, first_failure(steps))

@@ -82,13 +82,7 @@ class Motion:
             [self.quiet(form) for form in self.forms], self.rates, self.fixed
         )
         self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
-        # 1/s of a state s above 0 may grow without end
-        self.near = {
-            s: sympy.Dummy(f"{s}", real=True)
-            for s in self.bounded
-            if s.is_positive and s not in self.off_zero
-        }
-        self.bounded |= {s: CLIP(d, 0, 1) for s, d in self.near.items()}
+        self._may_come_near_0(self.bounded)
         if not outside:
             return exact("V holds every state", True, "", "exists")
         rates = {s: self.rates[s].xreplace(self.bounded) for s in outside}
@@ -114,6 +108,7 @@ class Motion:
                 self.driving |= self.inputs_of(own_rates)
                 self.free = [s for s in self.free if s not in states]
                 self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
+                self._may_come_near_0(states)
         if stable:
             names = are(_names(self.eq, stable))
             self.conditions.append(Condition("outside V, bounded", names))
@@ -136,6 +131,16 @@ class Motion:
             claim = f"{listed}: not held by V{grow or ','} exist for all t{condition}"
         shows, detail = ("exists", "") if exist else ("", "not shown")
         return Step(claim, exist, how if exist else "exact", detail, False, shows)
+
+    def _may_come_near_0(self, states: Iterable[Any]) -> None:
+        """Note states above 0: 1/s may grow without end."""
+        near = {
+            s: sympy.Dummy(f"{s}", real=True)
+            for s in states
+            if s.is_positive and s not in self.off_zero
+        }
+        self.near |= near
+        self.bounded |= {s: CLIP(d, 0, 1) for s, d in near.items()}
 
     def inputs_of(self, rates: Iterable[Expr]) -> set:
         """Return the inputs, and opaque sources, that rates depend on."""

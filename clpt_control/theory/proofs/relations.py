@@ -23,7 +23,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
-from ..algebra.facts import is_smooth, roots_in
+from ..algebra.facts import CLIP, functions_in, is_smooth, roots_in
 from ..algebra.slopes import along, jumps_nowhere
 from ..algebra.sums_of_squares import written_forms
 from ..algebra.texts import short
@@ -76,6 +76,7 @@ class Relations:
     ):
         self.eq, self.motion, self.masked = eq, motion, masked
         self.solved = dict[Any, Expr]()  # state -> its value, in states that are left
+        self.distances = dict[Any, Expr]()  # state -> the distance from its value
 
     def add(self, relation: Expr, states: Iterable[Any] = ()) -> None:
         """Solve a relation for one of some states, or for any, and keep it."""
@@ -92,6 +93,7 @@ class Relations:
                     o: sympy.expand(v.xreplace({s: value})) for o, v in before
                 }
                 self.solved[s] = value
+                self.distances[s] = sympy.Dummy(f"({s - value})", real=True)
                 return
         raise DiagramError(
             f"{self.eq.name}: the relation {short(h, 60)} = 0 cannot be solved for one state. "
@@ -109,6 +111,30 @@ class Relations:
     def of(self, expression: Any) -> Expr:
         """Return an expression where the relations hold."""
         return decided(self.masked(sympy.sympify(expression)).xreplace(self.solved))
+
+    def beside(self, expression: Expr) -> Expr:
+        """Return an expression at distances from the relations."""
+        near = {s: value + self.distances[s] for s, value in self.solved.items()}
+        return decided(self.masked(expression).xreplace(near))
+
+    def moved(self, changes: Iterable[Expr]) -> dict[Any, Expr]:
+        """Return distances -> their rates, or what they are after a change."""
+        changed = map(sympy.expand, map(self.beside, changes))
+        return dict(zip(self.distances.values(), changed, strict=True))
+
+    def weights(self, changes: Iterable[tuple]) -> dict[tuple, Expr]:
+        """Return the factors of distances r in rates and jumps: (state, change, r) -> factor.
+
+        That of a jump at r = 0 is 1/r.
+        """
+        weights = dict[tuple, Expr]()
+        for s, change in changes:
+            e = self.beside(change)
+            for r in {*self.distances.values()} & e.free_symbols:
+                calls = (call for call in functions_in(e) if call.has(r))
+                is_known = all(map(jumps_nowhere, calls))
+                weights[s, change, r] = along(e, {r: S.One}) if is_known else 1 / r
+        return weights
 
     @property
     def text(self) -> str:
@@ -143,15 +169,8 @@ class Relations:
         with the other distances 0.  In a group the sum of squares does not grow; or it moves by
         itself, and its matrix is stable.  No jump raises the sum of all squares.
         """
-        r = {s: sympy.Dummy(f"r_{s}", real=True) for s in self.solved}
-        near = {s: value + r[s] for s, value in self.solved.items()}
-
-        def distances(changes: Iterable[Expr]) -> dict[Any, Expr]:
-            changed = (sympy.expand(self.masked(e).xreplace(near)) for e in changes)
-            return dict(zip(r.values(), changed, strict=True))
-
         # Step 1: rates
-        rates = distances(map(self.rate, r))
+        rates = self.moved(map(self.rate, self.distances))
         drivers = [(d, other) for d in rates for other in rates if rates[d].has(other)]
         joint = connected_components(([*rates], drivers))
         growths = list[Expr]()
@@ -166,7 +185,7 @@ class Relations:
                 growths.append(Add(*(rate * d for d, rate in own.items())))
         # Step 2: jumps
         for after in () if alone else self.eq.jumps_at_once():
-            jumped = distances((s - v).xreplace(after) for s, v in self.solved.items())
+            jumped = self.moved((s - v).xreplace(after) for s, v in self.solved.items())
             growths.append(Add(*(e**2 - d**2 for d, e in jumped.items())))
         if all(map(never_positive, growths)):
             return ""
@@ -194,6 +213,22 @@ class Relations:
             exact(f"{self.text} is kept", not broken, broken),
             exact("a distance from it does not grow", not repels, repels),
         ]
+
+    def in_a_run(self, weights: Mapping[tuple, Expr], motion: Any) -> Step:
+        """Return the step that other states do not grow by distances, which stay small."""
+        small = {r: CLIP(r, -1, 1) for r in self.distances.values()}
+        motion.outside()
+        motion.bounded |= small
+        motion.near |= dict(zip(small, small, strict=True))
+        fades = self._is_stable(self.moved(map(self.rate, self.distances)), False)
+        grown = ""
+        for (s, change, _), weight in weights.items():
+            moving = weight.as_independent(TIME, *motion.rates, *small, as_Add=False)
+            if motion.not_bounded(weight):
+                grown = f"{short(moving[1], 40)} may grow, and multiplies what rounding leaves"
+            elif not (fades or self.of(change - int(self.eq.discrete) * s).has(s)):
+                grown = f"{s} adds up what rounding leaves"
+        return exact(f"{self.text} is kept in a run", not grown, grown)
 
     def reduced(self) -> Equations:
         """Return the equations with the jumps of the states that are left."""

@@ -147,8 +147,9 @@ class SystemCandidate(LyapunovCandidate):
         without_value = self.relations.read(keeps) if keeps else []
         solved = self.relations.solved
         self.motion = {s: r for s, r in self.motion.items() if s not in solved}
-        slopes = (sympy.diff(r, s) for r in self.motion.values() for s in solved)
-        self.weights = [*map(self.relations.of, slopes)]  # of distances from relations
+        changes = (e.items() for e in (self.motion, *self.eq.jumps.values()))
+        others = (item for item in chain(*changes) if item[0] not in solved)
+        self.weights = self.relations.weights(others)
         self.write(self.relations.of)
         self.is_whole = not solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]
@@ -158,10 +159,13 @@ class SystemCandidate(LyapunovCandidate):
         """Write V, the claim and the rates of states in another way."""
         self.motion = {s: as_it_is(rate) for s, rate in self.motion.items()}
         self.V, self.claim = as_it_is(self.V), self.claim and as_it_is(self.claim)
+        self.weights = {key: as_it_is(e) for key, e in self.weights.items()}
 
-    def kept(self) -> list[Step]:
+    def kept(self, definite: Definite, fall: Fall) -> list[Step]:
         """Return the steps that the relations and the sets of states are kept."""
-        steps = self.relations.steps(self.never_positive)
+        if steps := self.relations.steps(self.never_positive):
+            motion = self.moving(definite, fall.zeroed)
+            steps.append(self.relations.in_a_run(self.weights, motion))
         are_kept = all(map(self._keeps, self.where.roots.values()))
         return steps if are_kept else [exact(f"{self.where.sets} is kept", False)]
 
@@ -430,10 +434,6 @@ class SystemCandidate(LyapunovCandidate):
             bound, claim = lower, f"V' <= {self.text(factored(lower))}"
         motion = self.moving(definite, zeroed)
         motion.outside()
-        if loose := {s for e in self.weights for s in motion.not_bounded(e)}:
-            text = f"{', '.join(sorted(loose))} may grow, and multiplies what rounding leaves"
-            step = exact(f"{self.relations.text} is kept in a run", False, text)
-            return Fall([*steps, step], claim)
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
         losses = forms_lost(self, bound, bounded, definite.forms)
