@@ -94,6 +94,17 @@ def check_pairs(inputs: Any, params: Mapping[str, Any]) -> None:
             )
 
 
+def check_ports(argument: str, given: Any, labels: list[str]) -> None:
+    """Refuse two numbers for a port of several, which may be one pair of each."""
+    ports = ports_of(labels)
+    for key, entry in given.items() if isinstance(given, Mapping) else ():
+        if is_pair(entry) and not np.ndim(entry[0]) and len(ports.get(key, ())) > 1:
+            raise ArgumentError(
+                f"{argument}[{key!r}] = {brief(entry)}: may be one pair or two numbers. Give a "
+                "list of pairs, or ends that are lists"
+            )
+
+
 @public
 def enclose(
     system: Any,
@@ -160,6 +171,8 @@ def enclose(
         request = requests[0]
         with request.drawn_around():
             made = DiagramRun(request.diagram, ends[0][2], request.sizes, "python")
+        check_ports("inputs", inputs, made.input_labels)
+        check_ports("initial_state", initial_state, made.states)
         natives = natives_of(made, [end[2] for end in ends], requests)
         layout = natives[0].layout
         record = DiagramRecord(made.wiring, layout, Form(exact=True))
@@ -194,10 +207,16 @@ def enclose(
     states = tube.isel(time=slice(1, None), name=slice(len(start.c)))
     low, high = (one.start for one in requests)
     back = ((states.lower >= low) & (states.upper <= high)).all("name")
-    if back.any():
+    is_timed = (
+        rates.reads_time
+        or layout.time_tables
+        or any(node.system.breakpoints_function for node in made.wiring.nodes)
+        or any(np.ptp(one.inputs.samples[1], axis=1).any() for one in requests)
+    )
+    if back.any() and not is_timed:
         tube.attrs["message"] += (
             f"; at t = {float(back.time[back][0]):.9g} all states are within the bounds that they "
-            "began in: where nothing depends on time, the boxes up to then hold for ever"
+            "began in, so the boxes up to then hold for ever"
         )
     return tube
 

@@ -547,6 +547,46 @@ def test_what_may_be_one_pair_or_two_is_refused():
             clpt.enclose(model, [0, 1], initial_state={"x": shape})
 
 
+def test_a_pair_for_a_port_of_several_is_refused():
+    model = block(lambda t, x, u, p: u.d - x.x, 2, inputs={"d": 2})
+    for given in ({"initial_state": {"x": (1, 2)}}, {"inputs": {"d": (1, 2)}}):
+        with pytest.raises(clpt.ArgumentError, match="may be one pair or two numbers"):
+            clpt.enclose(model, [0, 1], **given)
+    pairs = [(0, 0.1), (0.2, 0.3)]
+    tube = clpt.enclose(model, [0, 1], {"d": pairs}, {"x": pairs})
+    assert np.all(tube.lower[-1] <= [0, 0.2])
+    assert np.all(tube.upper[-1] >= [0.1, 0.3])
+
+
+TIMED = {  # rates, how the block is made, its inputs and whether the set is kept
+    "falls": (lambda t, x, u, p: -x.x, {}, None, True),
+    "is pushed": (lambda t, x, u, p: u.d - x.x, {"inputs": {"d": 1}}, 0.2, True),
+    "a ramp": (lambda t, x, u, p: u.d - x.x, {"inputs": {"d": 1}}, [0.1, 2.0], False),
+    "time": (lambda t, x, u, p: (t - 2) * x.x, {}, None, False),
+    "a time": (lambda t, x, u, p: np.where(t < 9, -x.x, x.x), {}, None, False),
+    "a map": (lambda t, x, u, p: x.x / 2, {"dt": 1.0}, None, True),
+    "a map of time": (lambda t, x, u, p: (t - 1) * x.x, {"dt": 1.0}, None, False),
+}
+
+
+@pytest.mark.parametrize(("rates", "made", "u", "is_kept"), TIMED.values(), ids=TIMED)
+def test_boxes_hold_for_ever_where_nothing_depends_on_time(rates, made, u, is_kept):
+    model = clpt.Block("model", update=rates, states={"x": 1}, **made)
+    tube = clpt.enclose(model, [0, 1], u, [(-1.0, 1.0)])
+    assert ("hold for ever" in tube.message) == is_kept
+
+
+def test_a_sampled_loop_that_grows_is_not_said_to_stay():
+    # x' = 2.5 x - 3.9 y - 2 h, y' = 2.9 x - 2.6 y - 1.4 h, h of x each 1: 1.66 per sample
+    plant = control.ss([[2.5, -3.9], [2.9, -2.6]], [[-2], [-1.4]], [1, 0], 0, name="p")
+    plant.set_inputs(["h"])
+    plant.set_outputs(["y"])
+    loop = clpt.connect([clpt.parts.hold(1.0, u="y", y="h"), plant])
+    tube = clpt.enclose(loop, [0, 0.5, 1, 1.5], None, [(-1, 1), (-1, 1), (-0.2, 0.2)])
+    assert np.all(np.abs([tube.lower[-1, 1], tube.upper[-1, 1]]) <= 1)
+    assert "hold for ever" not in tube.message
+
+
 def test_a_pair_alone_is_no_argument_of_inputs():
     tank = clpt.parts.lag(1.0)
     for pair in ((0, 1), ((0, 1), (2, 3))):

@@ -96,6 +96,7 @@ class SetProgram(Elements):
         self.steps: list[Step] = []
         self.x = [self.load("X", k) for k in range(n)]
         self.time = self.load("t", 0)
+        self.begin = self.load("P", len(record.layout.P))  # of a segment of inputs
         places = {}
         with deep():
             for port in ports:
@@ -113,6 +114,13 @@ class SetProgram(Elements):
                 terms.append(term if gain == 1.0 else self.new("mul", term, gain))
             outputs.append(self.sum(terms or [self.number(0.0)]))
         self.results = outputs
+
+    @property
+    def reads_time(self) -> bool:
+        """Return whether a value depends on time, but by states and inputs."""
+        places = ({*line[1:5], line[7]} for line, _ in self.lines)
+        read = {k for line in places if self.begin not in line for k in line}
+        return self.time in read.union(self.results, *(s.operands for s in self.steps))
 
     # --- elements -----------------------------------------------------------------------------
 
