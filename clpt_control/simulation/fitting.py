@@ -234,12 +234,11 @@ class FitProblem:
         """Return the initial values of all numbers, and their bounds."""
         rows = []
         for name, value in parameters.items():
-            count = len(varied_numbers(name, self.run.wiring, self.run.states))
-            # a list is the values of several numbers, or the row of one
-            is_row = isinstance(value, (tuple, list)[: 1 + (count == 1)])
-            start, *bounds = value if is_row and len(value) else (value,)
+            is_row = isinstance(value, tuple) and len(value)
+            start, *bounds = value if is_row else (value,)
             row = [start, *(bounds or (-np.inf, np.inf))]
             row = [np.ravel(unlabelled(name, bound)) for bound in row]
+            count = len(varied_numbers(name, self.run.wiring, self.run.states))
             if not _is_valid(row, count):
                 what = "a number" if count == 1 else f"{count} numbers"
                 raise ArgumentError(
