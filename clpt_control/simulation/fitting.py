@@ -234,8 +234,7 @@ class FitProblem:
         """Return the initial values of all numbers, and their bounds."""
         rows = []
         for name, value in parameters.items():
-            is_row = isinstance(value, tuple) and len(value)
-            start, *bounds = value if is_row else (value,)
+            start, *bounds = value if isinstance(value, tuple) and value else (value,)
             row = [start, *(bounds or (-np.inf, np.inf))]
             row = [np.ravel(unlabelled(name, bound)) for bound in row]
             count = len(varied_numbers(name, self.run.wiring, self.run.states))

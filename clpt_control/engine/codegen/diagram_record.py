@@ -495,8 +495,10 @@ class DiagramRecord(RecordMerger):
                     fed[port] = self.add("add", (ref, 0.0), self.entries[ref].shape)
         return fed
 
-    def part(self, ref: int, offset: int, shape: tuple) -> int:
+    def part(self, ref: Ref, offset: int, shape: tuple) -> Ref:
         """Return elements of a value from a place on, row by row, in a shape."""
+        if type(ref) is float:  # such as a view of 0.0
+            return ref
         entry = self.entries[ref]
         if entry.shape == shape and offset == 0:
             return ref

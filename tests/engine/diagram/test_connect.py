@@ -210,6 +210,33 @@ def test_ports_in_another_order_than_their_makers():
         assert run.e[0].values.tolist() == [4, 2, 3, 4]
 
 
+def test_a_part_of_a_port_that_nothing_feeds_is_zero():
+    """As in python-control, also where its signals go on one by one."""
+    half = clpt.Block(
+        "half", output=lambda t, x, u, p: u.u[2:], inputs={"u": 4}, outputs={"y": 2}
+    )
+    plus = clpt.Block(
+        "plus",
+        output=lambda t, x, u, p: u.w + u.r,
+        inputs={"w": 1, "r": 1},
+        outputs={"z": 1},
+    )
+    loop = control.interconnect(
+        [half, plus],
+        connections=[["plus.w", "half.y[1]"]],
+        inplist=["plus.r"],
+        inputs=["r"],
+        outlist=["plus.z"],
+        outputs=["z"],
+        check_unused=False,
+    )
+    assert clpt.simulate(loop, [0.0, 1.0], 3.0).z.values.tolist() == [3.0, 3.0]
+    assert control.input_output_response(loop, [0.0, 1.0], 3.0).outputs.tolist() == [
+        3.0,
+        3.0,
+    ]
+
+
 # block | inputs | states | outputs: the table of the design, with N = 3
 DESIGN = """
     reference           |                                    |                 | zc 2
