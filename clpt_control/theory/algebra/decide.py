@@ -29,7 +29,6 @@ from .facts import (
     inputs_in,
     interval,
     pieces_of,
-    powers_of_exp,
     sector_of,
 )
 from .gram import sum_of_squares
@@ -61,7 +60,6 @@ def never_positive(expression: Expr, parameters: set) -> bool:
         or without_fading(expression, variables) is not None
         or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
-        or by_gram(expression.xreplace(powers_of_exp(expression)))
         or without_choices(expression, variables) is not None
         or _by_pieces(expression, variables)
     )
@@ -193,8 +191,11 @@ def _group_never_positive(group: Expr, variables: set) -> bool:
 
 
 def _signed(product: Expr) -> Expr:
-    """Return the product of the factors that may be negative, even powers left out."""
-    factors = Mul.make_args(product)
+    """Return the product of the factors that may be negative, even powers left out.
+
+    A function that rises from 0 with its symbol has the sign of that.
+    """
+    factors = map(of_same_sign, Mul.make_args(product))
     return Mul(
         *(f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
     )
@@ -217,14 +218,6 @@ def _by_factors(group: Expr, variables: set) -> bool:
 def _without_nonnegative_factors(group: Expr) -> Expr:
     """Return the product of the factors that may be negative, multiplied out."""
     return expand(_signed(factored(group, MOST_IN_GROUP)))
-
-
-def _by_slopes(group: Expr, variables: set) -> bool:
-    """Test the product of the symbols from whose zero the factors of a group rise or fall."""
-    fixed = group.free_symbols - variables
-    factors = Mul.make_args(factored(group)) if functions_in(group) else ()
-    product = Mul(*(of_same_sign(f, fixed) for f in factors))
-    return bool(factors and product.is_nonpositive)
 
 
 def _by_squares(group: Expr, variables: set) -> bool:
@@ -448,4 +441,4 @@ def _is_negative(condition: Expr) -> bool:
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
 
 
-GROUP_TESTS = (_by_factors, _by_slopes, _by_squares, _by_sectors, _by_pieces)
+GROUP_TESTS = (_by_factors, _by_squares, _by_sectors, _by_pieces)

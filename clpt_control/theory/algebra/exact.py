@@ -245,13 +245,10 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     value = e.xreplace(numbers)
     if value.has(sympy.zoo, sympy.nan):
         return value
-    total = size(e)
-    size_of_inexact = total.xreplace({inexact: S.One}) - total.xreplace(
-        {inexact: S.Zero}
-    )
+    of_inexact = size(e).diff(inexact).xreplace({inexact: S.One})
     terms, sizes, exact = (
         expand(f).as_coefficients_dict()
-        for f in (value, size_of_inexact, e.xreplace(symbols))
+        for f in (value, of_inexact, e.xreplace(symbols))
     )
     kept = {
         term: c

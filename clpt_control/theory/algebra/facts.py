@@ -213,17 +213,6 @@ def inputs_in(expression: Expr) -> set[Any]:
     return {*filter(is_input, expression.atoms(AppliedUndef))}
 
 
-def powers_of_exp(expression: Expr) -> dict[Expr, Expr]:
-    """Return exponentials as powers of positive symbols, exp(s) and exp(2 s) of the same."""
-    powers, symbols = dict[Expr, Expr](), dict[Expr, Expr]()
-    for call in expression.atoms(sympy.exp):
-        n, s = call.args[0].as_coeff_Mul(rational=True)
-        if n.is_Integer:
-            symbol = symbols.setdefault(sympy.sign(n) * s, sympy.Dummy(positive=True))
-            powers[call] = symbol ** abs(n)
-    return powers
-
-
 def roots_in(expression: Expr) -> list[Expr]:
     """Return the bases of the powers in an expression that are no whole ones."""
     return [p.base for p in expression.atoms(sympy.Pow) if not p.exp.is_Integer]

@@ -144,22 +144,22 @@ def in_known_pieces(e: Expr, is_positive: Callable[[Expr], Any]) -> Expr:
     return e
 
 
-def of_same_sign(h: Expr, fixed: set) -> Expr:
+def of_same_sign(h: Expr) -> Expr:
     """Return s or -s of a smooth function of one symbol s that rises or falls from 0; others as is.
 
     Its slope is bounded, so it has no pole, and keeps its sign, as 1 - sin(2 s) of s - sin(s)^2;
     h is not 0 at 1, and so at no other s.
     """
-    states = h.free_symbols - fixed
-    if not (h.is_Add and len(states) == 1 and functions_in(h) and is_smooth(h)):
-        return h
-    (s,), at_0, at_1 = states, *(h.subs(*states, number) for number in (0, 1))
-    low, high = interval(TR8(sympy.diff(h, s)))
-    if at_0 != 0 or not (high - low).is_finite:
-        return h
-    if low.is_nonnegative and at_1.is_positive:
-        return s
-    return -s if high.is_nonpositive and at_1.is_negative else h
+    states = h.free_symbols
+    if h.is_Add and len(states) == 1 and functions_in(h) and is_smooth(h):
+        (s,) = states
+        for sign in (1, -1):
+            at_0, at_1 = (sign * h.subs(s, end) for end in (0, 1))
+            low, high = interval(TR8(sympy.diff(sign * h, s)))
+            is_rising = low.is_nonnegative and high.is_finite
+            if is_rising and at_0 == 0 and at_1.is_positive:
+                return sign * s
+    return h
 
 
 def _agrees(difference: Expr, border: Expr, order: int) -> bool:

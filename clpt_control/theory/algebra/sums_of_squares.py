@@ -22,7 +22,6 @@ from .facts import (
     functions_in,
     interval,
     is_input,
-    powers_of_exp,
     sector_of,
     side_of,
     stays_off_zero,
@@ -325,12 +324,6 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     for e in (product, loss):
         forms = max(forms, _forms_of_terms(e, fixed, bounded), key=len)
     forms = forms or _forms_of_terms(sympy.expand_mul(product), fixed, bounded)
-    if not forms and (powers := powers_of_exp(loss)):
-        bases = ((e, *power.as_base_exp()) for e, power in powers.items())
-        back = {symbol: sympy.exp(e.args[0] / n) for e, symbol, n in bases}
-        of_powers = lost_forms(loss.xreplace(powers), fixed, bounded)
-        lost = (form.xreplace(back) for form in of_powers)
-        forms = [form for form in lost if form.is_Add or not form.has(TIME)]
     return [*dict.fromkeys(map(_without_weights, forms))]
 
 
@@ -360,8 +353,8 @@ def _without_weights(form: Expr) -> Expr:
 
 def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     """Return a form of a term that is never negative, 0 for none; None if it may be negative."""
-    factors = (of_same_sign(f, fixed) for f in sympy.Mul.make_args(term))
-    parts = [f.as_base_exp() for f in sympy.Mul.make_args(sympy.Mul(*factors))]
+    term = sympy.Mul(*map(of_same_sign, sympy.Mul.make_args(term)))
+    parts = [part.as_base_exp() for part in sympy.Mul.make_args(term)]
     form, odd, weight = S.One, list[Expr](), S.One
     for base, power in parts:
         sector = sector_of(base) if functions_in(base) and power == 1 else None

@@ -357,7 +357,7 @@ class Still:
         """Return s, zero where a form is: of |s|, tanh(s), s + tanh(s), exp(s) - 1."""
         if isinstance(h, sympy.Abs):
             return h.args[0]
-        h = of_same_sign(h, self.fixed)
+        h = of_same_sign(h)
         states = h.free_symbols - self.fixed
         if h.is_Add and functions_in(h) and len(states) == 1:
             (s,) = states

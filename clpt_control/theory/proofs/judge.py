@@ -230,12 +230,12 @@ class LyapunovCandidate(ABC):
         # a state above 0 is not above its rest
         off = {s: sympy.Dummy(f"{s}", real=True) for s in rest_state}
         moved = sympy.expand_log(self.V.xreplace(at_start))
-        shift = {s: d + rest_state[s] for s, d in off.items()}
         # log(s) of a state above 0 is any number
-        at_rest = ((s, rest_state.get(s, 0)) for s in self.where.above)
-        held = {s: r for s, r in at_rest if r > 0 and moved.has(sympy.log(s))}
-        shift |= {s: r * sympy.exp(off[s]) for s, r in held.items()}
-        moved = sympy.expand_log(moved.xreplace(shift))
+        held = {s for s in off if s.is_positive and moved.has(sympy.log(s))}
+        at_rest = rest_state.items()
+        exps = {s: r * sympy.exp(off[s]) for s, r in at_rest if s in held and r > 0}
+        moved = moved.xreplace({s: off[s] + r for s, r in at_rest} | exps)
+        moved = sympy.expand_log(moved)
         fixed = self.fixed | {*at_start.values()}
         total = squares(moved, fixed) or squares(moved, fixed, False)
         if not total and self.where.roots and self.rest is None:
@@ -253,7 +253,7 @@ class LyapunovCandidate(ABC):
         contained = [s for s in states if any(form.has(s) for form in forms)]
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
-        off_zero = {s for s, r in held.items() if s - r in forms}
+        off_zero = {s for s in exps if s - rest_state[s] in forms}
         if {
             *self.where.above
         } - off_zero:  # no closed set, so nothing is known of its end

@@ -43,17 +43,16 @@ def forms_lost(
     # squares as they are written
     if not losses and (case.claim is not None or not bound.has(TIME)):
         losses = lost_forms(-bound, case.fixed, bounded)
-    losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss, of_V)
+    losses = losses or _lost_by_groups(case, loss, bounded) or _rising(case, loss)
     losses = losses or _lost_by_states(case, bound)
-    is_summed = bool(case.eq.discrete or inputs_in(loss)) and not has_time(loss)
-    if is_summed and not (losses or case.where.kept):
-        losses = [factored(loss)]
-    if losses or not case.where.kept:
-        return losses
-    roots = case.where.roots.items()
-    bounded = bounded | {root for root, e in roots if e.free_symbols & bounded}
-    of_roots = lost_forms(loss.xreplace(case.where.squared), case.fixed, bounded)
-    return case.where.in_states(of_roots)
+    if case.where.kept and not losses:
+        roots = case.where.roots.items()
+        bounded = bounded | {root for root, e in roots if e.free_symbols & bounded}
+        of_roots = lost_forms(loss.xreplace(case.where.squared), case.fixed, bounded)
+        losses = case.where.in_states(of_roots)
+    losses = losses or _rising(case, loss, of_V)
+    is_summed = case.eq.discrete or inputs_in(loss)
+    return losses or [factored(loss)] * bool(is_summed and not has_time(loss))
 
 
 def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
@@ -127,13 +126,13 @@ def _rising(case: Any, loss: Expr, of_V: Sequence[Expr] = ()) -> list[Expr]:
 
 def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:
     """Return the forms of -dV/dx_i x_i', each never negative: of a gradient flow dV/dx_i."""
-    found = list[Expr]()
-    for s, rate in case.motion.items() if bound == case.rate else ():
-        term = factored(normal_form(-along(case.V, {s: S.One}) * rate))
-        if not case.never_positive(-term):
-            return []
-        found += lost_forms(term, case.fixed, set())
-    return [] if case.eq.discrete or case.V.has(TIME) else found
+    if bound != case.rate or case.eq.discrete or case.V.has(TIME):
+        return []
+    slopes = [(-rate, along(case.V, {s: S.One})) for s, rate in case.motion.items()]
+    terms = [factored(normal_form(down * slope)) for down, slope in slopes]
+    if not all(case.never_positive(-term) for term in terms):
+        return []
+    return [q for term in terms for q in lost_forms(term, case.fixed, set())]
 
 
 def _lost_by_groups(case: Any, loss: Expr, bounded: set) -> list[Expr]:

@@ -16,7 +16,6 @@ import sympy
 from ...base.arguments import Count, Seed, public
 from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least
-from ..algebra.decide import positive_somewhere
 from ..algebra.texts import short
 from .answers import Fall
 from .between import margins_of
@@ -45,9 +44,8 @@ MOST_TRIES = 16  # judgements without signs, or values, of parameters
 def _of_fewest_values(case: SystemCandidate, proof: Answers, read: Reader) -> Reader:
     """Return the reader by which a proof for the parameters' values is of the fewest of them.
 
-    `case` has symbols for all parameters.  They may be so under conditions between them; else a
-    parameter by which V' may rise needs its value; the others are tried all at once, then one by
-    one.
+    `case` has symbols for all parameters.  They may be so under conditions between them; else
+    those that do not need their values are tried one by one.
     """
     margins, of_margins, verdict = list[sympy.Expr](), case, proof.verdict
     while len(margins) < MOST_MARGINS and (more := next(margins_of(of_margins), None)):
@@ -56,27 +54,13 @@ def _of_fewest_values(case: SystemCandidate, proof: Answers, read: Reader) -> Re
         if _holds(verdict, reader):
             return reader
         of_margins = reader(points=1)
-    names = [*map(str, case.eq.values)]
-    if "falls" in CONCLUSIONS[verdict.conclusion].requires:
-        rate = (case.rate - (case.claim or 0)).xreplace(proof.fall.zeroed)
-        names = _harmless(rate, case.eq.values)
     free = frozenset[str]()
-    for group in [names, *([name] for name in names)][:MOST_TRIES]:
-        tried = free.union(group)
-        if free < tried and len(tried) < len(case.eq.values):
+    for s in [*case.eq.values][:MOST_TRIES]:
+        tried = free | {f"{s}"}
+        if len(tried) < len(case.eq.values):
             reader = partial(read, numbers=True, symbols=tried)
             free = tried if _holds(verdict, reader) else free
     return partial(read, numbers=True, symbols=free)
-
-
-def _harmless(rate: sympy.Expr, values: Mapping[Any, Any]) -> list[str]:
-    """Return parameters that leave V' <= 0 at random points, one more symbol each time."""
-    symbols = list[Any]()
-    for s in values:
-        fixed = {p: number for p, number in values.items() if p not in (*symbols, s)}
-        if not positive_somewhere(rate.xreplace(fixed)):
-            symbols.append(s)
-    return [*map(str, symbols)]
 
 
 def _holds(verdict: Verdict, read: Reader) -> bool:

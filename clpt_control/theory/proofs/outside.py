@@ -164,12 +164,11 @@ class Motion:
         expanded = sympy.Matrix([sympy.expand(rate) for rate in rates])
         J = expanded.jacobian(states)
         remainder = expanded - J * sympy.Matrix(states)
-        powers = expanded[0].as_poly(*states) if not states[1:] else None
-        if powers and powers.degree() > 1 and powers.degree() % 2:
+        powers = None if states[1:] else expanded[0].as_poly(*states)
+        if powers and powers.degree() % 2 and not self.eq.discrete:
             leading, *others = powers.all_coeffs()
             is_far = leading.is_negative and not leading.free_symbols - self.fixed
-            loose = any(map(self.not_bounded, others))
-            return is_far and not (loose or self.eq.discrete)
+            return is_far and not any(map(self.not_bounded, others))
         if J.free_symbols - self.fixed or remainder.has(*states):
             return False
         if any(self.not_bounded(e) for e in remainder):

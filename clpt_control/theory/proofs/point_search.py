@@ -351,10 +351,10 @@ class PointSearch:
         """
         for point in self.highest(rate, still=False):
             states = self.scaled(point.x, (*DISTANCES, FAR_OFF), fixed)
-            rates = np.array(self.rates_at(point, states))
-            # at the farthest a power may overflow
-            is_known = np.isfinite(rates).all(axis=0) | (np.arange(4) < 3)
-            rises, size, V = rates[:, is_known]
+            rates = self.rates_at(point, states)
+            if rates[0][-1] < 0:  # outgrown
+                continue
+            rises, size, V = (values[:-1] for values in rates)
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
                 return point, float(rises[0])

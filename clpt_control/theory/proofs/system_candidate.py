@@ -420,8 +420,10 @@ class SystemCandidate(LyapunovCandidate):
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
-                falling, least = still, "V'" if self.claim is None else claim
-                claim = f"{least} = {short(self.readable_rate(still))}"
+                falling, at_zero = still, short(self.readable_rate(still))
+                claim = f"V' = {at_zero}"
+                if self.claim is not None:
+                    claim = f"V' <= {self.text(bound)} as claimed, V' <= {at_zero}"
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
