@@ -130,9 +130,9 @@ def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:
         return []
     slopes = [(-rate, along(case.V, {s: S.One})) for s, rate in case.motion.items()]
     terms = [factored(normal_form(down * slope)) for down, slope in slopes]
-    if not all(case.never_positive(-term) for term in terms):
-        return []
-    return [q for term in terms for q in lost_forms(term, case.fixed, set())]
+    forms = [lost_forms(term, case.fixed, set()) for term in terms if term != 0]
+    is_known = [] not in forms and all(case.never_positive(-term) for term in terms)
+    return [q for of_term in forms for q in of_term] if is_known else []
 
 
 def _lost_by_groups(case: Any, loss: Expr, bounded: set) -> list[Expr]:
