@@ -75,18 +75,24 @@ def positive_somewhere(expression: Expr) -> bool:
         numbers = NumericValues(expression.xreplace(slopes))
     except DiagramError:
         return False
-    random = np.random.default_rng(0)
-    samples = random.standard_normal((len(numbers.symbols), SAMPLES))
-    samples *= 10.0 ** random.uniform(-1, 1, (1, SAMPLES))
-    for row, symbol in zip(samples, numbers.symbols, strict=True):
-        if symbol.is_nonpositive:
-            row[:] = -np.abs(row)
-        elif symbol.is_nonnegative or symbol == TIME:
-            row[:] = np.abs(row)
+    samples = random_points(numbers.symbols, SAMPLES, 1)
     points = dict(zip(numbers.symbols, samples, strict=True))
     (values,) = numbers.at(points, SAMPLES)
     values = values[np.isfinite(values)]
     return bool(values.size and values.max() > ROUNDING * np.abs(values).max())
+
+
+def random_points(symbols: list, count: int, decades: float) -> np.ndarray:
+    """Return random numbers (symbols, count) with the signs of symbols, of all sizes."""
+    random = np.random.default_rng(0)
+    points = random.standard_normal((len(symbols), count))
+    points *= 10.0 ** random.uniform(-decades, decades, count)
+    for row, symbol in zip(points, symbols, strict=True):
+        if symbol.is_nonpositive:
+            row[:] = -np.abs(row)
+        elif symbol.is_nonnegative or symbol == TIME:
+            row[:] = np.abs(row)
+    return points
 
 
 # --- tests of a whole expression ------------------------------------------------------------

@@ -231,11 +231,14 @@ class LyapunovCandidate(ABC):
         off = {s: sympy.Dummy(f"{s}", real=True) for s in rest_state}
         moved = sympy.expand_log(self.V.xreplace(at_start))
         # log(s) of a state above 0 is any number
-        held = {s for s in off if s.is_positive and moved.has(sympy.log(s))}
-        at_rest = rest_state.items()
-        exps = {s: r * sympy.exp(off[s]) for s, r in at_rest if s in held and r > 0}
-        moved = moved.xreplace({s: off[s] + r for s, r in at_rest} | exps)
-        moved = sympy.expand_log(moved)
+        at_rest = [(s, d, rest_state[s]) for s, d in off.items()]
+        exps = {
+            s: r * sympy.exp(d)
+            for s, d, r in at_rest
+            if s.is_positive and r > 0 and moved.has(sympy.log(s))
+        }
+        shift = {s: d + r for s, d, r in at_rest} | exps
+        moved = sympy.expand_log(moved.xreplace(shift))
         fixed = self.fixed | {*at_start.values()}
         total = squares(moved, fixed) or squares(moved, fixed, False)
         if not total and self.where.roots and self.rest is None:
@@ -248,15 +251,14 @@ class LyapunovCandidate(ABC):
             total = total if all(vanishes(f.subs(zero)) for f in total.forms) else None
         if not total or not total.forms:
             return Definite(exact(claim, False, "not shown"))
-        back = {d: s - rest_state[s] for s, d in off.items()}
-        forms = [form.xreplace(back) for form in total.forms]
+        back = {d: s - r for s, d, r in at_rest}
+        logs = {d: sympy.log(s) - sympy.log(r) for s, d, r in at_rest if s in exps}
+        forms = [back.get(form) or form.xreplace(back | logs) for form in total.forms]
         contained = [s for s in states if any(form.has(s) for form in forms)]
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
-        off_zero = {s for s in exps if s - rest_state[s] in forms}
-        if {
-            *self.where.above
-        } - off_zero:  # no closed set, so nothing is known of its end
+        off_zero = {s for s in exps if off[s] in total.forms}
+        if {*self.where.above} - off_zero:  # nothing is known of the end of an open set
             return Definite(step, [*forms, *at_start])
         least = zero_of(total._replace(forms=forms), contained)
         answer = Definite(step, forms, least, off_zero=off_zero)

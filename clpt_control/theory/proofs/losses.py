@@ -22,13 +22,11 @@ from .relations import in_errors
 from .where import MOST_CORNERS
 
 
-def forms_lost(
-    case: Any, bound: Expr, bounded: set, of_V: Sequence[Expr] = ()
-) -> Sequence[Expr]:
+def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
     """Return forms of whose squares V', at most a bound, loses multiples; or the loss itself.
 
-    `of_V` are forms of V.  Of a loss under an input, and in discrete time, the integral or the sum
-    is finite, though no form is known.
+    Of a loss under an input, and in discrete time, the integral or the sum is finite, though no
+    form is known.
     """
     loss = -whole_coefficients(normal_form(bound), (*case.states, *case.inputs))
     ends = {d: [e for e in case.where.box[d] if e.is_finite] for d in case.where.box}
@@ -50,7 +48,6 @@ def forms_lost(
         bounded = bounded | {root for root, e in roots if e.free_symbols & bounded}
         of_roots = lost_forms(loss.xreplace(case.where.squared), case.fixed, bounded)
         losses = case.where.in_states(of_roots)
-    losses = losses or _rising(case, loss, of_V)
     is_summed = case.eq.discrete or inputs_in(loss)
     return losses or [factored(loss)] * bool(is_summed and not has_time(loss))
 
@@ -111,17 +108,16 @@ def _has_no_integral(f: Expr) -> bool:
     return is_fraction and sympy.limit(TIME * f, TIME, sympy.oo) != 0
 
 
-def _rising(case: Any, loss: Expr, of_V: Sequence[Expr] = ()) -> list[Expr]:
-    """Return s of odd rising functions h, V' <= -s h(s)/2, and q of V, V' <= -q^2/2.
-
-    So it is of 2 s clip(s) - clip(s)^2.
-    """
-    shares = {q: q**2 for q in of_V}
-    for call in sorted(functions_in(loss), key=str):
-        sector = sector_of(call)
-        if sector and sector.rises and sector.low >= 0:
-            shares[sector.factor] = sector.factor * call
-    return [q for q, of_q in shares.items() if case.never_positive(of_q / 2 - loss)]
+def _rising(case: Any, loss: Expr) -> list[Expr]:
+    """Return s of odd rising functions h, V' <= -s h(s)/2: of 2 s clip(s) - clip(s)^2."""
+    return [
+        sector.factor
+        for call in sorted(functions_in(loss), key=str)
+        if (sector := sector_of(call))
+        and sector.rises
+        and sector.low >= 0
+        and case.never_positive(sector.factor * call / 2 - loss)
+    ]
 
 
 def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:

@@ -351,10 +351,10 @@ class PointSearch:
         """
         for point in self.highest(rate, still=False):
             states = self.scaled(point.x, (*DISTANCES, FAR_OFF), fixed)
-            rates = self.rates_at(point, states)
-            if rates[0][-1] < 0:  # outgrown
+            rates = np.array(self.rates_at(point, states))
+            if rates[0, -1] < 0:  # outgrown
                 continue
-            rises, size, V = (values[:-1] for values in rates)
+            rises, size, V = rates[:, :-1]
             is_positive = np.all((rises > SIGNIFICANT * size) & (V > 0))
             if is_positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
                 return point, float(rises[0])

@@ -68,9 +68,7 @@ class SystemCandidate(LyapunovCandidate):
     disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
     KD: Mapping[Any, Any] = NOTHING  # e of a law -> its gain
     are_numbers = False  # whether the verdict is of the parameters' values
-    is_rounded = (
-        False  # whether V, V' or rates are without rounding errors of their terms
-    )
+    is_rounded = False  # whether terms of V, V' or rates are left out as rounding
 
     def __init__(
         self,
@@ -420,10 +418,8 @@ class SystemCandidate(LyapunovCandidate):
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
-                falling, at_zero = still, short(self.readable_rate(still))
-                claim = f"V' = {at_zero}"
-                if self.claim is not None:
-                    claim = f"V' <= {self.text(bound)} as claimed, V' <= {at_zero}"
+                said = "V' =" if self.claim is None else f"{claim} as claimed, V' <="
+                falling, claim = still, f"{said} {short(self.readable_rate(still))}"
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
@@ -438,7 +434,7 @@ class SystemCandidate(LyapunovCandidate):
         motion.outside()
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
-        losses = forms_lost(self, bound, bounded, definite.forms)
+        losses = forms_lost(self, bound, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
         if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
             claim += f", V is 0 after the time {self.text(t)}"

@@ -32,7 +32,7 @@ from sympy.core.function import AppliedUndef
 from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.decide import never_positive
+from ..algebra.decide import never_positive, random_points
 from ..algebra.exact import groups_of
 from ..algebra.facts import interval
 from ..algebra.numeric_values import NumericValues
@@ -137,9 +137,7 @@ def lowest(
 def sampled(V: sympy.Expr, rates: Sequence[sympy.Expr]) -> tuple:
     """Return random points of all sizes, V and the largest rate there."""
     numbers = NumericValues(V, *rates)
-    random = np.random.default_rng(0)
-    points = random.standard_normal((len(numbers.symbols), SAMPLES))
-    points *= 10 ** random.uniform(-3, 3, SAMPLES)
+    points = random_points(numbers.symbols, SAMPLES, 3)
     size, *changes = numbers.at(
         dict(zip(numbers.symbols, points, strict=True)), SAMPLES
     )
