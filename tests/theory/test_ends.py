@@ -89,7 +89,7 @@ BROKEN = {  # kind -> text, the strongest true conclusion, a state at which noth
         ("x' = -x*w**2*(1 + w**2); y' = -y; input w", ZERO, None),
         ("x' = -x*(1 + w**2)*exp(-t); input w", STABLE, None),
         ("x' = -x*(1 + w**2)*where(y > 0, 0, 1)**2; y' = -y; input w", ZERO, None),
-        ("x' = -x/(1 + w**2); input w", STABLE, None),
+        ("x' = -x/(1 + w**2); input w", INTEGRAL, None),
         ("x' = -x/(1 + y**2); y' = y**3; V = x**2/2", "V does not increase", None),
         ("x' = -x*y**2*(1 + w**2); y' = -y*(1 + w**2); input w", ZERO, None),
         ("x' = y*w - x*(1 + w**2); y' = -x*w; input w", ZERO, [0, 1]),
@@ -474,9 +474,8 @@ def test_a_function_of_a_number_is_printed_as_it_is(a):
 def test_a_claim_where_inputs_are_zero_is_said_of_inputs_of_zero():
     plant, V, *_ = written("x' = -x + w; input w")
     found = clpt.lyapunov(plant, V, claim=lambda s: s.w**2 - s.x**2 / 2)
-    assert found.sentence.startswith(
-        "V' <= -x**2/2 <= 0, so the rest is asymptotically"
-    )
+    claimed = "V' <= -x**2/2 + w(t)**2 as claimed, V' <= -x**2/2 <= 0, so the rest is asym"
+    assert found.sentence.startswith(claimed)
     assert found.sentence.endswith("; where w = 0")
 
 
