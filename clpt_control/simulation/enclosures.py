@@ -192,7 +192,8 @@ def enclose(
         ) from None
     signals.connect(record)
     names = names_of(made, signals)
-    P = between(layout.P, layout.packed(natives[1].sweep.parameters))
+    with np.errstate(invalid="ignore"):  # limits may be infinite
+        P = between(layout.P, layout.packed(natives[1].sweep.parameters))
     P = Ball(*(np.pad(a, (0, layout.inputs(made.wiring.ninputs) - len(a))) for a in P))
     read, noise = middle_inputs(requests)
     disturbed = np.zeros_like(P.c)

@@ -896,3 +896,46 @@ def test_a_set_that_comes_back_into_the_region_of_a_verdict():
     grows = block(lambda t, x, u, p: x.x)
     tube = clpt.enclose(grows, [0, 1], None, [(-1.0, 1.0), 0.0])
     assert "all states are within" not in tube.message
+
+
+def test_outputs_of_a_small_set_have_bounds_by_their_slopes():
+    """y = x w and s = x + w of an oscillator: both are known at each time."""
+    model = clpt.Block(
+        "model",
+        update=oscillator,
+        output=lambda t, x, u, p: {"y": x.x[0] * x.x[1], "s": x.x[0] + x.x[1]},
+        states={"x": 2},
+        outputs={"y": 1, "s": 1},
+    )
+    times = np.linspace(0, 3, 7)
+    start = [(0.99, 1.01), (-0.01, 0.01)]
+    tube = clpt.enclose(model, times, None, start)
+    c, s = np.cos(times), np.sin(times)
+    for x, w in itertools.product(*start):
+        now = x * c + w * s, w * c - x * s
+        for name, value in (("y[0]", now[0] * now[1]), ("s[0]", now[0] + now[1])):
+            row = tube.sel(name=name)
+            assert np.all(row.lower <= value + 1e-15)
+            assert np.all(row.upper >= value - 1e-15)
+    row = tube.sel(name="s[0]")
+    exact = 0.02 * (np.abs(c - s) + np.abs(c + s))
+    assert np.all(row.upper - row.lower < exact * (1 + 1e-9))
+
+
+def test_limits_may_be_infinite_and_other_numbers_may_not():
+    def limited(t, x, u, p):
+        return -np.clip(x.x, p.least, p.most)
+
+    model = block(limited, 1, parameters={"least": -np.inf, "most": np.inf})
+    tube = clpt.enclose(model, [0, 1], None, [1.0])
+    with mpmath.workdps(40):
+        assert inside(tube, 1, [mpmath.exp(-1)])
+    for rate in (
+        lambda t, x, u, p: np.mod(x.x, p.most),
+        lambda t, x, u, p: np.exp(-p.most) + 0 * x.x,
+        lambda t, x, u, p: np.minimum(x.x, p.most * 0.0),
+    ):
+        model = block(rate, 1, parameters={"most": np.inf})
+        tube = clpt.enclose(model, [0, 1], None, [1.0])
+        assert "the boxes end there, as" in tube.message
+        assert np.isnan(tube.upper[1]).all()

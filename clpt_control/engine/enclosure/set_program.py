@@ -300,17 +300,17 @@ class SetSeries:
 
     # --- what Python does at order 0 ----------------------------------------------------------
 
-    def bounds(self, slot: int) -> Interval:
-        """Return bounds of a first coefficient."""
+    def bounds(self, slot: int, is_limit: Any) -> Interval:
+        """Return bounds of a first coefficient; limits may be infinite."""
         c, r = float(self.C[slot, 0, 0]), float(self.R[slot, 0, 0])
-        if not isfinite(c + r):
+        if not isfinite(c + r) and not (is_limit and r == 0.0 and c == c):
             raise Undecided("a value has no bound")
         return (nextafter(c - r, -inf), nextafter(c + r, inf)) if r else (c, c)
 
     def take(self, step: Step, loose: bool) -> int:
         """Compute a function, or decide; return how many lines are done."""
         line, kind, operands, result, _ = step
-        ends = [self.bounds(slot) for slot in operands]
+        ends = [self.bounds(slot, TABLE[kind].chosen) for slot in operands]
         if kind in FUNCTIONS:
             if loose and self.program.positive[operands[0]]:
                 ends = [(max(ends[0][0], 0.0), ends[0][1])]

@@ -97,7 +97,7 @@ class Enclosure:
         self.rates = SetSeries(rates, 0, along)
         self.leaps = SetSeries(leaps, 0, along)
         self.jumps = jumps  # places of their requests in P; None in discrete time
-        self.signals = SetSeries(signals, 0)
+        self.signals = SetSeries(signals, 0, along)
         self.P, self.noise = P, noise[disturbed]
         self.disturbed_P = Ball(P.c, (P.r + noise) * balls.GROWTH)
         # 3. results
@@ -144,43 +144,53 @@ class Enclosure:
         self.bounds[:, 0, now] = np.nan
         if self.jumps and np.any(self.P.c[self.jumps]):
             try:
-                self._leap()
+                self._put(*self._image(self.leaps, exact(self.t), *self._set))
             except Undecided:
                 self.bounds[:, 1, now] = np.nan
                 raise
         # the next interval begins with this box, too
         for which, stop in enumerate((now.stop, now.stop + 1)):
             rows = slice(now.start, stop)
-            self._write(which, rows, exact(self.t), self._box()[: self.n])
+            self._write(which, rows, exact(self.t), *self._set)
 
-    def _leap(self) -> None:
-        """Map the set by a jump or a step of discrete time, where it switches by its box."""
-        n, N, t, box = self.n, self.N, exact(self.t), self._box()[: self.n]
-        P = Ball(self.P.c, 0 * self.P.r)
+    def _image(self, series: SetSeries, t: Ball, x: Ball, G: Ball) -> tuple[Ball, Ball]:
+        """Return centre and generators of a function of the set, or its box where it switches."""
+        box = self._box(x, G)
         try:
-            J = self.leaps.evaluate(t, box, self.disturbed_P)[:, 0, 1:]
-            x = self.leaps.evaluate(t, exact(self.m[:n]), P)[:, 0, 0]
-            x = balls.add(x, matrix(J[:, N:], around(self.noise)))
-            G = matrix(J[:, :N], exact(self.G))
+            J = series.evaluate(t, box, self.disturbed_P)[:, 0, 1:]
+            y = series.evaluate(t, x, Ball(self.P.c, 0 * self.P.r))[:, 0, 0]
         except Switching:
-            x = self.leaps.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
-            G = exact(0 * self.G[:n])
-        self._put(x, G)
+            y = series.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
+            return y, exact(np.zeros((len(y.c), len(self.r))))
+        y = balls.add(y, matrix(J[:, self.N :], around(self.noise)))
+        rest = exact(self.G[self.n :])
+        G = Ball(np.vstack([G.c, rest.c]), np.vstack([G.r, rest.r]))
+        return y, matrix(J[:, : self.N], G)
 
-    def _write(self, which: Any, rows: slice, t: Ball, x: Ball) -> None:
-        """Widen boxes by one of states, and those of signals."""
-        lower, upper = self.bounds[:, which, rows]
+    def _write(
+        self, which: int, rows: slice, t: Ball, x: Ball, G: Ball, *hull: Any
+    ) -> None:
+        """Widen boxes by that of states, and by those of signals: plain, and by their slopes."""
+        box = self._box(x, G)
+        if hull:
+            box = between(np.fmax(box.lower, hull[0]), np.fmin(box.upper, hull[1]))
         low, high = np.full((2, len(self.signals.results)), [[-np.inf], [np.inf]])
-        with suppress(Undecided):
-            found = self.signals.evaluate(t, x, self.disturbed_P, loose=True)[:, 0, 0]
-            low, high = found.lower, found.upper
-        np.fmin(lower, np.append(x.lower, low), out=lower)
-        np.fmax(upper, np.append(x.upper, high), out=upper)
+        for is_plain in (True, False) if len(low) else ():
+            with suppress(Undecided):
+                if is_plain:
+                    found = self.signals.evaluate(t, box, self.disturbed_P, loose=True)
+                    found = found[:, 0, 0]
+                else:
+                    found = self._box(*self._image(self.signals, t, x, G))
+                low, high = np.fmax(low, found.lower), np.fmin(high, found.upper)
+        lower, upper = self.bounds[:, which, rows]
+        np.fmin(lower, np.append(box.lower, low), out=lower)
+        np.fmax(upper, np.append(box.upper, high), out=upper)
 
     def _advance(self, end: float) -> None:
         """Take a step, without series if there is none."""
         if self.jumps is None:
-            self._leap()
+            self._put(*self._image(self.leaps, exact(self.t), *self._set))
             self.t, self.steps = end, self.steps + 1
             return
         try:
@@ -208,10 +218,10 @@ class Enclosure:
         p, n, N, t = ORDER, self.n, self.N, self.t
         least, shortest = LEAST * self.span, SHORTER * self.short * self._is_beside
         # 1. coefficients on the box
-        box = self._box()
-        wide = self.wide.evaluate(exact(t), box[:n], self.P)
+        box = self._box(*self._set)
+        wide = self.wide.evaluate(exact(t), box, self.P)
         F = wide[:, :, 0]
-        h, allowed = self._length(F, box[:n], min(LARGER * self.h, end - t))
+        h, allowed = self._length(F, box, min(LARGER * self.h, end - t))
         # 2. a box that holds all runs
         while True:
             if h < shortest:
@@ -219,7 +229,7 @@ class Enclosure:
             new = end if end - t - h < 1e-3 * h else t + h
             step = moved(t, new)
             try:
-                remainder, hull, more = self._remainder(step, F, box[:n])
+                remainder, hull, more = self._remainder(step, F, box)
                 error = remainder.size * float(step.upper) ** (p + 1)
                 worst = float(np.max(error / allowed))
                 if worst <= 1.0 or h < 4.0 * least:
@@ -274,9 +284,14 @@ class Enclosure:
         share, tiny = i * balls.UNIT, np.where(i > 1, balls.TINY, 0.0)
         return between(low * (1.0 - share) - tiny, high * (1.0 + share) + tiny)
 
-    def _box(self) -> Ball:
-        """Return the box of the set."""
-        return balls.add(exact(self.m), matrix(exact(self.G), around(self.r)))
+    @property
+    def _set(self) -> tuple[Ball, Ball]:
+        """The middle of the states and their generators."""
+        return exact(self.m[: self.n]), exact(self.G[: self.n])
+
+    def _box(self, x: Ball, G: Ball) -> Ball:
+        """Return the box of values with a middle and generators."""
+        return balls.add(x, matrix(G, around(self.r)))
 
     def _accept(self, new: float, hull: Ball, flow: Any) -> None:
         """Go to a new time, and write the boxes up to it.
@@ -290,14 +305,8 @@ class Enclosure:
             spans = [(1, max(t, self.times[k - 1])), (0, end)]
             for which, begin in spans[: 1 + (end == self.times[k])]:
                 h = between(moved(t, begin).lower, moved(t, end).upper)
-                centre, G = flow(h)
-                box = balls.add(centre, matrix(G, around(self.r)))
-                low, high = (
-                    np.fmax(box.lower, hull.lower),
-                    np.fmin(box.upper, hull.upper),
-                )
-                rows, time = slice(k, k + 1), between(begin, end)
-                self._write(which, rows, time, between(low, high))
+                at = slice(k, k + 1), between(begin, end)
+                self._write(which, *at, *flow(h), hull.lower, hull.upper)
         # 2. the set
         self._put(*flow(moved(t, new)))
         self.h, self.t = new - t, new
@@ -308,7 +317,7 @@ class Enclosure:
         n, N = self.n, self.N
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
         bent = G.r[:, : self.given] * self.r[: self.given]
-        self.bent += np.sum(bent.T / (self._box().r[:n] + REACH), axis=1)
+        self.bent += np.sum(bent.T / (self._box(*self._set).r + REACH), axis=1)
         self.m[:n] = centre.c
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
@@ -344,7 +353,7 @@ class Enclosure:
 
     def _picard(self, time: Ball, h: float) -> tuple[Ball, Ball]:
         """Return a box that no run leaves during a step, and the rates in it."""
-        box, during = self._box()[: self.n], between(0.0, h)
+        box, during = self._box(*self._set), between(0.0, h)
         B = box
         for _ in range(8):
             found = self.rates.evaluate(time, B, self.disturbed_P, loose=True)[:, 0, 0]
@@ -363,7 +372,7 @@ class Enclosure:
             raise Undecided("no room for a step")
         h = float(moved(self.t, new).upper)
         B, rates = self._picard(between(self.t, np.nextafter(self.t + h, np.inf)), h)
-        x, G = exact(self.m[: self.n].copy()), exact(self.G[: self.n])
+        x, G = self._set
         self._accept(new, B, lambda h: (balls.add(x, balls.mul(rates, h)), G))
         self.crude += 1
 
