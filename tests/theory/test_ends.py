@@ -474,7 +474,9 @@ def test_a_function_of_a_number_is_printed_as_it_is(a):
 def test_a_claim_where_inputs_are_zero_is_said_of_inputs_of_zero():
     plant, V, *_ = written("x' = -x + w; input w")
     found = clpt.lyapunov(plant, V, claim=lambda s: s.w**2 - s.x**2 / 2)
-    claimed = "V' <= -x**2/2 + w(t)**2 as claimed, V' <= -x**2/2 <= 0, so the rest is asym"
+    claimed = (
+        "V' <= -x**2/2 + w(t)**2 as claimed, V' <= -x**2/2 <= 0, so the rest is asym"
+    )
     assert found.sentence.startswith(claimed)
     assert found.sentence.endswith("; where w = 0")
 

@@ -132,6 +132,17 @@ def test_a_gradient_of_a_sum_loses_in_steps_of_time_what_sums_to_a_number():
     verdict = clpt.lyapunov(loop, lambda s: s.h**2)
     assert verdict.conclusion == "goes to zero"
     assert verdict.of == "h**2*(w(t)**2 + 2)*w(t)**2/(w(t)**2 + 1)**2 goes"
+    turn = clpt.Block(
+        "turn",
+        update=lambda t, x, u, p: {
+            "x": 0.6 * x.x - 0.8 * x.y,
+            "y": 0.8 * x.x + 0.6 * x.y,
+        },
+        states={"x": 1, "y": 1},
+        dt=1.0,
+    )
+    verdict = clpt.lyapunov(turn, lambda s: s.x**2 + s.y**2)
+    assert (verdict.conclusion, verdict.of) == ("stable", "")
 
 
 CLOSED = {"a": (0, None), "b": (0, None), "c": (0, None)}

@@ -48,7 +48,7 @@ def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
         bounded = bounded | {root for root, e in roots if e.free_symbols & bounded}
         of_roots = lost_forms(loss.xreplace(case.where.squared), case.fixed, bounded)
         losses = case.where.in_states(of_roots)
-    is_summed = case.eq.discrete or inputs_in(loss)
+    is_summed = inputs_in(loss) or (case.eq.discrete and loss != 0)
     return losses or [factored(loss)] * bool(is_summed and not has_time(loss))
 
 
