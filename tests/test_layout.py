@@ -278,7 +278,7 @@ TOKENS = {
     "theory.design": 5660,
     "theory.excitation": 17417,
     "theory.laws": 16268,
-    "theory.proofs": 55848,
+    "theory.proofs": 55854,
     "theory.theorems": 7725,
 }
 LAID_OUT = {

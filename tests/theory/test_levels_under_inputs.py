@@ -347,6 +347,47 @@ def test_no_time_is_said_of_another_v(V):
     assert "after the time" not in found.sentence
 
 
+@pytest.mark.parametrize("gain", [np.pi, np.e, 1 / np.pi, np.sqrt(3), 1e-9 * np.pi])
+@pytest.mark.parametrize("power", [0.0, 1 / 3, 0.5, np.pi / 10])
+def test_the_time_is_rounded_up(gain, power):
+    """x' = -g |x|^a sign x is 0 at |x|^(1 - a)/(g (1 - a)), at most 0.1 % below what is said."""
+
+    def rates(x, u, p):
+        return -gain * np.sign(x) * (np.abs(x) ** power if power else 1.0)
+
+    found = clpt.lyapunov(loop(rates, inputs={}), half)
+    (text,) = re.findall(r"V is 0 after the time ([^,]*)", found.sentence)
+    for x in (1.0, 1e60):
+        V = f"(Rational({x!r})**2/2)"
+        said = float(sympy.N(sympy.sympify(text.replace("V(0)", V)), 30))
+        true = x ** (1 - power) / (gain * (1 - power))
+        assert true * (1 - 1e-12) <= said < 1.001 * true
+    (claim,) = [s.claim for s in found.steps if "after the time" in s.claim]
+    assert text in claim
+
+
+@pytest.mark.parametrize("power", [1 - 1.23456789e-10, 1 - 2e-15, 1 - 1.23456789e-6])
+def test_an_exponent_near_one_is_no_whole_number_and_gives_no_time(power):
+    rates = lambda x, u, p: -np.sign(x) * np.abs(x) ** power  # noqa: E731
+    found = clpt.lyapunov(loop(rates, inputs={}), half)
+    assert found.conclusion == "asymptotically stable"
+    assert f"Abs(x)**{power!r} <= 0" in found.sentence
+    assert "after the time" not in found.sentence
+    assert f"{power!r}"[:12] in found.latex()
+
+
+def test_a_rest_that_v_reaches_in_a_time_is_asymptotically_stable():
+    """Of sign(x^3) no form is lost; the sliding gain 1.1 is above |d| <= 1."""
+    for rates, where in (
+        (lambda x, u, p: -np.sign(x**3), None),
+        (lambda x, u, p: -1.1 * np.sign(x) + u.d, {"d": (-1, 1)}),
+    ):
+        inputs = {"d": 1} if where else {}
+        found = clpt.lyapunov(loop(rates, inputs=inputs), half, where=where)
+        assert "V is 0 after the time" in found.sentence
+        assert found.conclusion == "asymptotically stable"
+
+
 def test_sliding_control_overcomes_its_disturbance():
     sliding = loop(lambda x, u, p: -2 * np.sign(x) + u.d)
     conclusions = [

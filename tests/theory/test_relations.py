@@ -367,7 +367,7 @@ def test_a_factor_of_the_distance_that_grows_is_told():
     of_h = lambda s: s.h**2 / 2  # noqa: E731
     grown = lyapunov(block(rates), of_h, keeps=on_line)
     assert grown.status == "open"
-    assert "m may grow, and multiplies what rounding leaves" in grown.sentence
+    assert "m*th may grow, and multiplies what rounding leaves" in grown.sentence
     rates["m"] = lambda x, u, p: -x.m
     assert lyapunov(block(rates), of_h, keeps=on_line).conclusion == "goes to zero"
 
@@ -480,12 +480,36 @@ def test_a_distance_that_stays_is_not_added_up():
         lambda s: s.th - 2,
         lambda s: [s.y - s.th * s.w, s.y - s.th * s.w - 1],
         lambda s: np.maximum(s.y, s.w),
-        lambda s: [],
     ],
 )
 def test_what_is_no_relation_of_states_is_refused(keeps):
     with pytest.raises(clpt.ClptError, match=r"keeps|relation"):
         lyapunov(gradient(), squared, keeps=keeps)
+
+
+@pytest.mark.parametrize("nothing", [[], None])
+def test_keeps_that_returns_nothing_is_named(nothing):
+    with pytest.raises(clpt.ClptError) as refusal:
+        lyapunov(gradient(), squared, keeps=lambda s: nothing)
+    wanted = f"law: keeps returns {nothing}. Return functions of states"
+    assert f"{refusal.value}" == wanted
+
+
+def test_a_rate_that_jumps_on_the_relation_is_named():
+    """y' = -2 sign y and 2 x' = -2 sign x are one rate where y = 2 x."""
+    plant, V, *_ = written("x' = -sign(x); y' = -2*sign(y); V = x*y/2")
+    verdict = lyapunov(plant, V, keeps=lambda s: [s.y - 2 * s.x])
+    assert "y may leave it: its rate may jump" in verdict.sentence
+
+
+def test_a_divisor_between_zero_and_a_number_is_above_zero():
+    law = least_squares(lambda x, u, p: -(x.P**2) * x.w**2)
+    verdict = lyapunov(law, weighted, keeps=on_line, where={"P": (0, 10)})
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert "where P > 0, 10 - P >= 0 at the start" in verdict.sentence
+    rises = least_squares(lambda x, u, p: x.P)
+    risen = lyapunov(rises, weighted, keeps=on_line, where={"P": (0, 10)})
+    assert risen.status == "open"
 
 
 def test_keeps_is_refused_in_a_box_and_without_V():

@@ -14,13 +14,12 @@ LARGEST = 10**12  # larger numerators and denominators are rounded in texts
 def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
 
-    def is_long(e: Any) -> bool:
-        return any(max(abs(n.p), n.q) > LARGEST for n in e.atoms(sympy.Rational))
-
     def rounded(e: Any) -> Any:
         """Return an expression with long numbers rounded, functions of them as one number."""
-        if not is_long(e):
+        if not _is_long(e):
             return e
+        if e.is_Pow and _is_long(e.exp):
+            return sympy.Pow(rounded(e.base), e.exp.n(17))
         if not e.is_number:
             return e.func(*map(rounded, e.args))
         if e.is_Rational and 1e6 * abs(e - e.round()) < abs(e) < LARGEST:
@@ -32,6 +31,11 @@ def short(expression: Any, most: int = 160) -> str:
     for symbol in symbols:
         text = text.replace(f"_{symbol.name}", symbol.name)
     return cut(_plain(text), most)
+
+
+def _is_long(e: Any) -> bool:
+    """Return whether an expression has a number of many digits."""
+    return any(max(abs(n.p), n.q) > LARGEST for n in e.atoms(sympy.Rational))
 
 
 def _plain(text: str) -> str:
@@ -50,8 +54,10 @@ def listed(items: Sequence[str]) -> str:
     return " and ".join(item for item in (", ".join(items[:-1]), items[-1]) if item)
 
 
-def bound_text(bound: Any, up: bool = True) -> str:
+def bound_text(bound: Any, up: bool = True, keeps_short: bool = False) -> str:
     """Return a bound as text: its numbers are rounded outward, equal factors written once.
+
+    Numbers of few digits may be kept as they are, and exponents are.
 
     >>> import sympy
     >>> a, b, k = sympy.symbols("a b k", positive=True)
@@ -63,16 +69,16 @@ def bound_text(bound: Any, up: bool = True) -> str:
 
     def rounded(e: Any, up: bool) -> Any:
         """Return an expression of positive symbols with its numbers rounded."""
-        if e.is_Rational or e.is_Float:
+        if e.is_number:
             text = (at_most if up else at_least)(float(e), 4)
-            is_exact = e.is_Integer and abs(e) < LARGEST
+            is_exact = (e.is_Integer or keeps_short) and not _is_long(e)
             return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
             return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)
-        coefficient, factor = e.as_coeff_Mul()
-        if coefficient != 1:
-            up_rest = up != bool(coefficient.is_negative)
-            return rounded(coefficient, up) * rounded(factor, up_rest)
+        number, factor = e.as_independent(*e.free_symbols, as_Add=False)
+        if number != 1:
+            up_rest, up = (up != bool(o.is_negative) for o in (number, factor))
+            return rounded(number, up) * rounded(factor, up_rest)
         return e.func(*(rounded(argument, up) for argument in e.args)) if e.args else e
 
     def grouped(e: Any) -> Any:

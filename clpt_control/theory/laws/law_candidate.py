@@ -73,7 +73,7 @@ class LoopCandidate(LyapunovCandidate):
     sizes: str  # numbers of functions for which V' is as shown: N = 2
     known: Mapping[Any, Any]  # symbols of numbers of the law
 
-    def same_as_running(self) -> Step:
+    def same_as_running(self, *_: Any) -> Step:
         """Return the step that the running blocks have the same V and rates."""
         return running_step(lambda: self.loop, self.points, seed=self.seed)
 

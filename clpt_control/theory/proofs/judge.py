@@ -201,9 +201,7 @@ class LyapunovCandidate(ABC):
         {}
     )  # symbol of a margin -> what it stands for
     errors: Any = ({}, {})  # states in errors of V, and what these are
-    weights: Mapping[tuple, sympy.Expr] = MappingProxyType(
-        {}
-    )  # of distances from relations in what other states do
+    driving: Any = frozenset()  # inputs that have to be bounded
     is_whole = True  # whether V is judged at all states, and not on a relation
     undefined: list[str]  # sentences on where there may be no value
     search: Any  # points at which it may fail
@@ -362,11 +360,11 @@ class LyapunovCandidate(ABC):
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
         given = fixed, self.intervals, forms, definite.exist
-        in_box, off_zero = {*self.where.bounded}, definite.off_zero
-        motion = Motion(self.eq, rates, *given, in_box=in_box, off_zero=off_zero)
-        weights = (e.xreplace(zeroed) for e in self.weights.values())
-        motion.driving |= motion.inputs_of(map(motion.quiet, weights))
-        return motion
+        in_box = {*self.where.bounded, *self.where.values}
+        off_zero, driving = definite.off_zero, {*self.driving}
+        return Motion(
+            self.eq, rates, *given, in_box=in_box, off_zero=off_zero, driving=driving
+        )
 
 
 @dataclass

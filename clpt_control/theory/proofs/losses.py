@@ -21,6 +21,8 @@ from .outside import ANGLES
 from .relations import in_errors
 from .where import MOST_CORNERS
 
+LEAST = 1e-6  # share of an exponent near 1, which rounding of numbers changes
+
 
 def forms_lost(case: Any, bound: Expr, bounded: set) -> Sequence[Expr]:
     """Return forms of whose squares V', at most a bound, loses multiples; or the loss itself.
@@ -90,7 +92,7 @@ def time_to_zero(case: Any, bound: Expr) -> Expr | None:
         (p, a), *lost = parts
         shares.append({n / p: b / a ** (n / p) for n, b in lost})
     for q in set[Expr].intersection(*map(set, shares)) if shares else ():
-        if q.is_positive and q < 1:
+        if q.is_positive and 1 - q > LEAST:
             k = sympy.Min(*(share[q] for share in shares))
             return Symbol("V(0)", positive=True) ** (1 - q) / (k * (1 - q))
     return None

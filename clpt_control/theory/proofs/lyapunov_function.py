@@ -140,7 +140,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
         candidate.has_values(),
         Step(claim, level > 0.0, how, "", False, "region"),
         Step("runs that begin there stay in it", level > 0.0, how, "", False, "exists"),
-        candidate.compared(in_box),
+        candidate.same_as_running(in_box),
     )
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, Fall([]), steps=steps)
@@ -271,7 +271,7 @@ def lyapunov(
         )
         candidate = read(numbers=bool(within))
         sets = {name: tuple(ends) for name, ends in (where or {}).items()}
-        above = {name for name, ends in sets.items() if ends == (0, None)}
+        above = {name for name, ends in sets.items() if ends[:1] == (0,)}
         if candidate.undefined and above:  # they may be any numbers but 0
             read = partial(read, above=above)
             candidate = read()

@@ -45,9 +45,7 @@ class Motion:
     driving: set = field(default_factory=set)  # inputs that have to be bounded
     in_box: Set[Any] = frozenset()  # inputs that have bounds
     off_zero: Set[Any] = frozenset()  # states above 0 that V keeps away from it
-    near: dict[Any, Expr] = field(
-        default_factory=dict
-    )  # bounded states that may come near 0
+    near: set = field(default_factory=set)  # bounded states that may come near 0
 
     def __post_init__(self) -> None:
         functions = {f for port in self.eq.inputs.values() for f in port.flat}
@@ -81,8 +79,8 @@ class Motion:
         forms = _bounded_forms(
             [self.quiet(form) for form in self.forms], self.rates, self.fixed
         )
-        self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
-        self._may_come_near_0(self.bounded)
+        bounded, outside = _bounded_states(forms, self.rates, self.fixed)
+        self._note(bounded)
         if not outside:
             return exact("V holds every state", True, "", "exists")
         rates = {s: self.rates[s].xreplace(self.bounded) for s in outside}
@@ -107,8 +105,7 @@ class Motion:
                 stable += states
                 self.driving |= self.inputs_of(own_rates)
                 self.free = [s for s in self.free if s not in states]
-                self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
-                self._may_come_near_0(states)
+                self._note({s: sympy.Dummy(str(s), real=True) for s in states})
         if stable:
             names = are(_names(self.eq, stable))
             self.conditions.append(Condition("outside V, bounded", names))
@@ -132,15 +129,11 @@ class Motion:
         shows, detail = ("exists", "") if exist else ("", "not shown")
         return Step(claim, exist, how if exist else "exact", detail, False, shows)
 
-    def _may_come_near_0(self, states: Iterable[Any]) -> None:
-        """Note states above 0: 1/s may grow without end."""
-        near = {
-            s: sympy.Dummy(f"{s}", real=True)
-            for s in states
-            if s.is_positive and s not in self.off_zero
-        }
+    def _note(self, bounded: dict[Any, Expr]) -> None:
+        """Note bounded states; 1/s of a state s above 0 may grow without end."""
+        near = {s for s in bounded if s.is_positive and s not in self.off_zero}
         self.near |= near
-        self.bounded |= {s: CLIP(d, 0, 1) for s, d in near.items()}
+        self.bounded |= bounded | {s: CLIP(s, 0, 1) for s in near}
 
     def inputs_of(self, rates: Iterable[Expr]) -> set:
         """Return the inputs, and opaque sources, that rates depend on."""
@@ -178,13 +171,7 @@ class Motion:
     def not_bounded(self, expression: Expr) -> list[str]:
         """Return the names of what may take an expression beyond every bound."""
         e = self.quiet(expression).xreplace(self.bounded).xreplace({TIME: CLOCK})
-        states = {
-            *self.free,
-            *self.near.values(),
-            *self.intervals,
-            *self.input_rates,
-            CLOCK,
-        }
+        states = {*self.free, *self.near, *self.intervals, *self.input_rates, CLOCK}
         if degree(e, states.__contains__) == 0:
             return []
         alone = [s for s in states if degree(e, {s}.__contains__) > 0]

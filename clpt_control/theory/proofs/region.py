@@ -33,6 +33,7 @@ import sympy
 
 from ...base.arguments import check_holds, check_known, numbers
 from ...base.errors import DiagramError
+from ...base.units import at_least
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import ON_NUMBERS
 from ..algebra.decided import decided
@@ -56,10 +57,10 @@ STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {
 }
 
 
+@np.errstate(all="ignore")
 def enclosed(expression: sympy.Expr, boxes: dict[Any, Interval]) -> Interval:
     """Return between which numbers an expression lies in each box."""
-    with np.errstate(all="ignore"):
-        return _enclosed(expression, dict(boxes))
+    return _enclosed(expression, dict(boxes))
 
 
 def _enclosed(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
@@ -117,15 +118,13 @@ def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
 
 def plus(a: Interval, b: Interval) -> Interval:
     """Return the range of a sum."""
-    with np.errstate(all="ignore"):  # inf - inf
-        return _outward(a[0] + b[0], a[1] + b[1], 0.0)
+    return _outward(a[0] + b[0], a[1] + b[1], 0.0)
 
 
 def times(a: Interval, b: Interval) -> Interval:
     """Return the range of a product."""
-    with np.errstate(all="ignore"):
-        corners = np.array(np.broadcast_arrays(*(x * y for x in a for y in b)))
-        return _outward(corners.min(axis=0), corners.max(axis=0), 0.0)
+    corners = np.array(np.broadcast_arrays(*(x * y for x in a for y in b)))
+    return _outward(corners.min(axis=0), corners.max(axis=0), 0.0)
 
 
 def _outward(low: np.ndarray, high: np.ndarray, share: float = UNITS) -> Interval:
@@ -232,6 +231,7 @@ class Region:
         of_states = zip(self.states, zip(low.T, high.T, strict=True), strict=True)
         return self.held | dict(of_states)
 
+    @np.errstate(all="ignore")  # inf - inf
     def range(self, e: sympy.Expr, low: np.ndarray, high: np.ndarray) -> Interval:
         """Return the range of V or V' as it stands, or of e(m) + slopes (x - m), if narrower."""
         boxes, middle = self.boxes(low, high), 0.5 * low + 0.5 * high
@@ -331,8 +331,7 @@ class Region:
             low, high, floor = (array_k[floor <= cap] for array_k in (low, high, floor))
             looked += len(tried)
         most = min([cap, *floor])
-        unit = 10.0 ** np.floor(np.log10(most) - 3) if most > 0.0 else 1.0
-        return max(0.0, float(np.floor(most / unit) * unit))
+        return max(0.0, float(at_least(most)))
 
     def _least(self, rests: Iterable[Mapping[Any, Any]] | None) -> float:
         """Return V at the lowest of the rests in the box but for the rest itself, or inf."""

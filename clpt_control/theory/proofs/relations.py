@@ -11,6 +11,7 @@ a run.
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from contextlib import suppress
 from dataclasses import replace
+from itertools import chain, product
 from typing import Any
 
 import sympy
@@ -122,20 +123,6 @@ class Relations:
         changed = map(sympy.expand, map(self.beside, changes))
         return dict(zip(self.distances.values(), changed, strict=True))
 
-    def weights(self, changes: Iterable[tuple]) -> dict[tuple, Expr]:
-        """Return the factors of distances r in rates and jumps: (state, change, r) -> factor.
-
-        That of a jump at r = 0 is 1/r.
-        """
-        weights = dict[tuple, Expr]()
-        for s, change in changes:
-            e = self.beside(change)
-            for r in {*self.distances.values()} & e.free_symbols:
-                calls = (call for call in functions_in(e) if call.has(r))
-                is_known = all(map(jumps_nowhere, calls))
-                weights[s, change, r] = along(e, {r: S.One}) if is_known else 1 / r
-        return weights
-
     @property
     def text(self) -> str:
         """The relations, as text."""
@@ -152,12 +139,12 @@ class Relations:
         """Return which relation states leave, by their rates or at a jump, or ""."""
         for s, value in self.solved.items():
             rate, jumps = self.rate(s), self.eq.jumps_at_once()
+            if not self.eq.discrete and forks(self.masked(rate), {*self.eq.values}):
+                return f"{s} may leave it: its rate may jump, or is steep as |s|^(1/2)"
             for change in (rate, *((s - value).xreplace(after) for after in jumps)):
                 remainder = self.of(change)
                 if not vanishes(remainder):
                     return f"{s} leaves it by {short(sympy.expand(remainder))}"
-            if not self.eq.discrete and forks(self.masked(rate), {*self.eq.values}):
-                return f"{s} may leave it, as s' = |s|^(1/2) may leave 0"
         return ""
 
     def repels(
@@ -179,10 +166,9 @@ class Relations:
             own = {d: rates[d].xreplace(others) for d in group}
             if self._is_stable(own, alone):
                 continue
-            if self.eq.discrete:
-                growths.append(Add(*(rate**2 - d**2 for d, rate in own.items())))
-            else:
-                growths.append(Add(*(rate * d for d, rate in own.items())))
+            discrete = self.eq.discrete
+            changes = (e**2 - d**2 if discrete else e * d for d, e in own.items())
+            growths.append(Add(*changes))
         # Step 2: jumps
         for after in () if alone else self.eq.jumps_at_once():
             jumped = self.moved((s - v).xreplace(after) for s, v in self.solved.items())
@@ -203,32 +189,40 @@ class Relations:
         J = J.xreplace(dict.fromkeys(rates, S.Zero))
         return is_stable(J, self.eq.discrete)
 
-    def steps(self, never_positive: Callable[[Expr], bool]) -> list[Step]:
-        """Return the steps that the relations are kept, and that no distance grows."""
+    def steps(self, never_positive: Callable[[Expr], bool], motion: Any) -> list[Step]:
+        """Return the steps that the relations are kept, and that no distance r grows or acts more.
+
+        What other states do has factors of r, which stays small: that of a jump at 0 is 1/r.
+        """
         if not self.solved:
             return []
         broken = self.broken()
         repels = broken or self.repels(never_positive)
+        small = {r: CLIP(r, -1, 1) for r in self.distances.values()}
+        fades = self._is_stable(self.moved(map(self.rate, self.distances)), False)
+        motion.outside()
+        motion.bounded |= small
+        motion.near |= small.keys()
+        acts = ""
+        changes = (e.items() for e in (self.motion, *self.eq.jumps.values()))
+        for (s, change), r in product(chain(*changes), small):
+            e = self.beside(change)
+            calls = (call for call in functions_in(e) if call.has(r))
+            factor = along(e, {r: S.One}) if all(map(jumps_nowhere, calls)) else 1 / r
+            if factor == 0 or s in self.solved:
+                continue
+            motion.driving |= motion.inputs_of([motion.quiet(factor)])
+            if motion.not_bounded(factor):
+                acts = (
+                    f"{short(factor, 40)} may grow, and multiplies what rounding leaves"
+                )
+            elif not (fades or self.of(change).has(s)):
+                acts = f"{s} adds up what rounding leaves"
         return [
             exact(f"{self.text} is kept", not broken, broken),
             exact("a distance from it does not grow", not repels, repels),
+            exact(f"{self.text} is kept in a run", not acts, acts),
         ]
-
-    def in_a_run(self, weights: Mapping[tuple, Expr], motion: Any) -> Step:
-        """Return the step that other states do not grow by distances, which stay small."""
-        small = {r: CLIP(r, -1, 1) for r in self.distances.values()}
-        motion.outside()
-        motion.bounded |= small
-        motion.near |= dict(zip(small, small, strict=True))
-        fades = self._is_stable(self.moved(map(self.rate, self.distances)), False)
-        grown = ""
-        for (s, change, _), weight in weights.items():
-            moving = weight.as_independent(TIME, *motion.rates, *small, as_Add=False)
-            if motion.not_bounded(weight):
-                grown = f"{short(moving[1], 40)} may grow, and multiplies what rounding leaves"
-            elif not (fades or self.of(change - int(self.eq.discrete) * s).has(s)):
-                grown = f"{s} adds up what rounding leaves"
-        return exact(f"{self.text} is kept in a run", not grown, grown)
 
     def reduced(self) -> Equations:
         """Return the equations with the jumps of the states that are left."""

@@ -29,6 +29,7 @@ from ..algebra.exact import vanishes
 from ..algebra.facts import ODD
 from ..algebra.slopes import along
 from ..algebra.texts import short
+from .outside import is_stable
 from .system_candidate import SystemCandidate
 
 MOST = 16  # states
@@ -81,9 +82,7 @@ def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
     A = A.xreplace(zero).applyfunc(decided)
     if not all(entry.is_Rational for entry in A):
         return
-    modes = np.linalg.eigvals(np.array(A, dtype=float))
-    margin = 1.0 - np.abs(modes) if discrete else -modes.real
-    if margin.min() > 1e-9:
+    if is_stable(A, discrete):
         n, z = len(states), sympy.Matrix(states)
         P = sympy.Matrix(n, n, sympy.symbols(f"p_:{n * n}"))
         change = A.T * P * A - P if discrete else A.T * P + P * A

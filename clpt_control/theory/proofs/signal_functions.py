@@ -108,9 +108,9 @@ def expressions_of(
         def value(s: Any) -> Any:
             of = source(s)
             parts = of if isinstance(of, list | tuple) else [of]
-            if not parts:
+            if of is None or not parts:
                 raise DiagramError(
-                    f"{eq.name}: keeps is empty. Return functions of states"
+                    f"{eq.name}: keeps returns {of}. Return functions of states"
                 )
             values = np.concatenate([np.ravel(part) for part in parts])
             sizes.append(len(values))
@@ -157,7 +157,9 @@ def _traced(
             outputs={"V": 1},
         )
         record = block.array_record("output")
-    except BlockError:
+    except BlockError as error:
+        if isinstance(error.__cause__, DiagramError):
+            raise error.__cause__ from None
         if np.prod(shapes[-1:]) <= 1:
             raise
         sizes = [f"s.{name} {symbols.shape}" for name, symbols in signals.items()]

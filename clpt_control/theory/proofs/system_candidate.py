@@ -40,7 +40,7 @@ from ..algebra.exact import (
 from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly
 from ..algebra.sums_of_squares import squares
-from ..algebra.texts import short
+from ..algebra.texts import bound_text, short
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
@@ -145,9 +145,6 @@ class SystemCandidate(LyapunovCandidate):
         without_value = self.relations.read(keeps) if keeps else []
         solved = self.relations.solved
         self.motion = {s: r for s, r in self.motion.items() if s not in solved}
-        changes = (e.items() for e in (self.motion, *self.eq.jumps.values()))
-        others = (item for item in chain(*changes) if item[0] not in solved)
-        self.weights = self.relations.weights(others)
         self.write(self.relations.of)
         self.is_whole = not solved
         self.eq, self.states = self.relations.reduced(), [*self.motion]
@@ -157,13 +154,12 @@ class SystemCandidate(LyapunovCandidate):
         """Write V, the claim and the rates of states in another way."""
         self.motion = {s: as_it_is(rate) for s, rate in self.motion.items()}
         self.V, self.claim = as_it_is(self.V), self.claim and as_it_is(self.claim)
-        self.weights = {key: as_it_is(e) for key, e in self.weights.items()}
 
     def kept(self, definite: Definite, fall: Fall) -> list[Step]:
         """Return the steps that the relations and the sets of states are kept."""
-        if steps := self.relations.steps(self.never_positive):
-            motion = self.moving(definite, fall.zeroed)
-            steps.append(self.relations.in_a_run(self.weights, motion))
+        motion = self.moving(definite, fall.zeroed)
+        steps = self.relations.steps(self.never_positive, motion)
+        self.driving = motion.driving - fall.zeroed.keys()
         are_kept = all(map(self._keeps, self.where.roots.values()))
         return steps if are_kept else [exact(f"{self.where.sets} is kept", False)]
 
@@ -261,20 +257,17 @@ class SystemCandidate(LyapunovCandidate):
             self.relations.solved,
         )
 
-    def same_as_running(self) -> Step:
-        """Return the step that the running blocks have the same V and rates."""
-        return self.compared(lambda points: points)
-
-    def compared(self, restrict: Callable[[tuple], tuple]) -> Step:
-        """Compare with the running blocks at random points, `within` a region if need be."""
-        claim = "the running blocks give the same V'"
-
-        def agrees() -> tuple[bool, str]:
-            return compare(
+    def same_as_running(self, restrict: Callable[[tuple], tuple] = tuple, /) -> Step:
+        """Return the step that the running blocks have the same V and rates at random points."""
+        return checked(
+            "the running blocks give the same V'",
+            lambda: compare(
                 self.search, restrict(self.search.wide(self.points)), self.points
-            )
-
-        return checked(claim, agrees, "sampled", False, "running")
+            ),
+            "sampled",
+            False,
+            "running",
+        )
 
     # --- in the user's signals ------------------------------------------------------------------
 
@@ -437,8 +430,9 @@ class SystemCandidate(LyapunovCandidate):
         losses = forms_lost(self, bound, bounded)
         claim += " <= 0" * (not claim.endswith("= 0"))
         if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
-            claim += f", V is 0 after the time {self.text(t)}"
-        shows = "falls loses" if losses else "falls"
+            time = bound_text(self.in_signals(t), keeps_short=True)
+            claim += f", V is 0 after the time {time}"
+        shows = "falls" + " loses" * bool(losses) + " rest" * ("after" in claim)
         steps.append(exact(f"{claim}{where}", True, "", shows))
         return Fall(
             steps,

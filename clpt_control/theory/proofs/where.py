@@ -111,12 +111,16 @@ class Where:
     def ends(self) -> dict[Any, tuple]:
         """States and inputs with their ends, at points with a number above 0."""
         values = {d: (value, value) for d, value in self.values.items()}
-        return self.kept | dict.fromkeys(self.above, (ABOVE, None)) | self.box | values
+        above = {s: (ABOVE, self.kept[s][1]) for s in self.above}
+        return self.kept | above | self.box | values
 
     @property
     def bounded(self) -> list:
         """Inputs that have two bounds."""
-        return [d for d, (low, high) in self.box.items() if high - low < oo]
+        return [
+            *self.values,
+            *(d for d, (low, high) in self.box.items() if high - low < oo),
+        ]
 
     def in_states(self, forms: Sequence[Expr]) -> list[Expr]:
         """Return forms without roots, and squares of products with them; [] for other forms."""
