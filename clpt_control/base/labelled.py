@@ -54,7 +54,7 @@ class Clock:
     all of them must begin.
     """
 
-    def __init__(self, timepts: Any, unit: str | None = None):
+    def __init__(self, timepts: Any, unit: str | None):
         timepts = attribute_of(timepts, "t", timepts)  # of a response
         kinds = {*map(type, timepts)} if isinstance(timepts, list | tuple) else ()
         if kinds and all(issubclass(kind, date | np.datetime64) for kind in kinds):

@@ -269,7 +269,7 @@ class Sweep:
         return distances
 
     def first_trouble(
-        self, t: float, x: ndarray, u: External = None, advice: str = ""
+        self, t: float, x: ndarray, u: External, advice: str
     ) -> str | None:
         """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)

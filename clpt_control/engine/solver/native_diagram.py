@@ -151,7 +151,7 @@ class NativeDiagram(Runner):
         """Return the segments of time of a run."""
         return solution.pieces or self.schedule(solution.t, inputs)
 
-    def method_of(self, method: str = "auto") -> Method:
+    def method_of(self, method: str) -> Method:
         """Return the method of a run."""
         return DISCRETE if self.wiring.dt else METHODS[method]
 

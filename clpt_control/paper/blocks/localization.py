@@ -67,7 +67,7 @@ def fixes(
     )
 
 
-def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
+def measurement(noise: float, period: float, seed: float) -> Block:
     """Make the block of the measured position from s and T."""
     return paper_block(
         "measurement",

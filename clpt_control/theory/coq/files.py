@@ -122,7 +122,7 @@ class Proofs(NamedTuple):
 
 
 def write_proofs(
-    folder: Path, report: Callable[[float], None], law: str | None = None
+    folder: Path, report: Callable[[float], None], law: str | None
 ) -> Proofs:
     """Write the theorems, or a law's, as files of Coq; compile them if `coqc` is installed.
 

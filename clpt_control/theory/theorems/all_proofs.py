@@ -62,7 +62,7 @@ class Statement(NamedTuple):
         return proof_or_failure(PROOFS[self.room][self.name])
 
 
-def statements(theorem: str | None = None, law: str | None = None) -> list[Statement]:
+def statements(theorem: str | None, law: str | None) -> list[Statement]:
     """Return one theorem and the misprints, or one law, or all statements."""
     if law is not None:
         return [Statement("laws", law)]
