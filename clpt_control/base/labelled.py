@@ -221,7 +221,7 @@ def _axis_of(coordinates: Any, dim: Any) -> tuple[Any, Any, str]:
         labels = coordinates[name]
         if labels.dims == (dim,):
             name = TIME[0] if labels.dtype.kind in "mM" else name
-            return name, labels.values, labels.attrs.get("units", "")
+            return name, labels.values, unit_of(labels)
     return dim, None, ""
 
 

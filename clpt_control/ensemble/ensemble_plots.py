@@ -28,7 +28,7 @@ from ..base.figures import (
     line_style,
     literal,
 )
-from ..simulation.comparison import named, panels_for
+from ..simulation.comparison import named, panels_for, with_unit
 from .ensemble_statistics import (
     ENSEMBLE,
     by_member,
@@ -85,7 +85,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
 def _axis_of(values: "xarray.DataArray") -> str:
     """Return name and unit of values, for an axis."""
     name = values.attrs.get("long_name", str(values.name))
-    return literal(named(name, values.attrs.get("units")))
+    return literal(with_unit(name, values))
 
 
 def _members(data: "xarray.Dataset") -> str:

@@ -20,6 +20,7 @@ from ..base.figures import (
     literal,
     with_formulas,
 )
+from ..base.labelled import unit_of
 from ..base.run_attributes import LABELS
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
@@ -265,7 +266,7 @@ def check_runs(runs: "Sequence[xarray.Dataset]") -> None:
     units: dict[Any, str] = {}  # of each variable that has a unit
     for run in runs:
         for name, variable in run.variables.items():
-            unit = str(variable.attrs.get("units", ""))
+            unit = unit_of(variable)
             if unit and units.setdefault(name, unit) != unit:
                 raise DataError(
                     f"not all runs have {name} in one unit: {units[name]}, {unit}"
@@ -347,14 +348,14 @@ def labelled_elements(
         yield label, at
 
 
-def named(name: str, units: str | None) -> str:
+def named(name: str, units: str) -> str:
     """Return a name with its unit, if it has one."""
     return f"{name} ({units})" if units else name
 
 
 def with_unit(name: str, signal: Any) -> str:
     """Return a name with the unit of a signal, if there is one."""
-    return named(name, getattr(signal, "attrs", {}).get("units"))
+    return named(name, unit_of(signal))
 
 
 def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
