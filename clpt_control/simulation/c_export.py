@@ -99,7 +99,10 @@ class CFile:
             "y": bare_labels(run.output_labels),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
+        # of a block's interval and of its jump in the memory between steps
         self.interval_index = {k: j for j, k in enumerate(self.layout.intervals)}
+        first = len(self.interval_index)
+        self.jump_index = {k: j for j, k in enumerate(self.layout.jumps, first)}
         self.rate, self.turns = self._counted()
 
     @property
@@ -133,7 +136,7 @@ class CFile:
             "begin": as_lines(self._initial_samples()),
             "levels": self._level_line(),
             "some": " + ".join(
-                f"after[{self._jump_index(k)}]" for k in self.layout.jumps
+                f"after[{self.jump_index[k]}]" for k in self.layout.jumps
             ),
         }
         if self.turns:
@@ -220,7 +223,7 @@ class CFile:
                 interval = f"floor(t / ({period}) + {ROUNDING})"
             yield f"kept[{j}] = {interval};"
         for k in self.layout.jumps:
-            yield f"kept[{self._jump_index(k)}] = 0.0;"
+            yield f"kept[{self.jump_index[k]}] = 0.0;"
 
     @property
     def _near(self) -> str:
@@ -269,10 +272,6 @@ class CFile:
             return period
         return f"{c_number(breakpoints.part)} * {period}"
 
-    def _jump_index(self, k: int) -> int:
-        """Return the index of a block's jump in the memory between steps."""
-        return len(self.layout.intervals) + list(self.layout.jumps).index(k)
-
     def jump_tests(self) -> list[str]:
         """Return assignments that test if a block jumps: its interval has changed."""
         levels = [*self.record.levels]
@@ -286,7 +285,7 @@ class CFile:
                 tests.append(f"after[{j}] != kept[{j}]")
             if k in levels:
                 tests.append(f"level[{levels.index(k)}] < 0.0")
-            lines.append(f"after[{self._jump_index(k)}] = {' || '.join(tests)};")
+            lines.append(f"after[{self.jump_index[k]}] = {' || '.join(tests)};")
         return lines
 
     def _level_line(self) -> str:
@@ -308,12 +307,12 @@ class CFile:
                     count = f"floor(t * {self.rate} + 0.5)"
                     test = f"fabs(t * {self.rate} - {count}) <= {self._near}"
                     test = f"{test} && fmod({count}, {turn_count}) == 0.0"
-                yield f"kept[{self._jump_index(k)}] = {test} ? -1.0 : 0.0;"
+                yield f"kept[{self.jump_index[k]}] = {test} ? -1.0 : 0.0;"
 
 
-def as_lines(lines: Iterable[str]) -> str:
-    """Return the lines of a function."""
-    return "".join(f"    {line}\n" for line in lines)
+def as_lines(lines: Iterable[str], begin: str = "    ") -> str:
+    """Return the lines of a function, or of a comment that begin with " * "."""
+    return "".join(f"{begin}{line}\n" for line in lines)
 
 
 def _c_name(text: str) -> str:

@@ -7,7 +7,7 @@ caller says so: its interval is fixed, and its input `taken` is 1.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from importlib import resources
 from string import Template
 from typing import Any
@@ -104,9 +104,9 @@ class LearnerFile(CFile):
         fields |= {
             "length": scenario.units.length,
             "time": scenario.units.time,
-            "inputs": comment_lines(self._inputs(scenario)),
+            "inputs": as_lines(self._inputs(scenario), " * "),
             "advice": f"{0.1 / np.max(scenario.vehicle.feedback):.2g}",
-            "proved": comment_lines(proved(loop)),
+            "proved": as_lines(proved(loop), " * "),
             "fixes": "",
             "inputs_count": self.wiring.ninputs,
             "next": "const double *u_next, ",
@@ -119,7 +119,7 @@ class LearnerFile(CFile):
         if sampled:
             fields["samples"] += SAMPLES.substitute(fields)
         for k in self.layout.jumps.keys() - sampled:  # the law at fixes
-            fields["jump"] = self._jump_index(k)
+            fields["jump"] = self.jump_index[k]
             fields["fixes"] = FIXES.substitute(fields)
             fields["ending"] += FIX.substitute(fields)
         return HEAD.substitute(fields) + FILE.substitute(fields)
@@ -135,13 +135,8 @@ class LearnerFile(CFile):
         """Yield tests for the start of a run: a sampled block takes its inputs, none jumps."""
         for k in sampled:
             samples = self.wiring.nodes[k].system.first_held is not None
-            statement = f"after[{self._jump_index(k)}] = {-1.0 * samples};"
+            statement = f"after[{self.jump_index[k]}] = {-1.0 * samples};"
             yield f"if (kept[{self.interval_index[k]}] < 0.0) {statement}"
-
-
-def comment_lines(lines: Iterable[str]) -> str:
-    """Return lines of the comment at the head of a file."""
-    return "".join(f" * {line}\n" for line in lines)
 
 
 def proved(loop: ClosedLoop) -> list[str]:
