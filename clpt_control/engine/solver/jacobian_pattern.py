@@ -6,7 +6,6 @@ ordered so that the matrix has a narrow band (Cuthill and McKee).
 """
 
 from functools import reduce
-from math import prod
 from operator import or_
 
 import numpy as np
@@ -87,9 +86,8 @@ class _Reached(Elements):
             return 1 << self.n
         if array != "X":
             return 0
-        for axis, i in enumerate(index):
-            offset += i * prod(shape[axis + 1 :])
-        return 1 << offset
+        place = int(np.ravel_multi_index(index, shape)) if shape else 0
+        return 1 << (offset + place)
 
 
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
