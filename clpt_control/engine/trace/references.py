@@ -69,12 +69,6 @@ IMMUTABLE = frozenset(
 )
 
 
-class _Named(NamedTuple):
-    field: int
-
-
-# of slots and of named tuples
-FIELDS = (MemberDescriptorType, type(vars(_Named)["field"]))
 PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
 # methods of a class that is written in C
 OF_C = (WrapperDescriptorType, MethodDescriptorType)
@@ -287,6 +281,10 @@ class Reference(NamedTuple):
     name: str
     attributes: tuple[str, ...]
     line: int
+
+
+# of slots and of named tuples
+FIELDS = (MemberDescriptorType, type(vars(Reference)["name"]))
 
 
 @functools.lru_cache(maxsize=1024)
