@@ -155,6 +155,7 @@ def enclose(
     >>> tube.lower.values.round(3)[-1].item(), tube.upper.values.round(3)[-1].item()
     (0.357, 0.747)
     """
+    # 1. programs of the record
     check_pairs(inputs, params or {})
     ends = [
         [
@@ -176,7 +177,8 @@ def enclose(
         natives = natives_of(made, [end[2] for end in ends], requests)
         layout = natives[0].layout
         record = DiagramRecord(made.wiring, layout, Form(exact=True))
-        start = between(*(one.start for one in requests))
+        low, high = (one.start for one in requests)
+        start = between(low, high)
         leaps = record.rates if made.wiring.dt else record.leaps
         programs = [
             SetProgram(record, ports, len(start.c))
@@ -194,20 +196,21 @@ def enclose(
     names = names_of(made, signals)
     with np.errstate(invalid="ignore"):  # limits may be infinite
         P = between(layout.P, layout.packed(natives[1].sweep.parameters))
-    P = Ball(*(np.pad(a, (0, layout.inputs(made.wiring.ninputs) - len(a))) for a in P))
+    # 2. boxes, with room for inputs in P
+    room = np.zeros(layout.inputs(made.wiring.ninputs) - len(P.c))
+    pairs = zip(start, P, strict=True)
+    whole = Ball(*(np.concatenate([x, p, room]) for x, p in pairs))
     read, noise = middle_inputs(requests)
-    disturbed = np.zeros_like(P.c)
+    disturbed = np.zeros(len(P.c) + len(room))
     disturbed[len(layout.P) + 1 :][: len(noise)] = noise
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
-    whole = Ball(*(np.append(x, p) for x, p in zip(start, P, strict=True)))
     schedule = natives[0].schedule(request.times, read)
-    made_of = programs, disturbed, times, jumps
-    tube = dataset_of(enclosed(whole, schedule, pieces, *made_of), names)
+    runs = enclosed(whole, schedule, pieces, programs, disturbed, times, jumps)
+    tube = dataset_of(runs, names)
     # 3. whether runs are back where they began
     states = tube.isel(time=slice(1, None), name=slice(len(start.c)))
-    low, high = (one.start for one in requests)
-    back = ((states.lower >= low) & (states.upper <= high)).all("name")
+    back = ((states.lower >= low) & (states.upper <= high)).all("name").values
     is_timed = (
         rates.reads_time
         or layout.time_tables
@@ -216,7 +219,7 @@ def enclose(
     )
     if back.any() and not is_timed:
         tube.attrs["message"] += (
-            f"; at t = {float(back.time[back][0]):.9g} all states are within the bounds that they "
+            f"; at t = {times[1:][back][0]:.9g} all states are within the bounds that they "
             "began in, so the boxes up to then hold for ever"
         )
     return tube

@@ -150,8 +150,7 @@ class Enclosure:
                 raise
         # the next interval begins with this box, too
         for which, stop in enumerate((now.stop, now.stop + 1)):
-            rows = slice(now.start, stop)
-            self._write(which, rows, exact(self.t), *self._set)
+            self._write(which, slice(now.start, stop), exact(self.t), *self._set)
 
     def _image(self, series: SetSeries, t: Ball, x: Ball, G: Ball) -> tuple[Ball, Ball]:
         """Return centre and generators of a function of the set, or its box where it switches."""
@@ -163,17 +162,17 @@ class Enclosure:
             y = series.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
             return y, exact(np.zeros((len(y.c), len(self.r))))
         y = balls.add(y, matrix(J[:, self.N :], around(self.noise)))
-        rest = exact(self.G[self.n :])
-        G = Ball(np.vstack([G.c, rest.c]), np.vstack([G.r, rest.r]))
+        rest = self.G[self.n :]
+        G = Ball(np.vstack([G.c, rest]), np.vstack([G.r, 0 * rest]))
         return y, matrix(J[:, : self.N], G)
 
     def _write(
-        self, which: int, rows: slice, t: Ball, x: Ball, G: Ball, *hull: Any
+        self, which: int, rows: slice, t: Ball, x: Ball, G: Ball, *hull: Ball
     ) -> None:
         """Widen boxes by that of states, and by those of signals: plain, and by their slopes."""
         box = self._box(x, G)
-        if hull:
-            box = between(np.fmax(box.lower, hull[0]), np.fmin(box.upper, hull[1]))
+        for B in hull:
+            box = between(np.fmax(box.lower, B.lower), np.fmin(box.upper, B.upper))
         low, high = np.full((2, len(self.signals.results)), [[-np.inf], [np.inf]])
         for is_plain in (True, False) if len(low) else ():
             with suppress(Undecided):
@@ -306,7 +305,7 @@ class Enclosure:
             for which, begin in spans[: 1 + (end == self.times[k])]:
                 h = between(moved(t, begin).lower, moved(t, end).upper)
                 at = slice(k, k + 1), between(begin, end)
-                self._write(which, *at, *flow(h), hull.lower, hull.upper)
+                self._write(which, *at, *flow(h), hull)
         # 2. the set
         self._put(*flow(moved(t, new)))
         self.h, self.t = new - t, new
