@@ -40,7 +40,6 @@ from .printing import (
 )
 from .tracks import tune_waypoints
 
-Four = tuple[float, float, float, float]
 MOST_SHOWN = 15  # candidates in the table; --json has all
 RUN = "Run it with: clpt run {} --out run.nc"
 FIT = "Fit it with: clpt fit {} --out mine.toml"
@@ -360,7 +359,7 @@ def tune(
     max_speed: float | None = opt(
         "SPEED", "With --waypoints: largest speed through the water; default: any."
     ),
-    area: Four | None = opt(
+    area: tuple[float, float, float, float] | None = opt(
         "X1FROM X1TO X2FROM X2TO",
         "With --waypoints: where it may drive; default: where it drives now.",
     ),
@@ -474,7 +473,7 @@ def report(
     if film:
         path = out or Path("run.gif")
         clpt.animate(clpt.load_run(run), path, seconds=seconds, fps=fps, width=width)
-        finish([Result(sentences=[f"Wrote {path}"])], {"film": str(path)}, as_json)
+        finish([], {"film": str(path)}, as_json, path)
         return
     out = out or Path("report.html")
     page = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
