@@ -26,7 +26,7 @@ from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods import METHODS
 from .evaluation_pass import Sweep
 from .inputs import NO_INPUTS, Inputs, checked_times, read_inputs
-from .schedule import Schedule, make_schedule
+from .schedule import make_schedule
 from .termination import ADVICE, Solution
 
 
@@ -100,11 +100,7 @@ class Runner(ABC):
     def evaluate(self, solution: Solution, inputs: Inputs) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
 
-    def schedule(
-        self, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
-    ) -> Schedule:
-        """Return the segments of a run."""
-        return make_schedule(self, times, inputs, least)
+    schedule = make_schedule  # the segments of a run
 
     # --- runs -----------------------------------------------------------------------------
 

@@ -40,7 +40,9 @@ class Schedule(NamedTuple):
         return self._replace(values=values)
 
 
-def make_schedule(diagram: Any, times: Any, inputs: Inputs, least: float) -> Schedule:
+def make_schedule(
+    diagram: Any, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
+) -> Schedule:
     """Return the segments of a run of a diagram.
 
     Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
