@@ -54,7 +54,9 @@ def number(cell: Any) -> float:
 
 
 def finite_or_none(value: Any) -> Any:
-    """Return a value as JSON has it: None for a number that is not finite, arrays as lists."""
+    """Return a value, or those of a dict, as JSON has it: arrays as lists, NaN and inf as None."""
+    if isinstance(value, dict):
+        return {key: finite_or_none(item) for key, item in value.items()}
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list):

@@ -146,10 +146,7 @@ def explained_variance(
     window = window or (last_quarter(times), float(times[-1]))
     flows = flows_learned(scenario, run, window)
     shares = {name: explained_share(*pair) for name, pair in flows.items()}
-    return {
-        **{name: finite_or_none(share) for name, share in shares.items()},
-        "window": [float(time) for time in window],
-    }
+    return {**finite_or_none(shares), "window": [float(time) for time in window]}
 
 
 def flow_error(scenario: Scenario, run: "xarray.Dataset") -> dict[str, float]:

@@ -372,8 +372,7 @@ def dive_between(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
     fields = {"track": through.track, "turned": through.turned, **gps1}
-    for key, value in optional.items():
-        fields[key] = finite_or_none(value)
+    fields |= finite_or_none(optional)
     return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **fields))
 
 

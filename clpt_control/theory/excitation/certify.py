@@ -102,7 +102,7 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        fields = {name: finite_or_none(value) for name, value in vars(self).items()}
+        fields = finite_or_none(vars(self))
         return {**fields, "within_run": self.within_run, "said": self.said}
 
 

@@ -83,7 +83,7 @@ class FixBounds:
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        return {name: finite_or_none(value) for name, value in vars(self).items()}
+        return finite_or_none(vars(self))
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draw guaranteed and made errors against the interval."""
