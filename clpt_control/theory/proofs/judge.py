@@ -360,10 +360,13 @@ class LyapunovCandidate(ABC):
         rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
         fixed, forms = self.fixed - self.intervals, [*definite.forms]
         given = fixed, self.intervals, forms, definite.exist
-        in_box = {*self.where.bounded, *self.where.values}
-        off_zero, driving = definite.off_zero, {*self.driving}
         return Motion(
-            self.eq, rates, *given, in_box=in_box, off_zero=off_zero, driving=driving
+            self.eq,
+            rates,
+            *given,
+            in_box={*self.where.bounded, *self.where.values},
+            driving={*self.driving},
+            off_zero=definite.off_zero,
         )
 
 

@@ -108,9 +108,9 @@ def stays_within(leak: Leak, radial: Radial, motion: Mapping) -> bool:
     if (
         leak.factor != radial.word * outward_part / least
         or str(outward_part.func) != "maximum"
+        or sympy.expand(least.args[0] - leak.square) != 0
+        or least.args[1] > radial.R**2
     ):
-        return False
-    if sympy.expand(least.args[0] - leak.square) != 0 or least.args[1] > radial.R**2:
         return False
     n, inverse_square, o = (
         sympy.Dummy(nonnegative=True),

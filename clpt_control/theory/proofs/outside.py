@@ -91,8 +91,7 @@ class Motion:
             if s in outside and after != s
         }
         # nothing is known of an opaque source, not even that it has a value at all times
-        every_rate = sympy.Tuple(*rates.values())
-        sources = inputs_in(every_rate)
+        sources = inputs_in(sympy.Tuple(*rates.values()))
         how: How = "sampled" if sources else "exact"
         condition = f", if {self._names_of(sources)} bounded" * bool(sources)
         stable = list[Any]()

@@ -135,8 +135,8 @@ def _outward(low: np.ndarray, high: np.ndarray, share: float = UNITS) -> Interva
 
 def _size(low: np.ndarray, high: np.ndarray) -> Interval:
     """Return the range of |u|."""
-    ends = np.minimum(np.abs(low), np.abs(high)), np.maximum(np.abs(low), np.abs(high))
-    return np.where((low <= 0.0) & (high >= 0.0), 0.0, ends[0]), ends[1]
+    least, most = np.sort(np.abs([low, high]), axis=0)
+    return np.where((low <= 0.0) & (high >= 0.0), 0.0, least), most
 
 
 def _power(low: np.ndarray, high: np.ndarray, exponent: Any) -> Interval:
@@ -161,7 +161,7 @@ def _sine(function: Any, low: np.ndarray, high: np.ndarray) -> Interval:
     turns = low / (2 * np.pi) - top - TURN, high / (2 * np.pi) - top + TURN
     ends = of(low), of(high)
     bottom, peak = _outward(np.minimum(*ends), np.maximum(*ends))
-    is_far = ~(np.maximum(np.abs(low), np.abs(high)) < LARGEST)
+    is_far = ~(_size(low, high)[1] < LARGEST)
     peak = np.where(is_far | (np.floor(turns[0]) < np.floor(turns[1])), 1.0, peak)
     lowest = np.floor(turns[0] + 0.5) < np.floor(turns[1] + 0.5)
     return np.where(is_far | lowest, -1.0, bottom), peak

@@ -138,10 +138,10 @@ class Relations:
     def broken(self) -> str:
         """Return which relation states leave, by their rates or at a jump, or ""."""
         for s, value in self.solved.items():
-            rate, jumps = self.rate(s), self.eq.jumps_at_once()
+            rate = self.rate(s)
             if not self.eq.discrete and forks(self.masked(rate), {*self.eq.values}):
                 return f"{s} may leave it: its rate may jump, or is steep as |s|^(1/2)"
-            for change in (rate, *((s - value).xreplace(after) for after in jumps)):
+            for change in (rate, *map((s - value).xreplace, self.eq.jumps_at_once())):
                 remainder = self.of(change)
                 if not vanishes(remainder):
                     return f"{s} leaves it by {short(sympy.expand(remainder))}"
@@ -199,13 +199,12 @@ class Relations:
         broken = self.broken()
         repels = broken or self.repels(never_positive)
         small = {r: CLIP(r, -1, 1) for r in self.distances.values()}
-        fades = self._is_stable(self.moved(map(self.rate, self.distances)), False)
         motion.outside()
         motion.bounded |= small
         motion.near |= small.keys()
         acts = ""
         changes = (e.items() for e in (self.motion, *self.eq.jumps.values()))
-        for (s, change), r in product(chain(*changes), small):
+        for (s, change), (o, r) in product(chain(*changes), self.distances.items()):
             e = self.beside(change)
             calls = (call for call in functions_in(e) if call.has(r))
             factor = along(e, {r: S.One}) if all(map(jumps_nowhere, calls)) else 1 / r
@@ -216,7 +215,9 @@ class Relations:
                 acts = (
                     f"{short(factor, 40)} may grow, and multiplies what rounding leaves"
                 )
-            elif not (fades or self.of(change).has(s)):
+            elif not (self.eq.discrete or self.of(change).has(s)) and vanishes(
+                self.rate(o)
+            ):
                 acts = f"{s} adds up what rounding leaves"
         return [
             exact(f"{self.text} is kept", not broken, broken),

@@ -262,8 +262,7 @@ class Bounding:
     def pull(self) -> Pull | None:
         """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
-        pulls = [*map(self.pulled, rates)]
-        found = [pull for pull in pulls if pull is not None]
+        found = [*filter(None, map(self.pulled, rates))]
         if len(found) < len(rates):
             if self.pushes or sympy.Tuple(*rates).free_symbols - self.truth.keys():
                 return None
@@ -333,8 +332,11 @@ class Bounding:
     def level_by_error(self, rate: sympy.Expr) -> sympy.Expr | None:
         """Return V above which V' = -e^T K e + p^T e - |e| (z^T A z - b^T z - push) falls."""
         states, weights = self.truth, self.weights
-        sizes = [f for f in rate.atoms(sympy.Abs, sympy.Pow) if (f**2).is_polynomial()]
-        sizes = [f for f in sizes if not f.is_polynomial() and f.has(*states)]
+        sizes = [
+            f
+            for f in rate.atoms(sympy.Abs, sympy.Pow)
+            if (f**2).is_polynomial() and not f.is_polynomial() and f.has(*states)
+        ]
         if len(sizes) != 1 or not self.is_diagonal:
             return None
         (size,) = sizes
