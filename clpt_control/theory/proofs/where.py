@@ -20,7 +20,7 @@ from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.facts import CLIP, interval
+from ..algebra.facts import CLIP
 from .signal_functions import undefined_in
 
 NOTHING = MappingProxyType[Any, Any]({})
@@ -198,6 +198,7 @@ class Where:
 
 def ranges_in(rate: Expr) -> dict[Any, tuple]:
     """Return functions in a rate that are between numbers, with these."""
-    calls = rate.atoms(*RANGED, sympy.exp)
-    known = [f for f in calls if f.func in RANGED or (f.args[0] / TIME).is_Rational]
-    return {f: interval(f) for f in known if interval(f)[1].is_finite}
+    slopes = ((e, e.args[0] / TIME) for e in rate.atoms(sympy.exp))
+    fading = [e for e, slope in slopes if slope.is_Rational and slope < 0]
+    ranges = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
+    return ranges | dict.fromkeys(fading, (S.Zero, S.One))
