@@ -220,7 +220,7 @@ def enclose(
     if back.any() and not is_timed:
         tube.attrs["message"] += (
             f"; at t = {times[1:][back][0]:.9g} all states are within the bounds that they "
-            "began in, so the boxes up to then hold for ever"
+            "began in, so the `over_` boxes up to then hold for ever"
         )
     return tube
 

@@ -939,3 +939,35 @@ def test_limits_may_be_infinite_and_other_numbers_may_not():
         tube = clpt.enclose(model, [0, 1], None, [1.0])
         assert "the boxes end there, as" in tube.message
         assert np.isnan(tube.upper[1]).all()
+
+
+class Rises:
+    """Breakpoints where the input `go` rises."""
+
+    trigger = "go"
+
+    def __call__(self, p, t0, t1):
+        return np.zeros(0)
+
+    def after(self, p, rises):
+        return rises
+
+
+def test_jumps_where_an_input_rises_need_a_known_input():
+    model = clpt.Block(
+        "model",
+        update=lambda t, x, u, p: -x.x,
+        states={"x": 1},
+        inputs={"go": 1},
+        jump=lambda t, x, u, p: {"x": x.x + 1.0},
+        breakpoints=Rises(),
+        parameters={"interval": -1.0},
+    )
+    loop = clpt.connect([model], external="go")
+    tube = clpt.enclose(loop, [0, 0.5, 1, 2], {"go": [0, 0, 1, 1]}, [1.0])
+    with mpmath.workdps(40):
+        first = mpmath.exp(-1) + 1
+        assert inside(tube, 2, [first])
+        assert inside(tube, 3, [first * mpmath.exp(-1)])
+    with pytest.raises(clpt.SimulationError, match="where an input may rise"):
+        clpt.enclose(loop, [0, 1], {"go": (0, 1)}, [1.0])
