@@ -139,7 +139,7 @@ def enclose(
         ``message`` says what is guaranteed, to which time, and why not longer. ``clpt.plot()``
         draws the boxes.
 
-        A point takes 30 to 250 times the CPU of `simulate`; stiff systems and roots at 0 more.
+        A point takes 20 to 400 times the CPU of `simulate`; stiff systems and roots at 0 more.
 
     Raises
     ------
