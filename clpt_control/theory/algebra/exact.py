@@ -222,8 +222,7 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
         if e.is_Rational:
             return abs(e) if e.q.bit_count() == 1 else inexact * abs(e)
         if e in numbers:
-            own = size(numbers[e]) if e.is_Symbol else inexact * abs(numbers[e])
-            return own + size_of_change(e)
+            return size(numbers[e]) + size_of_change(e)
         if e.is_Add or e.is_Mul:
             return e.func(*map(size, e.args))
         return size(e.base) ** e.exp if _is_product(e) else e.xreplace(numbers)

@@ -198,8 +198,8 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     def cases_with(number: Callable[[Expr], Expr]) -> list[Still]:
         """Return what V' = 0 leaves of equations with their numbers changed."""
         rates = {s: number(rate) for s, rate in motion.rates.items()}
-        of_candidate = candidate.V, candidate.eq.discrete, candidate.where
-        start = Still(rates, motion.fixed, *of_candidate)
+        eq, where = candidate.eq, candidate.where
+        start = Still(rates, motion.fixed, candidate.V, eq.discrete, where)
         return cases_of(start, [*map(number, fall.losses)], all(continuous))
 
     cases = cases_with(lambda e: e)
@@ -293,7 +293,7 @@ class Still:
     def squares_in(self, g: Expr) -> list[Expr]:
         """Return the forms of a sum of squares, which are zero where it is; [] for other sums."""
         positive = g.xreplace(self.where.squared)
-        for e in dict.fromkeys((g, positive, -positive)) if g.is_Add else ():
+        for e in (g, positive, -positive) if g.is_Add else ():
             total = squares(e, self.fixed)
             if total and total.forms[1:] and total.constant == 0:
                 return self.where.in_states(total.forms)

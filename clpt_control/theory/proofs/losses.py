@@ -126,8 +126,10 @@ def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:
     """Return the forms of -dV/dx_i x_i', each never negative: of a gradient flow dV/dx_i."""
     if bound != case.rate or case.eq.discrete or case.V.has(TIME):
         return []
-    slopes = [(-rate, along(case.V, {s: S.One})) for s, rate in case.motion.items()]
-    terms = [factored(normal_form(down * slope)) for down, slope in slopes]
+    terms = [
+        factored(normal_form(-rate * along(case.V, {s: S.One})))
+        for s, rate in case.motion.items()
+    ]
     forms = [lost_forms(term, case.fixed, set()) for term in terms if term != 0]
     is_known = [] not in forms and all(case.never_positive(-term) for term in terms)
     return [q for of_term in forms for q in of_term] if is_known else []
