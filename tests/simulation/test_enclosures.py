@@ -547,6 +547,30 @@ def test_what_may_be_one_pair_or_two_is_refused():
             clpt.enclose(model, [0, 1], initial_state={"x": shape})
 
 
+def test_a_state_that_stays_0_beside_an_input_costs_no_steps():
+    model = control.nlsys(
+        lambda t, x, u, p: [-x[0], -2 * x[1] + u[0]],
+        **{"states": ["x", "z"], "inputs": ["b"], "outputs": ["x", "z"], "name": "m"},
+    )
+    tube = clpt.enclose(model, [0, 1, 2], {"b": (3, 4)})
+    share = (1 - math.exp(-4.0)) / 2
+    assert tube.lower[-1, 1] <= 3 * share <= 4 * share <= tube.upper[-1, 1]
+    assert tube.lower[-1, 0] <= 0 <= tube.upper[-1, 0] < 1e-40
+    assert tube.steps < 20
+
+
+def test_a_first_time_one_ulp_before_a_sample_costs_no_steps():
+    loop = clpt.connect(
+        [clpt.parts.hold(0.5, u="u", y="h"), clpt.parts.lag(2.0, u="h", y="y")],
+        external="u",
+    )
+    tube = clpt.enclose(loop, [np.nextafter(0.5, 0), 0.5, 1], [(1, 2)], 0)
+    share = 1 - math.exp(-0.25)
+    low, high = tube.lower[-1, 1], tube.upper[-1, 1]
+    assert low <= share <= 2 * share <= high
+    assert tube.steps < 400
+
+
 def test_a_pair_for_a_port_of_several_is_refused():
     model = block(lambda t, x, u, p: u.d - x.x, 2, inputs={"d": 2})
     for given in ({"initial_state": {"x": (1, 2)}}, {"inputs": {"d": (1, 2)}}):

@@ -220,7 +220,8 @@ class Enclosure:
         box = self._box(*self._set)
         wide = self.wide.evaluate(exact(t), box, self.P)
         F = wide[:, :, 0]
-        h, allowed = self._length(F, box, min(LARGER * self.h, end - t))
+        longest = max(LARGER * self.h, least)
+        h, allowed = self._length(F, box, min(longest, end - t))
         # 2. a box that holds all runs
         while True:
             if h < shortest:
@@ -350,18 +351,18 @@ class Enclosure:
             reach = np.maximum(reach, 4.0 * needed)
         raise Undecided("no box holds the runs of a step")
 
-    def _picard(self, time: Ball, h: float) -> tuple[Ball, Ball]:
+    def _picard(self, time: Ball, h: float, reach: float) -> tuple[Ball, Ball]:
         """Return a box that no run leaves during a step, and the rates in it."""
         box, during = self._box(*self._set), between(0.0, h)
         B = box
-        for _ in range(8):
+        for _ in range(8 + self.n):  # each may wait for another to grow
             found = self.rates.evaluate(time, B, self.disturbed_P, loose=True)[:, 0, 0]
             needed = balls.add(box, balls.mul(during, found))
             if np.all((needed.lower > B.lower) & (needed.upper < B.upper)):
                 return B, found
             low = np.minimum(needed.lower, box.lower)
             B = between(low, np.maximum(needed.upper, box.upper))
-            B = Ball(B.c, 1.2 * B.r + balls.UNIT * np.abs(B.c) + 1e-6 * h * h)
+            B = Ball(B.c, 1.2 * B.r + balls.UNIT * np.abs(B.c) + reach)
         raise Undecided("no box holds the runs of a step")
 
     def _crude(self, end: float) -> None:
@@ -370,7 +371,8 @@ class Enclosure:
         if not new > self.t:
             raise Undecided("no room for a step")
         h = float(moved(self.t, new).upper)
-        B, rates = self._picard(between(self.t, np.nextafter(self.t + h, np.inf)), h)
+        time = between(self.t, np.nextafter(self.t + h, np.inf))
+        B, rates = self._picard(time, h, 1e-6 * h * h)  # a root grows from 0
         x, G = self._set
         self._accept(new, B, lambda h: (balls.add(x, balls.mul(rates, h)), G))
         self.crude += 1
@@ -383,7 +385,7 @@ class Enclosure:
         (Kapela and Zgliczynski 2009).
         """
         n = self.n
-        B, _ = self._picard(time, h)
+        B, _ = self._picard(time, h, REACH)
         slopes = self.rates.evaluate(time, B, self.disturbed_P)[:, 0, 1:]
         d = matrix(slopes[:, self.N :], around(self.noise)).size
         J = slopes[:, :n].size
