@@ -18,7 +18,7 @@ def judged(text, **more):
 # --- numbers that doubles hold exactly ----------------------------------------------------------
 
 
-@pytest.mark.parametrize("a", [1e16, 9e15, 2.0**52 + 0.5])
+@pytest.mark.parametrize("a", [1e16, 2.0**52 + 0.5])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_small_difference_of_exact_numbers_is_no_rounding(a, sign):
     """x' = (b - a) x leaves 0 where b > a, however large both are."""
@@ -63,7 +63,7 @@ def test_a_loss_of_an_input_and_of_time_holds_for_times_from_0():
 # --- inputs of any size -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("points", [1, 5, 20, 200])
+@pytest.mark.parametrize("points", [1, 20, 200])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_push_that_friction_outgrows_refutes_nothing(points, seed):
     """V' = -v^2 + v d is negative far off, V' = d v^2 nowhere with d > 1."""
