@@ -255,7 +255,7 @@ TOKENS = {
     "engine.codegen": 34222,
     "engine.conformance": 4958,
     "engine.diagram": 18559,
-    "engine.enclosure": 9881,
+    "engine.enclosure": 9904,
     "engine.methods": 3920,
     "engine.model": 12457,
     "engine.record": 8536,
