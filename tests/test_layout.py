@@ -278,7 +278,7 @@ TOKENS = {
     "theory.design": 5660,
     "theory.excitation": 17389,
     "theory.laws": 16273,
-    "theory.proofs": 55553,
+    "theory.proofs": 55623,
     "theory.theorems": 7721,
 }
 LAID_OUT = {

@@ -337,6 +337,7 @@ def test_each_study_leaves_a_table_and_a_figure(tmp_path):
     assert "False" not in (tmp_path / "mean_square.md").read_text("utf-8")
 
 
+@pytest.mark.long
 def test_which_law_when_compares_fast_laws_with_the_papers():
     paper, clear = clpt.paper_scenario(), laws.PAPER["as assumed"]
     both = [

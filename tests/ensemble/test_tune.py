@@ -154,6 +154,7 @@ def test_a_robust_law_is_taken_where_unmodelled_flow_is_ten_times_the_prior(pape
     assert "unmodelled flow of 0.5 m/s" in tuned.report["because"]
 
 
+@pytest.mark.long
 def test_a_measured_current_is_taken_out(facts, tmp_path):
     from clpt_control.currents import fit_current
 

@@ -651,6 +651,7 @@ def test_boxes_over_intervals_are_those_of_the_intervals():
     assert float((tube.over_upper - tube.over_lower)[1:].max()) < 1.5
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rate", "start", "end"),
     [
@@ -856,6 +857,7 @@ def test_pieces_tighten_the_boxes_and_leave_nothing_out():
     assert tube.message.endswith("to t = 1, in 8 pieces")
 
 
+@pytest.mark.long
 def test_the_earliest_end_of_a_piece_counts():
     """x = x0/(1 - x0 t) leaves all bounds at 1/x0."""
     model = block(lambda t, x, u, p: x.x * x.x, 1)

@@ -78,6 +78,7 @@ def test_a_table_without_times_is_refused():
     says(clpt.ClptError, said, clpt.fit_parameters, room(), table, {"room.k": 0.5})
 
 
+@pytest.mark.long
 def test_a_law_is_proved_by_its_name():
     verdict = clpt.prove("sigma", points=50)
     assert (verdict.status, verdict.conclusion) == ("proved", "ultimately bounded")

@@ -293,6 +293,7 @@ def test_what_e_adds_to_the_gains_is_refuted():
 # --- claims --------------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("share", [1.0, 0.5, 0.1])
 def test_a_claim_that_is_weaker_is_proved(share):
     claim = lambda s: -share * s.am * (s.y - s.ym) ** 2  # noqa: E731
@@ -613,3 +614,33 @@ def test_a_set_that_is_not_needed_is_no_condition():
     plant, V, *_ = written("x' = -q*x; q' = 1 - q; V = x**2")
     needed = clpt.lyapunov(plant, V, where={"q": (0, None)})
     assert "q >= 0 at the start" in needed.sentence
+
+
+LOST = {  # V' = -x^2 d^2 of V = x^2/2 + constant, or beside its least value
+    "0": (lambda s: s.x**2 / 2, "V(0)"),
+    "above": (lambda s: s.x**2 / 2 + 5, "V(0)"),
+    "below": (lambda s: s.x**2 / 2 - 5, "V(0) + 5"),
+    "a square": (lambda s: s.x**2 / 2 - 2.0**-10, "V(0) + 1/1024"),
+}
+
+
+@pytest.mark.parametrize(("V", "most"), LOST.values(), ids=LOST)
+def test_what_V_loses_is_at_most_what_is_above_its_least_value(V, most):
+    """The integral of x^2 d^2 is V(0) less the least value of V, at d = 1 from any start."""
+    loop = clpt.Block(
+        "loop",
+        update=lambda t, x, u, p: -x.x * u.d**2,
+        **{"states": {"x": 1}, "inputs": {"d": 1}},
+    )
+    verdict = clpt.lyapunov(loop, V)
+    assert verdict.sentence.endswith(f"is at most {most}")
+
+
+def test_a_pendulum_loses_at_most_its_energy_above_the_lowest_point():
+    rod = clpt.Block(
+        "rod",
+        update=lambda t, x, u, p: {"th": x.w, "w": -np.sin(x.th) - u.d**2 * x.w},
+        **{"states": {"th": 1, "w": 1}, "inputs": {"d": 1}},
+    )
+    verdict = clpt.lyapunov(rod, lambda s: s.w**2 / 2 - np.cos(s.th))
+    assert verdict.sentence.endswith("is at most V(0) + 1")

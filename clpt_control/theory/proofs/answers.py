@@ -22,6 +22,7 @@ class Definite(NamedTuple):
     )
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
     off_zero: Set[Any] = frozenset()  # states above 0 that V keeps away from it
+    most_lost: str = "V(0)"  # what V may lose at most, as text
 
 
 @dataclass

@@ -110,7 +110,7 @@ CONCLUSIONS = {
         "V may grow without end: a leak or a projection bounds it",
     ),
     "square-integrable": Conclusion(
-        "so the integral of {bound} is at most V(0)",
+        "so the integral of {bound} is at most {of}",
         _needs("definite falls loses jumps"),
         "a step says which signal keeps the rate from being bounded: bound it, or put it in V",
     ),

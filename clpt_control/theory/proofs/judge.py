@@ -256,10 +256,15 @@ class LyapunovCandidate(ABC):
         names = ", ".join(dict.fromkeys(map(self.text, forms)))
         step = exact(f"{claim} in {names}", True, "", "definite")
         off_zero = {s for s in exps if off[s] in total.forms}
+        lost = "V(0)"
+        if not total.constant.is_nonnegative:
+            lost = self.text(sympy.Symbol("V(0)") - total.constant)
+        if total.constant.free_symbols - self.fixed:
+            lost = "a number"
         if {*self.where.above} - off_zero:  # nothing is known of the end of an open set
-            return Definite(step, [*forms, *at_start])
+            return Definite(step, [*forms, *at_start], most_lost=lost)
         least = zero_of(total._replace(forms=forms), contained)
-        answer = Definite(step, forms, least, off_zero=off_zero)
+        answer = Definite(step, forms, least, off_zero=off_zero, most_lost=lost)
         motion, numbers = self.moving(answer, {}), (least or {}).values()
         motion.outside()
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
@@ -398,11 +403,14 @@ class Answers:
         if not conclusion:
             needed = first_failure(step for step in steps if step.needed)
             return verdict("open", failed or f"{fall.claim}; {needed}")
+        of = self.ends.of if self.ends else fall.of
+        if conclusion == "square-integrable":
+            of = self.definite.most_lost
         return verdict(
             "proved",
             fall.claim,
             conclusion=conclusion,
-            of=self.ends.of if self.ends else fall.of,
+            of=of,
             bound=fall.bound,
             level=fall.level,
             conditions=(*fall.conditions, *self.where),

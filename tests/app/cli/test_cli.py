@@ -61,6 +61,7 @@ def test_run_matches_the_independent_numbers(printed, reference, name):
     assert_matches(found, clpt_control.load_run("run.nc"), reference[name])
 
 
+@pytest.mark.long
 def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
     assert clpt("init").status == 0
     text = Path("paper.toml").read_text()

@@ -74,6 +74,7 @@ def test_results_in_the_folder_are_no_new_files(inbox, watch):
     assert (inbox / "replay" / "replay.html").exists()
 
 
+@pytest.mark.long
 def test_new_and_changed_files_are_counted(inbox, watch):
     def arrive():
         one_file_each(inbox, sample_dives()[3:5])
@@ -154,6 +155,7 @@ def test_a_file_that_cannot_be_opened_is_told_once_and_tried_when_it_changes(
     assert told.count("loop.csv: cannot be read") == 1
 
 
+@pytest.mark.long
 def test_a_folder_that_goes_away_for_a_while_loses_nothing(inbox, tmp_path, watch):
     away = tmp_path / "away"
     new = sample_dives()[3:4]
