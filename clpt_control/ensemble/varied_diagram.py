@@ -29,6 +29,7 @@ from ..engine.codegen.directional_derivatives import (
 )
 from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
 from ..engine.diagram.wiring import Params, read_anew, state_units, units_of, wiring_of
+from ..engine.model.declaration import check_rules
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread, line_of
@@ -275,7 +276,7 @@ class VariedDiagram:
                 put(self.locations[key], values[key][m], parameters, start)
             for k in ruled:
                 try:
-                    self.wiring.nodes[k].system.check_rules(parameters[k])
+                    check_rules(self.wiring.nodes[k].system, parameters[k])
                 except ClptError as error:
                     raise ScenarioError(f"vary: member {m}: {error}") from None
 

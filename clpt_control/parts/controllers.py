@@ -22,7 +22,14 @@ from ..base.arguments import Count, brief, public
 from ..base.errors import BlockError
 from ..engine.diagram.interconnection import PARAMETER_HINTS
 from ..engine.model.block import Block
-from .common import check_positive, make_block, ordered, positive, with_constants
+from .common import (
+    check_finite,
+    check_positive,
+    make_block,
+    ordered,
+    positive,
+    with_constants,
+)
 
 
 def derivative(x, u, p, dt):
@@ -161,6 +168,7 @@ def pid(
             np.inf if not ki else np.sqrt(abs(kd / ki)) if kd else abs(kp / ki) or 1.0
         )
         tracking = max(follows, dt or 0.0)
+    check_finite(name, {"kp": kp, "ki": ki, "kd": kd})
     check_positive(name, filter=filter, tracking=tracking, dt=1.0 if dt is None else dt)
     rules = (
         ordered("low", "high"),

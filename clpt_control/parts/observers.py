@@ -126,6 +126,23 @@ def kalman_estimate(t, x, u, p):
     return {"x_hat": x_hat, "P": P}
 
 
+def check_covariances(name, matrices):
+    """Refuse matrices that are no covariances of a plant's states and outputs."""
+    n, q = len(matrices["A"]), len(matrices["C"])
+    for key, size in (("Q", n), ("R", q), ("P0", n)):
+        M = np.asarray(matrices[key])
+        is_symmetric = M.shape == (size, size) and np.allclose(M, M.T, atol=0)
+        least = np.linalg.eigvalsh(M)[0] if is_symmetric else -np.inf
+        if not least >= -1e-12 * np.max(np.abs(M), initial=0) or (
+            key == "R" and least <= 0
+        ):
+            # but for rounding
+            raise BlockError(
+                f"{name}: {key} = {brief(M)}: must be symmetric, of shape {(size, size)}, "
+                f"and positive {'definite' if key == 'R' else 'semidefinite'}"
+            )
+
+
 @public
 def kalman_filter(
     system: control.StateSpace,
@@ -169,26 +186,17 @@ def kalman_filter(
     [0.0, 1.0]
     """
     matrices = _matrices(name, system)
-    n, q = len(matrices["A"]), len(matrices["C"])
-    P0 = np.zeros((n, n)) if P0 is None else P0
-    for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
-        M = matrices[key] = np.atleast_2d(numbers(f"{name}: {key}", value))
-        is_symmetric = M.shape == (size, size) and np.allclose(M, M.T, atol=0)
-        least = np.linalg.eigvalsh(M)[0] if is_symmetric else -np.inf
-        if not least >= -1e-12 * np.max(np.abs(M), initial=0) or (
-            key == "R" and least <= 0
-        ):
-            # but for rounding
-            raise BlockError(
-                f"{name}: {key} = {brief(value)}: must be symmetric, of shape {(size, size)}, "
-                f"and positive {'definite' if key == 'R' else 'semidefinite'}"
-            )
+    P0 = np.zeros_like(matrices["A"]) if P0 is None else P0
+    for key, value in (("Q", Q), ("R", R), ("P0", P0)):
+        matrices[key] = np.atleast_2d(numbers(f"{name}: {key}", value))
+    check_covariances(name, matrices)
     sampled = bool(system.dt)
     return _of_plant(
         system,
         name,
         ports,
         matrices,
+        rules=[check_covariances],
         update=kalman_step if sampled else bucy,
         output=kalman_estimate if sampled else bucy_estimate,
         outputs={"x_hat": "n", "P": SQUARE},
@@ -222,6 +230,14 @@ def _matrices(name: str, system: control.StateSpace) -> dict[str, Any]:
         raise BlockError(f"{name}: the system must have inputs, outputs and states")
     matrices = {"A": system.A, "B": system.B, "C": system.C}
     return {**matrices, "D": system.D} if np.any(system.D) else matrices
+
+
+def check_seed(name, values):
+    """Refuse a seed that is no whole number."""
+    if not 0 <= values["seed"] < 2**53 or values["seed"] % 1:
+        raise BlockError(
+            f"{name}: seed = {values['seed']}: must be a whole number, 0 or more"
+        )
 
 
 def held_noise(t, x, u, p):
@@ -272,7 +288,7 @@ def noise(
         name,
         ports,
         {**values, "signal": np.arange(float(signals)), "interval": -1.0},
-        [positive("period"), positive("std", or_zero=True)],
+        [check_seed, positive("period"), positive("std", or_zero=True)],
         output=held_noise,
         outputs={"n": signals},
         opaque=True,

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+import control
 import numpy as np
 
 from ..base.arguments import Count, attribute_of, brief, numbers, public
@@ -26,6 +27,8 @@ from .requests import Request, request_of
 
 if TYPE_CHECKING:
     import xarray
+
+    from ..paper.scenario.experiment import Scenario
 
 MOST_PANELS = 6
 MOST_NUMBERS = 1_000_000  # of a coefficient; there are 27, of centres and radii
@@ -51,8 +54,8 @@ def end_of(name: str, value: Any, is_upper: bool, is_entry: bool = False) -> Any
         }
     if is_pair(value) and holds_pair(value):
         raise ArgumentError(
-            f"{name} = {value!r:.60}: may be two pairs or the ends of one. Give a list of pairs, "
-            "or ends that are lists"
+            f"{name} = {value!r:.60}: may be two pairs or the ends of one. Give ends that are "
+            "lists, of a port a list of pairs"
         )
     if is_entry and is_pair(value):
         ends = lower, upper = [numbers(name, end) for end in value]
@@ -79,13 +82,13 @@ def holds_pair(entry: Any) -> bool:
     )
 
 
-def check_pairs(inputs: Any, params: Mapping[str, Any]) -> None:
+def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> None:
     """Refuse pairs that may be read in two ways."""
-    if is_pair(inputs):
-        raise ArgumentError(
-            f"inputs = {inputs!r:.60}: may be one pair or two numbers. Give [(lower, upper)] or "
-            "a mapping"
-        )
+    for name, given in (("inputs", inputs), ("initial_state", initial_state)):
+        if is_pair(given):
+            raise ArgumentError(
+                f"{name} = {given!r:.60}: may be one pair or two numbers. Give a list, or a mapping"
+            )
     for name, entry in params.items():
         if not is_pair(entry) and holds_pair(entry):
             raise ArgumentError(
@@ -98,7 +101,7 @@ def check_ports(argument: str, given: Any, labels: list[str]) -> None:
     """Refuse two numbers for a port of several, which may be one pair of each."""
     ports = ports_of(labels)
     for key, entry in given.items() if isinstance(given, Mapping) else ():
-        if is_pair(entry) and not np.ndim(entry[0]) and len(ports.get(key, ())) > 1:
+        if is_pair(entry) and not np.ndim(entry[0]) and len(ports.get(key, ())) == 2:
             raise ArgumentError(
                 f"{argument}[{key!r}] = {brief(entry)}: may be one pair or two numbers. Give a "
                 "list of pairs, or ends that are lists"
@@ -107,7 +110,7 @@ def check_ports(argument: str, given: Any, labels: list[str]) -> None:
 
 @public
 def enclose(
-    system: Any,
+    system: "Scenario | control.InputOutputSystem",
     timepts: Any = None,
     inputs: Any = None,
     initial_state: Any = None,
@@ -156,7 +159,7 @@ def enclose(
     (0.357, 0.747)
     """
     # 1. programs of the record
-    check_pairs(inputs, params or {})
+    check_pairs(inputs, initial_state, params or {})
     ends = [
         [
             end_of("inputs", inputs, is_upper),
@@ -213,6 +216,7 @@ def enclose(
     back = ((states.lower >= low) & (states.upper <= high)).all("name").values
     is_timed = (
         rates.reads_time
+        or signals.reads_time
         or layout.time_tables
         or any(node.system.breakpoints_function for node in made.wiring.nodes)
         or any(np.ptp(one.inputs.samples[1], axis=1).any() for one in requests)

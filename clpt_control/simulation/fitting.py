@@ -17,7 +17,7 @@ import control
 import numpy as np
 
 from ..base.arguments import brief, known, public
-from ..base.errors import ArgumentError, SimulationError
+from ..base.errors import ArgumentError, BlockError, SimulationError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
 from ..base.labelled import (
     Clock,
@@ -270,7 +270,7 @@ class FitProblem:
         """Return residuals in units of the noise; infinite ones if a trial cannot run."""
         try:
             outputs = self.run_at(values).outputs[:, self.columns, 0]
-        except SimulationError:
+        except (SimulationError, BlockError):
             if self.last is None:  # the initial values cannot run
                 raise
             return np.full(self.is_measured.sum(), np.inf)

@@ -21,6 +21,7 @@ from ..engine.codegen.diagram_record import Form
 from ..engine.codegen.directional_derivatives import may_jump, put, value_at
 from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.wiring import Params
+from ..engine.model.declaration import check_rules
 from ..engine.record.unread import Unread
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import RunOptions
@@ -124,6 +125,8 @@ class SensitivityRun(DiagramRun):
         parameters = list(self.runner.block_parameters)
         for location, value in zip(self.locations.values(), values, strict=True):
             put(location, value, parameters, start)
+        for (_, block), its in zip(self.wiring.blocks, parameters, strict=True):
+            check_rules(block, its)
         return start, parameters
 
     def at(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:

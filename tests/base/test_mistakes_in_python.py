@@ -184,11 +184,19 @@ called(parts.pid(1, 1), kp=INF) -> pid: kp = inf: must be finite
 called(parts.point_vehicle(1, 1), mass=0) -> point_vehicle: mass = 0.0: must be positive
 called(parts.planar_vehicle(np.eye(3), np.eye(3)), M=-np.eye(3)) -> must be symmetric and positive
 called(parts.lookup_table([0, 1], [0, 1]), at=[1.0, 0.0]) -> must be two or more increasing
+called(parts.noise(1, 1), seed=-1) -> noise: seed = -1.0: must be a whole number, 0 or more
+called(parts.noise(1, 1), seed=0.5) -> noise: seed = 0.5: must be a whole number, 0 or more
+called(parts.kalman_filter(control.ss(-1, 1, 1, 0), 3, 1), R=[[-4.0]]) -> kalman_filter: R = [[-4.0]]: must be symmetric
+setattr(parts.saturation(-1, 1), "parameters", {"low": 2, "high": 1}) -> low = 2: must be below high = 1
+clpt.fit_parameters(parts.lag(1), {"y": [0, 0.3, 0.5, 0.6]}, {"lag.lag": -1.0}, [0, 1, 2, 3], 1.0) -> lag: lag = -1.0: must be positive
+parts.pid(INF, 0.1, 0.2) -> pid: kp = inf: must be finite
+clpt.enclose(PEN, TIMES, 0.0, (1, 0)) -> initial_state = (1, 0): may be one pair or two numbers
 called(clpt.Sampled(parts.lag(2), 1), lag=-2) -> lag: lag = -2.0: must be positive
 clpt.prepare(parts.lag(2), [0, 1], 1, params={"lag.lag": 1})(params={"lag.lag": -2}) -> lag: lag = -2
 clpt.linearize(parts.lag(2), params={"lag.lag": -2}) -> lag: lag = -2.0: must be positive
 clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 2]}, timepts=[0, 1]) -> vary: member 1: saturation: low = 2.0: must be below high = 1.0
 clpt.run_ensemble(LIMITED, {"saturation.low": [-1, 0.5], "saturation.high": [0.2, 1]}, timepts=[0, 1]) -> vary: member 2: saturation: low = 0.5: must be below high = 0.2
+clpt.enclose("tank", [0, 1]) -> enclose: system = 'tank': must be a Scenario or a diagram
 clpt.enclose(LIMITED, [0, 1], params={"lag.lag": (-1, 2)}) -> lag: lag = -1.0: must be positive
 clpt.fit_parameters(parts.lag(2), {"y": [0, INF, 1]}, {"lag.lag": 1}, [0, 1, 2], 1.0) -> data: y: must be finite; NaN is no measurement
 parts.saturation([1, 2], 3) -> saturation: low = [1, 2]: must be one number
@@ -253,6 +261,15 @@ def test_a_limit_may_be_infinite_in_each_call():
     varied = {"saturation.high": [1, INF]}
     members = clpt.run_ensemble(LIMITED, varied, timepts=[0, 1], inputs=5.0)
     assert members.y_final.values == pytest.approx([free / 5, free], rel=1e-6)
+
+
+def test_a_fit_stays_where_its_blocks_take_its_numbers():
+    times = np.linspace(0, 3, 20)
+    data = {"y": 0.5 * (1 - np.exp(-times))}
+    start = {"saturation.high": 0.2, "saturation.low": -0.5}
+    fit = clpt.fit_parameters(LIMITED, data, start, times, 5.0)
+    assert fit.values["saturation.high"] == pytest.approx(0.5)
+    assert fit.values["saturation.low"] < 0.5
 
 
 def test_a_number_is_a_matrix_of_one_signal():

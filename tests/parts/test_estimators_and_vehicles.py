@@ -300,7 +300,7 @@ MISTAKES = r"""
     parts.lookup_table([0, 0], [1, 2]) -> two or more increasing numbers
     parts.planar_vehicle(np.ones((3, 3)), np.eye(3)) -> m12 = m13 = 0
     parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]) -> and positive definite
-    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0 = [[-1]]: must be
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0 = [[-1.0]]: must be
     parts.kalman_filter(control.ss(-1, 1, 1, 0), [[np.nan]], [[1]]) -> Q = [[nan]]: must be
     parts.noise([1, -1], 0.1, signals=2) -> std = [1, -1]: must be positive or 0
     parts.point_vehicle(1, -1) -> damping = -1: must be positive or 0

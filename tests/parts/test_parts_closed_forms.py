@@ -309,3 +309,50 @@ def test_a_member_without_integral_charges_none(dt):
     times = np.linspace(0.0, 400.0, 801)
     found = clpt.run_ensemble(loop, {"pid.ki": [0.0, 0.1]}, timepts=times, inputs=1.0)
     np.testing.assert_allclose(found.y_final, [0.6, 0.8], atol=1e-7)
+
+
+# --- values that functions read as numbers --------------------------------------------------------
+
+
+def branch(t, x, u, p):
+    return {"z": -x.z + (2 * u.u if p.k > 1 else 3 * u.u)}
+
+
+OF_A_BRANCH = clpt.Block(
+    "branch",
+    update=branch,
+    **{"states": {"z": 1}, "inputs": {"u": 1}, "parameters": {"k": 2.0}},
+)
+TABLE = clpt.parts.lookup_table([0, 1, 2], [0, 1, 4])
+BEHIND = clpt.connect([TABLE, clpt.parts.lag(1.0, u="y", y="z")], external="u")
+MOVED = {"lookup_table.at": [0, 0.5, 1.5]}
+SLOW = 1 - np.exp(-1.0)
+
+
+def test_a_call_may_move_the_points_of_a_table():
+    """At u = 0.75 the table has 1 + 3/4; its slope there is 3."""
+    at, u = {"params": MOVED}, 0.75
+    run = clpt.simulate(TABLE, [0, 1], u, **at)
+    assert run.y.values == pytest.approx([1.75, 1.75])
+    z = clpt.simulate(BEHIND, [0, 1], u, **at).z.values
+    assert z[-1] == pytest.approx(1.75 * SLOW, rel=1e-6)
+    of_call = clpt.prepare(BEHIND, [0, 1], u, params={"lookup_table.at": [0, 1, 2]})
+    assert of_call(params=MOVED).states[-1, 0] == pytest.approx(1.75 * SLOW, rel=1e-6)
+    members = clpt.run_ensemble(
+        BEHIND, {"lag.lag": [1.0]}, timepts=[0, 1], inputs=u, **at
+    )
+    assert members.z_final.values == pytest.approx(1.75 * SLOW, rel=1e-6)
+    assert clpt.linearize(TABLE, [], [u], **at).D.item() == pytest.approx(3.0)
+    tube = clpt.enclose(BEHIND, [0, 1], [u], [0], **at)
+    assert tube.lower[-1, 0] <= 1.75 * SLOW <= tube.upper[-1, 0] < 1.2
+
+
+def test_a_call_may_choose_another_branch():
+    params = {"branch.k": 0.5}
+    assert clpt.linearize(OF_A_BRANCH, [0], [0.25], params=params).B.item() == 3.0
+    assert clpt.linearize(OF_A_BRANCH, [0], [0.25]).B.item() == 2.0
+    z = clpt.simulate(OF_A_BRANCH, [0, 1], 1.0, params=params).z.values
+    assert z[-1] == pytest.approx(3 * SLOW, rel=1e-6)
+    sampled = clpt.Sampled(OF_A_BRANCH, 0.5)
+    z = clpt.simulate(sampled, [0, 0.5], 1.0, params=params).z.values
+    assert z[-1] == pytest.approx(1.5)

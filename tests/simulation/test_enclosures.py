@@ -338,11 +338,12 @@ def if_of_a_parameter(t, x, u, p):
     return -x.x if p.k > 0.7 else x.x
 
 
-@pytest.mark.parametrize("k", [0.5, (0.5, 1.0)])
-def test_a_parameter_that_an_if_reads_is_refused(k):
+def test_an_interval_of_a_parameter_that_an_if_reads_is_refused():
     model = block(if_of_a_parameter, 1, parameters={"k": 1.0})
-    with pytest.raises(clpt.SimulationError, match=r"asks for the value|is misread"):
-        clpt.enclose(model, [0, 1], initial_state=[1.0], params={"model.k": k})
+    with pytest.raises(clpt.SimulationError, match="asks for the value"):
+        clpt.enclose(model, [0, 1], None, [1.0], {"model.k": (0.5, 1.0)})
+    tube = clpt.enclose(model, [0, 1], None, [1.0], {"model.k": 0.5})
+    assert inside(tube, 1, [mpmath.e])
 
 
 def test_a_condition_of_an_interval_takes_in_both_sides():
@@ -540,7 +541,7 @@ def test_ends_of_a_number_of_any_kind_are_read(read):
 def test_what_may_be_one_pair_or_two_is_refused():
     model = block(lambda t, x, u, p: -x, inputs={})
     for start in (((0, 1), (2, 3)), {"x": ((0, 1), (2, 3))}):
-        with pytest.raises(clpt.ArgumentError, match="may be two pairs or the ends"):
+        with pytest.raises(clpt.ArgumentError, match="may be"):
             clpt.enclose(model, [0, 1], initial_state=start)
     for shape in ((np.eye(2), np.eye(3)), (None, 1.0), ([], []), (4, 3)):
         with pytest.raises(clpt.ArgumentError, match="a finite width and one shape"):
@@ -572,6 +573,8 @@ def test_a_first_time_one_ulp_before_a_sample_costs_no_steps():
 
 
 def test_a_pair_for_a_port_of_several_is_refused():
+    three = block(lambda t, x, u, p: -x.x, 3)
+    assert clpt.enclose(three, [0, 1], None, {"x": (1, 2)}).status == "finished"
     model = block(lambda t, x, u, p: u.d - x.x, 2, inputs={"d": 2})
     for given in ({"initial_state": {"x": (1, 2)}}, {"inputs": {"d": (1, 2)}}):
         with pytest.raises(clpt.ArgumentError, match="may be one pair or two numbers"):
@@ -598,6 +601,19 @@ def test_boxes_hold_for_ever_where_nothing_depends_on_time(rates, made, u, is_ke
     model = clpt.Block("model", update=rates, states={"x": 1}, **made)
     tube = clpt.enclose(model, [0, 1], u, [(-1.0, 1.0)])
     assert ("hold for ever" in tube.message) == is_kept
+
+
+@pytest.mark.parametrize("dt", [0, 1.0])
+def test_an_output_of_time_leaves_its_box(dt):
+    model = clpt.Block(
+        "model",
+        update=lambda t, x, u, p: x.x / 2 if dt else -x.x,
+        output=lambda t, x, u, p: np.maximum(t, 5.0),
+        **{"states": {"x": 1}, "outputs": {"o": 1}, "dt": dt},
+    )
+    tube = clpt.enclose(model, [0, 1, 2], None, [(-1.0, 1.0)])
+    assert np.all(np.abs([tube.lower[-1, 0], tube.upper[-1, 0]]) < 1)
+    assert "hold for ever" not in tube.message
 
 
 def test_a_sampled_loop_that_grows_is_not_said_to_stay():

@@ -213,7 +213,7 @@ RIGHT = {
             lambda x, u, p: [x[0] - p["g"] * u[0] ** 2 / (1 + u[0] ** 2) * x[0]], "x",
             inputs=["r"], g=1.0,
         ),
-        "square-integrable",
+        "partly",  # what is lost goes to zero
     ),
     "discrete: two that agree": loop(
         sampled(lambda x, u, p: [(x[0] + x[1]) / 2, (x[0] + x[1]) / 2], "xy",
@@ -255,12 +255,15 @@ WRONG = {
         f"e' = -e + th*r; th' = where((th > 3) & (-e*r < 0), 0.0, -e*r); {E}"
     ),
     "a projection that keeps from the truth": loop(
-        f"e' = -e + th*r; th' = where((th > -2) & (-e*r > 0), 0.0, -e*r); {E}"
+        f"e' = -e + th*r; th' = where((th > -2) & (-e*r > 0), 0.0, -e*r); {E}",
+        ZERO, needs=("zero inputs",),  # else a push that V' outgrows
     ),
     "a projection outward": loop(
         f"e' = -e + th*r; th' = -e*r + 2*(th - clip(th, -3, 3)); {E}"
     ),
-    "a dead zone that V does not have": loop(f"e' = -e + th*r; th' = -{BEYOND}*r; {E}"),
+    "a dead zone that V does not have": loop(
+        f"e' = -e + th*r; th' = -{BEYOND}*r; {E}", "comes to rest", needs=("zero inputs",)
+    ),
     "a dead zone that is missed in the law": loop(
         f"e' = -e + th*r; th' = -e*r; V = {BEYOND}**2/2 + th**2/2; input r",
         ZERO, needs=("zero inputs",),

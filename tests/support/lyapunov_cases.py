@@ -364,8 +364,8 @@ BESIDE = {  # more is to be said: the conclusion, its conditions, and the system
         f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}",
     ),
     "V of the sum alone": (
-        "square-integrable",
-        {"existence": "x"},
+        "goes to zero",
+        {"outside V, bounded": "x is"},
         "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2",
     ),
     "V that misses a state that ends": (

@@ -180,3 +180,23 @@ def test_a_claim_under_an_input_is_said_beside_what_follows_at_zero():
     verdict = judged("x' = -x + d; input d", claim=lambda s: (s.d**2 - s.x**2) / 2)
     assert verdict.claim == "V' <= -x**2/2 + d(t)**2/2 as claimed, V' <= -x**2/2 <= 0"
     assert "where d = 0" in verdict.sentence
+
+
+@pytest.mark.parametrize(
+    ("root", "bounds", "is_real"),
+    [
+        (lambda r: np.sqrt(4 - r**2), (-0.5, 0.5), True),
+        (lambda r: np.sqrt(1 - r**2), (-1, 0.5), True),
+        (lambda r: np.sqrt(1 - r**2), (-2, 0.5), False),
+        (lambda r: np.sqrt(1 - r**2), (0.5, None), False),
+    ],
+)
+def test_roots_of_squares_of_bounded_inputs(root, bounds, is_real):
+    loop = clpt.Block(
+        "loop",
+        update=lambda t, x, u, p: -x.x * root(u.r),
+        **{"states": {"x": 1}, "inputs": {"r": 1}},
+    )
+    verdict = clpt.lyapunov(loop, lambda s: s.x**2 / 2, where={"r": bounds})
+    assert (verdict.status == "proved") == is_real
+    assert ("which may be negative" in verdict.sentence) != is_real

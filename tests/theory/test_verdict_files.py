@@ -107,7 +107,8 @@ SAMPLE = {
         "x' = -sinh(x)/cosh(x); V = log(cosh(x))", "asymptotically stable", "all rest",
     ),
     "the square of atan": (
-        "x' = -x*(1 + x**2); V = arctan(x)**2", "square-integrable", "",
+        "x' = -x*(1 + x**2); V = arctan(x)**2", "comes to rest",
+        "still isolated",
     ),
     "the square of atan, bounded": (
         "x' = -x; V = arctan(x)**2", "comes to rest",

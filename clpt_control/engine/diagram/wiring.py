@@ -11,6 +11,7 @@ Otherwise each discrete system becomes a block that samples its inputs.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, TypeAlias
@@ -26,6 +27,7 @@ from ..model.declaration import same_unit
 from ..model.ports import indices_by_name, port_of, ports_of
 from ..model.sampled import Sampled
 from ..model.system import System, linear
+from ..record.unread import Unread
 from .evaluation_order import order_of
 
 Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
@@ -274,17 +276,35 @@ def blocks_of(
 ) -> list[tuple[str, Block]]:
     """Return the blocks of a diagram with their names, in its own order."""
     return [
-        (name, _as_block(leaf, leaf_params, sizes))
+        (name, _as_block(leaf, leaf_params, sizes, name))
         for name, leaf, leaf_params in _leaves_with_params(diagram, params or {})
     ]
 
 
-def _as_block(system: Any, params: Params, sizes: Sizes = (None, None)) -> Block:
+def _as_block(
+    system: Any, params: Params, sizes: Sizes = (None, None), name: str = ""
+) -> Block:
     if isinstance(system, Block):
-        return system
+        given, fields = params or {}, call_names(name, system)
+        changes = {fields[key]: given[key] for key in fields.keys() & given}
+        return _reading(system, changes) if changes else system
     if isinstance(system, control.StateSpace):
         return linear(system)
     return System(system, params, sizes)
+
+
+def _reading(block: Any, changes: Mapping[str, Any]) -> Block:
+    """Return a block, or one made with values of a call that it reads as numbers."""
+    inner = block.unsampled
+    with suppress(Unread):
+        _ = inner.records
+    if not any(names & changes.keys() for names, _ in inner.read_with.values()):
+        return block
+    copy = block.copy(name=block.name)
+    copy.parameters = block.with_values(changes)
+    if inner is not block:
+        copy.inner = _reading(inner, changes)
+    return copy
 
 
 def _leaves_with_params(

@@ -31,6 +31,7 @@ from .declaration import (
     Guard,
     block_line,
     check_names,
+    check_rules,
     check_units,
     checked_parameters,
 )
@@ -267,6 +268,7 @@ class Block(ReadBlock):
     @parameters.setter
     def parameters(self, value: Any) -> None:
         self._parameters = self._checked(value)
+        check_rules(self, self._parameters)
         self._forget()
         self._bind()
         self.__dict__.pop("_call_of_thread", None)
@@ -327,13 +329,8 @@ class Block(ReadBlock):
         changed = checked_parameters(
             self.name, self.parameters._replace(**changes), self.parameters
         )
-        self.check_rules(changed)
+        check_rules(self, changed)
         return changed
-
-    def check_rules(self, parameters: Any) -> None:
-        """Refuse parameters that the block's rules do not allow."""
-        for rule in self.rules:
-            rule(self.name, parameters._asdict())
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         self._call.parameters, self._call.start = self.with_params(params), None

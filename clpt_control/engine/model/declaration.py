@@ -320,6 +320,12 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     return Parameters(**values)
 
 
+def check_rules(block: Any, parameters: Any) -> None:
+    """Refuse parameters that the rules of a block do not allow."""
+    for rule in block.rules:
+        rule(block.name, parameters._asdict())
+
+
 # --- text of one line ---------------------------------------------------------------------------
 
 

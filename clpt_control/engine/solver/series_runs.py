@@ -66,7 +66,7 @@ class SeriesCode:
         self.kept: dict[Any, SeriesArrays] = {}
 
 
-def series_of(diagram: Any, rtol: float, lanes: int) -> SeriesCode:
+def series_of(diagram: Any, rtol: float, lanes: int = 1) -> SeriesCode:
     """Return the compiled series of a diagram; refuse one that is not smooth."""
     kept, key = diagram.callees, (order_of(rtol), lanes)
     if key not in kept:

@@ -298,6 +298,8 @@ def interval(e: Expr) -> Interval:
         return ends[0][1] ** e.exp, ends[0][0] ** e.exp
     elif e.is_Pow and e.exp.is_positive and ends[0][0].is_nonnegative:
         bounds = ends[0][0] ** e.exp, ends[0][1] ** e.exp
+    elif e.is_Pow and e.exp.is_positive and e.exp.is_even:
+        bounds = S.Zero, Max(-ends[0][0], ends[0][1]) ** e.exp
     return Max(low, bounds[0]), Min(high, bounds[1])
 
 
