@@ -230,7 +230,7 @@ TOLD = {  # what a page and a film's last picture say of a run: its true flow an
 }
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("part", TOLD)
 def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     part, tmp_path, undrawn

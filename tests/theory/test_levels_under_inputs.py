@@ -244,7 +244,7 @@ SATURATED = {  # rates, |d|, the largest |x| that is reached, or None
 }
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(("rates", "d", "most"), SATURATED.values(), ids=SATURATED)
 def test_saturated_control_against_a_disturbance(rates, d, most):
     """|x| comes down to where the rate at the largest input is 0."""
@@ -420,6 +420,7 @@ SLIDING = {  # rates of x and v, where |d| <= 1: conclusion
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SLIDING)
 @pytest.mark.sampled
 def test_sliding_and_linear_terms_together(name):

@@ -119,7 +119,7 @@ def exact(constants):
     return E * Z - max((D * (p - a + b) - 1) ** 2 for b in (b0, b1)), Z
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "least"), [("a circle", 0.9), ("constant, slow", 0.85), ("a pulse", 0.5)]
 )
@@ -206,7 +206,7 @@ def test_contraction_of_a_constant_regressor_in_closed_form():
     assert found.half_life == pytest.approx(-40 / np.log2(norms[8]), rel=1e-6)
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["a circle", "a pulse", "other gains", "three"])
 def test_V_is_below_its_tube_in_many_starts(name):
     a, gains, w, period = LOOPS[name]

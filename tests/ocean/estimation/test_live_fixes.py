@@ -303,6 +303,7 @@ def nmea(tmp_path):
     return run
 
 
+@pytest.mark.long
 def test_nmea_sentences_are_learned(nmea):
     """RMC is a fix, VHW course and speed; a wrong checksum is left out."""
     wrong = "$IIVHW,45.0,T,80.0,M,2.0,N,3.7,K*00"
@@ -381,7 +382,7 @@ def test_a_speed_that_cannot_be_makes_the_motion_unknown(nmea):
     assert "begins a leg" not in answers[2]["note"]
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("body", "count"),
     [

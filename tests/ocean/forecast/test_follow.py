@@ -114,6 +114,7 @@ def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, watch)
     assert numbers(found) == [304, 999, 306]
 
 
+@pytest.mark.long
 def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     inbox, watch, monkeypatch
 ):
@@ -131,6 +132,7 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     assert "dive305.csv: is not a regular file. Give a file" in told
 
 
+@pytest.mark.long
 def test_a_file_that_cannot_be_opened_is_told_once_and_tried_when_it_changes(
     inbox, watch, monkeypatch
 ):

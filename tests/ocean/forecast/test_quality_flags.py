@@ -224,6 +224,7 @@ def test_outliers_one_by_one_are_those_at_once():
         assert all(map(same, replay.steps, at_once.steps))
 
 
+@pytest.mark.long
 def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     """Dive 47 of SEA035 ends 2.7 km off: as much as 550 m rms if it is believed."""
     path = facts / "glider" / "sea035m10_dives.csv"
