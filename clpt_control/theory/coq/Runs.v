@@ -1054,7 +1054,7 @@ Ltac shape_of := first [exact shape_tanh | exact shape_cube | exact shape_exp | 
 (* the rest *)
 Ltac at_rest := first [apply bounded_const | solve [intros; lra] | eapply follows_by; [apply follows_const|intros t Ht; cbv beta;
   repeat first [rewrite Rmult_0_l | rewrite Rmult_0_r | rewrite sin_0 | rewrite cos_0 | rewrite exp_0 | rewrite tanh_0 | rewrite sinh_0
-    | rewrite cosh_0 | rewrite atan_0 | rewrite Rabs_R0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
+    | rewrite cosh_0 | rewrite atan_0 | rewrite Rabs_R0 | rewrite sqrt_0 | rewrite Ropp_0 | rewrite Rminus_0_r | rewrite Rplus_0_l | rewrite Rplus_0_r]; equal]].
 (* V' as a sum *)
 Ltac sum_of rate V loss := eapply follows_by; [exact rate|intros t Ht; unfold V, loss; equal].
 Ltac parts_of V := intros t Ht; unfold V; equal.
