@@ -154,7 +154,8 @@ class _Walk:
         if kind in IMMUTABLE:
             if kind is str:
                 self.texts[value] = None
-            return kind, value
+            # Python 3.11 has no hash of a slice
+            return kind, value.__reduce__() if kind is slice else value
         if isinstance(value, np.generic):
             return kind, value.dtype.str, value.tobytes()
         if isinstance(value, Parameters):

@@ -180,6 +180,8 @@ ALIKE += [
     Point(0, 1),
     (0, 1),
     range(2),
+    slice(2),
+    slice(0, 2),
 ]
 ALIKE += [
     frozenset([0]),
