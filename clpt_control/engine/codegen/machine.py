@@ -39,6 +39,15 @@ LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE.parent / "solver" / "solver.ll"
 ROWS = HERE / "rows.ll"  # functions of rows of numbers
+# of the engine: files that print a program, given its components, or say how it is compiled
+PRINTERS = (
+    "codegen/*.[lp]*",
+    "methods/*.py",
+    "record/*.py",
+    "trace/*.py",
+    "solver/diagram_code.py",
+    "solver/solver_layout.py",
+)
 BALLS = HERE.parent / "enclosure" / "ball_series.ll"
 # or calls of its own functions
 BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')
@@ -182,7 +191,7 @@ class Machine:
 @cache
 def _printers() -> str:
     """Return a hash of what LLVM's text of a program depends on besides the program."""
-    files = [*sorted(HERE.parent.rglob("*.py")), ROWS]
+    files = [file for place in PRINTERS for file in sorted(HERE.parent.glob(place))]
     texts = b"".join(file.read_bytes() for file in files)
     return hashlib.sha256(texts).hexdigest() + np.__version__
 

@@ -410,12 +410,8 @@ class _Tracers(_ByLabel, Ports):
     """Tracer array with ports."""
 
 
-def _named(values: Any, labels: Sequence[str]) -> Any:
-    """Return a vector with the ports of its labels."""
-    ports = {
-        name: (span, (size,) if (size := span.stop - span.start) > 1 else ())
-        for name, span in spans_of(labels).items()
-    }
+def _named(values: Any, ports: Any) -> Any:
+    """Return a vector with ports, slices and shapes by name."""
     if isinstance(values, Array):
         return _Tracers.of(values, ports)
     named = vector(values, ports).view(_Numbers)
@@ -441,8 +437,17 @@ def with_stop(
             "to cross. Look at the samples of a whole run"
         )
 
+    # a port of one signal is a number
+    ports = [
+        {
+            name: (span, (size,) if (size := span.stop - span.start) > 1 else ())
+            for name, span in spans_of(labels).items()
+        }
+        for labels in (outputs, inputs)
+    ]
+
     def distance(t, x, u, p):
-        value = stop(t, _named(u.y, outputs), _named(u.u, inputs))
+        value = stop(t, *map(_named, (u.y, u.u), ports))
         is_truth = isinstance(value, bool) or attribute_of(value, "dtype") == np.bool_
         return np.where(value, 1.0, -1.0) if is_truth else value
 

@@ -241,7 +241,6 @@ class Sweep:
         """Return the diagram's outputs of the last pass."""
         return self.wiring.outputs_of(self.signals, self._external)
 
-    @np.errstate(all="ignore")
     def margin(
         self, t: float, x: ndarray, u: External = None
     ) -> tuple[float, str, str]:
@@ -257,6 +256,7 @@ class Sweep:
         sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
         return distance, guard.policy, sentence
 
+    @np.errstate(all="ignore")
     def distances(self, t: float, x: ndarray, u: External = None) -> list[float]:
         """Return the distances to the edges of guards."""
         self.evaluate(t, x, u)

@@ -256,7 +256,7 @@ class PythonRun:
     # --- guards -----------------------------------------------------------------------------
 
     def _margin(self, t: float, x: ndarray) -> float:
-        return self.sweep.margin(t, x, self.inputs.at(t))[0]
+        return np.min(self.sweep.distances(t, x, self.inputs.at(t)))
 
     @np.errstate(all="ignore")
     def _stop_at_guard(self, before: float, solver: Any) -> None:
