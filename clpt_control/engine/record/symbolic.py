@@ -18,23 +18,21 @@ from .graph import Operation, Shape, picked, searched
 from .operations import COMPARISONS, KINK, LOGICAL, TABLE, Row, named
 from .scalar_graph import Elements, Index
 
-ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
 # (group, name), its shape, a place -> symbol
 Leaf = Callable[[tuple[str, str], Shape, Index], Any]
 
 
 @lru_cache(maxsize=10_000)
 def rational(number: float) -> sympy.Expr:
-    """Return a constant as a rational: 0.1 is 1/10, 0.333... is 1/3, 1 + 1e-12 is not 1.
+    """Return a constant as a rational: 0.1 is 1/10, 0.333... is 1/3, the next number is not.
 
-    It is a simple fraction that a few roundings give, else the decimal number that is printed.
+    It is the simple fraction that this number stands for, else the decimal number that is printed.
     """
     if not np.isfinite(number):
         return sympy.sympify(float(number))
     fraction = Fraction(repr(float(number)))
     simple = fraction.limit_denominator(10_000)
-    is_close = abs(simple - fraction) <= abs(fraction) * ROUNDED
-    return sympy.Rational(simple if is_close else fraction)
+    return sympy.Rational(simple if float(simple) == number else fraction)
 
 
 @lru_cache(maxsize=100_000)

@@ -6,10 +6,9 @@ factors, forms -s^T M s with M >= 0, roots, sectors and pieces of functions.  At
 completed squares, common factors and intervals of the whole expression.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import combinations
-from typing import Any
+from itertools import combinations, islice, pairwise, product
 
 import numpy as np
 import sympy
@@ -20,8 +19,6 @@ from ...engine.diagram.symbol_names import TIME
 from .decided import decided
 from .exact import HIGHEST, MOST_TERMS, factored, groups_of, terms_of, vanishes
 from .facts import (
-    COMPARISONS,
-    LOGIC,
     WHERE,
     Sector,
     facts_of,
@@ -29,7 +26,7 @@ from .facts import (
     inputs_in,
     interval,
     pieces_of,
-    sector_of,
+    sectors_of,
 )
 from .gram import sum_of_squares
 from .numeric_values import NO_VALUE, NumericValues
@@ -39,6 +36,7 @@ from .sums_of_squares import squares
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
 MOST_WITH_FUNCTIONS = 12  # terms of a group with functions that is factored
 MOST_FUNCTIONS = 8  # in a group
+MOST_WAYS = 16  # to take a sector, a range or a slope of each function
 SAMPLES = 500  # random points at which the sign is computed first
 ROUNDING = 1e-6  # of the largest value; smaller values may be rounding errors
 
@@ -201,7 +199,8 @@ def _signed(product: Expr) -> Expr:
 
     A function that rises from 0 with its symbol has the sign of that.
     """
-    factors = map(of_same_sign, Mul.make_args(product))
+    signs = Mul(*map(of_same_sign, Mul.make_args(product)))
+    factors = Mul.make_args(signs)
     return Mul(
         *(f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
     )
@@ -215,7 +214,7 @@ def _by_factors(group: Expr, variables: set) -> bool:
     if functions_in(group) and len(sympy.Add.make_args(group)) > MOST_WITH_FUNCTIONS:
         return False
     product = _without_nonnegative_factors(group)
-    if product.is_nonpositive:
+    if interval(product)[1].is_nonpositive:
         return True
     return product != group and groups_never_positive(product, variables)
 
@@ -252,16 +251,13 @@ def _by_sectors(group: Expr, variables: set) -> bool:
     polynomial = group.xreplace(dict(zip(outer, ratios, strict=True)))
     if not polynomial.is_polynomial(*ratios):
         return False
-    for by_slope in sorted({False, group.has(sympy.sin, sympy.exp)}):
-        sectors = [*filter(None, (sector_of(call, by_slope) for call in outer))]
-        is_known = len(sectors) == len(outer)
-        if is_known and _at_sector_ends(polynomial, ratios, sectors, variables):
-            return True
-    return False
+    known = map(sectors_of, outer)
+    ways = islice(product(*known), MOST_WAYS)
+    return any(_at_sector_ends(polynomial, ratios, way, variables) for way in ways)
 
 
 def _at_sector_ends(
-    polynomial: Expr, ratios: tuple, sectors: list[Sector], variables: set
+    polynomial: Expr, ratios: tuple, sectors: Sequence[Sector], variables: set
 ) -> bool:
     """Test a polynomial, if it is convex in each ratio q, at the ends of the sectors."""
     pairs = [*zip(ratios, sectors, strict=True)]
@@ -290,15 +286,14 @@ def _at_sector_ends(
 
 def _split(expression: Expr) -> list[tuple[list[Expr], Expr]]:
     """Return the margins and the values of an expression in the pieces of one of its functions."""
-    functions = functions_in(expression)
+    functions = [f for f in functions_in(expression) if pieces_of(f)]
     if len(functions) > MOST_FUNCTIONS:
         return []
     for call in sorted(functions, key=str):
-        is_nested = any(map(functions_in, call.args))
-        if not is_nested and (pieces := pieces_of(call)):
+        if not any(map(functions_in, call.args)):
             return [
                 (margins, decided(expression.xreplace(values)))
-                for margins, values in pieces
+                for margins, values in pieces_of(call)
             ]
     return []
 
@@ -341,61 +336,28 @@ def without_choices(expression: Expr, variables: set) -> Expr | None:
     inner = {f for choice in choices for a in choice.args for f in functions_in(a)}
     words = {choice: Dummy(real=True) for choice in choices - inner}
     linear = expression.xreplace(words)
-    slopes = {choice: sympy.diff(linear, word) for choice, word in words.items()}
-    if not words or sympy.Tuple(*slopes.values()).has(*words.values()):
+    slopes = sympy.Tuple(*(linear.diff(word) for word in words.values()))
+    if not words or slopes.has(*words.values()):
         return None
+    conditions = {choice.args[0] for choice in words}
     variables = variables | {*inputs.values()}
-    branches = {choice: _branches(choice) for choice in words}
-    for default in (-1, 0):
-        chosen = {words[choice]: of[default][1] for choice, of in branches.items()}
-        added: dict[Any, Expr] = {}  # under the same condition
-        for choice, of in branches.items():
-            for conditions, value in of:
-                change = slopes[choice] * (value - of[default][1])
-                added[conditions] = added.get(conditions, S.Zero) + change
-        terms = [
-            (change, margins)
-            for conditions, change in added.items()
-            for margins in _margins(conditions)
-        ]
-        bound = expand(linear.xreplace(chosen))
-        if groups_never_positive(bound, variables) and all(
-            _in_piece(change, variables, margins) for change, margins in terms
+    for default in (2, 1):
+        bounds = [expression]
+        for condition in sorted(conditions, key=str):
+            chosen = [f for f in words if f.args[0] == condition]
+            values = {f: _leaf(f, default) for f in chosen}
+            bounds.append(expand(bounds[-1].xreplace(values)))
+        losses = (expand(a - b) for a, b in pairwise(bounds))
+        if groups_never_positive(bounds[-1], variables) and all(
+            _in_piece(loss, variables, ()) for loss in losses
         ):
-            return bound.xreplace({symbol: f for f, symbol in inputs.items()})
+            return bounds[-1].xreplace({symbol: f for f, symbol in inputs.items()})
     return None
 
 
-def _branches(e: Expr, conditions: tuple = ()) -> list[tuple[tuple, Expr]]:
-    """Return the values of a `where` with their conditions, each a comparison and its truth."""
-    if e.func != WHERE:
-        return [(conditions, e)]
-    condition, then, otherwise = e.args
-    return [
-        *_branches(then, (*conditions, (condition, True))),
-        *_branches(otherwise, (*conditions, (condition, False))),
-    ]
-
-
-def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
-    """Return sets of expressions that are not negative; in each case one of them holds."""
-    cases = [()]
-    for condition, truth in conditions:
-        name, arguments = condition.func.__name__, condition.args
-        margins: list[tuple[Expr, ...]]
-        if name in COMPARISONS:
-            a, b = arguments if (name in ("gt", "ge")) == truth else arguments[::-1]
-            margins = [(expand(a - b),)]
-        elif name == "not_":
-            margins = _margins([(arguments[0], not truth)])
-        elif (name == "and_") == truth and name in LOGIC:
-            margins = _margins((a, truth) for a in arguments)
-        elif name in LOGIC:
-            margins = [case for a in arguments for case in _margins([(a, truth)])]
-        else:
-            margins = [()]
-        cases = [(*case, *margin) for case in cases for margin in margins]
-    return cases
+def _leaf(e: Expr, branch: int) -> Expr:
+    """Return the first or the last value of a `where`, in which others may stand."""
+    return _leaf(e.args[branch], branch) if e.func == WHERE else e
 
 
 def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:

@@ -3,11 +3,10 @@
 gt(2, 1)  ->  1        where(1, a, b)  ->  a        lt(|s|, c)  ->  and_(lt(s, c), gt(s, -c))
 """
 
-from functools import reduce
 from typing import Any
 
 import sympy
-from sympy import Expr, Function
+from sympy import Expr
 from sympy.core.function import AppliedUndef
 
 from .facts import COMPARISONS, LOGIC, fact_of, functions_in
@@ -35,15 +34,15 @@ def _outcome(call: Any) -> Any:
         return _without_size(call)
     if name in LOGIC:
         is_known = any(are_numbers) and all(map(is_truth, arguments))
-        return LOGIC[name](*arguments) if is_known else _simplified(call)
+        return LOGIC[name](*arguments) if is_known else _truth_of(call)
     number = fact_of(call).number
     if number is not None and all(are_numbers):
         return number(*arguments)
     return call
 
 
-def _simplified(call: Any) -> Any:
-    """Return and_, or_ and not_ of comparisons with as few of them as can be."""
+def _truth_of(call: Any) -> Any:
+    """Return 1 or 0 for a condition that always holds, or never; otherwise the call."""
     atoms: dict[tuple, sympy.Symbol] = {}
 
     def proposition(e: Any) -> Any:
@@ -56,27 +55,11 @@ def _simplified(call: Any) -> Any:
         atom = atoms.setdefault(key, sympy.Dummy())
         return ~atom if name in ("lt", "gt") else atom
 
-    def word(e: Any) -> Any:
-        if e in (sympy.true, sympy.false):
-            return sympy.Integer(bool(e))
-        negated = e.func == sympy.Not
-        if e.func in (sympy.And, sympy.Or):
-            name = "and_" if e.func == sympy.And else "or_"
-            return reduce(Function(name, real=True), map(word, e.args))
-        key = keys[e.args[0] if negated else e]
-        name = ("lt" if negated else "ge") if len(key) == 2 else "not_"
-        return (
-            key[0]
-            if name == "not_" and not negated
-            else Function(name, real=True)(*key)
-        )
-
     statement = proposition(call)
-    if len(atoms) > MOST_ATOMS:
-        return call
-    keys = {atom: key for key, atom in atoms.items()}
-    simplified = word(sympy.simplify_logic(statement, force=True))
-    return min(call, simplified, key=sympy.count_ops)
+    if len(atoms) <= MOST_ATOMS:
+        statement = sympy.simplify_logic(statement, force=True)
+    is_decided = statement in (sympy.true, sympy.false)
+    return sympy.Integer(bool(statement)) if is_decided else call
 
 
 def _without_size(call: Any) -> Any:

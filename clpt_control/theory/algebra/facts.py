@@ -106,11 +106,6 @@ def _range_of_choice(*ends: Interval) -> Interval:
     return Min(*lows), Max(*highs)
 
 
-def _range_of_exp(ends: Interval) -> Interval:
-    high = oo if ends[1] == oo else sympy.exp(ends[1])
-    return S.Zero, high
-
-
 def _range_of_log(ends: Interval) -> Interval:
     low, high = ends
     low = sympy.log(low) if low.is_positive else -oo
@@ -145,7 +140,7 @@ FACTS: dict[str, Fact] = {
     "erf": Fact("smooth", "bounded", sector=(0, 2)),
     "asinh": Fact("smooth", "as all", sector=(0, 1)),
     "sinh": Fact("smooth", sector=(1, oo)),
-    "exp": Fact("smooth", range=_range_of_exp),
+    "exp": Fact("smooth", range=_monotone(sympy.exp)),
     "log": Fact("smooth", range=_range_of_log),
     **dict.fromkeys(SMOOTH.split(), Fact("smooth")),
     "Abs": Fact("kink", "as all", pieces=_pieces_of_sign),
@@ -257,13 +252,24 @@ class Sector(NamedTuple):
     offset: Any = 0
 
 
-def sector_of(call: Any, by_slope: bool = False) -> Sector | None:
-    """Return the sector of a function, if it is known; of a sine or exp by its slope."""
+def sectors_of(call: Any) -> list[Sector]:
+    """Return what is known of a function: its sector, its range, its slope."""
+    s, slopes = call.args[0], {"sin": (-1, 1, False, 0), "exp": (0, oo, False, 1)}
+    known = [sector_of(call), _range_of(call)]
+    if of_slope := slopes.get(call.func.__name__):
+        known.append(Sector(s, *of_slope))
+    return [*filter(None, dict.fromkeys(known))]
+
+
+def _range_of(call: Any) -> Sector | None:
+    """Return the numbers between which a function is, if there is a lower one."""
+    low, high = interval(call)
+    return None if low == -inf else Sector(S.One, low, high)
+
+
+def sector_of(call: Any) -> Sector | None:
+    """Return the sector of a function, if it is known, or else its range."""
     name, s = call.func.__name__, call.args[0]
-    if by_slope and name == "sin":
-        return Sector(s, -1, 1)
-    if by_slope and name == "exp":
-        return Sector(s, 0, oo, offset=1)
     sector = fact_of(call).sector
     if sector is not None:
         return Sector(s, *sector, rises=True)
@@ -273,8 +279,7 @@ def sector_of(call: Any, by_slope: bool = False) -> Sector | None:
         _, low, high = call.args
         if low.is_nonpositive and high.is_nonnegative:
             return Sector(s, 0, 1, bool(low.is_negative and high.is_positive))
-    low, high = interval(call)
-    return None if low == -inf else Sector(S.One, low, high)
+    return _range_of(call)
 
 
 @lru_cache(maxsize=10_000)
@@ -345,8 +350,8 @@ def facts_of(calls: Iterable[Any]) -> list[Expr]:
     for h in calls:
         low, high = interval(h)
         ends = [
-            h - low if low.is_finite else S.One,
-            high - h if high.is_finite else S.One,
+            h - low if low.is_Rational else S.One,
+            high - h if high.is_Rational else S.One,
         ]
         facts.append(ends[0] * ends[1])
         sector = fact_of(h).sector

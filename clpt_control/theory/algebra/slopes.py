@@ -31,6 +31,7 @@ from .facts import (
     is_smooth,
     pieces_of,
     roots_in,
+    sector_of,
 )
 
 
@@ -97,6 +98,11 @@ def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
     return rate(expression)
 
 
+def slope_in(expression: Expr, s: Any) -> Expr:
+    """Return the derivative of an expression by a symbol, of functions with kinks as well."""
+    return along(expression, {s: S.One})
+
+
 def jumps_nowhere(e: Expr) -> bool:
     """Return whether an expression is known to be continuous where it has a value."""
     inputs = {f: sympy.Dummy(real=True) for f in inputs_in(e)}
@@ -145,11 +151,13 @@ def in_known_pieces(e: Expr, is_positive: Callable[[Expr], Any]) -> Expr:
 
 
 def of_same_sign(h: Expr) -> Expr:
-    """Return s or -s of a smooth function of one symbol s that rises or falls from 0; others as is.
+    """Return s or -s of a function that rises or falls from 0 with s; others as is.
 
-    Its slope is bounded, so it has no pole, and keeps its sign, as 1 - sin(2 s) of s - sin(s)^2;
-    h is not 0 at 1, and so at no other s.
+    It is odd, as tanh(s); or smooth, and of one symbol.  Its slope is then bounded, so it has no
+    pole, and keeps its sign, as 1 - sin(2 s) of s - sin(s)^2; h is not 0 at 1, so at no other s.
     """
+    if isinstance(h, Function) and (sector := sector_of(h)) and sector.rises:
+        return sector.factor
     states = h.free_symbols
     if h.is_Add and len(states) == 1 and functions_in(h) and is_smooth(h):
         (s,) = states

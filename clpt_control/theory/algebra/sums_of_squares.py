@@ -6,11 +6,11 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 every form: where V does not rise, no f leaves a bound, except one such as sin(s/2), of 1 - cos(s).
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Add, Dummy, Expr, Poly, S, Symbol, expand
+from sympy import Add, Dummy, Expr, Matrix, Poly, S, Symbol, expand
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -27,7 +27,7 @@ from .facts import (
     stays_off_zero,
 )
 from .gram import sum_of_squares
-from .slopes import along, of_same_sign
+from .slopes import of_same_sign, slope_in
 
 
 class Squares(NamedTuple):
@@ -227,14 +227,6 @@ def _is_positive(a: Expr) -> bool:
     return bool(interval(a)[0].is_positive)
 
 
-def zero_at(h: Expr) -> Expr:
-    """Return s of an odd function h(s) that rises, as tanh; both are zero where s is."""
-    sector = (
-        sector_of(h) if (functions_in(h) and not h.args[1:]) or h.func == CLIP else None
-    )
-    return sector.factor if sector and sector.rises else h
-
-
 def _minimum(g: Expr, s: Symbol) -> tuple[Expr, Expr] | None:
     """Return g(0), and a form that is zero where g - g(0) >= 0 is, of a function of one symbol."""
     least = decided(g.subs(s, 0))
@@ -244,7 +236,7 @@ def _minimum(g: Expr, s: Symbol) -> tuple[Expr, Expr] | None:
         return least, sympy.sin(cosine[m] * s / 2)
     if not least.is_finite:
         return None
-    slope = along(g, {s: S.One})
+    slope = slope_in(g, s)
     if any(rising_in(form(s * slope), s) for form in (normal_form, factored)):
         return least, s
     if g.atoms(AppliedUndef) or g.has(TIME):
@@ -357,13 +349,10 @@ def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     parts = [part.as_base_exp() for part in sympy.Mul.make_args(term)]
     form, odd, weight = S.One, list[Expr](), S.One
     for base, power in parts:
-        sector = sector_of(base) if functions_in(base) and power == 1 else None
         if power.is_Integer and power > 0 and power % 2 == 0:
             form *= base
         elif isinstance(base, sympy.Abs):
             form *= base.args[0]
-        elif sector is not None and sector.rises and sector.low >= 0:
-            odd.append(sector.factor)
         elif (
             base.is_Symbol
             and power.is_Integer
@@ -435,6 +424,44 @@ def zero_of(total: Squares, states: list) -> dict[Any, Expr] | None:
         if left == [s for s in states if s not in zero]:
             return None
     return zero if all(vanishes(form.xreplace(zero)) for form in total.forms) else None
+
+
+def simplest(forms: Sequence[Expr], fixed: set) -> list[Expr]:
+    """Return forms that span the same, the linear ones by elimination, if these are shorter.
+
+    Each pivot is a number, or an expression of parameters, that is not zero.
+    """
+    inputs = {f: Dummy(f"{f.func}") for e in forms for f in e.atoms(AppliedUndef)}
+    written = {e: e.xreplace(inputs) for e in forms}
+    signals = sorted(sympy.Tuple(*written.values()).free_symbols - fixed, key=str)
+    linear = [e for e in forms if _is_affine(written[e], signals)]
+    rows = [Poly(written[e], *signals) for e in linear]
+    weights = [row.coeff_monomial(s) for row in rows for s in (*signals, 1)]
+    M = Matrix(len(rows), len(signals) + 1, weights)
+    done = 0
+    for column in range(len(signals) if rows[1:] else 0):
+        below = [k for k in range(done, M.rows) if M[k, column] != 0]
+        pivot = next((k for k in below if M[k, column].is_nonzero), None)
+        if pivot is None and below:
+            return [*forms]
+        if pivot is not None:
+            M.row_swap(done, pivot)
+            M[done, :] = M[done, :] / M[done, column]
+            for k in {*range(M.rows)} - {done}:
+                M[k, :] -= M[k, column] * M[done, :]
+            M, done = M.applyfunc(sympy.cancel), done + 1
+    back = {s: f for f, s in inputs.items()}
+    shorter = [e.xreplace(back) for e in M * Matrix([*signals, 1]) if e != 0]
+    sizes = [sum(map(sympy.count_ops, of)) for of in (shorter, linear)]
+    if done < len(shorter) or sizes[0] >= sizes[1]:
+        return [*forms]
+    return shorter + [e for e in forms if e not in linear]
+
+
+def _is_affine(form: Expr, signals: list) -> bool:
+    """Return whether a form is linear in signals but for a number, with constant weights."""
+    is_known = TIME not in signals or not form.has(TIME)
+    return is_known and form.is_polynomial(*signals) and Poly(form, *signals).is_linear
 
 
 def _is_linear(form: Expr, states: list) -> bool:

@@ -1,7 +1,7 @@
 """Expressions and bounds as text in a line."""
 
 import re
-from collections.abc import Sequence
+from math import floor, log10
 from typing import Any
 
 import sympy
@@ -9,28 +9,32 @@ import sympy
 from ...base.units import at_least, at_most
 
 LARGEST = 10**12  # larger numerators and denominators are rounded in texts
+DIGITS = 17  # that tell doubles apart
 
 
-def short(expression: Any, most: int = 160) -> str:
+def rounded(e: Any) -> Any:
+    """Return an expression with long numbers rounded, functions of them as one number."""
+    if not _is_long(e):
+        return e
+    if e.is_Pow and _is_long(e.exp):
+        return sympy.Pow(rounded(e.base), e.exp.n(17))
+    if not e.is_number:
+        return e.func(*map(rounded, e.args))
+    whole = e.round() if abs(e) < LARGEST else e
+    digits = (
+        DIGITS if whole in (0, e) else DIGITS - floor(log10(abs(e - whole) / abs(e)))
+    )
+    return e.n(digits)
+
+
+def short(expression: Any, most: int | None = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
-
-    def rounded(e: Any) -> Any:
-        """Return an expression with long numbers rounded, functions of them as one number."""
-        if not _is_long(e):
-            return e
-        if e.is_Pow and _is_long(e.exp):
-            return sympy.Pow(rounded(e.base), e.exp.n(17))
-        if not e.is_number:
-            return e.func(*map(rounded, e.args))
-        if e.is_Rational and 1e6 * abs(e - e.round()) < abs(e) < LARGEST:
-            return e.round()
-        return e.n(6)
-
     symbols = getattr(expression, "atoms", lambda kind: ())(sympy.Dummy)
     text = str(rounded(expression) if hasattr(expression, "atoms") else expression)
     for symbol in symbols:
         text = text.replace(f"_{symbol.name}", symbol.name)
-    return cut(_plain(text), most)
+    text = _plain(text)
+    return text if most is None else cut(text, most)
 
 
 def _is_long(e: Any) -> bool:
@@ -49,37 +53,41 @@ def cut(text: str, most: int) -> str:
     return text if len(text) <= most else text[: most - 4].rpartition(" ")[0] + " ..."
 
 
-def listed(items: Sequence[str]) -> str:
-    """Return "a, b and c"."""
-    return " and ".join(item for item in (", ".join(items[:-1]), items[-1]) if item)
+def bound_text(bound: Any) -> str:
+    """Return an upper bound as text.
+
+    >>> bound_text(sympy.Rational(7701, 2))
+    '3851'
+    """
+    return _plain(str(outward(bound)))
 
 
-def bound_text(bound: Any, up: bool = True, keeps_short: bool = False) -> str:
-    """Return a bound as text: its numbers are rounded outward, equal factors written once.
+def outward(bound: Any, up: bool = True, keeps_short: bool = False) -> sympy.Expr:
+    """Return a bound with its numbers rounded outward, and equal factors written once.
 
     Numbers of few digits may be kept as they are, and exponents are.
 
     >>> import sympy
     >>> a, b, k = sympy.symbols("a b k", positive=True)
-    >>> bound_text(a**2 / 3 + b**2 / 3 + a / (7 * k))
-    '0.1429*a/k + 0.3334*(a**2 + b**2)'
-    >>> bound_text(sympy.Rational(7701, 2))
-    '3851'
+    >>> outward(a**2 / 3 + b**2 / 3 + a / (7 * k))
+    0.1429*a/k + 0.3334*(a**2 + b**2)
     """
 
-    def rounded(e: Any, up: bool) -> Any:
+    def in_digits(e: Any, up: bool) -> Any:
         """Return an expression of positive symbols with its numbers rounded."""
         if e.is_number:
             text = (at_most if up else at_least)(float(e), 4)
             is_exact = (e.is_Integer or keeps_short) and not _is_long(e)
             return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
-            return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)
+            return sympy.Pow(in_digits(e.base, up != e.exp.is_negative), e.exp)
         number, factor = e.as_independent(*e.free_symbols, as_Add=False)
         if number != 1:
             up_rest, up = (up != bool(o.is_negative) for o in (number, factor))
-            return rounded(number, up) * rounded(factor, up_rest)
-        return e.func(*(rounded(argument, up) for argument in e.args)) if e.args else e
+            return in_digits(number, up) * in_digits(factor, up_rest)
+        return (
+            e.func(*(in_digits(argument, up) for argument in e.args)) if e.args else e
+        )
 
     def grouped(e: Any) -> Any:
         """Return a sum with terms of one factor in brackets."""
@@ -96,5 +104,4 @@ def bound_text(bound: Any, up: bool = True, keeps_short: bool = False) -> str:
         ]
         return sympy.Add(*sums, evaluate=False)
 
-    bound = sympy.sympify(bound)
-    return _plain(str(grouped(rounded(bound, up))))
+    return grouped(in_digits(sympy.sympify(bound), up))

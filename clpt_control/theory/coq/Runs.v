@@ -861,7 +861,7 @@ Ltac rising := match goal with |- 0 <= _ * (?g _ - _) => apply (rising_product g
 Ltac positive :=
   first [assumption |
   lazymatch goal with
-  | |- 0 < ?a * ?b => apply Rmult_lt_0_compat; positive
+  | |- 0 < ?a * ?b => first [apply Rmult_lt_0_compat; positive | lra]
   | |- 0 < ?a / ?b => first [apply Rdiv_lt_0_compat; positive | apply negative_inverse; assumption]
   | |- 0 < / ?a => apply Rinv_0_lt_compat; positive
   | |- 0 < ?a + ?b => first [apply Rplus_lt_le_0_compat; [positive|nonneg] | apply Rplus_le_lt_0_compat; [nonneg|positive] | above]
@@ -890,7 +890,7 @@ with nonneg :=
   | |- 0 <= ?a + ?b => first [apply Rplus_le_le_0_compat; nonneg | above | solve [auto with clpt nocore]]
   | |- 0 <= ?a - ?b => first [above | solve [auto with clpt nocore]]
   | |- 0 <= ?a * ?a => apply Rle_0_sqr
-  | |- 0 <= ?a * ?b => first [apply Rmult_le_pos; nonneg | rising]
+  | |- 0 <= ?a * ?b => first [apply Rmult_le_pos; nonneg | rising | lra]
   | |- 0 <= ?a / ?b => first [apply Rmult_le_pos; [nonneg|apply Rlt_le, Rinv_0_lt_compat; positive] | apply Rlt_le; positive
       | solve [auto with clpt nocore]]
   | |- 0 <= / ?a => apply Rlt_le, Rinv_0_lt_compat; positive

@@ -16,7 +16,7 @@ import numpy as np
 from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
 from ...base.units import at_most
-from ..algebra.texts import listed
+from ..proofs.statements import listed
 from .certificates import halving_text
 
 if TYPE_CHECKING:

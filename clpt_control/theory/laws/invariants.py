@@ -49,6 +49,7 @@ from ..proofs.answers import Definite, Fall
 from ..proofs.conclusions import Condition
 from ..proofs.rate_as_sum import Ways
 from ..proofs.relations import Relations, forks
+from ..proofs.statements import CLPE_GOES
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
@@ -305,7 +306,7 @@ class Invariants(LoopCandidate):
             fall.bound = IN_THE_MEAN
         else:
             e = self.loop.states["x"] - self.loop.states["z"]
-            fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
+            fall.losses, fall.bound, fall.of = [*e], "e^T KD e", CLPE_GOES
         grown = self.known_states[2]
         positive = f"{' and '.join(grown)} > 0" * bool(grown)
         condition = "the relations hold" * (not self.is_row)

@@ -26,9 +26,8 @@ from ...simulation.user_components import functions_of
 from ..algebra.every_n import base_and_term, reindexed
 from ..algebra.exact import normal_form
 from ..algebra.facts import CLIP, has_time
-from ..algebra.slopes import along, degree
+from ..algebra.slopes import degree, slope_in
 from ..algebra.sums_of_squares import rising_in, split_dead_zone, squares
-from ..algebra.texts import short
 from ..proofs.answers import Definite, Fall, Refutation
 from ..proofs.conclusions import Condition, Status
 from ..proofs.judge import LyapunovCandidate, Verdict
@@ -37,6 +36,7 @@ from ..proofs.point_search import Failure, PointSearch
 from ..proofs.rate_as_sum import Ways, of_system
 from ..proofs.relations import Relations
 from ..proofs.same_as_running import running_step, search_of
+from ..proofs.statements import CLPE_GOES, said
 from ..proofs.steps import Step, checked, exact
 from ..proofs.symbolic_loop import (
     TIME,
@@ -178,13 +178,13 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         for e in self.e:
             zone, V_of_e = split_dead_zone(V_of_e, e)
             self.zones.append(zone)
-        slopes = [along(V_of_e, {e: sympy.S.One}) for e in self.e]
+        slopes = [slope_in(V_of_e, e) for e in self.e]
         self.rises = all(
             rising_in(normal_form(e * slope), e)
             for e, slope in zip(self.e, slopes, strict=True)
         )
         gains = [*zip(self.KD.values(), self.e, self.zones, strict=True)]
-        lost = (k * e * along(self.V, {e: sympy.S.One}) for k, e, _ in gains)
+        lost = (k * e * slope_in(self.V, e) for k, e, _ in gains)
         self.decay = -normal_form(sympy.Add(*lost))
         squares = (
             k * e * (e - CLIP(e, -zone, zone) if zone else e) for k, e, zone in gains
@@ -197,11 +197,11 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         """Return what is shown of V': it falls, or e comes to a set."""
         residual, holds, text = self._below_decay()
         below = f"V' {'=' if residual == 0 else '<='} {text}"
-        detail = f"left over: {short(self.at_z(residual))}" * (residual != 0)
+        detail = said("left over: {}", self.at_z(residual)) if residual != 0 else ""
         detail = detail if self.rises else "V is not known to rise with |e|"
         claim = f"{below}, {self.sizes} and the parameters as they are"
         step = exact(claim, holds, "" if holds else detail, "falls loses")
-        fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
+        fall = Fall([step], below, self.e, text.lstrip("-"), CLPE_GOES)
         if holds and any(self.zones):
             fall = self._comes_to_zones(text)
         fall.residual = residual
@@ -356,7 +356,7 @@ def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, s
     of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
     states["t"] = [TIME]
     if faster := faster_than(0, of_e, states):
-        return False, f"{faster} is not known to be bounded"
+        return False, said("{} is not known to be bounded", faster)
     base, term = summands = [
         normal_form(summand) for summand in base_and_term(residual)
     ]
@@ -365,7 +365,7 @@ def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, s
     for values in (every_gain, law.values):
         if all(law.never_positive(summand.xreplace(values)) for summand in summands):
             return True, ""
-    return False, f"left over: {short(base)}; summand {short(term)}"
+    return False, said("left over: {}; summand {}", base, term)
 
 
 def _outside_V(law: Any, definite: Definite) -> list[str]:
@@ -403,5 +403,5 @@ def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any])
     for port, values in rates.items():
         for rate in np.ravel(values):
             if degree(sympy.sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
-                return f"{port} = {short(rate)}"
+                return said("{} = {}", port, sympy.sympify(rate))
     return ""

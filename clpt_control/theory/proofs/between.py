@@ -17,7 +17,7 @@ from sympy import Add, Expr, Mul
 
 from ..algebra.exact import factored
 from ..algebra.facts import is_smooth
-from ..algebra.texts import short
+from .statements import Statement, said
 
 MOST_STATES = 4  # of leading minors
 
@@ -39,7 +39,7 @@ def margins_of(case: Any) -> Iterator[Expr]:
         for factor in Mul.make_args(factored(decisive)):
             base = factor.as_base_exp()[0]
             is_known = base.is_nonnegative or base.is_nonpositive
-            moves = base.has(*case.intervals)
+            moves = base.free_symbols - case.fixed or base.has(*case.intervals)
             value = base.xreplace(case.given).xreplace(case.eq.values)
             if value.is_number and value != 0 and not (is_known or moves):
                 yield base * sympy.sign(value)
@@ -72,9 +72,13 @@ def assume(case: Any, margin: Expr) -> None:
         case.write(lambda e: e.xreplace({s: value}))
 
 
-def as_relation(margin: Expr) -> str:
-    """Return margin > 0 as text, each term on the side where it is positive: b > a, r < 1."""
+def as_relation(margin: Expr) -> Statement:
+    """Return margin > 0 in words, each term on the side where it is positive: b > a, r < 1."""
     terms = Add.make_args(sympy.expand(margin))
     below = Add(*(t for t in terms if t.could_extract_minus_sign()))
-    above, less = short(Add(*terms) - below), short(-below)
-    return f"{less} < {above}" if above.isdigit() else f"{above} > {less}"
+    above, less = Add(*terms) - below, -below
+    return (
+        said("{} < {}", less, above)
+        if f"{above}".isdigit()
+        else said("{} > {}", above, less)
+    )

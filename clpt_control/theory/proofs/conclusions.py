@@ -15,12 +15,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple
 
-from ..algebra.texts import bound_text, cut
+from ..algebra.texts import bound_text, cut, outward
+from .statements import Statement, joined, said
 from .steps import Step
 
 Status = Literal["proved", "refuted", "open"]
 
-MOST_NAMES = 3  # in a sentence
 LONGEST_SENTENCE = 300  # letters
 LONGEST_BOUND = 60
 
@@ -164,39 +164,27 @@ class Condition:
     name: str
     of: str = ""
 
+    @property
+    def statement(self) -> Statement:
+        """The condition in words and expressions."""
+        return said(CONDITIONS[self.name].replace("{}", "{of}"), of=self.of)
+
     def __str__(self) -> str:
-        return CONDITIONS[self.name].format(self.of).strip()
+        return self.statement.strip()
 
 
-def signs_of(symbols: Iterable[Any]) -> str:
-    """Return the signs that symbols have, as text: "a, b > 0 and c < 0"."""
+def signs_of(symbols: Iterable[Any]) -> Statement:
+    """Return the signs that symbols have: "a, b > 0 and c < 0"."""
     chosen = sorted(symbols, key=str)
-    above = ", ".join(str(s) for s in chosen if s.is_positive)
-    below = ", ".join(str(s) for s in chosen if s.is_negative)
-    return " and ".join([f"{above} > 0"] * bool(above) + [f"{below} < 0"] * bool(below))
+    above = [s for s in chosen if s.is_positive]
+    below = [s for s in chosen if s.is_negative]
+    known = (("{} > 0", above), ("{} < 0", below))
+    return joined(" and ", (said(sign, joined(", ", of)) for sign, of in known if of))
 
 
 def for_sizes(sizes: Iterable[int]) -> Condition:
     """Return the condition of some numbers of basis functions: N = 1, 2."""
     return Condition("N", "N = " + ", ".join(map(str, sizes)))
-
-
-def few(names: Iterable[Any]) -> list[str]:
-    """Return names once each, the first three of more, and "..."."""
-    names = [*dict.fromkeys(map(str, names))]
-    return names if len(names) <= MOST_NAMES else [*names[:MOST_NAMES], "..."]
-
-
-def are(names: Iterable[Any]) -> str:
-    """Return "x is" or "x, y are", at most three."""
-    names = few(names)
-    return f"{', '.join(names)} {'are' if names[1:] else 'is'}"
-
-
-def go(names: Iterable[Any]) -> str:
-    """Return "x goes" or "x, y go", at most three."""
-    names = few(names)
-    return f"{', '.join(names)} {'go' if names[1:] else 'goes'}"
 
 
 @dataclass(frozen=True)
@@ -260,6 +248,21 @@ class Judged:
         where = cut("; ".join(map(str, self.conditions)), LONGEST_SENTENCE // 2)
         claim = self._shown(LONGEST_SENTENCE - len(where) - 2)
         return "; ".join(filter(None, (claim, where)))
+
+    @property
+    def statement(self) -> Statement:
+        """The sentence without cuts, with its expressions."""
+        parts, level = [said("{}", self.claim)], self.level
+        if self.conclusion:
+            if level is not None and not isinstance(level, str):
+                level = outward(level)
+            fields = {"of": self.of, "bound": self.bound or level, "level": level}
+            row = CONCLUSIONS[self.conclusion]
+            parts.append(
+                joined(", ", filter(None, (parts.pop(), said(row.sentence, **fields))))
+            )
+        parts += (condition.statement for condition in self.conditions)
+        return joined("; ", filter(None, parts))
 
     @property
     def judged(self) -> dict[str, Any]:

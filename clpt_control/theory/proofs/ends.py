@@ -23,10 +23,10 @@ from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
 from ..algebra.facts import functions_in, side_of, stays_off_zero
 from ..algebra.slopes import along, jumps_nowhere, of_same_sign
-from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_at, zero_of
+from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_of
 from .answers import Definite, Fall
-from .conclusions import go
 from .outside import ANGLES, Motion
+from .statements import Statement, joined, said
 from .steps import Step, exact
 from .where import Where
 
@@ -46,7 +46,7 @@ class Ends(NamedTuple):
     """Forms that go to zero, and the set that runs approach."""
 
     steps: list[Step]
-    of: str  # "x goes"
+    of: Statement | str  # "x goes"
     # the states that V' = 0 leaves, by cases; none if LaSalle's premises do not hold
     cases: "Sequence[Still]" = ()
 
@@ -59,7 +59,7 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
     lost = [
         q for q in (fall.losses or fall.slow) if jumps_nowhere(q) and not q.has(*fading)
     ]
-    of = fall.of or go(map(candidate.text, fall.losses))
+    of = fall.of or candidate.go(fall.losses)
     if least and zero_of(Squares(sympy.S.Zero, [], lost), [*least]) == least:
         claim = "V' < 0 but at the rest"
         claim += ", or at times: its integral is infinite off the rest" * bool(
@@ -80,11 +80,12 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
         cases = limit if least and point_of(limit) == least else cases
     zero = [g for g in zero_in_all(cases, fall.losses) if jumps_nowhere(g)]
     if len(zero) > len(fall.losses) or (zero and not fall.of):
-        of = go(map(candidate.text, zero))
+        of = candidate.go(zero)
     if not (cases and all(case.is_rest for case in cases)):
         return barbalat(candidate, fall, motion, of, cases)
-    names = (", ".join(f"{candidate.text(g)} = 0" for g in case.zero) for case in cases)
-    claim = f"where V' = 0 for good nothing moves: {' or '.join(names)}"
+    zeros = ((said("{} = 0", candidate.text(g)) for g in case.zero) for case in cases)
+    found = joined(" or ", (joined(", ", of_case) for of_case in zeros))
+    claim = said("where V' = 0 for good nothing moves: {}", found)
     shows = "limit still" + " isolated" * all(case.comes_to_one for case in cases)
     shows += " rest" * (point_of(cases) is not None)
     return Ends([exact(claim, True, "", shows)], of, cases)
@@ -105,36 +106,43 @@ def barbalat(
     claim = "the rate of {} is bounded where V is"
     unmet = {q: _unmet_premise(candidate, motion, q) for q in fall.losses}
     failed = [
-        replace(exact(claim.format(candidate.text(q)), False, premise), needed=False)
+        replace(exact(said(claim, candidate.text(q)), False, premise), needed=False)
         for q, premise in unmet.items()
         if premise
     ]
     zero = [q for q, premise in unmet.items() if not premise]
     if failed and zero:
-        of = go(map(candidate.text, zero))
-    names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
-    names = names or ", ".join(map(candidate.text, fall.losses))
+        of = candidate.go(zero)
+    *names, verb = getattr(of, "parts", (of,))
+    if verb.strip() not in ("go", "goes"):
+        names = [candidate.text(q) for q in fall.losses]
+    names = joined(", ", names)
     if not zero:
-        missing = replace(failed[0], claim=claim.format(names), needed=True)
+        missing = replace(failed[0], claim=said(claim, names), needed=True)
         return Ends([missing], of, cases)
     # others than what V loses, where V' = 0 for good
-    has_others = not failed and of != (fall.of or go(map(candidate.text, zero)))
+    has_others = not failed and of != (fall.of or candidate.go(zero))
     shows = "limit" + " rates" * has_others
-    steps = [exact(claim.format(names), True, "", shows)]
+    steps = [exact(said(claim, names), True, "", shows)]
     more = [] if cases or fall.of else zero_by_rates(candidate, motion, zero)
     if more:
-        added = go(map(candidate.text, more))
+        added = candidate.go(more)
         steps.append(
-            exact(f"{added} to zero, as rates of {names} do", True, "", "limit rates")
+            exact(
+                said("{} to zero, as rates of {} do", added, names),
+                True,
+                "",
+                "limit rates",
+            )
         )
-        of = go(map(candidate.text, [*zero, *more]))
+        of = candidate.go([*zero, *more])
     return Ends(steps + failed, of, cases)
 
 
 def _unmet_premise(candidate: Any, motion: Motion, q: Expr) -> str:
     """Return the premise of Barbalat's lemma that a form does not meet, or ""."""
     if not jumps_nowhere(q):
-        return f"{candidate.text(q)} may jump"
+        return said("{} may jump", candidate.text(q))
     jumping = candidate.jumping(q)
     if len(jumping) > 1 or not jumping <= candidate.periodic:
         return f"it jumps with {' and '.join(sorted(jumping))}, at times of any kind"
@@ -371,7 +379,7 @@ class Still:
             inverse = INVERSES[call.func](value)
             if is_number and inverse.is_real:
                 return call.args[0] - inverse
-        return zero_at(h)
+        return h
 
     def _solve(self, g: Expr) -> None:
         """Solve an expression that is zero for a state or a sine, linear in it."""

@@ -36,6 +36,7 @@ from .coq_text import (
     without_signs,
 )
 from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, least, total
+from .statements import whole
 from .where import RANGED
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
@@ -140,7 +141,7 @@ class File:
 
     def comment(self) -> Iterable[str]:
         """Yield what the last theorem states, and what the verdict says beyond it."""
-        yield f"The verdict: {without_signs(self.verdict.sentence)}."
+        yield f"The verdict: {without_signs(whole(self.verdict.statement))}."
         yield "The theorem holds for every run on [0, T), T finite or infinite."
         yield from (f"{s} stands for {e}." for s, e in self.case.given.items())
         if self.case.below is not None:
@@ -148,9 +149,9 @@ class File:
         beyond = [REQUIREMENTS[tag] for tag in REQUIREMENTS if tag in self.missing]
         if self.missing & {"limit", "rates"}:
             *_, last = (s.claim for s in self.verdict.steps if "limit" in s.shows)
-            beyond += [f"{self.verdict.of} to zero", last]
+            beyond += [f"{whole(self.verdict.of)} to zero", whole(last)]
         if OUTSIDE in self.conditions and not self.bounded >= {*self.motion}:
-            beyond.append(f"{self.conditions[OUTSIDE]}")
+            beyond.append(whole(self.conditions[OUTSIDE].statement))
         yield from (f"Not in it, and shown by clpt-control: {text}." for text in beyond)
         if "N" in self.conditions:
             yield "The number N of functions is that of this file."

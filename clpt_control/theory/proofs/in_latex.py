@@ -6,37 +6,35 @@ numbers, functions and relations stand in math mode, words do not.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from textwrap import TextWrapper
-from tokenize import TokenError
 from typing import Any
 
 import sympy
-from sympy import Function, Symbol
-from sympy.core.function import AppliedUndef
+from sympy import Symbol
 
-from ...engine.diagram.symbol_names import TIME, typeset
+from ...engine.diagram.symbol_names import typeset
+from ..algebra.texts import LARGEST, rounded
 from .conclusions import CONCLUSIONS, signs_of
+from .statements import joined
 
 ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
 WRAPPED = TextWrapper(900, break_long_words=False, break_on_hyphens=False)
-RELATIONS = {"<=": r"\le", ">=": r"\ge"}
-PHRASES = {"e^T KD e": r"{e^\top K_D e}", "V'": r"{\dot V}"}
+AT_START = sympy.Function("V")(0)
+SIGNS = {"<=": r"\le", ">=": r"\ge", "*": r"\,"}
+PHRASES = {"e^T KD e": r"{e^\top K_D e}", "V'": r"{\dot V}", "^T": r"^\top"}
+FORMS = 0xE000  # letters of private use stand for expressions: the first
 TOKEN = re.compile(
-    rf"(?P<phrase>{'|'.join(map(re.escape, PHRASES))})"
-    r"|(?P<name>[^\W\d]\w*(?:[.:][^\W\d]\w*)*(?:\[\w+(?:,\w+)*\])*)(?P<of>\(t\))?"
-    r"|(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
-    r"|(?P<sign>\*\*|\.\.\.|[<>]=?|[-+*/^=(),|])|(?P<blank> )|.",
+    r"(?P<form>[\ue000-\uf8ff])"
+    rf"|(?P<phrase>{'|'.join(map(re.escape, PHRASES))})"
+    r"|(?P<name>[^\W\d]\w*(?:[.:][^\W\d]\w*)*(?:\[\w+(?:,\w+)*\])*)(?:\(t\))?"
+    r"|(?:\*\*|\^)(?P<power>\d+)|(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
+    r"|(?P<sign>[<>]=?|[-+*/=(),|])|(?P<blank> )|.",
     re.DOTALL,
 )
-ARTICLE = re.compile(r"a (?:point|jump|box|line|fix|value)\b")
-RELATION = re.compile(r" ([<>]?=|[<>]) ")
-CUT = " ..."  # the end of a text that is too long
-PRODUCT = re.compile(r"(?<=\w) (?=\w)")
 COMMA = re.compile(r", (?![^(]*\))")
 BEFORE, AFTER = " ,)*/^=<>+", " ,(-+*/^=<>"  # of a formula, and no part of it
-OWN: dict[str, Any] = {name: Function(name) for name in ("maximum", "minimum")}
 MARKUP = {c: f"\\{c}" for c in "&%$#_{}"} | {c: f"${c}$" for c in "<>|*"}
 MARKUP |= {"^": r"\^{}"}
 
@@ -84,76 +82,76 @@ def _statement(verdict: Any, written: Any) -> Iterator[str]:
     words = row.sentence.removeprefix("so ").replace("V", "$V$")
     words = words.format(of=written(verdict.of), bound=bound, level=level)
     yield f"Conclusion: {words}."
-    conditions = [*map(str, verdict.conditions)]
+    conditions = [condition.statement for condition in verdict.conditions]
     if verdict.diagram is not None:  # a law, whose gains have these signs
         conditions.append(signs_of(verdict.V.free_symbols | verdict.rate.free_symbols))
     if conditions:
-        yield f"Conditions: {written('; '.join(conditions))}."
+        yield f"Conditions: {written(joined('; ', conditions))}."
 
 
 class Sentences:
-    """The printer of the texts of a verdict."""
+    """The printer of the statements of a verdict."""
 
     def __init__(self, verdict: Any):
-        named = {} if verdict.equations is None else verdict.equations.named
-        known = [verdict.V, verdict.rate, verdict.claimed, verdict.level]
-        known += [s for symbols in named.values() for s in symbols.flat]
-        total = sympy.Tuple(*(e for e in known if isinstance(e, sympy.Basic)))
-        letters = re.findall(r", (\w+) = ", verdict.claim)  # of the sentence
-        signals = total.atoms(Symbol, AppliedUndef)
-        self.names = {str(s).removesuffix("(t)") for s in signals} | named.keys()
-        self.names |= {"V", "N", "t", *letters}
+        self.names = {"V", "N", "t"}  # in words
+        if verdict.diagram is not None:  # a law, whose claims are written by hand
+            named, V = verdict.equations.named, sympy.Tuple(verdict.V, verdict.rate)
+            self.names |= named.keys() | {str(s) for s in V.free_symbols}
+            self.names |= {str(s) for symbols in named.values() for s in symbols.flat}
 
-    def text(self, text: str) -> str:
-        """Return a text with its mathematics in math mode, and its words escaped."""
+    def text(self, statement: str) -> str:
+        """Return a statement with its mathematics in math mode, and its words escaped."""
+        words, forms = "", list[Any]()
+        for part in getattr(statement, "parts", (statement,)):
+            if isinstance(part, str):
+                words += part
+                continue
+            of_part = part if isinstance(part, tuple) else (part,)
+            letters = range(FORMS + len(forms), FORMS + len(forms) + len(of_part))
+            words += ", ".join(map(chr, letters))
+            forms += of_part
         parts = list[str]()
-        for is_formula, tokens in groupby(TOKEN.finditer(text), self._is_mathematics):
+        for is_formula, tokens in groupby(TOKEN.finditer(words), self._is_mathematics):
             run = "".join(token[0] for token in tokens)
             core = run.lstrip(BEFORE).rstrip(AFTER) if is_formula else ""
             before, _, after = run.partition(core) if core else (run, "", "")
-            formulas = map(self._formula, COMMA.split(core))
+            formulas = (_formula(text, forms) for text in COMMA.split(core) if text)
             parts += [_escaped(before), ", ".join(formulas), _escaped(after)]
         return "".join(parts)
 
     def _is_mathematics(self, token: re.Match) -> bool:
         """Return whether a token may stand in math mode: any but a word."""
-        name, end = token["name"], token.end()
-        if not name or ARTICLE.match(token.string, token.start()):
-            return not name and token.lastgroup is not None
-        is_call = token["of"] or token.string.startswith("(", end)
-        return name in self.names or bool(is_call)
+        if token["name"]:
+            return token["name"] in self.names
+        return token.lastgroup is not None
 
-    def _formula(self, text: str) -> str:
-        """Return equations, inequalities or an expression in math mode, if they can be read."""
-        sides = RELATION.split(text)
-        sides[::2] = map(self._side, sides[::2])
-        latex = " ".join(RELATIONS.get(side, side) for side in sides)
-        return f"${latex}$" if all(sides) else _escaped(text)
 
-    def _side(self, text: str) -> str:
-        """Return an expression as LaTeX; of one that was cut its whole terms."""
-        symbols, whole = OWN | {"t": TIME}, text.removesuffix(CUT)
-        end = "" if whole == text else CUT
+def _formula(text: str, forms: Sequence[Any]) -> str:
+    """Return words of mathematics and the expressions in their places, in math mode."""
+    return f"${''.join(_token(token, forms) for token in TOKEN.finditer(text))}$"
 
-        def symbol(token: re.Match) -> str:
-            name = token["name"] or PHRASES.get(token[0])
-            is_call = (
-                token["of"] and name not in self.names and hasattr(sympy, f"{name}")
-            )
-            if not name or is_call or token.string.startswith("(", token.end()):
-                return token[0]
-            is_input = token["of"] or name not in self.names
-            key = f"s_{len(symbols)}"
-            symbols[key] = Function(name)(TIME) if is_input else Symbol(name)
-            return key
 
-        sizes = re.sub(r"\|([^|]+)\|", r"Abs(\1)", whole)
-        plain = PRODUCT.sub("*", TOKEN.sub(symbol, sizes))
-        try:
-            return typeset(sympy.parse_expr(plain, symbols)) + end
-        except (SyntaxError, TokenError, TypeError, ValueError, AttributeError):
-            whole = whole.rpartition(" ")[0].rstrip(AFTER)
-            return self._side(whole + end) if whole and end else ""
+def _token(token: re.Match, forms: Sequence[Any]) -> str:
+    """Return a token in LaTeX."""
+    kind, text = token.lastgroup, token[token.lastgroup or 0]
+    if kind == "form":
+        return _typeset(forms[ord(text) - FORMS])
+    if kind == "phrase":
+        return PHRASES[text]
+    if kind == "power":
+        return f"^{{{text}}}"
+    if kind == "name":
+        return typeset(Symbol(text))
+    return typeset(sympy.sympify(text)) if kind == "number" else SIGNS.get(text, text)
+
+
+def _typeset(expression: Any) -> str:
+    """Return an expression in LaTeX, its long numbers rounded as in a line."""
+    short = rounded(expression)
+    whole = (n for n in short.atoms(sympy.Float) if n == int(n) and abs(n) < LARGEST)
+    plain = {n: sympy.Integer(n) for n in whole}
+    plain |= {s: AT_START for s in short.free_symbols if s.name == f"{AT_START}"}
+    return typeset(short.xreplace(plain))
 
 
 def _escaped(text: str) -> str:

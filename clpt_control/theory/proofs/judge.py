@@ -38,8 +38,7 @@ from ..algebra.decide import never_positive
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.facts import is_continuous
 from ..algebra.slopes import meets_smoothly
-from ..algebra.sums_of_squares import squares, zero_of
-from ..algebra.texts import short
+from ..algebra.sums_of_squares import simplest, squares, zero_of
 from .answers import Definite, Fall, Jumps, Refutation
 from .conclusions import Condition, Judged, Status, concluded
 from .ends import Ends, ends
@@ -48,6 +47,7 @@ from .in_latex import verdict_in_latex
 from .outside import Motion
 from .rate_as_sum import NotASum
 from .relations import in_errors, one_way
+from .statements import Statement, go, joined, said
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 from .where import Where
@@ -253,8 +253,8 @@ class LyapunovCandidate(ABC):
         logs = {d: sympy.log(s) - sympy.log(r) for s, d, r in at_rest if s in exps}
         forms = [back.get(form) or form.xreplace(back | logs) for form in total.forms]
         contained = [s for s in states if any(form.has(s) for form in forms)]
-        names = ", ".join(dict.fromkeys(map(self.text, forms)))
-        step = exact(f"{claim} in {names}", True, "", "definite")
+        names = joined(", ", dict.fromkeys(map(self.text, forms)))
+        step = exact(said("{} in {}", claim, names), True, "", "definite")
         off_zero = {s for s in exps if off[s] in total.forms}
         lost = "V(0)"
         if not total.constant.is_nonnegative:
@@ -299,7 +299,7 @@ class LyapunovCandidate(ABC):
         claim = f"V does not rise where states of {' and '.join(self.eq.jumps)} jump"
         for rise in self.rises_at_jumps():
             if not self.never_positive(rise):
-                return Jumps(exact(claim, False, f"V changes by {short(rise)}"), rise)
+                return Jumps(exact(claim, False, said("V changes by {}", rise)), rise)
         return Jumps(exact(claim, True, "", "jumps"))
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
@@ -327,9 +327,13 @@ class LyapunovCandidate(ABC):
     def ways(self, definite: Definite, fall: Fall) -> Sequence[Callable[[], Any]]:
         """Return the ways to write V' as a sum, for a file of Coq."""
 
-    def text(self, expression: sympy.Expr) -> str:
-        """Return an expression as the user writes it, in a line."""
-        return short(expression)
+    def text(self, expression: sympy.Expr) -> Statement:
+        """Return an expression as the user writes it."""
+        return said("{}", expression)
+
+    def go(self, forms: Sequence[sympy.Expr]) -> Statement:
+        """Return "x, y go" of forms, or of shorter ones that span the same."""
+        return go(map(self.text, simplest(forms, self.fixed - self.intervals)))
 
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the diagram."""
@@ -402,7 +406,7 @@ class Answers:
         conclusion = "" if failed else concluded(steps, "" if self.jumps else "jumps")
         if not conclusion:
             needed = first_failure(step for step in steps if step.needed)
-            return verdict("open", failed or f"{fall.claim}; {needed}")
+            return verdict("open", failed or said("{}; {}", fall.claim, needed))
         of = self.ends.of if self.ends else fall.of
         if conclusion == "square-integrable":
             of = self.definite.most_lost

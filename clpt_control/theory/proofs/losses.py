@@ -15,7 +15,7 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, whole_coefficients
 from ..algebra.facts import functions_in, has_time, inputs_in, sector_of
-from ..algebra.slopes import along, in_known_pieces
+from ..algebra.slopes import in_known_pieces, slope_in
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms
 from .outside import ANGLES
 from .relations import in_errors
@@ -127,7 +127,7 @@ def _lost_by_states(case: Any, bound: Expr) -> list[Expr]:
     if bound != case.rate or case.eq.discrete or case.V.has(TIME):
         return []
     terms = [
-        factored(normal_form(-rate * along(case.V, {s: S.One})))
+        factored(normal_form(-rate * slope_in(case.V, s)))
         for s, rate in case.motion.items()
     ]
     forms = [lost_forms(term, case.fixed, set()) for term in terms if term != 0]

@@ -16,7 +16,6 @@ import sympy
 from ...base.arguments import Count, Seed, public
 from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least
-from ..algebra.texts import short
 from .answers import Fall
 from .between import margins_of
 from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
@@ -25,6 +24,7 @@ from .rate_as_sum import in_region
 from .region import Region
 from .searching import candidates
 from .signal_functions import function_of_signals
+from .statements import joined, said
 from .steps import How, Step, first_failure, worked_out
 from .system_candidate import SystemCandidate
 
@@ -125,11 +125,11 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     level, where = region.level(), "V' < 0"
     if not level and (rests := candidate.ends_at(region.low, region.high)):
         level, how, where = region.level(rests), "exact", "V' <= 0, and V falls on,"
-    less = f" - {short(region.V_at_rest)}" if region.V_at_rest else ""
-    below = (
-        f"where V{less} < {at_least(level, 6)} in the box" if level else "near the rest"
-    )
-    claim = f"{where} {below}, but at the rest"
+    less = said(" - {}", region.V_at_rest) if region.V_at_rest else ""
+    below = "near the rest"
+    if level:
+        below = said("where V{} < {} in the box", less, at_least(level, 6))
+    claim = said("{} {}, but at the rest", where, below)
 
     def in_box(points: tuple) -> tuple:
         t, x, u = points
@@ -170,8 +170,9 @@ def _searched(
         if verdict.status == "proved" and not missed:
             return verdict
         if best is None and verdict.status == "proved":
-            names = ", ".join(text.rpartition(" ")[0] or text for text in missed)
-            claim = f"V found, but it does not contain {names}"
+            names = (getattr(of, "parts", (of,)) for of in missed)
+            names = joined(", ", (of[0] for of in names))
+            claim = said("V found, but it does not contain {}", names)
             best = replace(
                 verdict, status="open", claim=claim, conclusion="", conditions=()
             )

@@ -20,7 +20,8 @@ from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.facts import CLIP, inputs_in
 from ..algebra.slopes import along, degree
 from ..algebra.sums_of_squares import squares
-from .conclusions import Condition, are
+from .conclusions import Condition
+from .statements import Statement, are, joined, said
 from .steps import How, Step, exact
 
 ANGLES = (sympy.sin, sympy.cos)
@@ -93,7 +94,7 @@ class Motion:
         # nothing is known of an opaque source, not even that it has a value at all times
         sources = inputs_in(sympy.Tuple(*rates.values()))
         how: How = "sampled" if sources else "exact"
-        condition = f", if {self._names_of(sources)} bounded" * bool(sources)
+        condition = said(", if {} bounded", self._names_of(sources)) if sources else ""
         stable = list[Any]()
         self.free = outside
         for states in groups_of_drivers(rates):
@@ -108,7 +109,7 @@ class Motion:
         if stable:
             names = are(_names(self.eq, stable))
             self.conditions.append(Condition("outside V, bounded", names))
-            claim = f"{names} stable, driven by what is bounded{condition}"
+            claim = said("{} stable, driven by what is bounded{}", names, condition)
         # a rate as it is or expanded, which hides roots
         unbounded = [s for s in self.free if s not in self.exist]
         their_rates = [rates[s].xreplace(self.bounded) for s in unbounded]
@@ -120,11 +121,13 @@ class Motion:
         )
         if self.free:
             free = _names(self.eq, self.free)
-            listed = ", ".join(free)
+            listed = joined(", ", map(sympy.Symbol, free))
             name, of = ("outside V", are(free)) if exist else ("existence", listed)
             self.conditions.append(Condition(name, of))
-            grow = ", may grow, and" * exist
-            claim = f"{listed}: not held by V{grow or ','} exist for all t{condition}"
+            grow = ", may grow, and" if exist else ","
+            claim = said(
+                "{}: not held by V{} exist for all t{}", listed, grow, condition
+            )
         shows, detail = ("exists", "") if exist else ("", "not shown")
         return Step(claim, exist, how if exist else "exact", detail, False, shows)
 
@@ -140,7 +143,7 @@ class Motion:
         used = {f for f, s in self.inputs.items() if total.has(s)}
         return used | inputs_in(total)
 
-    def _names_of(self, inputs: Iterable[Any]) -> str:
+    def _names_of(self, inputs: Iterable[Any]) -> Statement:
         """Return "u is" or "u, v are", each port of inputs once."""
         ports = [*self.eq.inputs.items()]
         used = {*inputs}

@@ -16,7 +16,7 @@ from typing import Any
 import control
 import numpy as np
 import sympy
-from sympy import Expr, S
+from sympy import Expr, S, Symbol
 
 from ...base.errors import DiagramError
 from ...base.progress.interrupt import check
@@ -25,7 +25,8 @@ from ...engine.diagram.symbolic_equations import Equations
 from ...engine.diagram.wiring import wiring_of
 from ...engine.solver.evaluation_pass import Sweep
 from ..algebra.numeric_values import NumericValues
-from ..algebra.slopes import along
+from ..algebra.slopes import slope_in
+from .statements import Statement, joined, said
 from .symbolic_loop import Point
 
 EARLIEST = 1e-6  # s: at t = 0 itself a function of time may have a kink
@@ -141,7 +142,7 @@ class PointSearch:
         ends = [kept.get(s, (None, None)) for s in (*self.states, *self.inputs)]
         self.ends = np.array(ends, dtype=float).reshape(-1, 2)  # NaN: none
         # dV/dt and dV/dx, also of functions with kinks
-        self.gradient = [along(V, {s: S.One}) for s in (TIME, *self.states)]
+        self.gradient = [slope_in(V, s) for s in (TIME, *self.states)]
         self.random = np.random.default_rng(seed)
         self.blocks = RunningBlocks(system, name)
         # the symbol of a block's interval between breakpoints -> the index of the block
@@ -188,13 +189,15 @@ class PointSearch:
             values |= {symbol: signals[k] for symbol, k in self.sources.items()}
         return values
 
-    def text_of(self, point: Point) -> str:
-        """Return a point and the parameters' values as text: x = 2, u = 0, a = 1."""
+    def text_of(self, point: Point) -> Statement:
+        """Return a point and the parameters' values: x = 2, u = 0, a = 1."""
         inputs = (getattr(f, "func", f) for f in self.inputs)
-        names = [TIME, *self.states, *inputs, *self.eq.values]
+        names = [TIME, *self.states, *(Symbol(f"{f}") for f in inputs), *self.eq.values]
         numbers = [point.t, *point.x, *np.ravel(point.u), *self.eq.values.values()]
         pairs = zip(names, map(float, numbers), strict=True)
-        return ", ".join(f"{name} = {number:.6g}" for name, number in pairs)
+        return joined(
+            ", ", (said("{} = {}", s, f"{number:.6g}") for s, number in pairs)
+        )
 
     def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero.

@@ -13,6 +13,7 @@ from sympy import Expr, Poly, S, expand
 
 from ..algebra.slopes import degree
 from .answers import Definite, Fall
+from .statements import said
 from .ultimate_bounds import bounded
 
 
@@ -36,8 +37,8 @@ def mean_of(case: Any, definite: Definite) -> Fall | None:
     if expand(claim) != 0 or is_by_inputs or _may_escape(case, definite, push):
         return None
     lost, push = (case.text(e.xreplace(forms)) for e in (lost, push))
-    claim = f"V' <= -({lost})/2 + ({push})/2"
-    return bounded(claim, "mean", bound=f"{lost} is at most {push}")
+    claim = said("V' <= -({})/2 + ({})/2", lost, push)
+    return bounded(claim, "mean", bound=said("{} is at most {}", lost, push))
 
 
 def _may_escape(case: Any, definite: Definite, push: Expr) -> bool:

@@ -40,7 +40,7 @@ from ..algebra.decided import decided
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.facts import COMPARISONS, GT, ODD, is_continuous, is_smooth
 from ..algebra.numeric_values import numpy_function
-from ..algebra.slopes import along, in_known_pieces, meets_smoothly
+from ..algebra.slopes import in_known_pieces, meets_smoothly, slope_in
 from ..algebra.texts import short
 from .system_candidate import SystemCandidate
 
@@ -224,7 +224,7 @@ class Region:
 
     def slopes_of(self, e: sympy.Expr) -> list[sympy.Expr]:
         """Return the derivatives of an expression by each state; at a kink, of one side."""
-        return [along(e, {s: sympy.S.One}) for s in self.states]
+        return [slope_in(e, s) for s in self.states]
 
     def boxes(self, low: np.ndarray, high: np.ndarray) -> dict[Any, Interval]:
         """Return what is known of each state in boxes."""

@@ -25,11 +25,12 @@ from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
 from ..algebra.facts import CLIP, functions_in, is_smooth, roots_in
-from ..algebra.slopes import along, jumps_nowhere
+from ..algebra.slopes import along, jumps_nowhere, slope_in
 from ..algebra.sums_of_squares import written_forms
 from ..algebra.texts import short
 from .outside import groups_of_drivers, is_stable
 from .signal_functions import expressions_of
+from .statements import Statement, joined, said
 from .steps import Step, exact
 
 # their slopes have no bound
@@ -55,7 +56,7 @@ def one_way(candidate: Any) -> dict[Any, Any]:
     eq, at_start = candidate.eq, dict[Any, Any]()
     for s in () if eq.discrete else candidate.where.above:
         jumps = [e[s] - s for e in eq.jumps_at_once() if s in e]
-        slope = along(candidate.V, {s: S.One})
+        slope = slope_in(candidate.V, s)
         falls = map(candidate.never_positive, (candidate.motion[s], slope, *jumps))
         if slope != 0 and all(falls):
             at_start[s] = sympy.Dummy(f"{s}(0)", positive=True)
@@ -124,9 +125,9 @@ class Relations:
         return dict(zip(self.distances.values(), changed, strict=True))
 
     @property
-    def text(self) -> str:
-        """The relations, as text."""
-        return ", ".join(f"{s} = {short(v, 40)}" for s, v in self.solved.items())
+    def text(self) -> Statement:
+        """The relations."""
+        return joined(", ", (said("{} = {}", *pair) for pair in self.solved.items()))
 
     def rate(self, s: Any) -> Expr:
         """Return the rate of s - value, or in discrete time its next value."""
@@ -144,7 +145,7 @@ class Relations:
             for change in (rate, *map((s - value).xreplace, self.eq.jumps_at_once())):
                 remainder = self.of(change)
                 if not vanishes(remainder):
-                    return f"{s} leaves it by {short(sympy.expand(remainder))}"
+                    return said("{} leaves it by {}", s, sympy.expand(remainder))
         return ""
 
     def repels(
@@ -175,7 +176,7 @@ class Relations:
             growths.append(Add(*(e**2 - d**2 for d, e in jumped.items())))
         if all(map(never_positive, growths)):
             return ""
-        return f"{self.text}: a distance from it, as rounding leaves, may grow"
+        return said("{}: a distance from it, as rounding leaves, may grow", self.text)
 
     def _is_stable(self, rates: Mapping[Any, Expr], nearby: bool) -> bool:
         """Return whether distances that move by themselves go to 0, or do so from `nearby`."""
@@ -207,22 +208,21 @@ class Relations:
         for (s, change), (o, r) in product(chain(*changes), self.distances.items()):
             e = self.beside(change)
             calls = (call for call in functions_in(e) if call.has(r))
-            factor = along(e, {r: S.One}) if all(map(jumps_nowhere, calls)) else 1 / r
+            factor = slope_in(e, r) if all(map(jumps_nowhere, calls)) else 1 / r
             if factor == 0 or s in self.solved:
                 continue
             motion.driving |= motion.inputs_of([motion.quiet(factor)])
             if motion.not_bounded(factor):
-                acts = (
-                    f"{short(factor, 40)} may grow, and multiplies what rounding leaves"
-                )
+                grows = "{} may grow, and multiplies what rounding leaves"
+                acts = said(grows, factor)
             elif not (self.eq.discrete or self.of(change).has(s)) and vanishes(
                 self.rate(o)
             ):
-                acts = f"{s} adds up what rounding leaves"
+                acts = said("{} adds up what rounding leaves", s)
         return [
-            exact(f"{self.text} is kept", not broken, broken),
+            exact(said("{} is kept", self.text), not broken, broken),
             exact("a distance from it does not grow", not repels, repels),
-            exact(f"{self.text} is kept in a run", not acts, acts),
+            exact(said("{} is kept in a run", self.text), not acts, acts),
         ]
 
     def reduced(self) -> Equations:

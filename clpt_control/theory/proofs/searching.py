@@ -27,7 +27,7 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
 from ..algebra.exact import vanishes
 from ..algebra.facts import ODD
-from ..algebra.slopes import along
+from ..algebra.slopes import along, slope_in
 from ..algebra.texts import short
 from .outside import is_stable
 from .system_candidate import SystemCandidate
@@ -76,9 +76,7 @@ def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
     """Yield z^T P z with A^T P + P A = -I, or A^T P A - P = -I, of a stable linear part."""
     states = list(rates)
     zero = dict.fromkeys(states, sympy.S.Zero)
-    A = sympy.Matrix(
-        [[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()]
-    )
+    A = sympy.Matrix([[slope_in(rate, s) for s in states] for rate in rates.values()])
     A = A.xreplace(zero).applyfunc(decided)
     if not all(entry.is_Rational for entry in A):
         return

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 from ...base.errors import ClptError, DiagramError
 from ...engine.record.unread import Unread
+from .statements import said
 
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
 
@@ -63,7 +64,8 @@ def checked(
     except (ClptError, Unread) as error:
         return Step(claim, False, how, f"cannot be checked: {error}")
     holds, detail = result if isinstance(result, tuple) else (result, "")
-    return Step(claim, bool(holds), how, str(detail), every_N, shows)
+    detail = detail if isinstance(detail, str) else f"{detail}"
+    return Step(claim, bool(holds), how, detail, every_N, shows)
 
 
 def counterexample(
@@ -107,8 +109,8 @@ def first_failure(steps: Iterable[Step]) -> str:
     for step in steps:
         if not step.holds:
             if step.detail:
-                return f"{step.claim} ({step.detail})"
-            return f"not shown: {step.claim}"
+                return said("{} ({})", step.claim, step.detail)
+            return said("not shown: {}", step.claim)
     return ""
 
 

@@ -38,9 +38,9 @@ from ..algebra.exact import (
     without_rounding,
 )
 from ..algebra.facts import SIGN, has_time, is_continuous
-from ..algebra.slopes import along, meets_smoothly
+from ..algebra.slopes import along, meets_smoothly, slope_in
 from ..algebra.sums_of_squares import squares
-from ..algebra.texts import bound_text, short
+from ..algebra.texts import outward
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
@@ -52,6 +52,7 @@ from .rate_as_sum import Ways, of_system
 from .relations import Relations, divides, errors_of, forks, written
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
+from .statements import Statement, joined, said
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_no_rates
 from .ultimate_bounds import pulled_forms
@@ -161,7 +162,9 @@ class SystemCandidate(LyapunovCandidate):
         steps = self.relations.steps(self.never_positive, motion)
         self.driving = motion.driving - fall.zeroed.keys()
         are_kept = all(map(self._keeps, self.where.roots.values()))
-        return steps if are_kept else [exact(f"{self.where.sets} is kept", False)]
+        return (
+            steps if are_kept else [exact(said("{} is kept", self.where.sets), False)]
+        )
 
     def _equations(self, names: type[Names], watch: Any = undefined_in) -> Equations:
         """Return the equations of the diagram, parameters named as asked."""
@@ -291,13 +294,13 @@ class SystemCandidate(LyapunovCandidate):
             lambda term: self.sums.get(sympy.expand(term), term),
         )
 
-    def text(self, expression: sympy.Expr) -> str:
-        """Return an expression in the diagram's own signals, in a line."""
-        return short(self.in_signals(expression))
+    def text(self, expression: sympy.Expr) -> Statement:
+        """Return an expression in the diagram's own signals."""
+        return said("{}", self.in_signals(expression))
 
     def with_rate(self, claim: str) -> str:
         """Return V' and a claim in a line."""
-        return f"V' = {short(self.readable_rate(self.rate))}; {claim}"
+        return said("V' = {}; {}", self.readable_rate(self.rate), claim)
 
     def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
@@ -342,10 +345,12 @@ class SystemCandidate(LyapunovCandidate):
         failure = self.search.rises_far_off(self.rate)
         if failure is None:
             return None
-        inputs = " = ".join(self.depends_on(self.rate))
-        step = Step(f"{inputs} raises V however large it is", True, "counterexample")
+        inputs = joined(" = ", map(sympy.Symbol, self.depends_on(self.rate)))
+        raises = said("{} raises V however large it is", inputs)
+        step = Step(raises, True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
-        return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
+        claim = said("{}; where {} = 0 V' <= 0", claim, inputs)
+        return Refutation(claim, step, *failure)
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V rises at a jump, if jumps do not depend on time."""
@@ -392,17 +397,17 @@ class SystemCandidate(LyapunovCandidate):
     def falls(self, definite: Definite) -> Fall:
         """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
         steps, bound = list[Step](), self.rate
-        claim = f"V' = {short(self.readable_rate(self.rate))}"
+        claim = said("V' = {}", self.readable_rate(self.rate))
         if self.claim is not None:
-            bound, claim = self.claim, f"V' <= {self.text(self.claim)}"
+            bound, claim = self.claim, said("V' <= {}", self.text(self.claim))
             holds = self.never_positive(excess := self.excess(bound))
-            detail = "" if holds else f"left over: {short(excess)}"
+            detail = "" if holds else said("left over: {}", excess)
             steps.append(exact(claim, holds, detail, "claimed"))
             if not holds:
                 return Fall(steps, claim)
         most = self.where.largest(bound, self.never_positive)
         if most is not None:
-            bound, claim = most, f"V' <= {self.text(factored(most))}"
+            bound, claim = most, said("V' <= {}", self.text(factored(most)))
         inputs = [] if self.where.box else self.depends_on(bound)
         zeroed = dict[Any, Any]()
         falling = self.falling(bound)
@@ -411,29 +416,34 @@ class SystemCandidate(LyapunovCandidate):
             zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
-                said = "V' =" if self.claim is None else f"{claim} as claimed, V' <="
-                falling, claim = still, f"{said} {short(self.readable_rate(still))}"
+                before = said("V' =")
+                if self.claim is not None:
+                    before = said("{} as claimed, V' <=", claim)
+                falling = still
+                claim = said("{} {}", before, self.readable_rate(still))
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
-        where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
+        where = joined(" = ", map(sympy.Symbol, inputs if zeroed else ()))
+        where = where and said(" where {} = 0", where)
         bound = falling.xreplace(zeroed)
         form, states = normal_form(bound), {*self.states}
         lower = without_choices(form, states)
         if lower is None:
             lower = without_fading(form, states) or form
         if lower != form:
-            bound, claim = lower, f"V' <= {self.text(factored(lower))}"
+            bound, claim = lower, said("V' <= {}", self.text(factored(lower)))
         motion = self.moving(definite, zeroed)
         motion.outside()
         bounded = {s for s in self.states if not motion.not_bounded(s)}
         bounded -= {*self.where.above}  # which may come near 0
         losses = forms_lost(self, bound, bounded)
-        claim += " <= 0" * (not claim.endswith("= 0"))
+        if not claim.endswith("= 0"):
+            claim = said("{} <= 0", claim)
         if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
-            time = bound_text(self.in_signals(t), keeps_short=True)
-            claim += f", V is 0 after the time {time}"
+            time = outward(self.in_signals(t), keeps_short=True)
+            claim = said("{}, V is 0 after the time {}", claim, time)
         shows = "falls" + " loses" * bool(losses) + " rest" * ("after" in claim)
-        steps.append(exact(f"{claim}{where}", True, "", shows))
+        steps.append(exact(said("{}{}", claim, where), True, "", shows))
         return Fall(
             steps,
             claim,
@@ -454,7 +464,7 @@ class SystemCandidate(LyapunovCandidate):
         conditions = self.conditions([])
         if bound is None:
             return replace(fall, steps=claimed or fall.steps, conditions=conditions)
-        both_claims = f"{fall.claim}, and {bound.claim}" if claimed else bound.claim
+        both_claims = joined(", and ", [fall.claim] * bool(claimed) + [bound.claim])
         conditions = [*bound.conditions, *conditions]
         steps = [*claimed, *bound.steps]
         return replace(bound, steps=steps, claim=both_claims, conditions=conditions)
@@ -477,9 +487,9 @@ class SystemCandidate(LyapunovCandidate):
         # inputs within bounds are not taken as zero
         rate = self.rate.xreplace(dict.fromkeys(self.where.box, sympy.Dummy()))
         texts = (
-            ("zero inputs", " = ".join(zeroed)),
+            ("zero inputs", joined(" = ", map(sympy.Symbol, zeroed))),
             ("approximation", ", ".join(stand_ins)),
-            ("between", ", ".join(map(as_relation, self.margins))),
+            ("between", joined(", ", map(as_relation, self.margins))),
             ("start", self.where.sets),
             ("input bounds", self.where.bounds),
             ("start", self.relations.text),
@@ -487,8 +497,9 @@ class SystemCandidate(LyapunovCandidate):
         conditions = [Condition("t >= 0")] * has_time(self.V, rate)
         conditions += [Condition(name, text) for name, text in texts if text]
         conditions += [Condition("rounding")] * self.is_rounded
-        values = (f"{s} = {float(n):.15g}" for s, n in self.parameters.items())
-        return conditions + [Condition("values", ", ".join(values))] * self.are_numbers
+        values = ((s, f"{float(n):.15g}") for s, n in self.parameters.items())
+        listed = joined(", ", (said("{} = {}", *pair) for pair in values))
+        return conditions + [Condition("values", listed)] * self.are_numbers
 
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""
@@ -535,7 +546,7 @@ class SystemCandidate(LyapunovCandidate):
 
         remaining = list[sympy.Expr]()
         for s, rate in {TIME: sympy.S.One, **self.motion}.items():
-            slope = normal_form(along(self.V, {s: sympy.S.One}))
+            slope = normal_form(slope_in(self.V, s))
             if slope == 0 or goes_down(rate, slope):
                 continue
             terms = sympy.Add.make_args(rate)

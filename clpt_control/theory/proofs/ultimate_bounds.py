@@ -37,11 +37,12 @@ from ..algebra.exact import groups_of
 from ..algebra.facts import interval
 from ..algebra.numeric_values import NumericValues
 from ..algebra.sums_of_squares import squares, zero_of
-from ..algebra.texts import bound_text, listed
+from ..algebra.texts import outward
 from .answers import Definite, Fall
 from .conclusions import Condition
 from .leaks import Leak, leaks_of, radial_of, stays_within
 from .relations import errors_of
+from .statements import listed, said
 from .steps import exact
 
 SAMPLES = 50_000  # random points at which V and V' are computed
@@ -396,25 +397,28 @@ class Bounding:
             return None
         level = pull.push / pull.rate if pull.rate != 0 else None
         pull = Pull(*(e.xreplace(self.case.given) for e in pull))
-        push = bound_text(pull.push)
+        push = outward(pull.push)
         if pull.rate == 0:
             c = self.letter("c")
-            mean = f"e^T KD e is at most 2 {c}"
-            claim = f"V' <= -e^T KD e/2 + {c}, {c} = {push}{more}"
+            mean = said("e^T KD e is at most 2 {}", c)
+            claim = said("V' <= -e^T KD e/2 + {}, {} = {}{}", c, c, push, more)
             return bounded(claim, "mean", bound=mean)
-        rate = bound_text(pull.rate, up=False)
+        rate = outward(pull.rate, up=False)
         if pull.rate.is_number and pull.push.is_number:
-            share = "" if rate == "1" else f"{rate} "
-            return bounded(f"V' <= -{share}V + {push}{more}", "pulled", level)
+            share = "" if rate == 1 else said("{} ", rate)
+            claim = said("V' <= -{}V + {}{}", share, push, more)
+            return bounded(claim, "pulled", level)
         r, c = map(self.letter, "rc")
-        claim = f"V' <= -{r} V + {c}, {c} = {push}, {r} = {rate}{more}"
-        return bounded(claim, "pulled", level, bound=f"{c}/{r}")
+        claim = said(
+            "V' <= -{} V + {}, {} = {}, {} = {}{}", r, c, c, push, r, rate, more
+        )
+        return bounded(claim, "pulled", level, bound=said("{}/{}", c, r))
 
-    def letter(self, name: str) -> str:
+    def letter(self, name: str) -> sympy.Symbol:
         """Return a letter of the sentence, with a number where the loop has it."""
         while name in self.case.eq.named:
             name += "_1"
-        return name
+        return sympy.Symbol(name)
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -431,11 +435,13 @@ class Bounding:
             excess += (
                 radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
             )
-            conditions.append(f"{self.size(leak)} <= {at_least(float(radial.M))}")
+            conditions.append(
+                said("{} <= {}", self.size(leak), at_least(float(radial.M)))
+            )
         pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
-        more = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
+        more = said("; where {}, V' <= -e^T KD e without Delta", listed(conditions))
         return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
 
     def within_balls(self) -> Fall | None:
@@ -456,11 +462,11 @@ class Bounding:
                 return None
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
-            port = leak.states[0].name.partition("_")[0]
-            radius = f"|{port}| <= {at_most(float(radial.R))}"
-            truth = f"{self.size(leak)} <= {at_least(float(radial.M))}"
+            port = sympy.Symbol(leak.states[0].name.partition("_")[0])
+            radius = said("|{}| <= {}", port, at_most(float(radial.R)))
+            truth = said("{} <= {}", self.size(leak), at_least(float(radial.M)))
             conditions.append((truth, radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
         where = [Condition("start", radii), Condition("truth", truths)]
-        claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"
+        claim = said("V' <= -e^T KD e + e^T Delta, {} for good", radii)
         return bounded(claim, "pulled", level, conditions=where)

@@ -14,14 +14,16 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, S, oo
+from sympy import Expr, S, Symbol, oo
 
 from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.facts import CLIP
+from ..algebra.facts import CLIP, interval
+from ..algebra.texts import DIGITS, LARGEST
 from .signal_functions import undefined_in
+from .statements import Statement, joined, said
 
 NOTHING = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -131,28 +133,32 @@ class Where:
 
     def undefined(self, owner: str, kind: str, arguments: tuple) -> str | None:
         """Return where an operation has no value within the sets and the bounds."""
-        inside = tuple(sympy.sympify(a).xreplace(self.inside) for a in arguments)
+        given = map(sympy.sympify, arguments)
+        inside = tuple(
+            _within(*range_in(a, self.box))
+            if a.has(*self.box) and self.is_of_inputs(a)
+            else a.xreplace(self.inside)
+            for a in given
+        )
         return undefined_in(owner, kind, inside) and undefined_in(
             owner, kind, arguments
         )
 
     @property
-    def sets(self) -> str:
-        """The sets that states do not leave, as text."""
-        distances = self.roots.values()
-        return ", ".join(f"{e} {'>' if e.is_positive else '>='} 0" for e in distances)
+    def sets(self) -> Statement:
+        """The sets that states do not leave."""
+        distances = ((e, ">" if e.is_positive else ">=") for e in self.roots.values())
+        return joined(", ", (said("{} {} 0", *pair) for pair in distances))
 
     @property
-    def bounds(self) -> str:
-        """The bounds of inputs, as text."""
-        texts = [f"{d.func} = {float(value):.15g}" for d, value in self.values.items()]
-        texts += [
-            f"{float(low):.15g} <= " * (low != -oo)
-            + f"{d.func}"
-            + f" <= {float(high):.15g}" * (high != oo)
-            for d, (low, high) in self.box.items()
-        ]
-        return ", ".join(texts)
+    def bounds(self) -> Statement:
+        """The bounds of inputs."""
+        parts = [("", d, f" = {float(value):.15g}") for d, value in self.values.items()]
+        for d, (low, high) in self.box.items():
+            least = f"{float(low):.15g} <= " * (low != -oo)
+            parts.append((least, d, f" <= {float(high):.15g}" * (high != oo)))
+        named = ((least, Symbol(f"{d.func}"), most) for least, d, most in parts)
+        return joined(", ", (said("{}{}{}", *of_input) for of_input in named))
 
     def corners(self, rate: Expr, waves: bool = False) -> list[tuple]:
         """Return factors of the share of each corner of the box of inputs, and the rate there.
@@ -170,22 +176,37 @@ class Where:
             else:
                 ends[d**2] = S.Zero if low <= 0 <= high else squares[0], squares[1]
         names = {d: sympy.Dummy(real=True) for d in ends if expanded.has(d)}
-        corners: list[tuple] = [((), expanded.xreplace(names))]
-        for d, s in names.items():
-            low, high = ends[d]
-            bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
-            is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
-            if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
-                return []
-            corners = [
-                (
-                    (*shares, sympy.expand((d - other) / (end - other))),
-                    sympy.expand(at.xreplace({s: end})),
-                )
-                for shares, at in corners
-                for end, other in ((low, high), (high, low))
-            ]
-        return corners
+        known = {s: (d, *ends[d]) for d, s in names.items()}
+        as_inputs = at_corners(expanded.xreplace(names), known)
+        # a function of an input without an end may come near its own end, and not to it
+        is_open = {*self.box} - {*self.bounded}
+        if as_inputs or (is_open and not waves):
+            return as_inputs
+        return at_corners(*self.in_functions(expanded))
+
+    def in_functions(self, expanded: Expr) -> tuple[Expr, dict]:
+        """Return a rate with a symbol for each function of inputs, and what it is and its ends.
+
+        Terms with the same states have one function, as 4 d - 4 d^2 of 4 d x - 4 d^2 x.
+        """
+        weights, functions = dict[Expr, Expr](), dict[Expr, Any]()
+        for term in sympy.Add.make_args(expanded):
+            factors = sympy.Mul.make_args(term)
+            own = sympy.Mul(*(f for f in factors if self.is_of_inputs(f)))
+            weights[term / own] = weights.get(term / own, S.Zero) + own
+        for rest, weight in weights.items():
+            number, function = weight.primitive()
+            if not function.is_number:
+                s = functions.setdefault(function, sympy.Dummy(real=True))
+                weights[rest] = number * s
+        rate = sympy.Add(*(rest * weight for rest, weight in weights.items()))
+        known = {s: (f, *range_in(f, self.box)) for f, s in functions.items()}
+        return rate, known | {d: (d, -oo, oo) for d in self.box if rate.has(d)}
+
+    def is_of_inputs(self, e: Expr) -> bool:
+        """Return whether an expression holds inputs with bounds, and nothing else."""
+        values = e.xreplace(dict.fromkeys(self.box, S.Half))
+        return e.is_number or not values.free_symbols
 
     def largest(
         self, rate: Expr, never_positive: Callable[[Expr], bool]
@@ -194,6 +215,79 @@ class Where:
         rates = [at for _, at in self.corners(rate)] if self.box else []
         largest = (e for e in rates if all(never_positive(o - e) for o in rates))
         return next(largest, None)
+
+
+def at_corners(rate: Expr, known: Mapping[Any, tuple]) -> list[tuple]:
+    """Return a rate where symbols are at their ends, with factors of the share of each corner.
+
+    A symbol is known by what it stands for, its least and its largest value.
+    """
+    corners: list[tuple] = [((), rate)]
+    for s, (meaning, low, high) in known.items():
+        bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
+        is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
+        if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
+            return []
+        corners = [
+            (
+                (*shares, sympy.expand((meaning - other) / (end - other))),
+                sympy.expand(at.xreplace({s: end})),
+            )
+            for shares, at in corners
+            for end, other in ((low, high), (high, low))
+        ]
+    return corners
+
+
+def range_in(function: Expr, box: Mapping[Any, tuple]) -> tuple:
+    """Return numbers between which a function of inputs is; sharp ones of a fraction of one."""
+    inputs = [d for d in box if function.has(d)]
+    if function in box or not inputs:
+        return box.get(function, (function, function))
+    found = None if inputs[1:] else _range_of_fraction(function, inputs[0], box)
+    if found is None:
+        parts = {a: _within(*range_in(a, box)) for a in function.args if a.has(*inputs)}
+        found = interval(function.xreplace(parts))
+    return _rounded(found[0], -1), _rounded(found[1], 1)
+
+
+def _rounded(end: Expr, side: int) -> Expr:
+    """Return a rational number beyond an end, or the end if it is one."""
+    if end.is_Rational or end.is_infinite:
+        return end
+    number = sympy.Rational(f"{end.n(DIGITS)}")
+    return number + side * abs(number) / LARGEST
+
+
+def _range_of_fraction(
+    function: Expr, d: Any, box: Mapping[Any, tuple]
+) -> tuple | None:
+    """Return the least and the largest value of a fraction of an input, if that is one."""
+    (low, high), s = box[d], sympy.Dummy(real=True)
+    of_s = function.xreplace({d: s})
+    if high - low == oo or not of_s.is_rational_function(s):
+        return None
+    over, under = (sympy.Poly(e, s) for e in of_s.diff(s).together().as_numer_denom())
+    below = interval(under.as_expr().xreplace({s: _within(low, high)}))[0]
+    if not (below.is_positive and all(c.is_Rational for c in over.all_coeffs())):
+        return None
+    turns = [] if over.is_ground else [r for r in over.real_roots() if low < r < high]
+    values = [of_s.xreplace({s: at}) for at in (low, high, *turns)]
+    return sympy.Min(*values), sympy.Max(*values)
+
+
+def _within(low: Expr, high: Expr) -> Expr:
+    """Return any number between two ends."""
+    share = sympy.Dummy(nonnegative=True)
+    if oo in (-low, high):
+        return (
+            sympy.Dummy(real=True)
+            if -low == high
+            else high - share
+            if -low == oo
+            else low + share
+        )
+    return low + CLIP(share, 0, 1) * (high - low)
 
 
 def ranges_in(rate: Expr) -> dict[Any, tuple]:
