@@ -497,4 +497,4 @@ def test_the_time_to_a_tenth_is_of_the_norm_of_all_errors():
     assert end <= start / 10
     assert abs(error[1, 0, 1]) > 0.9 * abs(error[0, 0, 1])
     said = repr(gramian(scenario, 200.0, 200.0))
-    assert "the norm of all errors of adapted parameters falls to a tenth" in said
+    assert "the root of V falls to a tenth" in said

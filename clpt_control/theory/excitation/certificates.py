@@ -9,32 +9,28 @@ Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)
 A loop with another error system (`error_system`) has Phi in coordinates in which V is half the sum
 of squares.  In windows with one w the norm of the errors, the root of V, falls as |Phi^m|.
 
-`propagate` computes Phi, `Certificate.ultimate_bound` the bound of Theorem 3.4, corrected.
+`transitions` computes Phi, `Certificate.ultimate_bound` the bound of Theorem 3.4, corrected.
 """
 
 from bisect import bisect_left
 from dataclasses import dataclass
-from functools import reduce
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
-from scipy.linalg import expm
 
 from ...base.errors import DataError, ScenarioError
 from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
-from .regressor import COEFFICIENTS, NODE, NODES, WEIGHT, eigenvalues_of, scale_of
+from .regressor import COEFFICIENTS, NODE, NODES, eigenvalues_of, scale_of
+from .transitions import propagate
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MAX_PIECES = 20000
 WINDOWS = 8  # of a half-life at most
 ROUNDING = 1e-14  # of |Phi|
 MAX_POWER = 10**15  # of Phi
-MAX_CHANGE = 0.5  # of |Phi| with fewer times
-# a of the Gauss method on a step of length 1: integrals of P_j from -1 to each node, halved
-INTEGRALS = legendre.legval(NODE, legendre.legint(np.eye(NODES), lbnd=-1)).T
-COLLOCATION = INTEGRALS @ COEFFICIENTS / 2
+MAX_CHANGE = 0.5  # of |Phi|, in finer pieces
 
 
 @dataclass(frozen=True)
@@ -45,13 +41,15 @@ class Certificate:
     window: float  # its length
     # axis -> exact 1 - V(t+T)/V(t) at worst
     drops: dict[str, float]
-    # Delta, or a flow that theta phi does not span, adds to V'
+    # Delta, a flow that theta phi does not span, or a held estimate adds to V'
     disturbed: bool
     # axis -> number of directions in which errors fall to a tenth within the run
     learned: dict[str, int]
-    time_to_tenth: float | None  # of the norm of all errors; None: never
-    half_life: float | None  # of this norm, if the window repeats; None: not excited
-    overshoot: float  # norm / (first norm / 2^(t/half_life)), at most
+    time_to_tenth: float | None  # of the root of V; None: never
+    half_life: (
+        float | None
+    )  # of the root of V, if the window repeats; None: not excited
+    overshoot: float  # root of V / (the first / 2^(t/half_life)), at most
 
     def __repr__(self) -> str:
         span = f"t = {self.start:g} to {self.start + self.window:g}"
@@ -83,10 +81,12 @@ class Certificate:
 
 
 def halving_text(bound: Any, unit: str) -> str:
-    """Return the half-life of errors of a bound, and their overshoot."""
+    """Return the half-life of the root of V of a bound, and its overshoot."""
     half_life = f"{at_most(bound.half_life)} {unit}".rstrip()
     factor = at_most(bound.overshoot)
-    return f"errors of parameters halve at least every {half_life}, but for a factor {factor},"
+    return (
+        f"the root of V halves at least every {half_life}, but for a factor {factor},"
+    )
 
 
 def refuse_turns(turns: float) -> None:
@@ -115,40 +115,6 @@ def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return w, np.repeat(weights / division, division, axis=0)
 
 
-def propagate(
-    w: np.ndarray, k: np.ndarray, lengths: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the row of e in Phi at the nodes, (..., pieces, nodes, n + 1), and Phi at the end.
-
-    w (..., pieces, nodes, n) is given at the Gauss-Legendre nodes of pieces with these lengths
-    (pieces,) and with the roots of the gains; k (...) is the feedback gain; Phi = I at the start.
-    The implicit Runge-Kutta method of order 2 NODES is reduced to e at the nodes, E, because eta
-    moves along w; with G = W W^T, entries of a and G multiplied one by one in a*G, on a piece of
-    length h
-
-        (I + h k a + h^2 a (a*G)) E = e + h a W eta
-        e   -> e + h b (W eta - k E - h (a*G) E)
-        eta -> eta - h sum_j b_j w_j E_j
-    """
-    *batch, count, _, n = w.shape
-    k = np.asarray(k)[..., None, None]
-    rows = np.empty((*batch, count, NODES, n + 1))
-    end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
-    e, eta = end[..., :1, :], end[..., 1:, :]
-    identity, a, b = np.eye(NODES), COLLOCATION, WEIGHT / 2
-    for j in range(count):
-        h = lengths[j]
-        W = w[..., j, :, :]
-        forcing = W @ eta
-        damping = k * identity + h * a * (W @ W.mT)
-        system = identity + h * a @ damping
-        E = np.linalg.solve(system, e + h * a @ forcing)
-        e += h * b[None] @ (forcing - damping @ E)
-        eta -= h * (W.mT * b) @ E
-        rows[..., j, :, :] = E
-    return rows, end
-
-
 def worst_drop(
     w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -158,8 +124,21 @@ def worst_drop(
     A parameter without a gain does not adapt.
     """
     w, weights = finely(w @ scale_of(gains), weights)
-    rows, transition = propagate(w, k, weights.sum(axis=1))
-    return 2 * k * eigenvalues_of(rows, weights)[..., 0], transition
+    return _drop_along(w[..., None, :], -np.asarray(k)[..., None, None], weights)
+
+
+def _drop_along(
+    W: np.ndarray, A: np.ndarray, weights: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of V along W (..., pieces, nodes, m, n) in its coordinates, and Phi."""
+    rows, transition = propagate(W, A, weights.sum(axis=1))
+    # V' = -e^T Q e / 2, with Q = U^T U
+    values, vectors = np.linalg.eigh(-A - A.mT)
+    U = np.sqrt(np.maximum(values, 0))[..., None] * vectors.mT
+    losses = U[..., None, None, :, :] @ rows.reshape(*W.shape[:-1], -1)
+    losses = losses.reshape(rows.shape)
+    weights = np.repeat(weights, W.shape[-2], axis=1)
+    return eigenvalues_of(losses, weights)[..., 0], transition
 
 
 def refuse_unproved(scenario: Scenario) -> None:
@@ -187,9 +166,14 @@ def refuse_unproved(scenario: Scenario) -> None:
             )
 
 
-def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drop of each axis of one of the paper's two laws, and Phi, (1, axes, n, n)."""
-    scenario = excitation.scenario
+def _drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of each axis over a window, and Phi, (axes, N, N)."""
+    form, scenario = excitation.form, excitation.scenario
+    if form:
+        m, n = form.W.shape
+        W = excitation.w.reshape(1, len(excitation.weights), -1, m, n)
+        weights = excitation.weights[:, ::m]
+        return _drop_along(form.left @ W @ form.right, form.scaled_A[None], weights)
     if scenario is None:
         raise DataError(
             "no certificate: it is for the run of one scenario, or of=verdict. A team and signals "
@@ -205,48 +189,30 @@ def _of_paper(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     if not gains.any():
         raise ScenarioError("no certificate: the law adapts no parameter")
     feedback = np.array(excitation.feedback)
-    drop, Phi = worst_drop(excitation.w, feedback, gains, excitation.weights)
-    return drop, Phi[None]
+    return worst_drop(excitation.w, feedback, gains, excitation.weights)
 
 
-def _of_errors(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drop of an error system along a recorded run, and Phi, (4, 1, n, n).
+def _is_disturbed(excitation: Any) -> bool:
+    """Return whether V' has e times a flow that the adapted parameters cannot follow.
 
-    W is its mean between times: of all, of the samples, of every second one, and of the others.  A
-    jump between samples moves to and fro by half a step, as far as it may be off.
+    e' = -KD e + w^T eta + Delta + (theta - estimate) phi, the last where the estimate is held.
     """
-    form, cuts = excitation.form, excitation.cuts
-    m, n = form.W.shape
-    ends = form.left @ excitation.w.reshape(-1, 2, m, n) @ form.right
-    W = np.append(ends[:, 0], ends[-1:, 1], axis=0)
-
-    def chain(first: int, step: int) -> list[np.ndarray]:
-        at = np.unique([0, *range(first, len(W), step), len(W) - 1])
-        mean = (W[at[1:]] + W[at[:-1]]) / 2
-        rates = np.zeros((len(mean), m + n, m + n))
-        rates[:, :m, :m] = form.scaled_A
-        rates[:, :m, m:], rates[:, m:, :m] = mean, -mean.mT
-        steps = expm(np.diff(cuts[at])[:, None, None] * rates)
-        return [reduce(np.matmul, steps[::-1])]
-
-    # all points, one of which is inside each step; the samples; every second one, from either
-    steps = (0, 1), (0, 2), (0, 4), (2, 4)
-    Phi = np.array([chain(*step) for step in steps])
-    if np.any(change_of(Phi) > MAX_CHANGE * np.linalg.norm(Phi[0], 2, axis=(1, 2))):
-        raise DataError(
-            "no certificate: the samples are too far apart. Give a run with more times"
-        )
-    return 1 - np.minimum(1, worsened(Phi)[:, 0]) ** 2, Phi
+    scenario = excitation.scenario
+    if excitation.form:
+        return False
+    flow, learning = scenario.flow, scenario.learning
+    if flow.disturbance is not None or flow.parameters is None:
+        return True
+    estimate = np.negative(scenario.learning_parameters)
+    if learning.row.given_estimate:
+        estimate = np.array(learning.theta_estimate or scenario.model_parameters)
+    is_held = not excitation.gains[: scenario.basis.N].any()
+    return is_held and not np.array_equal(flow.parameters, estimate)
 
 
-def change_of(Phi: np.ndarray) -> np.ndarray:
-    """Return the largest norm of a change from the first of Phi to another, of each axis."""
-    return np.linalg.norm(Phi - Phi[0], 2, axis=(2, 3)).max(axis=0)
-
-
-def worsened(Phi: np.ndarray) -> np.ndarray:
-    """Return the singular values of the first of Phi, (axes, n), and more by any change of it."""
-    return np.linalg.svd(Phi[0], compute_uv=False) + change_of(Phi)[:, None]
+def worsened(Phi: np.ndarray, by: Any) -> np.ndarray:
+    """Return the singular values of Phi (axes, n, n), and more by what it may change."""
+    return np.linalg.svd(Phi, compute_uv=False) + by
 
 
 def certificate(excitation: Any) -> Certificate:
@@ -260,27 +226,32 @@ def certificate(excitation: Any) -> Certificate:
     >>> 0 < found.drop < 1
     True
     """
-    form, flow = excitation.form, excitation.scenario and excitation.scenario.flow
-    span = excitation.window
-    drop, Phi = (_of_errors if form else _of_paper)(excitation)
+    exact = excitation.exact
+    form, span, settled = exact.form, exact.window, exact.change
+    drop, Phi = _drop_of(exact)
+    if np.any(settled > MAX_CHANGE * np.linalg.norm(Phi, 2, axis=(1, 2))):
+        raise DataError(
+            "no certificate: W has too many jumps, or oscillates too fast, to be computed. Give a "
+            "shorter window"
+        )
+    drop = np.maximum(drop - settled * (2 + settled), 0)
     # Phi^windows from e = 0: its small singular values are the directions that are learned
     windows = int(max(1.0, excitation.run_length / span * (1 + 1e-12)))
     power = np.linalg.matrix_power(Phi, windows)[..., form.W.rows if form else 1 :]
-    remaining = worsened(power)
-    learned = np.sum(remaining <= 0.1, axis=-1)
+    learned = np.sum(worsened(power, windows * settled) <= 0.1, axis=-1)
     drops, counts = (
         dict(zip(excitation.names, values.tolist(), strict=True))
         for values in (drop, learned)
     )
     falls = np.inf, 1.0, np.inf
     if not any(excitation.idle.values()):
-        falls = falls_of(Phi, drop, span)
+        falls = falls_of(Phi, drop, span, settled)
     half_life, overshoot, time = falls
     return Certificate(
         excitation.start,
         span,
         drops,
-        bool(flow) and (flow.disturbance is not None or flow.parameters is None),
+        _is_disturbed(excitation),
         counts,
         finite_or_none(time),
         finite_or_none(half_life),
@@ -289,18 +260,20 @@ def certificate(excitation: Any) -> Certificate:
 
 
 def falls_of(
-    Phi: np.ndarray, drop: np.ndarray, window: float
+    Phi: np.ndarray, drop: np.ndarray, window: float, settled: float
 ) -> tuple[float, float, float]:
-    """Return H, c, and the time to a tenth, of errors that are at most c 2^(-t/H) of the first.
+    """Return H, c, and the time to a tenth, of a root of V that is at most c 2^(-t/H) of the first.
 
     |Phi^m| is computed for `WINDOWS` windows, of which the best is used, and for the least m at
     which it is a tenth.
     """
+    largest = np.minimum(1, worsened(Phi, settled)[:, :1])
 
     def norm(m: int) -> float:
-        norms = worsened(np.linalg.matrix_power(Phi, m))[:, 0]
+        off = m * (ROUNDING + settled * largest ** max(0, m - 1))
+        norms = worsened(np.linalg.matrix_power(Phi, m), off)[:, 0]
         by_drop = np.exp(m / 2 * np.log1p(-np.minimum(drop, 1 - ROUNDING)))
-        return float(np.minimum(norms + m * ROUNDING, by_drop).max())
+        return float(np.minimum(norms, by_drop).max())
 
     norms = np.array([norm(m) for m in range(WINDOWS + 1)])
     times = window * np.arange(1, WINDOWS + 1)

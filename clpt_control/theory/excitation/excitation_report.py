@@ -56,10 +56,10 @@ def report_of(excitation: Any) -> dict[str, Any]:
     eigenvalue), ``least_excited`` and ``dimension`` (of the excited subspace).
 
     ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
-    (1 - contraction, with all its digits), ``time_to_tenth`` (time in which the norm of all
-    errors falls to a tenth in windows like this one, or None for never) and ``learned`` (by axis,
+    (1 - contraction, with all its digits), ``time_to_tenth`` (time in which the root of V
+    falls to a tenth in windows like this one, or None for never) and ``learned`` (by axis,
     number of directions in which errors do so within ``run_length``) exclude the effect of a
-    disturbance if ``disturbed``.  The norm of all errors is at most ``overshoot``
+    disturbance if ``disturbed``.  The root of V is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
     ``riccati`` has by axis another ``half_life`` and ``overshoot``, and ``b``, the bounds of f'w,
@@ -127,7 +127,7 @@ def learned_text(excitation: Any) -> str:
     when = "infinite" if is_never else f"at most {at_most(time, 6)}{unit}"
     return (
         f"can be learned within the run, {excitation.run_length:g}{unit}: {counts}; time "
-        f"in which the norm of all errors of adapted parameters falls to a tenth: {when}"
+        f"in which the root of V falls to a tenth: {when}"
     )
 
 
@@ -136,7 +136,12 @@ def repeated_text(excitation: Any) -> str:
     found, unit = excitation.certified[0], excitation.time_unit
     if found.half_life is None:
         return "not excited, or not enough: errors have no half-life"
-    return f"{halving_text(found, unit)} along this run repeated"
+    but = ", but for what the disturbance adds" * found.disturbed
+    of_errors = at_most(found.overshoot * np.linalg.cond(excitation.scale))
+    return (
+        f"{halving_text(found, unit)} along this run repeated (errors of parameters, from e = 0: "
+        f"but for a factor {of_errors}){but}"
+    )
 
 
 def _direction(excitation: Any, axis: str) -> list[str]:
@@ -239,7 +244,7 @@ def slow_direction_of(excitation: Any, run: Any) -> str:
     unit = excitation.time_unit
     return (
         f"flow parameters end up to {off:.2g} {run.flow_parameters.attrs['units']} off. The track "
-        f"hardly shows the direction {_direction(excitation, axis)[1]}: the norm of all errors "
+        f"hardly shows the direction {_direction(excitation, axis)[1]}: the root of V "
         f"falls to a tenth within {at_most(time, 6)} {unit}, the run has "
         f"{excitation.run_length:g} {unit}. Use a longer run, other waypoints or another kernel"
     )

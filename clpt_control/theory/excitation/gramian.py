@@ -24,6 +24,7 @@ import numpy as np
 from ...base.arguments import nearest, public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
+from ...base.run_attributes import ARGUMENTS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
@@ -42,6 +43,8 @@ from .excitation_report import (
     slow_direction_of,
 )
 from .regressor import (
+    POSITION,
+    PREDICTED,
     Regressor,
     Source,
     eigenvalues_of,
@@ -56,6 +59,9 @@ from .watch import watch_of
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
+SAME = (
+    1e-4  # share of a position by which a recorded run may differ from its scenario's
+)
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
@@ -120,6 +126,29 @@ class Excitation(Regressor):
             return self.riccati, ""
         except ClptError as error:
             return {}, str(error)
+
+    @cached_property
+    def exact(self) -> "Excitation":
+        """The same of a recorded run's scenario, which is simulated again at the nodes."""
+        if (
+            self.scenario is None
+            or isinstance(self.source, Scenario)
+            or self.python_parts
+        ):
+            return self
+        times = self.source.time.values
+        inside = (times >= self.start) & (times <= self.start + self.window)
+        again = simulate(self.scenario, times[inside])
+        for name in (POSITION, PREDICTED):
+            recorded = self.source[name].values[inside]
+            if not np.allclose(
+                again[name], recorded, SAME, SAME * np.abs(recorded).max()
+            ):
+                raise DataError(
+                    f"no certificate: {name} in the window is not that of the run's scenario. "
+                    "Give the scenario in place of the run"
+                )
+        return gramian(self.scenario, self.window, self.start)
 
     @cached_property
     def accuracy(self) -> float | None:
@@ -249,9 +278,16 @@ class Excitation(Regressor):
 
     @property
     def idle(self) -> dict[str, int]:
-        """Number of eigenvalues of each axis that count as zero, on the track without noise."""
-        values = self.without_noise.eigenvalues.items()
-        return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}
+        """Number of eigenvalues of each axis that count as zero, on the track without noise.
+
+        Of an error system they are those in the coordinates of V, whatever the units.
+        """
+        values, form = self.without_noise.eigenvalues, self.form
+        if form:
+            left = np.kron(np.eye(len(self.weights[0]) // len(form.left)), form.left)
+            scaled = left @ self.w @ form.right
+            values = {"w": eigenvalues_of(scaled[0], self.weights)}
+        return {a: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for a, v in values.items()}
 
 
 @public
@@ -326,7 +362,10 @@ def gramian(
     """
     run: Any = source
     recorded = hasattr(run, "data_vars")
-    w = signals if of is None else error_system_of(of, signals or ())
+    w: Any = signals
+    if of is not None:
+        noted = run.encoding.get(ARGUMENTS, {}) if recorded else options
+        w = error_system_of(of, signals or (), noted.get("params"))
     for name in options if recorded else ():
         close = nearest(name, ("window", "start", "signals", "of"))
         cure = f"Did you mean '{close}'?" if close else "Leave it out"

@@ -9,8 +9,9 @@ between the switches of the waypoint; zc and the tides are those of the scenario
 scenario, started true, samples each 1 s give the eigenvalues of the Gramian within 0.2 %, samples
 each 0.2 s within 1e-6.
 
-`signal_regressor` is for any signals of any run, and for W of an error system.  They are joined by
-straight lines between the samples, and the trapezoidal rule integrates their products.
+`signal_regressor` is for any signals of any run, joined by straight lines between the samples; the
+trapezoidal rule integrates their products.  W of an error system is a function of time, computed
+at nodes of pieces that are divided until the transition matrix settles.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,7 +20,6 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
-from numpy.polynomial import legendre
 from scipy.interpolate import interp1d
 
 from ...base.errors import ArgumentError, DataError, ScenarioError
@@ -32,6 +32,7 @@ from ...paper.scenario.team import Team, system_of_run
 from ...simulation.comparison import ports_along, signals_of
 from ...simulation.integrate import simulate
 from .error_system import ErrorSystem
+from .transitions import FEW, gauss, settled
 
 if TYPE_CHECKING:
     import xarray
@@ -97,9 +98,7 @@ def positions_between(
 
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
-NODE, WEIGHT = legendre.leggauss(NODES)
-# values at the nodes -> coefficients of their polynomial
-COEFFICIENTS = np.linalg.inv(legendre.legvander(NODE, NODES - 1))
+NODE, WEIGHT, COEFFICIENTS, _ = gauss(NODES)
 MAX_PIECES = 1e6
 SHORTEST = 1e-9  # window, share of the run
 ROUGH = 9e-7  # last Legendre coefficients of a piece, share of the largest w
@@ -122,6 +121,7 @@ class Regressor:
     gains: Any = None  # adaptation gains of its n parameters; 0 if fixed
     python_parts: str = ""  # parts of a recorded run that its scenario does not contain
     form: Any = None  # error system of a verdict, whose W has its m rows at each node
+    change: float = 0.0  # of the transition matrix, if pieces were divided further
 
     @property
     def feedback(self) -> Sequence[Any]:
@@ -380,20 +380,30 @@ def signal_regressor(
             f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
             "run.clpt.table() has the names of single signals"
         )
-    if form is None:
-        names, along_run = [*columns], np.transpose([*columns.values()])[:, None]
-    else:
-        names = form.names
-        times, along_run = form.along(run, columns)
+    trajectory = f"signals of a run, {run.sizes['time']} samples"
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
+    length = float(np.ptp(times))
+    if form:
+        W_at = form.along(run, columns, start, end)
+
+        def scaled(t: np.ndarray) -> np.ndarray:
+            return form.left @ W_at(t) @ form.right
+
+        cuts, w, change = settled(scaled, cuts, form.scaled_A)
+        W = np.linalg.solve(form.left, w) @ np.linalg.inv(form.right)
+        weights = np.diff(cuts)[:, None] / 2 * gauss(FEW).weight
+        by_nodes = trajectory, cuts, np.repeat(weights, len(form.left), axis=1)
+        W = W.reshape(1, len(W), -1, W.shape[-1])
+        named = {"w": form.names}
+        return Regressor(named, unit, *by_nodes, W, length, form=form, change=change)
+    along_run = np.transpose([*columns.values()])
     values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():
         raise DataError("gramian: signals: must be finite in the window")
-    ends = np.concatenate([values[:-1], values[1:]], axis=1)
-    weights = np.tile(np.diff(cuts)[:, None] / 2, ends.shape[1])
-    trajectory = f"signals of a run, {run.sizes['time']} samples"
-    of_run = trajectory, cuts, weights, ends[None], float(np.ptp(times))
-    return Regressor({"w": names}, unit, *of_run, form=form)
+    ends = np.stack([values[:-1], values[1:]], axis=1)
+    weights = np.tile(np.diff(cuts)[:, None] / 2, 2)
+    of_run = trajectory, cuts, weights, ends[None], length
+    return Regressor({"w": [*columns]}, unit, *of_run)
 
 
 def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:

@@ -87,6 +87,12 @@ class Riccati:
         """Time in which the root of V halves, at most, but for that of the overshoot."""
         return float(2 * np.log(2) / self.constants["rho"])
 
+    def in_unit(self, a: Any) -> "Riccati":
+        """Return the same where time was in units of 1/a."""
+        powers = {"a": 1, "p": 1, "rho": 1, "b0": 1, "b1": 1, "C": -1, "D": -1}
+        constants = {k: x * a ** powers.get(k, 0) for k, x in self.constants.items()}
+        return Riccati(constants, self.f, self.R / float(a), self.pieces)
+
     def coq(self) -> str:
         """Return the rate as a file that Coq checks alone."""
         given = {name: f"({value})" for name, value in self.constants.items()}
@@ -171,24 +177,27 @@ def riccati_of(excitation: Any) -> dict[str, Any]:
     # Step 1: w, constant in pieces about the nodes
     if excitation.certificate().half_life is None:
         raise DataError("no Riccati certificate: not all parameters are excited enough")
+    excitation = excitation.exact
     w, h, found = excitation.w @ excitation.scale, excitation.weights.ravel(), {}
     for axis, k, at_nodes in zip(
         excitation.names, excitation.feedback, w, strict=False
     ):
-        a, pieces = Fraction(str(k)), at_nodes.reshape(len(h), -1)
+        # time in 1/a: the weights are those of no unit
+        a, one = Fraction(str(k)), Fraction(1)
+        h_a, pieces = h * float(a), at_nodes.reshape(len(h), -1) / float(a)
         # Step 2: the largest rho in fewer, longer pieces
-        turns = h @ np.linalg.norm(pieces, axis=1)
+        turns = h_a @ np.linalg.norm(pieces, axis=1)
         thin = slice(None, None, 1 + len(h) // int(np.clip(turns, *COARSE)))
-        fewer = h[thin] * thin.step, pieces[thin]
-        rho, best = SMALLEST * float(a), (a, a, Fraction(1))
+        fewer = h_a[thin] * thin.step, pieces[thin]
+        rho, best = SMALLEST, (one, one, one)
         for factor, share, kappa in product((5, 1.5, 1.1, 1.02), SHARES, KAPPAS):
-            at = a, a * rational(share), rational(kappa)
+            at = one, rational(share), rational(kappa)
             while tried(*fewer, *at, rational(rho * factor)):
                 rho, best = rho * factor, at
         # Step 3: in all pieces
-        rates = (tried(h, pieces, *best, rational(rho * 0.95**k)) for k in range(12))
+        rates = (tried(h_a, pieces, *best, rational(rho * 0.95**k)) for k in range(12))
         if rate := next(filter(None, rates), None):
-            found[axis] = rate
+            found[axis] = rate.in_unit(a)
     if not found:
         raise DataError(
             "no Riccati certificate: e has several components, or no weights were found. Use "
